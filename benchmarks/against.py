@@ -148,7 +148,7 @@ def emitted(checkout: Path, kept: Path, entry: Entry, variant: str) -> Source:
                 command, cwd=checkout, env=environment, capture_output=True, text=True, check=False
             )
             if done.returncode == 0:
-                file = next(Path(folder).glob("*.cpp"))
+                file = next(Path(folder).glob("*_p[0-9]*.cpp"))
                 found = Source(file.name, file.read_text(encoding="utf-8"), "")
             else:
                 found = Source("", "", done.stderr.strip())

@@ -34,8 +34,8 @@ QUICK = ("-O1", "-march=native", "-DNDEBUG", "-fno-math-errno")
 OPTIMISED = ("-O3", *QUICK[1:])
 NARROW = ("-O1", "-march=x86-64-v2", *QUICK[2:])  # registers of two doubles
 TIMEOUT = 120.0
-WRITTEN = 7
-"""Files that are written for a solver: source, header, plan, drawing, what builds and finds it."""
+WRITTEN = 8
+"""Files that are written for a solver: source, header, plan, drawing, program, what builds it."""
 ROUNDING = {
     scalar: 450 * float(np.finfo(number).eps)
     for scalar, number in (("double", np.float64), ("float", np.float32))
@@ -96,12 +96,12 @@ class Builder:
             return build_executable(source, stem, toolchain, self.folder)
 
     def check(self, source: str, stem: str, flags: Sequence[str]) -> None:
-        """Have a source compiled for its warnings alone."""
-        toolchain = replace(self.toolchain, flags=(*STANDARD, *WARNINGS, "-Werror", *flags))
+        """Have a source compiled into an object for its warnings alone."""
+        toolchain = replace(self.toolchain, flags=(*STANDARD, *WARNINGS, "-Werror", "-c", *flags))
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, f"{stem}.cpp")
             path.write_text(source)
-            command = toolchain.compile_command(path, path.with_suffix(""), uses_mpi(source))
+            command = toolchain.compile_command(path, path.with_suffix(".o"), uses_mpi(source))
             done = subprocess.run(
                 command, capture_output=True, text=True, env=toolchain.variables(os.environ)
             )

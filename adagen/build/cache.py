@@ -12,6 +12,7 @@ import tempfile
 import time
 from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager, nullcontext, suppress
+from dataclasses import dataclass
 from pathlib import Path
 
 from adagen.build.toolchain import Toolchain
@@ -44,6 +45,8 @@ def build_executable(
 ) -> Path:
     """Return an executable of ``source_text``, compiled now or found in the cache.
 
+    An emitted solver is linked with the program around it, whose object is in the cache, too.
+
     Safe under concurrent calls: a build happens in a folder of its own that is renamed into place
     whole; of two builds of the same thing one is kept.
 
@@ -60,12 +63,63 @@ def build_executable(
     if not _SAFE_NAME.fullmatch(name):
         raise ValueError(f"not a file name for an executable: {name!r}")
     cache = cache_folder() if cache_dir is None else cache_dir
-    final = cache / _key(source_text, name, toolchain)
-    executable = final / name
-    if os.access(executable, os.X_OK):
+    parts = _around(source_text)
+    mpi = uses_mpi(source_text)
+    texts = (
+        (source_text, name) if parts is None else (source_text, name, parts.text, *parts.options)
+    )
+    telling = progress or (lambda _: nullcontext())
+
+    def compile_and_link(work: Path) -> None:
+        around = (parts,) if parts else ()
+        objects = [_program_object(each, mpi, toolchain, cache, telling) for each in around]
+        source = _written(source_text, work / f"{name}.cpp")
+        with telling(f"compiling {name}"):
+            _compile(toolchain.compile_command(source, work / name, mpi, objects), toolchain, work)
+
+    return _entry(cache, _key(texts, toolchain, mpi), name, compile_and_link)
+
+
+@dataclass(frozen=True)
+class _Around:
+    """The program around a solver: its text, and the options that fit it to this one."""
+
+    text: str
+    options: tuple[str, ...]
+
+
+def _around(source_text: str) -> _Around | None:
+    """Return the program that a source is to be linked with, or None."""
+    from adagen.emit.around import options_in, program_text  # takes its time; few need it
+
+    options = options_in(source_text)
+    return None if options is None else _Around(program_text(), options)
+
+
+def _program_object(
+    program: _Around, mpi: bool, toolchain: Toolchain, cache: Path, progress: Progress
+) -> Path:
+    """Return the program's object, compiled once for all solvers that need it so."""
+    name = "adagen_program.o"
+
+    def compile_it(work: Path) -> None:
+        source = _written(program.text, work / "adagen_program.cpp")
+        command = toolchain.object_command(source, work / name, mpi, program.options)
+        with progress("compiling adagen_program"):
+            _compile(command, toolchain, work)
+
+    key = _key((program.text, name, *program.options), toolchain, mpi)
+    return _entry(cache, key, name, compile_it)
+
+
+def _entry(cache: Path, key: str, name: str, make: Callable[[Path], None]) -> Path:
+    """Return a file of the cache, made now in a folder of its own where it is not there."""
+    final = cache / key
+    file = final / name
+    if os.access(file, os.R_OK):
         with suppress(OSError):
             os.utime(final)  # what was used last is kept longest
-        return executable
+        return file
     try:
         cache.mkdir(parents=True, exist_ok=True)
         work = Path(tempfile.mkdtemp(prefix="building-", dir=cache))
@@ -75,46 +129,47 @@ def build_executable(
             "that can be written"
         ) from None
     try:
-        with (progress or (lambda _: nullcontext()))(f"compiling {name}"):
-            _compile(source_text, name, toolchain, work)
-        _move_into_place(work, final, executable)
+        make(work)
+        _move_into_place(work, final, file)
     finally:
         shutil.rmtree(work, ignore_errors=True)
     _drop_unused(cache)
-    return executable
+    return file
 
 
-def _compile(source_text: str, name: str, toolchain: Toolchain, work: Path) -> None:
-    source = work / f"{name}.cpp"
+def _written(text: str, source: Path) -> Path:
     try:
-        source.write_text(source_text, encoding="utf-8")
+        source.write_text(text, encoding="utf-8")
     except OSError as error:
         raise EnvironmentFault(f"cannot write {source}: {error.strerror}") from None
-    done = _run(toolchain.compile_command(source, work / name, uses_mpi(source_text)), toolchain)
+    return source
+
+
+def _compile(command: list[str], toolchain: Toolchain, work: Path) -> None:
+    done = _run(command, toolchain)
     if done.returncode != 0:
         raise EnvironmentFault(_why(done, work))
 
 
-def _move_into_place(work: Path, final: Path, executable: Path) -> None:
+def _move_into_place(work: Path, final: Path, file: Path) -> None:
     work.chmod(0o755)  # mkdtemp makes it private
     try:
         work.rename(final)
     except OSError as error:
-        if os.access(executable, os.X_OK):
+        if os.access(file, os.R_OK):
             return  # somebody else built the same thing meanwhile
         shutil.rmtree(final, ignore_errors=True)  # a damaged entry
         try:
             work.rename(final)
         except OSError:
-            raise EnvironmentFault(f"cannot keep {executable}: {error.strerror}") from None
+            raise EnvironmentFault(f"cannot keep {file}: {error.strerror}") from None
 
 
-def _key(source_text: str, name: str, toolchain: Toolchain) -> str:
-    """Return the SHA-256, in hexadecimal, of everything that decides on the executable."""
-    compiler = toolchain.compiler(uses_mpi(source_text))
+def _key(texts: tuple[str, ...], toolchain: Toolchain, mpi: bool) -> str:
+    """Return the SHA-256, in hexadecimal, of everything that decides on what is made of texts."""
+    compiler = toolchain.compiler(mpi)
     parts = (
-        source_text,
-        name,
+        *texts,
         "\0".join(compiler),
         "\0".join(toolchain.flags),
         _compiler_identity(compiler, toolchain),

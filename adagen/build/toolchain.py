@@ -8,7 +8,7 @@ import shlex
 import shutil
 import subprocess
 import sysconfig
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from importlib import metadata
 from pathlib import Path
@@ -58,10 +58,19 @@ class Toolchain:
         """Return what compiles programs that exchange messages, or those that do not."""
         return self.mpicxx if mpi else self.cxx
 
-    def compile_command(self, source: Path, executable: Path, mpi: bool = True) -> list[str]:
-        """Return the arguments that compile ``source`` into ``executable``."""
+    def compile_command(
+        self, source: Path, executable: Path, mpi: bool = True, objects: Sequence[Path] = ()
+    ) -> list[str]:
+        """Return the arguments that compile ``source`` into ``executable``, with some objects."""
         eigen = ("-isystem", str(self.eigen))
-        return [*self.compiler(mpi), *self.flags, *eigen, str(source), "-o", str(executable)]
+        files = [str(source), *map(str, objects), "-o", str(executable)]
+        return [*self.compiler(mpi), *self.flags, *eigen, *files]
+
+    def object_command(
+        self, source: Path, to: Path, mpi: bool, options: Sequence[str]
+    ) -> list[str]:
+        """Return the arguments that compile ``source``, which needs no Eigen, into an object."""
+        return [*self.compiler(mpi), *self.flags, *options, "-c", str(source), "-o", str(to)]
 
     def variables(self, environ: Mapping[str, str]) -> dict[str, str]:
         """Return ``environ`` with this toolchain's own variables added."""

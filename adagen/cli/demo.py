@@ -76,7 +76,7 @@ def _build_and_run(folder: Path, processes: int) -> dict[str, Any]:
     from adagen.run import launch
 
     toolchain = find_toolchain()
-    (source,) = folder.glob("*.cpp")
+    (source,) = folder.glob("*_p[0-9]*.cpp")
     note(f"$ make -C {folder}")
     with progress(f"compiling {source.stem}"):
         done = subprocess.run(

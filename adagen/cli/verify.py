@@ -43,7 +43,7 @@ def run(argv: Sequence[str]) -> int:
     for source in sources:
         with progress(f"emitting {source.stem} anew"):
             texts = _made_again(source)
-        expected |= {str(source.parent / name): text.encode() for name, text in texts.items()}
+        expected |= {str(_place(source.parent, name)): text.encode() for name, text in texts.items()}
     found = _found(options.folders, expected)
     if options.update:
         _update(found, expected)
@@ -134,6 +134,15 @@ def _made_again(source: Path) -> dict[str, str]:
     if f"{made.stem}.cpp" != source.name:
         raise InputError(f"the command in its head makes {made.stem}.cpp", str(source))
     return made.in_folder(place)
+
+
+def _place(folder: Path, name: str) -> Path:
+    """Where a file of a folder is: several folders may share the program above them."""
+    from adagen.emit.around import PROGRAM_FILE
+
+    shared = folder.parent / name
+    above = name == PROGRAM_FILE and not (folder / name).exists() and shared.is_file()
+    return shared if above else folder / name
 
 
 def _seen_here(place: Path, path: str) -> str:

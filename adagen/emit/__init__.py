@@ -7,6 +7,7 @@ from dataclasses import replace
 from adagen import __version__
 from adagen.cost import programmed
 from adagen.emit import headers
+from adagen.emit.around import PROGRAM_FILE, options_of, program_text
 from adagen.emit.head import algorithm, program_lines
 from adagen.emit.interface import FAILURES
 from adagen.emit.model import model_values
@@ -70,8 +71,9 @@ def emit(
             of least price.
 
     Returns:
-        NAME_pP.cpp, NAME_pP.h, NAME_pP.plan.json, NAME_pP.pc and, if given, NAME_pP.svg; Makefile
-        and CMakeLists.txt, which are the same for all, and build all in their folder.
+        NAME_pP.cpp, NAME_pP.h, NAME_pP.plan.json, NAME_pP.pc and, if given, NAME_pP.svg; and for
+        all the same adagen_program.cpp, the program around them, Makefile and CMakeLists.txt, which
+        build all in their folder.
 
     Raises:
         UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
@@ -83,6 +85,7 @@ def emit(
         f"{stem}.cpp": text,
         f"{stem}.h": header,
         f"{stem}.plan.json": plan_to_json(replace(plan, profile=_named(profile))),
+        PROGRAM_FILE: program_text(),
         f"{stem}.pc": render(
             "solver.pc.j2",
             stem=stem,
@@ -185,8 +188,10 @@ def _texts(
         "messages": plan.messages,
         "channel_messages": _channel_messages(words),
         "hops": _hops(costs),
+        "program_file": PROGRAM_FILE,
+        "program_options": options_of(processes > 1, words.number),
+        "comm": "MPI_Comm" if processes > 1 else "adagen::OneProcess",
         "headers": sorted({*headers.SOLVER, *(headers.MPI if processes > 1 else ())}),
-        "program_headers": headers.PROGRAM,
         "failures": FAILURES,
         **_head(program, stem, chunk, compiler),
         "algorithm": algorithm(program),

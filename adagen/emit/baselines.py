@@ -18,4 +18,5 @@ def why_not(plan: Plan) -> str | None:
 
 def values(_: Words) -> dict[str, object]:
     """Return what the templates of baselines are told: their runtime headers."""
-    return {"runtime": ["spatial.hpp", "status.hpp", "joins.hpp", "inertia.hpp", "articulated.hpp"]}
+    runtime = ["spatial.hpp", "status.hpp", "failures.hpp", "joins.hpp"]
+    return {"runtime": [*runtime, "inertia.hpp", "articulated.hpp"]}

@@ -33,4 +33,4 @@ PROGRAM = (
     "thread",
     "vector",
 )
-"""Of the program around it, besides."""
+"""Of the program around them, besides."""

@@ -3,6 +3,7 @@
 // robot     "human40", 15 joints, 40 degrees of freedom, description sha256 bdc16488e5ef4610f46ad114b2f2b09a8601d7b212cf0d9aa1794a195cd4ce35
 // command   adagen ../models/human40.urdf --procs 4 --schedule=balanced --shape=kernels
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// links     adagen_program.cpp -DADAGEN_MPI
 // program   4 processes, joined at cuts; 1.28 us predicted (default profile)
 //           process 0: root .. left_hip, right_hip .. spine
 //           process 1: left_knee .. left_ankle
@@ -24,7 +25,7 @@
 //   3. runtime     spatial algebra, joints, exchange between processes
 //   4. joints      for each joint its memory, then what is done with it, step by step
 //   5. processes   who does what, in order
-//   6. program     states in, accelerations out; check; time
+//   6. program     what the program around it, adagen_program.cpp, is told; main
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN and link it; human40_p4.h
@@ -161,7 +162,6 @@ void human40_p4_close(human40_p4_solver* solver);
 #include <Eigen/LU>
 
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
-#define ADAGEN_HOT [[gnu::hot]] ADAGEN_NOINLINE  // called in each step of a simulation; main is cold
 // A counted loop that is to be unrolled whole, so that indices computed in it become constants.
 #if defined(__clang__)
 #define ADAGEN_FOR(k, first, last) _Pragma("clang loop unroll(full)") for (int k = first; k < last; ++k)
@@ -184,9 +184,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
 [[maybe_unused]] constexpr int kPlanMessages = 6;
 constexpr std::size_t kCacheLine = 64;
-[[maybe_unused]] constexpr bool kFloatingBase = false;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
-[[maybe_unused]] constexpr int kRandomStates = 64;
 const MPI_Datatype kMpiNumber = MPI_DOUBLE;
 
 // ---- 2. model -----------------------------------------------------------------------------------
@@ -354,13 +352,13 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 [[maybe_unused]] constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
 
 // Slaved joints follow their sources; what was given for them is ignored.
-template <class Number>
-void slave([[maybe_unused]] Number* q, [[maybe_unused]] Number* v) {
-  for (const JointConstants& joint : kJoints) {
+template <class Joints, class Value>
+void slave(const Joints& joints, [[maybe_unused]] Value* q, [[maybe_unused]] Value* v) {
+  for (const auto& joint : joints) {
     if (joint.source < 0) continue;
-    const JointConstants& source = kJoints[static_cast<std::size_t>(joint.source)];
-    q[joint.q] = static_cast<Number>(joint.multiplier * double(q[source.q]) + joint.offset);
-    v[joint.v] = static_cast<Number>(joint.multiplier * double(v[source.v]));
+    const auto& source = joints[joint.source];
+    q[joint.q] = static_cast<Value>(joint.multiplier * double(q[source.q]) + joint.offset);
+    v[joint.v] = static_cast<Value>(joint.multiplier * double(v[source.v]));
   }
 }
 
@@ -1501,12 +1499,6 @@ class Channel {
 };
 
 // Time stamps between the stages of a process's work (--trace); nothing is stamped otherwise.
-struct Stage {
-  const char* what;
-  int joint;    // that it ends or begins with; -1 for none
-  int message;  // sent or received; -1 for work
-};
-
 std::chrono::steady_clock::rep* trace_stamps =
     nullptr;  // where an evaluation puts them: its start, then each end
 
@@ -4232,6 +4224,12 @@ inline std::string why_not_open(MPI_Comm comm, const std::string& kind, double t
   return time_limit > 0 ? "" : "the time limit must be more than 0 s";
 }
 
+inline ChannelMode mode_of(const std::string& kind) {
+  return kind == "window"    ? ChannelMode::kWindow
+         : kind == "message" ? ChannelMode::kMessage
+                             : ChannelMode::kAuto;
+}
+
 template <class AnySolver>
 AnySolver* opened(MPI_Comm comm, const char* channel, double time_limit) {
   open_failure.clear();
@@ -4240,10 +4238,7 @@ AnySolver* opened(MPI_Comm comm, const char* channel, double time_limit) {
     std::string wrong = why_not_open(comm, kind, time_limit);
     if (wrong.empty()) {
       auto solver = std::make_unique<AnySolver>();
-      const ChannelMode mode = kind == "window"    ? ChannelMode::kWindow
-                               : kind == "message" ? ChannelMode::kMessage
-                                                   : ChannelMode::kAuto;
-      wrong = solver->channel.open(comm, mode, time_limit);
+      wrong = solver->channel.open(comm, mode_of(kind), time_limit);
       if (wrong.empty()) return solver.release();
       solver->channel.close();
     }
@@ -4298,1413 +4293,357 @@ void human40_p4_close(human40_p4_solver* solver) {
 }  // extern "C"
 
 // ---- 6. program ---------------------------------------------------------------------------------
+// What this solver tells the program around it, which is the same for all robots: states in,
+// accelerations out; check; time; trace; simulate.
 
 #ifndef ADAGEN_NO_MAIN
-#include <atomic>
-#include <charconv>
-#include <cstdlib>
-#include <fstream>
-#include <initializer_list>
-#include <iterator>
-#include <memory>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <thread>
-#include <vector>
-#if defined(__linux__)
-#include <sched.h>
-#endif
-#if defined(__unix__) || defined(__APPLE__)
-#include <sys/time.h>
-#include <unistd.h>
+// What a solver tells the program around it (adagen_program.cpp), and what that asks of it.
+namespace adagen {
 
-#include <csignal>
-#endif
+struct OneProcess {};  // in place of a communicator where there is no MPI
+
+template <class Item>
+struct Table {
+  const Item* items;
+  int count;
+
+  const Item* begin() const { return items; }
+  const Item* end() const { return items + count; }
+  const Item& operator[](int k) const { return items[k]; }
+};
+
+enum class JointKind { kRevolute, kPrismatic, kSpherical, kPlanar, kFloating };
+
+// Joints, links and outer forces as section 2 of the solver has them; rotations have 9 entries, row
+// by row.
+template <class Number>
+struct Joint {
+  const char* name;
+  JointKind kind;
+  int parent, q, nq, v, nv;
+  const Number *rotation, *translation;
+  int source;
+  double multiplier, offset;
+  double damping, friction, friction_speed, stiffness, rest, rotor;
+  bool prescribed;
+};
+
+template <class Number>
+struct Link {
+  double mass;
+  const Number *com, *tensor;
+};
+
+template <class Number>
+struct OuterForce {
+  const char* name;
+  int link;
+  const Number *rotation, *translation;
+};
+
+struct Message {
+  int source, target, size;  // size in numbers, the status not counted
+};
+
+// Between two time stamps of a process.
+struct Stage {
+  const char* what;
+  int joint;    // that it ends or begins with; -1 for none
+  int message;  // sent or received; -1 for work
+};
+
+// What a message costs, ns: its sender, from sent to seen, and per number to put it in and take it
+// out again.
+struct Hop {
+  double send, latency, number;
+};
+
+template <class Number>
+struct Description {
+  const char *robot, *channel;
+  int processes, nq, nv, ntau, refine;
+  bool floating, alone, batch;
+  double tolerance;
+  const double* gravity;
+  Table<Joint<Number>> joints;
+  Table<Link<Number>> links;
+  Table<OuterForce<Number>> outer_forces;
+  Table<Message> messages;
+  const Table<Stage>* stages;  // of each process
+  Hop window_hop, message_hop;
+};
+
+// How long an evaluation took, ns, and its status: state and result in place, and everything
+// through process 0.
+struct Elapsed {
+  double in_place, at_root;
+  int status_in_place, status_at_root;
+};
+
+// The solver. What is measured is compiled with it.
+template <class Number, class Comm>
+class AnySolver {
+ public:
+  using Ticks = std::chrono::steady_clock::rep;
+
+  virtual ~AnySolver() = default;
+
+  // Collective. Returns what is wrong, or an empty string.
+  virtual const char* open(Comm comm, const char* channel, double time_limit, int hosts) = 0;
+  virtual void close() = 0;
+  virtual Comm comm() const = 0;
+  virtual const char* channel_name() const = 0;
+  virtual bool windowed() const = 0;
+
+  // One evaluation; at the root: process 0 has the state and gets all accelerations. Returns a
+  // status.
+  virtual int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) = 0;
+  virtual int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) = 0;
+  virtual int end_at_root() = 0;
+  virtual bool has_part() const = 0;  // whether this process takes part in it
+
+  // Many at once, where the solver is for batches. The k-th state that failed, or -1; then, why.
+  virtual int solve_batch_at_root(int, const Number*, const Number*, const Number*, Number*) {
+    return 0;
+  }
+  virtual int failures() const { return 0; }
+  virtual int failed_state(int) { return -1; }
+  virtual const char* why() const { return ""; }
+
+  // A status in words, valid until the next; the names of the joints that one is joined with.
+  virtual const char* in_words(int status) = 0;
+  virtual const char* names_of_run(int joint) = 0;
+  // The size of the k-th correction of the last evaluation.
+  virtual double correction(int k) const = 0;
+  // 1 + the last joint of a run that has been near gimbal lock; 0: none.
+  virtual int near_lock() const = 0;
+
+  // Collective: processes start together. An evaluation; batches of so many states for each
+  // process, on the first of all processes; an evaluation with a stamp at its start, and at each
+  // end of a stage.
+  virtual Elapsed time(const Number* q, const Number* v, const Number* tau, Number* qdd) = 0;
+  virtual Elapsed time_batch(int, int, const Number*, const Number*, const Number*, Number*) {
+    return {};
+  }
+  virtual int trace(const Number* q, const Number* v, const Number* tau, Number* qdd,
+                    Ticks* stamps) = 0;
+
+  // Evaluations whose messages are noted once, and then played (take.hpp); numbered from 0 to
+  // count - 1. looks has room for the clock at the start, at each message and at the end.
+  virtual void forget(int count) = 0;
+  virtual int record(int k, bool at_root, const Number* q, const Number* v, const Number* tau,
+                     Number* qdd) = 0;
+  virtual void play(int k, bool at_root, const Number* q, const Number* v, const Number* tau,
+                    Number* qdd, Ticks* looks) = 0;
+  virtual Table<int> noted(int k) const = 0;
+};
+
+// The whole program; returns its exit status. Of a number and a communicator, as adagen_program.cpp
+// is compiled for them.
+template <class Number, class Comm>
+int program(const Description<Number>& description, AnySolver<Number, Comm>& solver, int count,
+            char** words);
+
+}  // namespace adagen
 
 namespace {
 
-constexpr const char* kRobot = "human40";
+// What is measured (--time, --stretches), of several processes.
+using Clock = std::chrono::steady_clock;
 
-// An independent check: inverse dynamics by Newton's and Euler's equations, body by body, in
-// double. It shares the model's constants with the solver, and no arithmetic.
-namespace check {
+Text open_channel(Channel& channel, MPI_Comm comm, const std::string& kind, double time_limit,
+                  int hosts) {
+  Text wrong;
+  return wrong += channel.open(comm, mode_of(kind), time_limit, hosts).c_str();
+}
 
-using Vec = std::array<double, 3>;
-using Mat = std::array<Vec, 3>;
+// All processes that take part in an evaluation start it at the same instant of their common clock;
+// hosts have none. One alone starts at once: to meet others that it does not need would only cool
+// its caches.
+Clock::time_point start_together(const Channel& channel) {
+  if (kAlone) return Clock::now();
+  if (!channel.on_one_host()) {
+    MPI_Barrier(channel.comm());
+    return Clock::now();
+  }
+  Clock::rep start = 0;
+  if (channel.rank() == 0)
+    start = (Clock::now() + std::chrono::microseconds(5)).time_since_epoch().count();
+  MPI_Bcast(&start, static_cast<int>(sizeof start), MPI_BYTE, 0, channel.comm());
+  const Clock::time_point at{Clock::duration(start)};
+  const Clock::time_point latest = Clock::now() + std::chrono::microseconds(50);
+  Clock::time_point now;
+  while ((now = Clock::now()) < at && now < latest) relax();
+  return now;
+}
 
-Vec operator+(const Vec& a, const Vec& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-Vec cross(const Vec& a, const Vec& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+// The same where an evaluation has just ended.
+Clock::time_point start_again(const Channel& channel) {
+  if (!kAlone) MPI_Barrier(channel.comm());
+  return Clock::now();
 }
-Vec times(const Mat& m, const Vec& a) {
-  Vec result{};
-  for (int i = 0; i < 3; ++i) result[i] = m[i][0] * a[0] + m[i][1] * a[1] + m[i][2] * a[2];
-  return result;
-}
-Vec transposed_times(const Mat& m, const Vec& a) {
-  Vec result{};
-  for (int i = 0; i < 3; ++i) result[i] = m[0][i] * a[0] + m[1][i] * a[1] + m[2][i] * a[2];
-  return result;
-}
-Mat times(const Mat& a, const Mat& b) {
-  Mat result{};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      for (int k = 0; k < 3; ++k) result[i][j] += a[i][k] * b[k][j];
-  return result;
-}
-Vec vec3(const Number* x) { return {double(x[0]), double(x[1]), double(x[2])}; }
-Mat mat3(const Number* x) { return {vec3(x), vec3(x + 3), vec3(x + 6)}; }
 
-struct Body {
-  Mat turn;   // child to parent coordinates
-  Vec shift;  // child origin in parent coordinates
-  Vec w, dw;  // angular velocity and acceleration, in the body's frame
-  Vec a;      // acceleration of its origin minus gravity, in the body's frame
-  Vec f, n;   // force on it through its joint, and moment about its origin
+// Evaluations whose messages are noted once, and played as often as asked for.
+class Takes {
+ public:
+  void forget(int count) { takes_.assign(static_cast<std::size_t>(count), Take()); }
+
+  template <class Evaluate>
+  int record(Channel& channel, int k, Evaluate evaluate) {
+    Take& take = takes_[static_cast<std::size_t>(k)];
+    take.record();
+    channel.use(&take);
+    const int status = evaluate();
+    channel.use(nullptr);
+    return status;
+  }
+
+  // looks: at the clock, at the start, at each message and at the end.
+  template <class Evaluate>
+  void play(Channel& channel, int k, Clock::rep* looks, Evaluate evaluate) {
+    Take& take = takes_[static_cast<std::size_t>(k)];
+    take.play();
+    channel.use(&take);
+    const Clock::rep start = Clock::now().time_since_epoch().count();
+    evaluate();
+    const Clock::rep end = Clock::now().time_since_epoch().count();
+    channel.use(nullptr);
+    *looks = start;
+    *std::copy(take.looks().begin(), take.looks().end(), looks + 1) = end;
+  }
+
+  adagen::Table<int> messages(int k) const {
+    const std::vector<int>& found = takes_[static_cast<std::size_t>(k)].messages();
+    return {found.data(), static_cast<int>(found.size())};
+  }
+
+ private:
+  std::vector<Take> takes_;
 };
 
-// Rotation and origin of the child frame in the joint frame.
-void displace(const JointConstants& joint, const Number* q, Mat& turn, Vec& shift) {
-  turn = {Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}};
-  shift = {};
-  const auto about_z = [&turn](double angle) {
-    const double c = std::cos(angle), s = std::sin(angle);
-    turn = {Vec{c, -s, 0}, Vec{s, c, 0}, Vec{0, 0, 1}};
-  };
-  const auto orient = [&turn](const Number* p) {
-    double x = double(p[0]), y = double(p[1]), z = double(p[2]), w = double(p[3]);
-    const double length = std::sqrt(x * x + y * y + z * z + w * w);
-    x /= length, y /= length, z /= length, w /= length;
-    turn = {Vec{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
-            Vec{2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
-            Vec{2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}};
-  };
-  switch (joint.kind) {
-    case JointKind::kRevolute:
-      about_z(double(q[0]));
-      break;
-    case JointKind::kPrismatic:
-      shift[2] = double(q[0]);
-      break;
-    case JointKind::kSpherical:
-      orient(q);
-      break;
-    case JointKind::kPlanar:
-      about_z(double(q[2])), shift = {double(q[0]), double(q[1]), 0};
-      break;
-    case JointKind::kFloating:
-      orient(q + 3), shift = vec3(q);
-      break;
-  }
-}
-
-// Angular and linear part of a joint's velocity or acceleration, in the child's frame.
-void motion(const JointConstants& joint, const Number* x, Vec& angular, Vec& linear) {
-  angular = linear = {};
-  switch (joint.kind) {
-    case JointKind::kRevolute:
-      angular[2] = double(x[0]);
-      break;
-    case JointKind::kPrismatic:
-      linear[2] = double(x[0]);
-      break;
-    case JointKind::kSpherical:
-      angular = vec3(x);
-      break;
-    case JointKind::kPlanar:
-      linear = {double(x[0]), double(x[1]), 0}, angular[2] = double(x[2]);
-      break;
-    case JointKind::kFloating:
-      linear = vec3(x), angular = vec3(x + 3);
-      break;
-  }
-}
-
-// What a joint's damping, friction, spring and rotor take of its torque.
-void add_passive(const JointConstants& joint, const Number* q, const Number* v, const Number* qdd,
-                 double* tau) {
+// The model as the program takes it.
+adagen::Joint<Number> told(const JointConstants& joint) {
   const Passive& own = joint.passive;
-  for (int k = 0; k < joint.nv; ++k) {
-    const double rate = double(v[joint.v + k]);
-    tau[k] += double(own.damping) * rate + double(own.rotor) * double(qdd[joint.v + k]) +
-              double(own.friction) * std::tanh(rate / double(own.friction_speed));
-  }
-  if (own.stiffness != 0) tau[0] += double(own.stiffness) * (double(q[joint.q]) - double(own.rest));
+  const auto kind = static_cast<adagen::JointKind>(joint.kind);
+  return {joint.name,       kind,         joint.parent,   joint.q,           joint.nq,
+          joint.v,          joint.nv,     joint.rotation, joint.translation, joint.source,
+          joint.multiplier, joint.offset, own.damping,    own.friction,      own.friction_speed,
+          own.stiffness,    own.rest,     own.rotor,      own.prescribed};
+}
+adagen::Link<Number> told(const LinkConstants& link) { return {link.mass, link.com, link.tensor}; }
+[[maybe_unused]] adagen::OuterForce<Number> told(const OuterForce& outer) {
+  return {outer.name, outer.link, outer.rotation, outer.translation};
+}
+[[maybe_unused]] adagen::Message told(const MessageInfo& message) {
+  return {message.source, message.target, message.size};
 }
 
-// The outer forces push their links.
-void push(const Number* outer, std::array<Body, kLinkCount>& body) {
-  for (const OuterForce& one : kOuterForces) {
-    Body& b = body[static_cast<std::size_t>(one.link)];
-    const Mat turn = mat3(one.rotation);
-    const Vec force = times(turn, vec3(outer)), moment = times(turn, vec3(outer + 3));
-    const Vec lever = cross(vec3(one.translation), force);
-    for (int k = 0; k < 3; ++k) b.f[k] -= force[k], b.n[k] -= moment[k] + lever[k];
-    outer += 6;
-  }
+// All of a table, as long as the program runs.
+template <class Own, std::size_t n>
+auto table(const std::array<Own, n>& all) {
+  using Told = decltype(told(all[0]));
+  static std::array<Told, n> items{};
+  for (std::size_t k = 0; k < n; ++k) items[k] = told(all[k]);
+  return adagen::Table<Told>{items.data(), static_cast<int>(n)};
 }
 
-// Torques that give accelerations qdd at (q, v) beside the outer forces; slaved joints count
-// through their sources' torques.
-void inverse_dynamics(const Number* q, const Number* v, const Number* qdd, const Number* outer,
-                      double* tau) {
-  static std::array<Body, kLinkCount> body;
-  body[0] = {};
-  for (int k = 0; k < 3; ++k) body[0].a[k] = -kGravity[k];
-  for (int j = 0; j < kJointCount; ++j) {
-    const JointConstants& joint = kJoints[j];
-    const LinkConstants& link = kLinks[j + 1];
-    const Body& parent = body[joint.parent];
-    Body& b = body[j + 1];
-    Mat turn;
-    Vec shift, spin, slide, spin_rate, slide_rate;
-    displace(joint, q + joint.q, turn, shift);
-    motion(joint, v + joint.v, spin, slide);
-    motion(joint, qdd + joint.v, spin_rate, slide_rate);
-    b.turn = times(mat3(joint.rotation), turn);
-    b.shift = vec3(joint.translation) + times(mat3(joint.rotation), shift);
-    const Vec carried = transposed_times(b.turn, parent.w);
-    b.w = carried + spin;
-    b.dw = transposed_times(b.turn, parent.dw) + cross(carried, spin) + spin_rate;
-    const Vec at_origin =
-        parent.a + cross(parent.dw, b.shift) + cross(parent.w, cross(parent.w, b.shift));
-    const Vec coriolis = cross(carried, slide);
-    b.a =
-        transposed_times(b.turn, at_origin) + coriolis + coriolis + cross(spin, slide) + slide_rate;
-    const Vec c = vec3(link.com);
-    const Vec at_com = b.a + cross(b.dw, c) + cross(b.w, cross(b.w, c));
-    const Mat inertia = mat3(link.tensor);
-    for (int k = 0; k < 3; ++k) b.f[k] = double(link.mass) * at_com[k];
-    b.n = times(inertia, b.dw) + cross(b.w, times(inertia, b.w)) + cross(c, b.f);
-  }
-  push(outer, body);
-  for (int j = kJointCount - 1; j >= 0; --j) {
-    const JointConstants& joint = kJoints[j];
-    const Body& b = body[j + 1];
-    double* t = tau + joint.v;
-    switch (joint.kind) {
-      case JointKind::kRevolute:
-        t[0] = b.n[2];
-        break;
-      case JointKind::kPrismatic:
-        t[0] = b.f[2];
-        break;
-      case JointKind::kSpherical:
-        std::copy(b.n.begin(), b.n.end(), t);
-        break;
-      case JointKind::kPlanar:
-        t[0] = b.f[0], t[1] = b.f[1], t[2] = b.n[2];
-        break;
-      case JointKind::kFloating:
-        std::copy(b.f.begin(), b.f.end(), t);
-        std::copy(b.n.begin(), b.n.end(), t + 3);
-        break;
-    }
-    add_passive(joint, q, v, qdd, t);
-    Body& parent = body[joint.parent];
-    const Vec force = times(b.turn, b.f);
-    parent.f = parent.f + force;
-    parent.n = parent.n + times(b.turn, b.n) + cross(b.shift, force);
-  }
-  for (int j = 0; j < kJointCount; ++j) {
-    if (kJoints[j].source < 0) continue;
-    tau[kJoints[kJoints[j].source].v] += kJoints[j].multiplier * tau[kJoints[j].v];
-    tau[kJoints[j].v] = 0;
-  }
+// Shapes that join no runs of joints as one are never near gimbal lock.
+template <class S>
+auto near_lock_of(const S& solver, int) -> decltype(solver.w.near_lock) {
+  return solver.w.near_lock;
+}
+template <class S>
+int near_lock_of(const S&, long) {
+  return 0;
 }
 
-// How far slaved accelerations are from following their sources, relative to their size, and
-// prescribed ones from what was prescribed.
-double slip(const Number* tau, const Number* qdd) {
-  double worst = 0;
-  for (const JointConstants& joint : kJoints) {
-    for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
-      worst = std::max(worst, std::abs(double(qdd[k]) - double(tau[k])));
-    if (joint.source < 0) continue;
-    const double own = double(qdd[joint.v]);
-    const double due = joint.multiplier * double(qdd[kJoints[joint.source].v]);
-    worst = std::max(worst, std::abs(own - due) / std::max(1.0, std::abs(due)));
+class ThisSolver final : public adagen::AnySolver<Number, MPI_Comm> {
+ public:
+  const char* open(MPI_Comm comm, const char* channel, double time_limit, int hosts) override {
+    words_ = open_channel(solver_.channel, comm, channel, time_limit, hosts);
+    return words_.c_str();
   }
-  return worst;
-}
+  void close() override { solver_.channel.close(); }
+  MPI_Comm comm() const override { return solver_.channel.comm(); }
+  const char* channel_name() const override { return kAlone ? "none" : solver_.channel.name(); }
+  bool windowed() const override { return solver_.channel.windowed(); }
 
-// The larger of that and of |ID(q, v, qdd) - tau| relative to the size of the torques that it
-// balances.
-double residual(const Number* q, const Number* v, const Number* tau, const Number* qdd) {
-  static std::array<double, kNv> needed, at_rest;
-  static std::array<Number, kNv> zero{};
-  inverse_dynamics(q, v, qdd, tau + kNv, needed.data());
-  inverse_dynamics(q, v, zero.data(), tau + kNv, at_rest.data());
-  std::array<double, kNv> given{};
-  for (int k = 0; k < kNv; ++k) given[k] = double(tau[k]);
-  for (const JointConstants& joint : kJoints) {
-    for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
-      given[k] = needed[k] = at_rest[k] = 0;  // nobody asks for its torque
+  int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) override {
+    return in_place(q, v, tau, qdd);
   }
-  for (int j = 0; j < kJointCount; ++j) {
-    if (kJoints[j].source < 0) continue;
-    given[kJoints[kJoints[j].source].v] += kJoints[j].multiplier * given[kJoints[j].v];
-    given[kJoints[j].v] = 0;
+  int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) override {
+    return at_root(q, v, tau, qdd);
   }
-  double error = 0, size = 0;
-  for (int k = 0; k < kNv; ++k) {
-    error += (needed[k] - given[k]) * (needed[k] - given[k]);
-    size += given[k] * given[k] + at_rest[k] * at_rest[k];
-  }
-  return std::max(size > 0 ? std::sqrt(error / size) : std::sqrt(error), slip(tau, qdd));
-}
-
-}  // namespace check
-
-// Text as a JSON string, in one line.
-std::string quoted(const char* text) {
-  std::string result;
-  add_quoted(result, text);
-  return result;
-}
-
-// Reads JSON piece by piece; what is wrong is thrown.
-class JsonReader {
- protected:
-  explicit JsonReader(std::string text) : text_(std::move(text)) {}
-
-  [[noreturn]] void refuse(const std::string& what) const {
-    throw std::runtime_error(where_ + what);
+  int end_at_root() override { return solver_.end_at_root(); }
+  bool has_part() const override {
+    return kProcess[static_cast<std::size_t>(solver_.channel.rank())].own.count > 0;
   }
 
-  void white() {
-    while (at_ < text_.size() && std::strchr(" \t\r\n", text_[at_]) != nullptr) ++at_;
+  const char* in_words(int status) override {
+    words_ = describe(status);
+    return words_.c_str();
   }
-  char peek() {
-    white();
-    if (at_ >= text_.size()) refuse("the file ends too early");
-    return text_[at_];
+  const char* names_of_run(int joint) override {
+    words_.clear();
+    add_names_of_run(words_, joint);
+    return words_.c_str();
   }
-  void expect(char c) {
-    if (peek() != c) refuse(std::string("expected '") + c + "', found '" + text_[at_] + "'");
-    ++at_;
+  double correction([[maybe_unused]] int k) const override {
+    return 0;
   }
-  bool take(char c) {
-    if (peek() != c) return false;
-    ++at_;
-    return true;
+  int near_lock() const override { return near_lock_of(solver_, 0); }
+
+  adagen::Elapsed time(const Number* q, const Number* v, const Number* tau, Number* qdd) override {
+    const Clock::time_point start = start_together(solver_.channel);
+    const int first = in_place(q, v, tau, qdd);
+    const double in_place_ns = since(start);
+    const Clock::time_point again = start_again(solver_.channel);
+    const int second = at_root(q, v, tau, qdd);
+    const double at_root_ns = since(again);
+    return {in_place_ns, at_root_ns, first, second};
+  }
+  int trace(const Number* q, const Number* v, const Number* tau, Number* qdd, Ticks* stamps) override {
+    start_together(solver_.channel);
+    trace_stamps = stamps;
+    const int status = in_place(q, v, tau, qdd);
+    trace_stamps = nullptr;
+    return status;
   }
 
-  template <class Item>
-  void array(Item item) {
-    if (++depth_ > 64) refuse("nested too deeply");
-    expect('[');
-    if (!take(']')) {
-      do item();
-      while (take(','));
-      expect(']');
-    }
-    --depth_;
+  void forget(int count) override { takes_.forget(count); }
+  int record(int k, bool root, const Number* q, const Number* v, const Number* tau, Number* qdd) override {
+    return takes_.record(solver_.channel, k, [&] {
+      return root ? at_root(q, v, tau, qdd) : in_place(q, v, tau, qdd);
+    });
   }
-  template <class Item>
-  void object(Item item) {
-    if (++depth_ > 64) refuse("nested too deeply");
-    expect('{');
-    if (!take('}')) {
-      do {
-        const std::string key = string();
-        expect(':');
-        item(key);
-      } while (take(','));
-      expect('}');
-    }
-    --depth_;
-  }
-
-  std::vector<double> numbers() {
-    std::vector<double> result;
-    if (peek() == '[')
-      array([&] { result.push_back(number()); });
+  void play(int k, bool root, const Number* q, const Number* v, const Number* tau, Number* qdd, Ticks* looks) override {
+    if (root)
+      takes_.play(solver_.channel, k, looks, [&] { at_root(q, v, tau, qdd); });
     else
-      result.push_back(number());
-    return result;
+      takes_.play(solver_.channel, k, looks, [&] { in_place(q, v, tau, qdd); });
   }
-
-  double number() {
-    peek();
-    const std::size_t start = at_;
-    const auto digits = [this] {
-      const std::size_t first = at_;
-      while (at_ < text_.size() && text_[at_] >= '0' && text_[at_] <= '9') ++at_;
-      return at_ > first;
-    };
-    const auto next_is = [this](char a, char b) {
-      return at_ < text_.size() && (text_[at_] == a || text_[at_] == b);
-    };
-    if (next_is('-', '-')) ++at_;
-    bool good = digits();
-    if (good && next_is('.', '.')) ++at_, good = digits();
-    if (good && next_is('e', 'E')) {
-      ++at_;
-      if (next_is('+', '-')) ++at_;
-      good = digits();
-    }
-    double value = 0;
-    if (good) {
-      const auto end = std::from_chars(text_.data() + start, text_.data() + at_, value);
-      good = end.ec == std::errc() && end.ptr == text_.data() + at_ && std::isfinite(value);
-    }
-    if (!good) refuse("expected a finite number");
-    return value;
-  }
-
-  bool boolean() {
-    peek();
-    for (const bool value : {true, false}) {
-      const std::string word = value ? "true" : "false";
-      if (text_.compare(at_, word.size(), word) == 0) {
-        at_ += word.size();
-        return value;
-      }
-    }
-    refuse("expected true or false");
-  }
-
-  std::string string() {
-    expect('"');
-    std::string result;
-    for (;;) {
-      if (at_ >= text_.size()) refuse("a string does not end");
-      const char c = text_[at_++];
-      if (c == '"') return result;
-      if (static_cast<unsigned char>(c) < 0x20) refuse("a control character in a string");
-      if (c != '\\') {
-        result += c;
-        continue;
-      }
-      if (at_ >= text_.size()) refuse("a string does not end");
-      const char escape = text_[at_++];
-      const char* const from = "\"\\/bfnrt";
-      const char* const to = "\"\\/\b\f\n\r\t";
-      if (const char* place = std::strchr(from, escape); place != nullptr && escape != '\0')
-        result += to[place - from];
-      else if (escape == 'u')
-        append_utf8(result, code_point());
-      else
-        refuse("an unknown escape in a string");
-    }
-  }
-
-  unsigned hex4() {
-    if (at_ + 4 > text_.size()) refuse("a string does not end");
-    unsigned value = 0;
-    const auto end = std::from_chars(text_.data() + at_, text_.data() + at_ + 4, value, 16);
-    if (end.ec != std::errc() || end.ptr != text_.data() + at_ + 4)
-      refuse("four hexadecimal digits expected");
-    at_ += 4;
-    return value;
-  }
-  unsigned code_point() {
-    const unsigned high = hex4();
-    if (high < 0xD800 || high > 0xDBFF) return high;
-    if (text_.compare(at_, 2, "\\u") != 0) refuse("half a surrogate pair in a string");
-    at_ += 2;
-    return 0x10000 + ((high - 0xD800) << 10) + ((hex4() - 0xDC00) & 0x3FF);
-  }
-  static void append_utf8(std::string& s, unsigned c) {
-    const auto put = [&s](unsigned byte) { s += static_cast<char>(byte); };
-    if (c < 0x80) return put(c);
-    if (c < 0x800) return put(0xC0 | c >> 6), put(0x80 | (c & 63));
-    if (c < 0x10000) return put(0xE0 | c >> 12), put(0x80 | (c >> 6 & 63)), put(0x80 | (c & 63));
-    put(0xF0 | c >> 18), put(0x80 | (c >> 12 & 63)), put(0x80 | (c >> 6 & 63)),
-        put(0x80 | (c & 63));
-  }
-
-  void skip() {
-    const char c = peek();
-    if (c == '{')
-      object([&](const std::string&) { skip(); });
-    else if (c == '[')
-      array([&] { skip(); });
-    else if (c == '"')
-      string();
-    else if (c == 't' || c == 'f')
-      boolean();
-    else if (text_.compare(at_, 4, "null") == 0)
-      at_ += 4;
-    else
-      number();
-  }
-
-  std::string text_, where_;
-  std::size_t at_ = 0;
-  int depth_ = 0;
-};
-
-// Reads a states file (JSON) and writes a result file, joints by name.
-struct States {
-  int count = 0;
-  std::vector<Number> q, v, tau;  // one state after the other
-};
-
-class StatesReader : private JsonReader {
- public:
-  explicit StatesReader(std::string text) : JsonReader(std::move(text)) {}
-
-  // Returns an empty string, or what is wrong, as "LINE: message".
-  std::string read(States& states) {
-    try {
-      parse(states);
-      return "";
-    } catch (const std::runtime_error& error) {
-      return std::to_string(
-                 1 + std::count(text_.begin(), text_.begin() + static_cast<long>(at_), '\n')) +
-             ": error: " + error.what();
-    }
-  }
+  adagen::Table<int> noted(int k) const override { return takes_.messages(k); }
 
  private:
-  void parse(States& states) {
-    std::array<bool, kJointCount> seen{};
-    std::vector<std::vector<double>> forces(kOuterCount);
-    bool joints = false;
-    object([&](const std::string& key) {
-      if (key == "joints") {
-        joints = true;
-        object([&](const std::string& name) { read_joint(name, seen, states); });
-      } else if (key == "forces" && kOuterCount > 0) {
-        object([&](const std::string& name) { read_force(name, forces); });
-      } else if (key == "floating") {
-        if (boolean() != kFloatingBase)
-          refuse(std::string("\"floating\": this solver's base is ") +
-                 (kFloatingBase ? "floating" : "fixed") + "; generate it anew");
-      } else if (key == "gravity") {
-        const std::vector<double> given = numbers();
-        if (given.size() != 3 || !std::equal(given.begin(), given.end(), kGravity.begin()))
-          refuse("\"gravity\": another gravity is compiled into this solver; generate it anew");
-      } else {
-        refuse("unknown member " + quoted(key.c_str()));
-      }
-    });
-    white();
-    if (at_ != text_.size()) refuse("text behind the end");
-    if (!joints) refuse("\"joints\" is missing");
-    for (int j = 0; j < kJointCount; ++j)
-      if (!seen[j] && kJoints[j].source < 0)
-        refuse("joint " + quoted(kJoints[j].name) + " is missing");
-    fill_slaved(states);
-    for (std::size_t k = 0; k < kOuterCount; ++k) fill_force(k, forces[k], states);
+  // Each once in the code, whoever calls it.
+  ADAGEN_NOINLINE int in_place(const Number* q, const Number* v, const Number* tau, Number* qdd) {
+    return solver_.solve(q, v, tau, qdd);
+  }
+  ADAGEN_NOINLINE int at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
+    return solver_.solve_at_root(q, v, tau, qdd);
   }
 
-  void read_joint(const std::string& name, std::array<bool, kJointCount>& seen, States& states) {
-    int j = 0;
-    while (j < kJointCount && name != kJoints[j].name) ++j;
-    if (j == kJointCount) refuse("unknown joint " + quoted(name.c_str()));
-    const std::string joint = "joint " + quoted(name.c_str());
-    if (seen[j]) refuse(joint + " comes twice");
-    seen[j] = true;
-    std::array<bool, 3> found{};
-    const char* const input = kJoints[j].passive.prescribed ? "qdd" : "tau";
-    object([&](const std::string& key) {
-      if (key == "type" || (key == "qdd" && key != input))
-        return skip();  // as in a file of true answers
-      const char* const fields[] = {"q", "v", input};
-      const auto field = std::find(std::begin(fields), std::end(fields), key);
-      if (field == std::end(fields)) refuse(joint + ": unknown member " + quoted(key.c_str()));
-      bool& there = found[static_cast<std::size_t>(field - std::begin(fields))];
-      if (there) refuse(joint + ": " + key + " comes twice");
-      there = true;
-      where_ = joint + ": " + key + ": ";
-      read_field(kJoints[j], key, states);
-      where_.clear();
-    });
-    if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and " + input);
+  static double since(Clock::time_point start) {
+    return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
   }
 
-  // One of q, v and tau of a joint: an entry for each state.
-  void read_field(const JointConstants& joint, const std::string& key, States& states) {
-    const bool is_q = key == "q";
-    const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
-    const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
-    const std::size_t stride = is_q ? kNq : key == "v" ? kNv : kNtau;
-    std::vector<Number>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
-    int count = 0;
-    array([&] {
-      const std::vector<double> entry = numbers();
-      if (entry.size() != size)
-        refuse("state " + std::to_string(count + 1) + " has " + std::to_string(entry.size()) +
-               " numbers, not " + std::to_string(size));
-      const std::size_t row = stride * static_cast<std::size_t>(count);
-      if (values.size() < row + stride) values.resize(row + stride);
-      for (std::size_t k = 0; k < size; ++k)
-        values[row + start + k] = static_cast<Number>(entry[k]);
-      ++count;
-    });
-    if (count == 0) refuse("there is no state");
-    if (states.count == 0) states.count = count;
-    if (count != states.count)
-      refuse(std::to_string(count) + " states, but others have " + std::to_string(states.count));
-  }
-
-  // One link's outer force: six numbers for each state.
-  void read_force(const std::string& name, std::vector<std::vector<double>>& forces) {
-    std::size_t k = 0;
-    while (k < kOuterCount && name != kOuterForces[k].name) ++k;
-    if (k == kOuterCount) refuse("no outer force acts on link " + quoted(name.c_str()));
-    where_ = "force on link " + quoted(name.c_str()) + ": ";
-    if (!forces[k].empty()) refuse("comes twice");
-    array([&] {
-      const std::vector<double> entry = numbers();
-      if (entry.size() != 6) refuse("needs six numbers for each state");
-      forces[k].insert(forces[k].end(), entry.begin(), entry.end());
-    });
-    where_.clear();
-  }
-
-  void fill_force(std::size_t k, const std::vector<double>& given, States& states) {
-    if (given.size() != 6 * static_cast<std::size_t>(states.count))
-      refuse("force on link " + quoted(kOuterForces[k].name) + ": " +
-             std::to_string(given.size() / 6) + " states, but the joints have " +
-             std::to_string(states.count));
-    for (std::size_t i = 0; i < given.size(); ++i)
-      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Number>(given[i]);
-  }
-
-  static void fill_slaved(States& states) {
-    for (int s = 0; s < states.count; ++s)
-      slave(states.q.data() + static_cast<long>(s) * kNq,
-            states.v.data() + static_cast<long>(s) * kNv);
-  }
-};
-
-// more: further members of the file, each after a comma.
-bool write_result(const std::string& path, const std::vector<Number>& qdd, int count,
-                  const std::string& more) {
-  std::FILE* file = std::fopen(path.c_str(), "w");
-  if (file == nullptr) return false;
-  std::fputs("{\"joints\": {", file);
-  for (int j = 0; j < kJointCount; ++j) {
-    std::fprintf(file, "%s\n%s: {\"qdd\": [", j == 0 ? "" : ",", quoted(kJoints[j].name).c_str());
-    for (int s = 0; s < count; ++s) {
-      const Number* x = qdd.data() + static_cast<long>(s) * kNv + kJoints[j].v;
-      std::fputs(s == 0 ? "" : ", ", file);
-      if (kJoints[j].nv > 1) std::fputs("[", file);
-      for (int k = 0; k < kJoints[j].nv; ++k)
-        if (x[k] == x[k])
-          std::fprintf(file, "%s%.17g", k == 0 ? "" : ", ", static_cast<double>(x[k]));
-        else  // of a batch, a state that failed
-          std::fputs(k == 0 ? "null" : ", null", file);
-      if (kJoints[j].nv > 1) std::fputs("]", file);
-    }
-    std::fputs("]}", file);
-  }
-  std::fprintf(file, "\n}%s}\n", more.c_str());
-  const bool good = std::ferror(file) == 0;
-  return std::fclose(file) == 0 && good;
-}
-
-constexpr ChannelMode kChannelMode = ChannelMode::kAuto;
-
-// Configurations as points of a manifold. Near an anchor q0 a configuration has local coordinates
-// x, as many as velocities: a rotation vector in the child's frame where there is a quaternion,
-// the change of q itself elsewhere (of a floating or planar joint's position: in its joint frame).
-namespace manifold {
-
-using State = std::vector<double>;
-
-// a x b.
-inline void cross(const double* a, const double* b, double* result) {
-  for (int k = 0; k < 3; ++k)
-    result[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-}
-
-// The joint's own rotation takes v, in the child's frame, to the joint frame: v + 2 p x (w v + p x
-// v) for a quaternion (p, w) of any length.
-inline void rotate(const double* quaternion, const double* v, double* result) {
-  double squared = 0, inner[3], outer[3];
-  for (int k = 0; k < 4; ++k) squared += quaternion[k] * quaternion[k];
-  cross(quaternion, v, inner);
-  for (int k = 0; k < 3; ++k) inner[k] += quaternion[3] * v[k];
-  cross(quaternion, inner, outer);
-  for (int k = 0; k < 3; ++k) result[k] = v[k] + 2 / squared * outer[k];
-}
-
-// Quaternions p times (x, w).
-inline void multiply(const double* p, const double* x, double w, double* result) {
-  double twisted[3];
-  cross(p, x, twisted);
-  for (int k = 0; k < 3; ++k) result[k] = p[3] * x[k] + w * p[k] + twisted[k];
-  result[3] = p[3] * w - (p[0] * x[0] + p[1] * x[1] + p[2] * x[2]);
-}
-
-inline double length(const double* x, int count) {
-  double squared = 0;
-  for (int k = 0; k < count; ++k) squared += x[k] * x[k];
-  return std::sqrt(squared);
-}
-
-constexpr bool turns_freely(const JointConstants& joint) { return joint.nq >= 4; }
-
-ADAGEN_HOT void normalise(State& q) {
-  for (const JointConstants& joint : kJoints) {
-    if (!turns_freely(joint)) continue;
-    double* const quaternion = &q[static_cast<std::size_t>(joint.q + joint.nq - 4)];
-    const double size = length(quaternion, 4);
-    if (!(size > 0)) continue;  // the solver refuses it by name
-    for (int k = 0; k < 4; ++k) quaternion[k] /= size;
-  }
-}
-
-// Velocity of the origin of a floating or planar joint's child, told in the joint frame; its row
-// count.
-inline int position_rate(const JointConstants& joint, const double* q, const double* v,
-                         double* rate) {
-  if (joint.kind == JointKind::kFloating) {
-    rotate(q + 3, v, rate);
-    return 3;
-  }
-  if (joint.kind != JointKind::kPlanar) return 0;
-  const double c = std::cos(q[2]), s = std::sin(q[2]);
-  rate[0] = c * v[0] - s * v[1];
-  rate[1] = s * v[0] + c * v[1];
-  return 2;
-}
-
-// q' as numbers: quaternions by half their product with the angular velocity.
-ADAGEN_HOT void rate(const State& q, const State& v, State& result) {
-  for (const JointConstants& joint : kJoints) {
-    const double* const own = &q[static_cast<std::size_t>(joint.q)];
-    const double* const speed = &v[static_cast<std::size_t>(joint.v)];
-    double* const to = &result[static_cast<std::size_t>(joint.q)];
-    const int done = position_rate(joint, own, speed, to);
-    if (turns_freely(joint)) {
-      const double half[3] = {speed[done] / 2, speed[done + 1] / 2, speed[done + 2] / 2};
-      multiply(own + done, half, 0, to + done);
-    } else {
-      std::copy(speed + done, speed + joint.nv, to + done);
-    }
-  }
-}
-
-// x' at local coordinates x, where the configuration is q: for rotations the inverse of the
-// exponential's derivative, v + x x v / 2 + c x x (x x v), c = (1 - a cot a) / (2 a)^2 at a =
-// |x|/2.
-ADAGEN_HOT void local_rate(const State& q, const State& x, const State& v, State& result) {
-  for (const JointConstants& joint : kJoints) {
-    const double* const speed = &v[static_cast<std::size_t>(joint.v)];
-    double* const to = &result[static_cast<std::size_t>(joint.v)];
-    const int done = position_rate(joint, &q[static_cast<std::size_t>(joint.q)], speed, to);
-    std::copy(speed + done, speed + joint.nv, to + done);
-    if (!turns_freely(joint)) continue;
-    const double* const turn = &x[static_cast<std::size_t>(joint.v + done)];
-    const double half = length(turn, 3) / 2;
-    const double c = half < 1e-3 ? 1.0 / 12 + half * half / 180
-                                 : (1 - half / std::tan(half)) / (4 * half * half);
-    double once[3], twice[3];
-    cross(turn, speed + done, once);
-    cross(turn, once, twice);
-    for (int k = 0; k < 3; ++k) to[done + k] += once[k] / 2 + c * twice[k];
-  }
-}
-
-// The configuration with local coordinates x about the anchor.
-ADAGEN_HOT void advance(const State& anchor, const State& x, State& q) {
-  for (const JointConstants& joint : kJoints) {
-    const double* const from = &anchor[static_cast<std::size_t>(joint.q)];
-    const double* const by = &x[static_cast<std::size_t>(joint.v)];
-    double* const to = &q[static_cast<std::size_t>(joint.q)];
-    const int plain = turns_freely(joint) ? joint.nq - 4 : joint.nq;
-    for (int k = 0; k < plain; ++k) to[k] = from[k] + by[k];
-    if (!turns_freely(joint)) continue;
-    const double* const turn = by + plain;
-    const double half = length(turn, 3) / 2;
-    const double part = half < 1e-3 ? 0.5 - half * half / 12 : std::sin(half) / (2 * half);
-    const double vector[3] = {part * turn[0], part * turn[1], part * turn[2]};
-    multiply(from + plain, vector, std::cos(half), to + plain);
-  }
-}
-
-}  // namespace manifold
-
-// Damping D, stiffness K and friction of joints as they act at the end of a step, where these
-// joints move with v + u instead of v: they take g(u) = (D + h K) u + friction at v + u less
-// friction at v of the torques with springs at q + h v, for which a0 would be the answer. From the
-// evaluations of unit torques, M = (H^-1) at these joints: u = h (a0 - M g(u)). One evaluation for
-// each such degree of freedom, and two.
-class PassiveTerms {
- public:
-  using State = std::vector<double>;
-
-  PassiveTerms() : extra_(kNv), base_(kNv), unit_(kNv) {
-    for (const JointConstants& joint : kJoints)
-      for (int k = 0; k < joint.nv; ++k) {
-        const Passive& own = joint.passive;
-        if (!own.prescribed && (own.damping > 0 || own.stiffness > 0 || own.friction > 0))
-          rows_.push_back({static_cast<std::size_t>(joint.v + k), double(own.damping),
-                           double(own.stiffness), double(own.friction),
-                           double(own.friction_speed)});
-      }
-    for (State* x : {&taken_, &next_, &slope_, &u_, &du_}) x->resize(rows_.size());
-    for (State* x : {&matrix_, &factors_}) x->resize(rows_.size() * rows_.size());
-  }
-
-  // a at the end of a step of length h from (q, v).
-  template <class Accelerate>
-  int accelerate(double h, const State& q, const State& v, State& a, Accelerate evaluate) {
-    const std::size_t n = rows_.size();
-    std::fill(extra_.begin(), extra_.end(), 0.0);
-    for (const Row& row : rows_) extra_[row.v] = -h * row.stiffness * v[row.v];
-    if (const int failed = evaluate(q, v, extra_, base_)) return failed;
-    if (n == 0) {
-      a = base_;
-      return kFine;
-    }
-    for (std::size_t k = 0; k < n; ++k) {
-      const double before = extra_[rows_[k].v];
-      extra_[rows_[k].v] += 1;
-      if (const int failed = evaluate(q, v, extra_, unit_)) return failed;
-      extra_[rows_[k].v] = before;
-      for (std::size_t i = 0; i < n; ++i)
-        matrix_[i * n + k] = unit_[rows_[i].v] - base_[rows_[i].v];
-    }
-    settle(h, v);
-    for (std::size_t k = 0; k < n; ++k) extra_[rows_[k].v] -= taken_[k];
-    return evaluate(q, v, extra_, a);
-  }
-
- private:
-  struct Row {
-    std::size_t v;
-    double damping, stiffness, friction, friction_speed;
-
-    bool rubs() const { return friction > 0; }
-
-    // What is taken at the end of a step that changes the velocity v by u.
-    double torque(double h, double at, double u) const {
-      const double linear = (damping + h * stiffness) * u;
-      if (!rubs()) return linear;
-      return linear +
-             friction * (std::tanh((at + u) / friction_speed) - std::tanh(at / friction_speed));
-    }
-
-    // Its derivative by u.
-    double slope(double h, double end) const {
-      if (!rubs()) return damping + h * stiffness;
-      const double part = std::tanh(end / friction_speed);
-      return damping + h * stiffness + friction / friction_speed * (1 - part) * (1 + part);
-    }
-  };
-
-  static constexpr int kMostSteps = 100;
-  static constexpr double kNear = 1e-10, kFlat = 0.1;
-
-  // taken_ <- g(u) by Newton's method. g grows with u and M is positive semi-definite, so that u is
-  // where a convex function is least: a step is shortened until that function no longer rises
-  // steeply. What is linear takes one step.
-  void settle(double h, const State& v) {
-    const bool rubs =
-        std::any_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.rubs(); });
-    std::fill(taken_.begin(), taken_.end(), 0.0);
-    for (int step = 0; step < (rubs ? kMostSteps : 1); ++step) {
-      aim(h, v);
-      const double length = rubs ? step_length(h, v) : 1;
-      bool near = true;
-      for (std::size_t k = 0; k < rows_.size(); ++k) {
-        const double change = next_[k] - taken_[k];
-        taken_[k] += length * change;
-        near &= std::abs(change) <= kNear * std::abs(taken_[k]) ||
-                std::abs(du_[k]) <= kNear * (std::abs(v[rows_[k].v]) + std::abs(u_[k]));
-      }
-      if (near || length == 0) return;
-    }
-  }
-
-  // From taken_: u_; by the derivative there, next_ as taken_ would be and du_ as u_ would change.
-  ADAGEN_HOT void aim(double h, const State& v) {
-    const std::size_t n = rows_.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      const Row& row = rows_[i];
-      double a = base_[row.v];
-      for (std::size_t k = 0; k < n; ++k) a -= matrix_[i * n + k] * taken_[k];
-      u_[i] = h * a;
-      slope_[i] = row.slope(h, v[row.v] + u_[i]);
-      next_[i] = slope_[i] * (h * base_[row.v] - u_[i]) + row.torque(h, v[row.v], u_[i]);
-      for (std::size_t k = 0; k < n; ++k)
-        factors_[i * n + k] = (i == k) + h * slope_[i] * matrix_[i * n + k];
-    }
-    solve();
-    for (std::size_t i = 0; i < n; ++i) {
-      du_[i] = 0;
-      for (std::size_t k = 0; k < n; ++k) du_[i] -= h * matrix_[i * n + k] * (next_[k] - taken_[k]);
-    }
-  }
-
-  // How much of the way from taken_ to next_ is gone, at most 1; 0 where there is nowhere to go.
-  double step_length(double h, const State& v) const {
-    const double start = rise(0, h, v);
-    if (!(start < 0)) return 0;
-    double low = 0, high = 1, length = 1;
-    for (int halvings = 0; halvings < 60; ++halvings) {
-      const double found = rise(length, h, v);
-      if (std::abs(found) <= -kFlat * start || (length == 1 && found < 0)) break;
-      (found > 0 ? high : low) = length;
-      length = (low + high) / 2;
-    }
-    return length;
-  }
-
-  // The convex function's derivative at a part of the way.
-  ADAGEN_HOT double rise(double part, double h, const State& v) const {
-    double sum = 0;
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
-      const double there = taken_[k] + part * (next_[k] - taken_[k]);
-      sum += du_[k] * (rows_[k].torque(h, v[rows_[k].v], u_[k] + part * du_[k]) - there);
-    }
-    return sum;
-  }
-
-  // next_ <- factors_^-1 next_ by elimination, without pivoting: but for scales of rows and
-  // columns the matrix is symmetric and positive definite.
-  ADAGEN_HOT void solve() {
-    const std::size_t n = rows_.size();
-    for (std::size_t k = 0; k < n; ++k)
-      for (std::size_t i = k + 1; i < n; ++i) {
-        const double part = factors_[i * n + k] / factors_[k * n + k];
-        for (std::size_t j = k; j < n; ++j) factors_[i * n + j] -= part * factors_[k * n + j];
-        next_[i] -= part * next_[k];
-      }
-    for (std::size_t k = n; k-- > 0;) {
-      for (std::size_t j = k + 1; j < n; ++j) next_[k] -= factors_[k * n + j] * next_[j];
-      next_[k] /= factors_[k * n + k];
-    }
-  }
-
-  std::vector<Row> rows_;
-  State extra_, base_, unit_, matrix_, factors_;
-  State taken_, next_, slope_, u_, du_;  // torques twice; their derivatives; changes of velocity
-};
-
-// Fixed-step integrators of q' = G(q) v, v' = a(q, v). All but RK4 and the explicit Euler method
-// move quaternions by the exponential map, so that these keep their length.
-enum class Integrator { kEuler, kSemiImplicit, kImplicit, kRk4, kRkmk4 };
-
-struct IntegratorInfo {
-  const char* name;
-  Integrator kind;
-};
-
-constexpr std::array<IntegratorInfo, 5> kIntegrators{{
-    {"euler", Integrator::kEuler},
-    {"semi-implicit", Integrator::kSemiImplicit},
-    {"implicit", Integrator::kImplicit},
-    {"rk4", Integrator::kRk4},
-    {"rkmk4", Integrator::kRkmk4},
-}};
-
-class Stepper {
- public:
-  using State = manifold::State;
-
-  Stepper() {
-    for (State* x : {&middle_q_, &q_rate_, &q_sum_}) x->resize(kNq);
-    for (State* x : {&middle_v_, &a_, &v_sum_, &x_, &x_rate_, &x_sum_, &none_}) x->resize(kNv);
-  }
-
-  // One step of length h from (q, v) to (q, v). accelerate(q, v, extra, a) evaluates with extra
-  // torques and returns a status; where that is a failure, the state stays as it was.
-  template <class Accelerate>
-  int step(Integrator kind, double h, State& q, State& v, Accelerate accelerate) {
-    switch (kind) {
-      case Integrator::kRk4:
-        return runge_kutta(h, q, v, accelerate);
-      case Integrator::kRkmk4:
-        return munthe_kaas(h, q, v, accelerate);
-      case Integrator::kImplicit:
-        return implicit(h, q, v, accelerate);
-      default:
-        return euler(kind == Integrator::kSemiImplicit, h, q, v, accelerate);
-    }
-  }
-
- private:
-  static constexpr std::array<double, 4> kNode{0, 0.5, 0.5, 1}, kWeight{1, 2, 2, 1};
-
-  // y + h dy
-  ADAGEN_HOT static void move(const State& y, double h, const State& dy, State& result) {
-    for (std::size_t k = 0; k < y.size(); ++k) result[k] = y[k] + h * dy[k];
-  }
-
-  template <class Accelerate>
-  int euler(bool semi_implicit, double h, State& q, State& v, Accelerate accelerate) {
-    if (const int failed = accelerate(q, v, none_, a_)) return failed;
-    manifold::rate(q, v, q_rate_);
-    move(v, h, a_, v);
-    if (semi_implicit)
-      follow(h, q, v);
-    else
-      move(q, h, q_rate_, q);
-    manifold::normalise(q);
-    return kFine;
-  }
-
-  // The semi-implicit method with damping and springs as they are at the end of the step.
-  template <class Accelerate>
-  int implicit(double h, State& q, State& v, Accelerate accelerate) {
-    if (const int failed = passive_.accelerate(h, q, v, a_, accelerate)) return failed;
-    move(v, h, a_, v);
-    follow(h, q, v);
-    manifold::normalise(q);
-    return kFine;
-  }
-
-  // Moves q along v by the exponential map.
-  void follow(double h, State& q, const State& v) {
-    std::fill(x_.begin(), x_.end(), 0.0);
-    manifold::local_rate(q, x_, v, x_rate_);
-    move(x_, h, x_rate_, x_);
-    manifold::advance(q, x_, middle_q_);
-    q.swap(middle_q_);
-  }
-
-  // The classical method on q as numbers; quaternions are normalised after the step.
-  template <class Accelerate>
-  int runge_kutta(double h, State& q, State& v, Accelerate accelerate) {
-    middle_q_ = q;
-    middle_v_ = v;
-    std::fill(q_sum_.begin(), q_sum_.end(), 0.0);
-    std::fill(v_sum_.begin(), v_sum_.end(), 0.0);
-    for (std::size_t k = 0; k < kNode.size(); ++k) {
-      if (k > 0) {
-        move(q, kNode[k] * h, q_rate_, middle_q_);
-        move(v, kNode[k] * h, a_, middle_v_);
-      }
-      if (const int failed = accelerate(middle_q_, middle_v_, none_, a_)) return failed;
-      manifold::rate(middle_q_, middle_v_, q_rate_);
-      move(q_sum_, kWeight[k] / 6, q_rate_, q_sum_);
-      move(v_sum_, kWeight[k] / 6, a_, v_sum_);
-    }
-    move(q, h, q_sum_, q);
-    move(v, h, v_sum_, v);
-    manifold::normalise(q);
-    return kFine;
-  }
-
-  // Runge-Kutta-Munthe-Kaas: the same method on local coordinates about the step's start.
-  template <class Accelerate>
-  int munthe_kaas(double h, State& q, State& v, Accelerate accelerate) {
-    middle_q_ = q;
-    middle_v_ = v;
-    for (State* x : {&x_, &x_sum_, &v_sum_}) std::fill(x->begin(), x->end(), 0.0);
-    for (std::size_t k = 0; k < kNode.size(); ++k) {
-      if (k > 0) {
-        for (std::size_t i = 0; i < x_.size(); ++i) x_[i] = kNode[k] * h * x_rate_[i];
-        manifold::advance(q, x_, middle_q_);
-        move(v, kNode[k] * h, a_, middle_v_);
-      }
-      if (const int failed = accelerate(middle_q_, middle_v_, none_, a_)) return failed;
-      manifold::local_rate(middle_q_, x_, middle_v_, x_rate_);
-      move(x_sum_, h * kWeight[k] / 6, x_rate_, x_sum_);
-      move(v_sum_, h * kWeight[k] / 6, a_, v_sum_);
-    }
-    manifold::advance(q, x_sum_, middle_q_);
-    q.swap(middle_q_);
-    move(v, 1, v_sum_, v);
-    manifold::normalise(q);
-    return kFine;
-  }
-
-  State middle_q_, middle_v_, q_rate_, a_, q_sum_, v_sum_, x_, x_rate_, x_sum_;
-  State none_;  // no extra torques
-  PassiveTerms passive_;
-};
-
-// Where --trajectory goes: times, configurations and velocities as CSV, a line each, or as .npz
-// (numpy: time (T), q (T, nq), v (T, nv), and the joints' names).
-class Trajectory {
- public:
-  static constexpr double kMostBytes = 4e9;  // a member of a zip file without 64-bit extensions
-
-  static bool is_npz(const std::string& path) { return ends_with(path, ".npz"); }
-  static bool is_known(const std::string& path) { return is_npz(path) || ends_with(path, ".csv"); }
-
-  // False where the file cannot be written.
-  bool open(const std::string& path) {
-    path_ = path;
-    if (path.empty()) return true;
-    file_.reset(std::fopen(path.c_str(), "wb"));
-    if (file_ == nullptr) return false;
-    if (!is_npz(path)) write_names();
-    return true;
-  }
-
-  void record(double time, const std::vector<double>& q, const std::vector<double>& v) {
-    if (file_ == nullptr) return;
-    if (is_npz(path_)) {
-      times_.push_back(time);
-      q_.insert(q_.end(), q.begin(), q.end());
-      v_.insert(v_.end(), v.begin(), v.end());
-      return;
-    }
-    std::fprintf(file_.get(), "%.17g", time);
-    for (const std::vector<double>* values : {&q, &v})
-      for (const double x : *values) std::fprintf(file_.get(), ",%.17g", x);
-    std::fputc('\n', file_.get());
-  }
-
-  // False where writing has failed.
-  bool close() {
-    if (file_ == nullptr) return true;
-    if (is_npz(path_)) write_archive();
-    const bool good = std::ferror(file_.get()) == 0;
-    return std::fclose(file_.release()) == 0 && good;
-  }
-
- private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  struct Member {
-    std::string name;
-    std::uint32_t check, size, offset;
-  };
-
-  static bool ends_with(const std::string& text, const std::string& end) {
-    return text.size() >= end.size() &&
-           text.compare(text.size() - end.size(), end.size(), end) == 0;
-  }
-
-  // "time", then a name for each number: JOINT.q, or JOINT.q0 and so on where there are several.
-  void write_names() {
-    std::fputs("time", file_.get());
-    for (const char field : {'q', 'v'})
-      for (const JointConstants& joint : kJoints) {
-        std::string name;
-        for (const char* c = joint.name; *c != '\0'; ++c)
-          name += *c == '"' ? "\"\"" : std::string(1, *c);
-        const int count = field == 'q' ? joint.nq : joint.nv;
-        for (int k = 0; k < count; ++k)
-          std::fprintf(file_.get(), ",\"%s.%c%s\"", name.c_str(), field,
-                       count > 1 ? std::to_string(k).c_str() : "");
-      }
-    std::fputc('\n', file_.get());
-  }
-
-  void write_archive() {
-    std::vector<Member> members;
-    const auto rows = std::to_string(times_.size());
-    const auto add = [&](const char* name, const std::string& type, const std::string& shape,
-                         const void* data, std::size_t bytes) {
-      members.push_back(write_member(name, npy_head(type, shape), data, bytes));
-    };
-    add("time.npy", "<f8", "(" + rows + ",)", times_.data(), 8 * times_.size());
-    add("q.npy", "<f8", "(" + rows + ", " + std::to_string(kNq) + ")", q_.data(), 8 * q_.size());
-    add("v.npy", "<f8", "(" + rows + ", " + std::to_string(kNv) + ")", v_.data(), 8 * v_.size());
-    std::size_t longest = 1;
-    for (const JointConstants& joint : kJoints)
-      longest = std::max(longest, std::strlen(joint.name));
-    std::string names;  // UTF-8, padded with zeros
-    for (const JointConstants& joint : kJoints) {
-      names += joint.name;
-      names.resize((names.size() / longest + (names.size() % longest > 0)) * longest);
-    }
-    add("joints.npy", "|S" + std::to_string(longest), "(" + std::to_string(kJointCount) + ",)",
-        names.data(), names.size());
-    write_directory(members);
-  }
-
-  static std::string npy_head(const std::string& type, const std::string& shape) {
-    std::string text =
-        "{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + ", }";
-    text.resize((10 + text.size() + 1 + 63) / 64 * 64 - 11, ' ');
-    text += '\n';
-    return std::string("\x93NUMPY\x01\x00", 8) + low_bytes(text.size(), 2) + text;
-  }
-
-  static std::string low_bytes(std::uint64_t value, int count) {
-    std::string result;
-    for (int k = 0; k < count; ++k) result += static_cast<char>(value >> 8 * k & 0xFF);
-    return result;
-  }
-
-  static std::uint32_t crc32(std::uint32_t before, const void* data, std::size_t bytes) {
-    static const std::vector<std::uint32_t> table = [] {
-      std::vector<std::uint32_t> rows(256);
-      for (std::uint32_t k = 0; k < 256; ++k) {
-        std::uint32_t x = k;
-        for (int bit = 0; bit < 8; ++bit) x = x >> 1 ^ (x & 1 ? 0xEDB88320u : 0u);
-        rows[k] = x;
-      }
-      return rows;
-    }();
-    std::uint32_t x = ~before;
-    const auto* const at = static_cast<const unsigned char*>(data);
-    for (std::size_t k = 0; k < bytes; ++k) x = table[(x ^ at[k]) & 0xFF] ^ x >> 8;
-    return ~x;
-  }
-
-  // Method 0 (stored), 1 January 1980.
-  static std::string zip_fields(const Member& member) {
-    return low_bytes(20, 2) + low_bytes(0, 4) + low_bytes(0, 2) + low_bytes(0x21, 2) +
-           low_bytes(member.check, 4) + low_bytes(member.size, 4) + low_bytes(member.size, 4) +
-           low_bytes(member.name.size(), 2) + low_bytes(0, 2);
-  }
-
-  Member write_member(const char* name, const std::string& head, const void* data,
-                      std::size_t bytes) {
-    const Member member{name, crc32(crc32(0, head.data(), head.size()), data, bytes),
-                        static_cast<std::uint32_t>(head.size() + bytes), written_};
-    put(std::string("PK\x03\x04", 4) + zip_fields(member) + member.name + head);
-    if (bytes > 0) std::fwrite(data, 1, bytes, file_.get());
-    written_ += static_cast<std::uint32_t>(bytes);
-    return member;
-  }
-
-  void write_directory(const std::vector<Member>& members) {
-    const std::uint32_t start = written_;
-    for (const Member& member : members)
-      put(std::string("PK\x01\x02", 4) + low_bytes(20, 2) + zip_fields(member) + low_bytes(0, 10) +
-          low_bytes(member.offset, 4) + member.name);
-    const std::uint32_t size = written_ - start;
-    put(std::string("PK\x05\x06", 4) + low_bytes(0, 4) + low_bytes(members.size(), 2) +
-        low_bytes(members.size(), 2) + low_bytes(size, 4) + low_bytes(start, 4) + low_bytes(0, 2));
-  }
-
-  void put(const std::string& bytes) {
-    std::fwrite(bytes.data(), 1, bytes.size(), file_.get());
-    written_ += static_cast<std::uint32_t>(bytes.size());
-  }
-
-  std::string path_;
-  std::unique_ptr<std::FILE, Close> file_;
-  std::vector<double> times_, q_, v_;
-  std::uint32_t written_ = 0;
-};
-
-struct SimulationOptions {
-  double seconds = 0, step = 1e-3;  // no simulation where seconds are 0
-  const IntegratorInfo* integrator = &kIntegrators[3];
-  long long every = 1;  // steps between the rows of the trajectory
-  std::string trajectory;
-};
-
-// What the program is asked to do.
-struct Options {
-  std::string states, result, trace;
-  bool check = false, time = false, stretches = false, json = false, help = false, pin = true;
-  int repeat = 200;
-  std::uint64_t seed = 1;
-  double time_limit = 30, tolerance = kTolerance;
-  ChannelMode channel = kChannelMode;
-  int hosts = 0;  // as many as there are
-  SimulationOptions simulation;
-};
-
-enum ExitStatus : int { kDone = 0, kInputAtFault = 1, kUsage = 2, kFault = 3 };
-
-const char* const kUsageText =
-    "  --states FILE     solve these states (JSON, joints by name); --result FILE takes the "
-    "answer\n"
-    "  --result FILE     where the accelerations go (JSON); standard output if it is not given\n"
-    "  --check           residual of an independent inverse dynamics, for the given or random "
-    "states\n"
-    "  --simulate S      integrate for S seconds from the one given state (or a random one), under "
-    "its\n"
-    "                    torques\n"
-    "  --step H          length of a step in seconds (0.001)\n"
-    "  --integrator NAME euler, semi-implicit, implicit, rk4 or rkmk4 (rk4)\n"
-    "  --trajectory FILE where the motion goes: FILE.csv or FILE.npz\n"
-    "  --every N         keep every Nth step of it (1), and the last\n"
-    "  --trace FILE      when each process did what, as JSON (medians over random states)\n"
-    "  --time            time an evaluation: median, minimum, 99th percentile over random states\n"
-    "                    (where there are more processes than cores, as --stretches)\n"
-    "  --stretches       time what each process computes between messages, one process at a time,\n"
-    "                    and play it through with what messages cost; stands in for --time\n"
-    "  --repeat N        evaluations of each random state when timing (200)\n"
-    "  --seed N          seed of the random states (1)\n"
-    "  --tolerance X     largest residual that --check lets pass\n"
-    "  --channel KIND    auto, window (processes share memory) or message (MPI messages)\n"
-    "  --hosts N         take the processes to be on N hosts, in equal parts: only those of one "
-    "share memory\n"
-    "  --timeout S       how long a process waits for another before it gives up, in seconds (30)\n"
-    "  --no-pin          leave the processes to the system's scheduler when timing\n"
-    "  --json            report as JSON on standard output\n"
-    "  --help            this text\n"
-    "Without --states, --check, --time, --trace or --simulate it checks and times. Exit status: 0 "
-    "done, 1 "
-    "input at "
-    "fault\n"
-    "(or a check that failed), 2 usage, 3 a process died or did not answer.\n";
-
-constexpr std::array<const char*, 5> kSimulationWords{"--simulate", "--step", "--integrator",
-                                                      "--trajectory", "--every"};
-
-// Takes one option of a simulation; number is not a number where the value is none of 0 or more.
-// Returns an empty string, or what is wrong.
-std::string parse_simulation(const std::string& word, const std::string& value, double number,
-                             SimulationOptions& options) {
-  if (word == "--integrator") {
-    std::string names;
-    for (const IntegratorInfo& info : kIntegrators) {
-      if (value == info.name) return options.integrator = &info, "";
-      names += (names.empty() ? "" : ", ") + std::string(info.name);
-    }
-    return "--integrator takes one of " + names;
-  }
-  if (word == "--trajectory") {
-    options.trajectory = value;
-    return Trajectory::is_known(value) ? "" : "--trajectory takes FILE.csv or FILE.npz";
-  }
-  if (word == "--every") {
-    options.every = number <= 1e12 ? static_cast<long long>(number) : 0;
-    const bool whole = options.every >= 1 && number == std::floor(number);
-    return whole ? "" : "--every takes a whole number from 1 to 1e12";
-  }
-  if (!(number > 0)) return word + " takes a number of seconds above 0";
-  (word == "--step" ? options.step : options.seconds) = number;
-  return "";
-}
-
-// Returns what is wrong with what was asked for together, and settles what was left open.
-std::string settle(bool simulation_words, Options& options) {
-  if (kBatch && (options.simulation.seconds > 0 || !options.trace.empty() || options.stretches))
-    return "a batch solver has neither --simulate nor --trace nor --stretches";
-  const bool others = options.check || options.time || !options.trace.empty();
-  if (options.simulation.seconds > 0) {
-    if (others || !options.result.empty())
-      return "--simulate goes alone: without --check, --time, --trace and --result";
-    return "";
-  }
-  if (simulation_words) return "--step, --integrator, --trajectory and --every need --simulate";
-  if (!options.result.empty() && options.states.empty()) return "--result needs --states";
-  if (options.json && options.result.empty() && !options.states.empty())
-    return "--json needs --result FILE where there are --states: both would go to standard output";
-  if (options.states.empty() && !others) options.check = options.time = true;
-  return "";
-}
-
-// Returns an empty string, or what is wrong.
-std::string parse(int count, char** words, Options& options) {
-  bool simulation_words = false;
-  for (int k = 1; k < count; ++k) {
-    const std::string word = words[k];
-    const auto flag = [&word](const char* name) { return word == name; };
-    if (flag("--check"))
-      options.check = true;
-    else if (flag("--time"))
-      options.time = true;
-    else if (flag("--stretches"))
-      options.time = options.stretches = true;
-    else if (flag("--json"))
-      options.json = true;
-    else if (flag("--help"))
-      options.help = true;
-    else if (flag("--no-pin"))
-      options.pin = false;
-    else {
-      const char* const known[] = {"--states",    "--result",  "--trace", "--repeat", "--seed",
-                                   "--tolerance", "--channel", "--hosts", "--timeout"};
-      const bool of_simulation =
-          std::any_of(kSimulationWords.begin(), kSimulationWords.end(), flag);
-      if (!of_simulation && std::none_of(std::begin(known), std::end(known), flag))
-        return "unknown option " + word;
-      if (k + 1 == count) return word + " needs a value";
-      const std::string value = words[++k];
-      char* end = nullptr;
-      const double number = std::strtod(value.c_str(), &end);
-      const bool numeric = !value.empty() && *end == '\0' && std::isfinite(number) && number >= 0;
-      if (of_simulation) {
-        simulation_words = true;
-        const std::string wrong =
-            parse_simulation(word, value, numeric ? number : std::nan(""), options.simulation);
-        if (!wrong.empty()) return wrong;
-      } else if (flag("--states"))
-        options.states = value;
-      else if (flag("--result"))
-        options.result = value;
-      else if (flag("--trace"))
-        options.trace = value;
-      else if (flag("--channel")) {
-        if (value == "auto")
-          options.channel = ChannelMode::kAuto;
-        else if (value == "window")
-          options.channel = ChannelMode::kWindow;
-        else if (value == "message")
-          options.channel = ChannelMode::kMessage;
-        else
-          return "--channel takes auto, window or message";
-      } else if (!numeric)
-        return word + " takes a number of 0 or more, not \"" + value + "\"";
-      else if (flag("--repeat")) {
-        if (number < 1 || number > 1e6 || number != std::floor(number))
-          return "--repeat takes a whole number from 1 to 1000000";
-        options.repeat = static_cast<int>(number);
-      } else if (flag("--seed")) {
-        if (number > 0x1p53 || number != std::floor(number))
-          return "--seed takes a whole number of 0 or more";
-        options.seed = static_cast<std::uint64_t>(number);
-      } else if (flag("--hosts")) {
-        if (number < 1 || number > kProcesses || number != std::floor(number))
-          return "--hosts takes a whole number from 1 to " + std::to_string(kProcesses) +
-                 ", that of processes";
-        options.hosts = static_cast<int>(number);
-      } else if (flag("--tolerance"))
-        options.tolerance = number;
-      else if (number <= 0 || number > 1e6)
-        return "--timeout takes a number of seconds above 0, at most 1000000";
-      else
-        options.time_limit = number;
-    }
-  }
-  return settle(simulation_words, options);
-}
-
-// Bounds the waits that the channel does not: MPI's own collective calls wait for ever for a
-// process that was stopped. Whoever sees no progress for the time limit, and a second for the
-// channel to say it better, ends, and mpiexec ends the others.
-class Watch {
- public:
-  void start(int rank, double time_limit) {
-    std::snprintf(text(), kLength,
-                  "error: process %d: another process did not answer within the time limit\n",
-                  rank);
-    seconds_ = time_limit + 1;
-#if defined(__unix__) || defined(__APPLE__)
-    struct sigaction action = {};
-    action.sa_handler = give_up;
-    sigaction(SIGALRM, &action, nullptr);
-#endif
-    again();
-  }
-
-  // There was progress: the time starts anew.
-  void again() const {
-#if defined(__unix__) || defined(__APPLE__)
-    itimerval timer = {};
-    timer.it_value.tv_sec = static_cast<decltype(timer.it_value.tv_sec)>(seconds_);
-    timer.it_value.tv_usec =
-        static_cast<decltype(timer.it_value.tv_usec)>(1e6 * (seconds_ - std::floor(seconds_)));
-    setitimer(ITIMER_REAL, &timer, nullptr);
-#endif
-  }
-
- private:
-  static constexpr std::size_t kLength = 100;
-
-  static char* text() {
-    static char place[kLength];
-    return place;
-  }
-
-#if defined(__unix__) || defined(__APPLE__)
-  // Only what a signal handler may call.
-  static void give_up(int) {
-    [[maybe_unused]] const auto written = write(STDERR_FILENO, text(), std::strlen(text()));
-    _exit(kFault);
-  }
-#endif
-
-  double seconds_ = 0;
+  Solver solver_;
+  Takes takes_;
+  Text words_;
 };
 
 // The stages of each process's work, for --trace.
-constexpr std::array<Stage, 11> kStages_0{ {
+constexpr std::array<adagen::Stage, 11> kStages_0{ {
     {"kinematics", 7, -1},
     {"assembly", 4, -1},
     {"receive", -1, 0},
@@ -5717,14 +4656,14 @@ constexpr std::array<Stage, 11> kStages_0{ {
     {"send", -1, 4},
     {"disassembly", 4, -1},
 } };
-constexpr std::array<Stage, 5> kStages_1{ {
+constexpr std::array<adagen::Stage, 5> kStages_1{ {
     {"kinematics", 3, -1},
     {"assembly", 2, -1},
     {"send", -1, 0},
     {"receive", -1, 4},
     {"disassembly", 2, -1},
 } };
-constexpr std::array<Stage, 9> kStages_2{ {
+constexpr std::array<adagen::Stage, 9> kStages_2{ {
     {"kinematics", 14, -1},
     {"assembly", 11, -1},
     {"receive", -1, 1},
@@ -5735,1307 +4674,36 @@ constexpr std::array<Stage, 9> kStages_2{ {
     {"send", -1, 5},
     {"disassembly", 11, -1},
 } };
-constexpr std::array<Stage, 5> kStages_3{ {
+constexpr std::array<adagen::Stage, 5> kStages_3{ {
     {"kinematics", 10, -1},
     {"assembly", 9, -1},
     {"send", -1, 1},
     {"receive", -1, 5},
     {"disassembly", 9, -1},
 } };
-constexpr std::array<const Stage*, kProcesses> kStages{kStages_0.data(), kStages_1.data(), kStages_2.data(), kStages_3.data()};
-constexpr std::array<int, kProcesses> kStageCount{11, 5, 9, 5};
-
-struct Statistics {
-  double median = 0, least = 0, percentile99 = 0;
-};
-
-Statistics statistics(std::vector<double> ns) {
-  std::sort(ns.begin(), ns.end());
-  const auto at = [&ns](double part) {
-    return ns[std::min(ns.size() - 1,
-                       static_cast<std::size_t>(part * static_cast<double>(ns.size())))];
-  };
-  return {at(0.5), ns.front(), at(0.99)};
-}
-
-double nanoseconds(std::chrono::steady_clock::rep ticks) {
-  using Duration = std::chrono::steady_clock::duration;
-  return std::chrono::duration<double, std::nano>(Duration(ticks)).count();
-}
-
-// What one look at the clock takes; each time between two looks holds one.
-double clock_cost() {
-  using Clock = std::chrono::steady_clock;
-  double best = 1e9;
-  for (int k = 0; k < 64; ++k) {
-    const Clock::time_point start = Clock::now();
-    for (int i = 0; i < 64; ++i) (void)Clock::now();
-    best = std::min(best, nanoseconds((Clock::now() - start).count()) / 65);
-  }
-  return best;
-}
-
-// What --trace FILE writes: when each stage of each process began and ended, as the medians over
-// many evaluations of random states; ns from the instant at which the processes start together.
-class Trace {
- public:
-  using Clock = std::chrono::steady_clock;
-  static constexpr std::size_t kMost = 12800;  // evaluations that are kept
-
-  explicit Trace(int rank)
-      : rank_(rank),
-        stages_(kStageCount[static_cast<std::size_t>(rank)]),
-        stamps_(static_cast<std::size_t>(stages_) + 1) {}
-
-  void begin() { trace_stamps = stamps_.data(); }
-
-  // Collective. An evaluation counts from when the first process began.
-  void end(MPI_Comm comm, bool keep) {
-    trace_stamps = nullptr;
-    long long first = stages_ == 0 ? std::numeric_limits<long long>::max() : stamps_[0];
-    MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_LONG_LONG, MPI_MIN, comm);
-    if (!keep || starts_.size() == kMost * (stamps_.size() - 1)) return;
-    for (std::size_t k = 0; k + 1 < stamps_.size(); ++k) {
-      starts_.push_back(nanoseconds(stamps_[k] - first));
-      lengths_.push_back(nanoseconds(stamps_[k + 1] - stamps_[k]));
-    }
-    lasts_.push_back(nanoseconds(stamps_.back() - first));
-  }
-
-  // Collective; process 0 returns the text.
-  std::string text(MPI_Comm comm, const char* channel, bool pinned) const {
-    std::vector<double> own;
-    for (int k = 0; k < stages_; ++k) {
-      own.push_back(median(starts_, k));
-      own.push_back(median(lengths_, k));
-    }
-    if (rank_ != 0) {
-      MPI_Send(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, 0, kTag, comm);
-      return "";
-    }
-    std::string text = "{\"model\": " + quoted(kRobot) +
-                       ", \"processes\": " + std::to_string(kProcesses) + ", \"channel\": \"" +
-                       channel + "\", \"pinned\": " + (pinned ? "true" : "false") +
-                       ", \"evaluations\": " + std::to_string(lasts_.size()) +
-                       ", \"clock_ns\": " + number(clock_cost()) + ",\n \"stages\": [";
-    for (int p = 0; p < kProcesses; ++p) {
-      const std::size_t count = 2 * static_cast<std::size_t>(kStageCount[p]);
-      std::vector<double> times(count);
-      if (p == 0)
-        times = own;
-      else
-        MPI_Recv(times.data(), static_cast<int>(count), MPI_DOUBLE, p, kTag, comm,
-                 MPI_STATUS_IGNORE);
-      for (std::size_t k = 0; 2 * k < count; ++k)
-        text += row(p, kStages[p][k], times[2 * k], times[2 * k + 1]) + ",";
-    }
-    if (text.back() == ',') text.pop_back();
-    return text + "\n ]}\n";
-  }
-
- private:
-  static constexpr int kTag = 0x7ace;
-
-  static std::string number(double x) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f", x);
-    return text;
-  }
-
-  static std::string row(int process, const Stage& stage, double start, double length) {
-    const std::string joint = stage.joint < 0 ? "null" : quoted(kJoints[stage.joint].name);
-    const std::string message = stage.message < 0 ? "null" : std::to_string(stage.message);
-    return "\n  {\"process\": " + std::to_string(process) + ", \"what\": \"" + stage.what +
-           "\", \"joint\": " + joint + ", \"message\": " + message +
-           ", \"start_ns\": " + number(start) + ", \"length_ns\": " + number(length) + "}";
-  }
-
-  double median(const std::vector<double>& all, int stage) const {
-    std::vector<double> one;
-    const std::size_t step = stamps_.size() - 1;
-    for (std::size_t k = static_cast<std::size_t>(stage); k < all.size(); k += step)
-      one.push_back(all[k]);
-    if (one.empty()) return 0;
-    std::nth_element(one.begin(), one.begin() + static_cast<long>(one.size() / 2), one.end());
-    return one[one.size() / 2];
-  }
-
-  int rank_, stages_;
-  std::vector<Clock::rep> stamps_;
-  std::vector<double> starts_, lengths_, lasts_;
-};
-
-// What the parts of the program share: the solver, the states at work, and how a failure is told.
-
-// Random states, the same on every machine (splitmix64).
-States random_states(int count, std::uint64_t seed) {
-  const auto uniform = [&seed] {
-    std::uint64_t z = (seed += 0x9E3779B97F4A7C15ULL);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
-    return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1;  // in [-1, 1)
-  };
-  States states;
-  states.count = count;
-  const auto size = [count](int n) {
-    return static_cast<std::size_t>(count) * static_cast<std::size_t>(n);
-  };
-  states.q.resize(size(kNq));
-  states.v.resize(size(kNv));
-  states.tau.resize(size(kNtau));
-  for (int s = 0; s < count; ++s) {
-    Number* q =
-        states.q.data() + size(kNq) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Number* v =
-        states.v.data() + size(kNv) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Number* tau = states.tau.data() +
-                  size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    for (const JointConstants& joint : kJoints) {
-      const bool turns = joint.kind == JointKind::kRevolute;
-      for (int k = 0; k < joint.nq; ++k)
-        q[joint.q + k] = static_cast<Number>(turns ? 3.141592653589793 * uniform() : uniform());
-      if (joint.nq >= 4) {
-        double p[4], squared;
-        do {
-          squared = 0;
-          for (double& x : p) x = uniform(), squared += x * x;
-        } while (squared > 1 || squared < 0.01);
-        for (int k = 0; k < 4; ++k)
-          q[joint.q + joint.nq - 4 + k] = static_cast<Number>(p[k] / std::sqrt(squared));
-      }
-      for (int k = 0; k < joint.nv; ++k) {
-        v[joint.v + k] = static_cast<Number>(uniform());
-        tau[joint.v + k] = static_cast<Number>(uniform());
-      }
-    }
-    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Number>(uniform());
-    slave(q, v);
-  }
-  return states;
-}
-
-// The states file, read by process 0 and handed to all.
-int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
-  int status = kDone;
-  if (rank == 0) {
-    std::ifstream file(path, std::ios::binary);
-    file.peek();  // tells a folder from a file
-    std::ostringstream text;
-    if (!file.bad()) text << file.rdbuf();
-    std::string wrong;
-    if (!file.is_open() || file.bad())
-      wrong = " error: cannot read the states file";
-    else
-      wrong = StatesReader(text.str()).read(states);
-    if (!wrong.empty()) {
-      std::fprintf(stderr, "%s:%s\n", path.c_str(), wrong.c_str());
-      status = kInputAtFault;
-    }
-  }
-  MPI_Bcast(&status, 1, MPI_INT, 0, comm);
-  if (status != kDone) return status;
-  MPI_Bcast(&states.count, 1, MPI_INT, 0, comm);
-  const auto share = [&](std::vector<Number>& x, int n) {
-    x.resize(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(n));
-    MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiNumber, 0, comm);
-  };
-  if (kBatch) return status;  // handed out as they are solved
-  share(states.q, kNq);
-  share(states.v, kNv);
-  share(states.tau, kNtau);
-  return status;
-}
-
-struct Session {
-  Options options;
-  int rank;
-  Watch watch;
-  Solver solver;
-  States states;
-  std::vector<Number> qdd;  // one acceleration after the other
-  bool pinned = false;
-
-  Session(Options given, int own_rank) : options(std::move(given)), rank(own_rank) {}
-
-  MPI_Comm comm() const { return solver.channel.comm(); }
-  const Number* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
-  const Number* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
-  const Number* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
-  Number* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
-
-  void use(States given) {
-    states = std::move(given);
-    qdd.assign(static_cast<std::size_t>(states.count) * kNv, Number(0));
-  }
-
-  int complain(int status, const std::string& what, const std::string& file = "") const {
-    const std::string place = file.empty() ? "" : file + ": ";
-    if (rank == 0) std::fprintf(stderr, "%serror: %s\n", place.c_str(), what.c_str());
-    return status;
-  }
-
-  // A process that waited in vain cannot be waited for: the whole run ends.
-  void give_up_if_broken(int failed) const {
-    if (failure_kind(failed) != kNoAnswer) return;
-    std::fprintf(stderr, "error: process %d: %s\n", rank, describe(failed).c_str());
-    std::fflush(stderr);
-    MPI_Abort(MPI_COMM_WORLD, kFault);
-  }
-
-  const char* channel_name() const {
-    if (kAlone) return "none";
-    return solver.channel.name();
-  }
-};
-
-// The cores that the processes on this node may use: whether there is one for each of them.
-class Cores {
- public:
-  // Collective.
-  explicit Cores(MPI_Comm comm) : comm_(comm) {
-    MPI_Comm node;
-    int processes = 1;
-    MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
-    MPI_Comm_rank(node, &place_);
-    MPI_Comm_size(node, &processes);
-#if defined(__linux__)
-    CPU_ZERO(&own_);
-    cpu_set_t all;
-    known_ = sched_getaffinity(0, sizeof own_, &own_) == 0;
-    // Each may be bound to one of its own.
-    MPI_Allreduce(&own_, &all, static_cast<int>(sizeof all), MPI_BYTE, MPI_BOR, node);
-    count_ = CPU_COUNT(&all);
-    own_is_enough_ = known_ && CPU_COUNT(&own_) >= processes;
-#endif
-    if (count_ == 0) count_ = static_cast<int>(std::thread::hardware_concurrency());
-    int enough = count_ == 0 || count_ >= processes;
-    MPI_Allreduce(MPI_IN_PLACE, &enough, 1, MPI_INT, MPI_MIN, comm);
-    enough_ = enough != 0;
-    MPI_Comm_free(&node);
-  }
-
-  // Whether every process, on any node, can have one to itself.
-  bool enough() const { return enough_; }
-
-  int count() const { return count_; }
-
-  // Collective. Each process onto one of its own, if there are as many; whether all are.
-  bool pin() const {
-    int pinned = own_is_enough_ && pin_to(place_);
-    MPI_Allreduce(MPI_IN_PLACE, &pinned, 1, MPI_INT, MPI_MIN, comm_);
-    return pinned != 0;
-  }
-
-  // This process onto one that others may have, too.
-  void pin_in_turn() const { pin_to(place_); }
-
- private:
-  // Onto the k-th of those that this process may use, counted round and round.
-  bool pin_to([[maybe_unused]] int k) const {
-#if defined(__linux__)
-    if (!known_) return false;
-    k %= CPU_COUNT(&own_);
-    int cpu = 0;
-    for (; cpu < CPU_SETSIZE; ++cpu)
-      if (CPU_ISSET(cpu, &own_) && k-- == 0) break;
-    cpu_set_t one;
-    CPU_ZERO(&one);
-    CPU_SET(cpu, &one);
-    return sched_setaffinity(0, sizeof one, &one) == 0;
-#else
-    return false;
-#endif
-  }
-
-  MPI_Comm comm_;
-  int place_ = 0, count_ = 0;
-  bool enough_ = true, own_is_enough_ = false;
-#if defined(__linux__)
-  bool known_ = false;
-  cpu_set_t own_;
-#endif
-};
-
-// A process's part in an evaluation: the messages that it sends and receives, in order, and how
-// long it computes before each and after the last; ns.
-struct Part {
-  std::vector<int> messages;
-  std::vector<double> stretches;  // one more than messages
-};
-
-// What a message costs, ns: its sender, from sent to seen, and per number to put it in and take it
-// out again.
-struct Hop {
-  double send, latency, number;
-};
-
-// When the last process is done, were all to begin together on cores of their own: their parts
-// played through, each message of a process waited for.
-inline double makespan(const std::vector<Part>& parts, const std::vector<MessageInfo>& messages,
-                       const Hop& hop) {
-  std::vector<double> clock(parts.size(), 0);
-  std::vector<std::size_t> at(parts.size(), 0), received(messages.size(), 0);
-  std::vector<std::vector<double>> sent(messages.size());  // when, each time
-  const auto advance = [&](std::size_t p) {
-    const std::size_t k = static_cast<std::size_t>(parts[p].messages[at[p]]);
-    const double ready = clock[p] + parts[p].stretches[at[p]];
-    const double copying = hop.number * messages[k].size / 2;
-    if (messages[k].source == static_cast<int>(p)) {
-      clock[p] = ready + hop.send + copying;
-      sent[k].push_back(clock[p]);
-    } else {
-      if (received[k] == sent[k].size()) return false;  // not sent yet
-      clock[p] = std::max(ready, sent[k][received[k]++] + hop.latency) + copying;
-    }
-    ++at[p];
-    return true;
-  };
-  for (bool moved = true; moved;) {
-    moved = false;
-    for (std::size_t p = 0; p < parts.size(); ++p)
-      while (at[p] < parts[p].messages.size() && advance(p)) moved = true;
-  }
-  double last = 0;
-  for (std::size_t p = 0; p < parts.size(); ++p)
-    last = std::max(last, clock[p] + parts[p].stretches.back());
-  return last;
-}
+constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
+    {kStages_0.data(), 11},
+    {kStages_1.data(), 5},
+    {kStages_2.data(), 9},
+    {kStages_3.data(), 5},
+} };
 
 // As the cost profile default has them.
-constexpr Hop kWindowHop{0, 159, 0.437};
-constexpr Hop kMessageHop{26, 228, 0.644};
-
-// What messages cost on a channel.
-inline const Hop& hop_of(const Channel& channel) {
-  return channel.windowed() ? kWindowHop : kMessageHop;
-}
-
-// How long an evaluation would take if each process had a core of its own, where they have not: its
-// processes compute one at a time, the others asleep, with the messages that they have once had
-// (take.hpp); then these stretches and what messages cost are played through (makespan.hpp).
-class Stretches {
- public:
-  explicit Stretches(Session& session) : session_(session) {}
-
-  // Collective. Evaluates each state of the session by evaluate(s), which returns its status; is
-  // told before each turn, and after it. Returns the first failure.
-  template <class Evaluate, class Turn>
-  int measure(Evaluate evaluate, Turn turn) {
-    takes_.assign(count(), Take());
-    lengths_.assign(count(), {});
-    int failed = record(evaluate);
-    MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
-    if (failed != kFine) return failed;
-    const int repeat = evaluations() / session_.states.count, rounds = std::min(kRounds, repeat);
-    for (int round = 0; round < rounds; ++round)
-      for (int p = 0; p < kProcesses; ++p) {
-        rest();
-        if (p != session_.rank) continue;
-        turn();
-        play(evaluate, repeat * (round + 1) / rounds - repeat * round / rounds);
-      }
-    rest();
-    return kFine;
-  }
-
-  // Of each state, at most as many as are kept.
-  int evaluations() const {
-    return std::min(session_.options.repeat, kMost) * session_.states.count;
-  }
-
-  // Collective. Over the states, at process 0: medians of the stretches played through, and the
-  // least of all. Holds one look at the clock, as other times do.
-  Statistics played_through() {
-    const std::vector<std::vector<double>> told = bring_together();
-    if (session_.rank != 0) return {};
-    const std::vector<MessageInfo> messages(kMessages.begin(), kMessages.end());
-    std::vector<const double*> next;
-    for (const std::vector<double>& one : told) next.push_back(one.data());
-    work_.assign(kProcesses, 0);
-    std::vector<double> typical, least;
-    for (std::size_t s = 0; s < count(); ++s) {
-      std::vector<Part> medians(kProcesses), leasts(kProcesses);
-      for (std::size_t p = 0; p < kProcesses; ++p) {
-        next[p] = read(next[p], medians[p], leasts[p]);
-        for (const double ns : medians[p].stretches) work_[p] += ns / static_cast<double>(count());
-      }
-      typical.push_back(makespan(medians, messages, hop()) + look_);
-      least.push_back(makespan(leasts, messages, hop()) + look_);
-    }
-    Statistics found = statistics(std::move(typical));
-    found.least = *std::min_element(least.begin(), least.end());
-    return found;
-  }
-
-  // For how long each process computes in an evaluation, ns, as last played through.
-  const std::vector<double>& work() const { return work_; }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  static constexpr int kTag = 0x57e7, kRounds = 5, kMost = 1000;
-
-  std::size_t count() const { return static_cast<std::size_t>(session_.states.count); }
-  const Hop& hop() const { return hop_of(session_.solver.channel); }
-
-  template <class Evaluate>
-  int record(Evaluate evaluate) {
-    int failed = kFine;
-    for (int s = 0; s < session_.states.count; ++s) {
-      Take& take = takes_[static_cast<std::size_t>(s)];
-      take.record();
-      session_.solver.channel.use(&take);
-      const int found = evaluate(s);
-      session_.solver.channel.use(nullptr);
-      session_.give_up_if_broken(found);
-      if (failed == kFine) failed = found;
-    }
-    return failed;
-  }
-
-  // A turn: all states as often as asked for, after once to warm up.
-  template <class Evaluate>
-  void play(Evaluate evaluate, int passes) {
-    look_ = clock_cost();
-    for (int pass = -1; pass < passes; ++pass)
-      for (int s = 0; s < session_.states.count; ++s) {
-        Take& take = takes_[static_cast<std::size_t>(s)];
-        take.play();
-        session_.solver.channel.use(&take);
-        const Clock::rep start = Clock::now().time_since_epoch().count();
-        evaluate(s);
-        const Clock::rep end = Clock::now().time_since_epoch().count();
-        session_.solver.channel.use(nullptr);
-        if (pass >= 0) keep(start, take.looks(), end, lengths_[static_cast<std::size_t>(s)]);
-      }
-  }
-
-  void keep(Clock::rep start, const std::vector<Clock::rep>& looks, Clock::rep end,
-            std::vector<double>& lengths) const {
-    for (std::size_t k = 0; k <= looks.size(); ++k) {
-      const Clock::rep until = k < looks.size() ? looks[k] : end;
-      lengths.push_back(std::max(0.0, nanoseconds(until - start) - look_));
-      start = until;
-    }
-  }
-
-  // Waits for the others, asleep: whoever computes is not disturbed.
-  void rest() const {
-    MPI_Request request;
-    MPI_Ibarrier(session_.comm(), &request);
-    for (int done = 0; MPI_Test(&request, &done, MPI_STATUS_IGNORE), !done;)
-      std::this_thread::sleep_for(std::chrono::microseconds(200));
-    session_.watch.again();
-  }
-
-  // Collective. At process 0, for each process what it found of all states, one after the other:
-  // number of messages, the messages, then medians and least of their stretches.
-  std::vector<std::vector<double>> bring_together() {
-    std::vector<double> own;
-    for (std::size_t s = 0; s < count(); ++s) {
-      const std::vector<int>& messages = takes_[s].messages();
-      own.push_back(static_cast<double>(messages.size()));
-      own.insert(own.end(), messages.begin(), messages.end());
-      const std::vector<Statistics> found = of_stretches(lengths_[s], messages.size() + 1);
-      for (const Statistics& one : found) own.push_back(one.median);
-      for (const Statistics& one : found) own.push_back(one.least);
-    }
-    std::vector<std::vector<double>> all(kProcesses);
-    if (session_.rank != 0) {
-      MPI_Send(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, 0, kTag, session_.comm());
-      return all;
-    }
-    all[0] = std::move(own);
-    for (int p = 1; p < kProcesses; ++p) {
-      MPI_Status status;
-      int size = 0;
-      MPI_Probe(p, kTag, session_.comm(), &status);
-      MPI_Get_count(&status, MPI_DOUBLE, &size);
-      all[static_cast<std::size_t>(p)].resize(static_cast<std::size_t>(size));
-      MPI_Recv(all[static_cast<std::size_t>(p)].data(), size, MPI_DOUBLE, p, kTag, session_.comm(),
-               MPI_STATUS_IGNORE);
-    }
-    return all;
-  }
-
-  static std::vector<Statistics> of_stretches(const std::vector<double>& lengths,
-                                              std::size_t stretches) {
-    std::vector<Statistics> found;
-    for (std::size_t first = 0; first < stretches; ++first) {
-      std::vector<double> one;
-      for (std::size_t k = first; k < lengths.size(); k += stretches) one.push_back(lengths[k]);
-      found.push_back(statistics(std::move(one)));
-    }
-    return found;
-  }
-
-  static const double* read(const double* from, Part& median, Part& least) {
-    const std::size_t messages = static_cast<std::size_t>(*from++);
-    median.messages.assign(from, from + messages);
-    least.messages = median.messages;
-    from += messages;
-    median.stretches.assign(from, from + messages + 1);
-    from += messages + 1;
-    least.stretches.assign(from, from + messages + 1);
-    return from + messages + 1;
-  }
-
-  Session& session_;
-  std::vector<Take> takes_;                   // of each state
-  std::vector<std::vector<double>> lengths_;  // of each state: one evaluation after the other
-  double look_ = 0;                           // at the clock
-  std::vector<double> work_;
-};
-
-// How long batches take (--time): on one process, two, four, ... and all.
-class BatchTiming {
- public:
-  explicit BatchTiming(Session& session) : session_(session) {}
-
-  static constexpr int kStates = 1024;  // for each process
-
-  // Collective. Times batches of random states, each begun by start(), which returns when that was.
-  // Returns the first failure.
-  template <class S, class Start>
-  int measure(S& solver, Start start) {
-    const int count = kStates * (session_.rank == 0 ? kProcesses : 1);
-    session_.use(random_states(count, session_.options.seed));
-    for (int active = 1;; active = std::min(2 * active, kProcesses)) {
-      const int failed = measure_on(active, solver, start);
-      if (failed != kFine || active == kProcesses) return failed;
-    }
-  }
-
-  // Nanoseconds for each state and process, on all processes.
-  const Statistics& in_place() const { return steps_.back().in_place; }
-  const Statistics& at_root() const { return steps_.back().at_root; }
-
-  // Nothing where nothing was timed.
-  std::string json() const {
-    std::string text;
-    for (const Step& step : steps_) {
-      char words[120];
-      std::snprintf(words, sizeof words,
-                    "%s{\"processes\": %d, \"in_place\": %.4g, \"through_root\": %.4g}",
-                    text.empty() ? ", \"states_per_second\": [" : ", ", step.processes,
-                    step.per_second(step.in_place), step.per_second(step.at_root));
-      text += words;
-    }
-    return text + (text.empty() ? "" : "]");
-  }
-
-  void print(std::FILE* out) const {
-    if (steps_.empty()) return;
-    std::fprintf(out,
-                 "       states per second:  in place  per process   through 0  per process\n");
-    for (const Step& step : steps_) {
-      const double in_place = step.per_second(step.in_place);
-      const double at_root = step.per_second(step.at_root);
-      std::fprintf(out, "       %4d process%-2s   %11.3g  %11.3g %11.3g  %11.3g\n", step.processes,
-                   step.processes == 1 ? "" : "es", in_place, in_place / step.processes, at_root,
-                   at_root / step.processes);
-    }
-  }
-
- private:
-  struct Step {
-    int processes;
-    Statistics in_place, at_root;
-    double per_second(const Statistics& ns) const { return 1e9 * processes / ns.median; }
-  };
-
-  template <class S, class Start>
-  int measure_on(int active, S& solver, Start start) {
-    std::vector<double> in_place, at_root;
-    int failed = kFine;
-    const auto time = [&](std::vector<double>* times, auto solve) {
-      const std::chrono::steady_clock::time_point begin = start();
-      const int found = solve();
-      const double ns = nanoseconds((std::chrono::steady_clock::now() - begin).count());
-      session_.give_up_if_broken(found);
-      if (failed == kFine) failed = found;
-      if (times != nullptr) times->push_back(ns / kStates);
-    };
-    for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
-      session_.watch.again();
-      const Number *const q = session_.q(0), *const v = session_.v(0), *const tau = session_.tau(0);
-      Number* const qdd = session_.acceleration(0);
-      time(pass < 0 ? nullptr : &in_place, [&] {
-        return solver.solve_batch(session_.rank < active ? kStates : 0, q, v, tau, qdd);
-      });
-      time(pass < 0 ? nullptr : &at_root, [&] {
-        return solver.solve_batch_at_root(kStates * active, q, v, tau, qdd, active - 1);
-      });
-      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
-    }
-    if (failed != kFine) return failed;
-    for (std::vector<double>* ns : {&in_place, &at_root})  // over when the last process is done
-      MPI_Allreduce(MPI_IN_PLACE, ns->data(), static_cast<int>(ns->size()), MPI_DOUBLE, MPI_MAX,
-                    session_.comm());
-    steps_.push_back({active, statistics(std::move(in_place)), statistics(std::move(at_root))});
-    return kFine;
-  }
-
-  Session& session_;
-  std::vector<Step> steps_;
-};
-
-// How long an evaluation takes (--time, --stretches), and where the time goes (--trace).
-class Timing {
- public:
-  explicit Timing(Session& session) : session_(session) {}
-
-  int time_all() {
-    const Cores cores(session_.comm());
-    crowded_ = !cores.enough();
-    cores_ = cores.count();
-    if constexpr (kBatch) return time_batch(session_.solver, cores);
-    session_.use(random_states(kRandomStates, session_.options.seed));
-    if (crowded_ || session_.options.stretches) return time_stretches(cores);
-    session_.pinned = session_.options.pin && cores.pin();
-    std::vector<double> in_place, at_root;
-    int failed = kFine;
-    for (int pass = -1; pass < session_.options.repeat && failed == kFine;
-         ++pass) {  // the first one warms up
-      session_.watch.again();
-      for (int s = 0; s < session_.states.count; ++s) {
-        Number* const qdd = session_.acceleration(s);
-        const Clock::time_point start = start_together();
-        const int first = session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s), qdd);
-        const double in_place_ns =
-            std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-        if (!kAlone) MPI_Barrier(session_.comm());
-        const Clock::time_point start_root = Clock::now();
-        const int second =
-            session_.solver.solve_at_root(session_.q(s), session_.v(s), session_.tau(s), qdd);
-        const double root_ns =
-            std::chrono::duration<double, std::nano>(Clock::now() - start_root).count();
-        session_.give_up_if_broken(first);
-        session_.give_up_if_broken(second);
-        if (failed == kFine) failed = first != kFine ? first : second;
-        if (pass < 0) continue;
-        in_place.push_back(in_place_ns);
-        at_root.push_back(root_ns);
-      }
-      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
-    }
-    if (failed != kFine)
-      return session_.complain(kInputAtFault,
-                               "random state: " + std::string(describe(failed).c_str()));
-    // An evaluation is over when its last process is done.
-    MPI_Allreduce(MPI_IN_PLACE, in_place.data(), static_cast<int>(in_place.size()), MPI_DOUBLE,
-                  MPI_MAX, session_.comm());
-    in_place_ = statistics(std::move(in_place));
-    at_root_ = statistics(std::move(at_root));
-    evaluations_ = session_.options.repeat * kRandomStates;
-    return kDone;
-  }
-
-  // Where processes share cores, or where it is asked for.
-  int time_stretches(const Cores& cores) {
-    const auto turn = [&] {
-      if (session_.options.pin) cores.pin_in_turn();
-    };
-    const auto in_place = [this](int s) {
-      return session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s),
-                                   session_.acceleration(s));
-    };
-    const auto at_root = [this](int s) {
-      return session_.solver.solve_at_root(session_.q(s), session_.v(s), session_.tau(s),
-                                           session_.acceleration(s));
-    };
-    Stretches stretches(session_);
-    int failed = stretches.measure(at_root, turn);
-    if (failed == kFine) at_root_ = stretches.played_through();
-    if (failed == kFine) failed = stretches.measure(in_place, turn);
-    if (failed != kFine)
-      return session_.complain(kInputAtFault,
-                               "random state: " + std::string(describe(failed).c_str()));
-    in_place_ = stretches.played_through();
-    work_ = stretches.work();
-    evaluations_ = stretches.evaluations();
-    return kDone;
-  }
-
-  template <class S>
-  int time_batch(S& solver, const Cores& cores) {
-    session_.pinned = session_.options.pin && cores.pin();
-    int failed = kFine;
-    if constexpr (kBatch) failed = batches_.measure(solver, [this] { return start_together(); });
-    if (failed != kFine)
-      return session_.complain(kInputAtFault,
-                               "random states: " + std::string(describe(failed).c_str()));
-    in_place_ = batches_.in_place();
-    at_root_ = batches_.at_root();
-    evaluations_ = session_.options.repeat * BatchTiming::kStates;
-    return kDone;
-  }
-
-  // The same evaluations with time stamps between the stages of each process.
-  int trace_all() {
-    session_.use(random_states(kRandomStates, session_.options.seed));
-    if (!session_.pinned && session_.options.pin) session_.pinned = Cores(session_.comm()).pin();
-    Trace trace(session_.rank);
-    int failed = kFine;
-    for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
-      session_.watch.again();
-      for (int s = 0; s < session_.states.count; ++s) {
-        start_together();
-        trace.begin();
-        const int found = session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s),
-                                                session_.acceleration(s));
-        session_.give_up_if_broken(found);
-        trace.end(session_.comm(), pass >= 0);
-        if (failed == kFine) failed = found;
-      }
-      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
-    }
-    if (failed != kFine)
-      return session_.complain(kInputAtFault,
-                               "random state: " + std::string(describe(failed).c_str()));
-    const std::string text = trace.text(session_.comm(), session_.channel_name(), session_.pinned);
-    int status = kDone;
-    if (session_.rank == 0) {
-      std::ofstream file(session_.options.trace, std::ios::binary);
-      if (!(file << text << std::flush))
-        status = session_.complain(kFault, "cannot write the trace", session_.options.trace);
-    }
-    MPI_Bcast(&status, 1, MPI_INT, 0, session_.comm());
-    return status;
-  }
-
-  // Nothing where nothing was timed.
-  std::string json() const {
-    if (evaluations_ == 0) return "";
-    std::string text = ", \"time\": {\"source\": ";
-    text += work_.empty() ? "\"clock\"" : "\"stretches\"";
-    text += ", \"evaluations\": " + std::to_string(evaluations_);
-    text += session_.pinned ? ", \"pinned\": true" : ", \"pinned\": false";
-    text += figures("in_place", in_place_) + figures("through_root", at_root_);
-    std::string each;
-    for (const double ns : work_) each += (each.empty() ? "" : ", ") + whole(ns);
-    if (!each.empty()) text += ", \"work_ns\": [" + each + "]";
-    return text + batches_.json() + "}";
-  }
-
-  void print(std::FILE* out) const {
-    if (evaluations_ == 0) return;
-    std::fprintf(out, "time   %d process%s%s, ns per %s: median, minimum, 99th percentile\n",
-                 kProcesses, kProcesses == 1 ? "" : "es", session_.pinned ? ", pinned" : "",
-                 kBatch ? "state and process" : "evaluation");
-    if (crowded_)
-      std::fprintf(out, "       (%d cores for %d processes: a wall time %s)\n", cores_, kProcesses,
-                   kBatch ? "says little" : "would mean nothing");
-    if (!work_.empty())
-      std::fprintf(out,
-                   "       (from measured stretches of computing, one process at a time, played "
-                   "through\n        with what messages cost: %.0f ns each and %.2f per number)\n",
-                   hop().send + hop().latency, hop().number);
-    std::fprintf(out, "       state and result in place       %8.0f %8.0f %8.0f\n",
-                 in_place_.median, in_place_.least, in_place_.percentile99);
-    std::fprintf(out, "       everything through process 0    %8.0f %8.0f %8.0f\n", at_root_.median,
-                 at_root_.least, at_root_.percentile99);
-    if (!work_.empty()) {
-      std::fprintf(out, "       each process computes           ");
-      for (const double ns : work_) std::fprintf(out, "%8.0f ", ns);
-      std::fprintf(out, "\n");
-    }
-    batches_.print(out);
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-
-  // All processes that take part in an evaluation start it at the same instant of their common
-  // clock; hosts have none. One alone starts at once: to meet others that it does not need would
-  // only cool its caches.
-  Clock::time_point start_together() const {
-    if (kAlone) return Clock::now();
-    if (!session_.solver.channel.on_one_host()) {
-      MPI_Barrier(session_.comm());
-      return Clock::now();
-    }
-    Clock::rep start = 0;
-    if (session_.rank == 0)
-      start = (Clock::now() + std::chrono::microseconds(5)).time_since_epoch().count();
-    MPI_Bcast(&start, static_cast<int>(sizeof start), MPI_BYTE, 0, session_.comm());
-    const Clock::time_point at{Clock::duration(start)};
-    const Clock::time_point latest = Clock::now() + std::chrono::microseconds(50);
-    Clock::time_point now;
-    while ((now = Clock::now()) < at && now < latest) relax();
-    return now;
-  }
-
-  static std::string whole(double ns) { return std::to_string(std::llround(ns)); }
-
-  static std::string figures(const char* what, const Statistics& of) {
-    return std::string(", \"") + what + "\": {\"median_ns\": " + whole(of.median) +
-           ", \"min_ns\": " + whole(of.least) + ", \"p99_ns\": " + whole(of.percentile99) + "}";
-  }
-
-  const Hop& hop() const { return hop_of(session_.solver.channel); }
-
-  Session& session_;
-  int evaluations_ = 0;
-  bool crowded_ = false;  // not a core for each process
-  int cores_ = 0;
-  Statistics in_place_, at_root_;
-  BatchTiming batches_{session_};
-  std::vector<double> work_;  // of each process, where times are from stretches
-};
-
-// --simulate: process 0 integrates, all processes evaluate. The torques of the initial state act
-// all the time.
-class Simulation {
- public:
-  explicit Simulation(Session& session) : on_(session) {}
-
-  // Collective.
-  int run() {
-    int status = start();
-    MPI_Bcast(&status, 1, MPI_INT, 0, on_.comm());
-    if (status != kDone) return status;
-    status = kProcesses == 1 || on_.rank == 0 ? integrate() : serve();
-    MPI_Bcast(&status, 1, MPI_INT, 0, on_.comm());
-    return status;
-  }
-
-  // Nothing where nothing was simulated.
-  std::string json() const {
-    if (!done_) return "";
-    char text[300];
-    std::snprintf(text, sizeof text,
-                  ", \"simulation\": {\"integrator\": \"%s\", \"step\": %.17g, \"seconds\": %.17g, "
-                  "\"steps\": %lld, \"evaluations\": %lld, \"wall_s\": %.9g}",
-                  asked().integrator->name, asked().step, asked().seconds, steps_, evaluations_,
-                  wall_);
-    return text;
-  }
-
-  void print() const {
-    if (!done_) return;
-    std::printf(
-        "simulation  %s: %g s in %lld steps of %g s, %lld evaluations, %.3g s of wall time\n",
-        asked().integrator->name, asked().seconds, steps_, asked().step, evaluations_, wall_);
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  static constexpr const char* kSmaller = "; take a smaller --step";
-
-  const SimulationOptions& asked() const { return on_.options.simulation; }
-
-  // The initial state and the file to write; process 0's status counts.
-  int start() {
-    if (on_.options.states.empty()) {
-      on_.use(random_states(1, on_.options.seed));
-    } else {
-      const int status = load(on_.options.states, on_.comm(), on_.rank, on_.states);
-      if (status != kDone) return status;
-      if (on_.states.count != 1)
-        return on_.complain(
-            kInputAtFault, std::to_string(on_.states.count) + " states; a simulation starts at one",
-            on_.options.states);
-    }
-    const double steps = std::ceil(asked().seconds / asked().step * (1 - 1e-12));
-    if (steps > 1e12) return on_.complain(kUsage, "--simulate: more than 1e12 steps");
-    steps_ = std::max(1LL, static_cast<long long>(steps));
-    if (on_.rank != 0) return kDone;
-    const std::string& path = asked().trajectory;
-    const double rows = static_cast<double>(steps_) / static_cast<double>(asked().every) + 2;
-    if (Trajectory::is_npz(path) && rows * 8 * std::max(kNq, kNv) > Trajectory::kMostBytes)
-      return on_.complain(kUsage,
-                          "the trajectory has too many rows for .npz; say --every N or .csv");
-    if (!trajectory_.open(path)) return on_.complain(kFault, "cannot write the trajectory", path);
-    return kDone;
-  }
-
-  // Evaluates for process 0 until that says that it is over.
-  int serve() {
-    if (kProcess[static_cast<std::size_t>(on_.rank)].own.count == 0) return kDone;
-    for (int status = kFine; failure_kind(status) != kEnded;) {
-      status = on_.solver.solve_at_root(nullptr, nullptr, nullptr, nullptr);
-      on_.give_up_if_broken(status);
-      tick();
-    }
-    return kDone;
-  }
-
-  int integrate() {
-    q_.assign(on_.q(0), on_.q(0) + kNq);
-    v_.assign(on_.v(0), on_.v(0) + kNv);
-    const Clock::time_point began = next_ = Clock::now();
-    next_shown_ = began + std::chrono::seconds(1);
-    std::string wrong = follow();
-    wall_ = std::chrono::duration<double>(Clock::now() - began).count();
-    if (told_) std::fputc('\n', stderr);
-    on_.give_up_if_broken(on_.solver.end_at_root());
-    if (!trajectory_.close())
-      return on_.complain(kFault, "cannot write the trajectory", asked().trajectory);
-    if (!wrong.empty()) return on_.complain(kInputAtFault, wrong, on_.options.states);
-    done_ = true;
-    return kDone;
-  }
-
-  // Takes all steps; returns an empty string, or what stopped it.
-  std::string follow() {
-    Stepper stepper;
-    manifold::normalise(q_);
-    trajectory_.record(0, q_, v_);
-    for (long long k = 0; k < steps_; ++k) {
-      const double time = static_cast<double>(k) * asked().step;
-      const double next = k + 1 < steps_ ? time + asked().step : asked().seconds;
-      const int failed = stepper.step(asked().integrator->kind, next - time, q_, v_,
-                                      [this](const auto& q, const auto& v, const auto& extra,
-                                             auto& a) { return accelerate(q, v, extra, a); });
-      on_.give_up_if_broken(failed);
-      if (failed != kFine) return describe(failed).c_str() + at(time) + (k > 0 ? kSmaller : "");
-      slave(q_.data(), v_.data());
-      const int joint = not_finite();
-      if (joint >= 0)
-        return "joint " + quoted(kJoints[joint].name) + ": its state is not finite" + at(next) +
-               kSmaller;
-      if ((k + 1) % asked().every == 0 || k + 1 == steps_) trajectory_.record(next, q_, v_);
-      show(next);
-    }
-    return "";
-  }
-
-  static std::string at(double time) {
-    char text[40];
-    std::snprintf(text, sizeof text, ", at t = %.9g s", time);
-    return text;
-  }
-
-  ADAGEN_HOT int accelerate(const manifold::State& q, const manifold::State& v,
-                            const manifold::State& extra, manifold::State& a) {
-    std::copy(q.begin(), q.end(), real_q_.begin());
-    std::copy(v.begin(), v.end(), real_v_.begin());
-    std::copy(on_.tau(0), on_.tau(0) + kNtau, real_tau_.begin());
-    for (std::size_t k = 0; k < extra.size(); ++k)
-      real_tau_[k] = static_cast<Number>(double(real_tau_[k]) + extra[k]);
-    const int status =
-        on_.solver.solve_at_root(real_q_.data(), real_v_.data(), real_tau_.data(), real_a_.data());
-    std::copy(real_a_.begin(), real_a_.end(), a.begin());
-    ++evaluations_;
-    return status;
-  }
-
-  // The first joint whose state is not finite, or -1.
-  int not_finite() const {
-    const auto good = [](double x) { return std::isfinite(x); };
-    for (int j = 0; j < kJointCount; ++j) {
-      const auto q = q_.begin() + kJoints[j].q, v = v_.begin() + kJoints[j].v;
-      if (!std::all_of(q, q + kJoints[j].nq, good) || !std::all_of(v, v + kJoints[j].nv, good))
-        return j;
-    }
-    return -1;
-  }
-
-  // True about every tenth of a second; the watch hears of progress then.
-  bool tick() {
-    const Clock::time_point now = Clock::now();
-    if (now < next_) return false;
-    next_ = now + std::chrono::milliseconds(100);
-    on_.watch.again();
-    return true;
-  }
-
-  // Progress on stderr, on runs over a second: a bar that moves on a terminal, else a line every
-  // ten seconds.
-  void show(double time) {
-    if (!tick() || next_ < next_shown_) return;
-#if defined(__unix__) || defined(__APPLE__)
-    const bool moves = isatty(STDERR_FILENO) != 0;
-#else
-    const bool moves = false;
-#endif
-    next_shown_ = next_ + std::chrono::seconds(moves ? 0 : 10);
-    const double part = time / asked().seconds;
-    std::string bar(30, ' ');
-    std::fill_n(bar.begin(), static_cast<int>(30 * part), '#');
-    std::fprintf(stderr, "%ssimulating [%s] %3.0f %%, %.4g of %g s%s", moves ? "\r" : "",
-                 bar.c_str(), 100 * part, time, asked().seconds, moves ? "" : "\n");
-    told_ = moves;
-  }
-
-  Session& on_;
-  Trajectory trajectory_;
-  manifold::State q_, v_;
-  std::array<Number, kNq> real_q_{};
-  std::array<Number, kNv> real_v_{}, real_a_{};
-  std::array<Number, kNtau> real_tau_{};
-  bool done_ = false, told_ = false;
-  long long steps_ = 0, evaluations_ = 0;
-  double wall_ = 0;
-  Clock::time_point next_{}, next_shown_{};
-};
-
-// The sizes of the corrections of all states, for people and programs: errors before each step.
-class Corrections {
- public:
-  template <class AnySolver>
-  void note([[maybe_unused]] const AnySolver& solver) {
-    if constexpr (kRefine > 0)
-      for (const double size : solver.w.refinement.corrections) sizes_.push_back(size);
-  }
-
-  // As a member of a JSON object, a comma before it; nothing without refinement.
-  std::string json() const {
-    if (sizes_.empty()) return "";
-    std::string text = ", \"refine\": {\"steps\": " + std::to_string(kRefine);
-    for (const double part : {0.5, 1.0}) {
-      text += part < 1 ? ", \"correction_median\": [" : ", \"correction_max\": [";
-      for (int k = 0; k < kRefine; ++k) text += (k == 0 ? "" : ", ") + number(at(k, part));
-      text += "]";
-    }
-    return text + "}";
-  }
-
-  // The same of every state, for the result file.
-  std::string every() const {
-    if (sizes_.empty()) return "";
-    std::string text = ", \"corrections\": [";
-    for (std::size_t s = 0; s < sizes_.size(); s += kRefine) {
-      text += s == 0 ? "[" : ", [";
-      for (std::size_t k = 0; k < kRefine; ++k)
-        text += (k == 0 ? "" : ", ") + number(sizes_[s + k]);
-      text += "]";
-    }
-    return text + "]";
-  }
-
-  void print(std::FILE* out) const {
-    if (sizes_.empty()) return;
-    for (int k = 0; k < kRefine; ++k)
-      std::fprintf(out, "refine error before step %d: median %.1e, largest %.1e\n", k + 1,
-                   at(k, 0.5), at(k, 1));
-  }
-
- private:
-  // Of correction k, the least value that a part of all states does not exceed.
-  double at(int k, double part) const {
-    std::vector<double> of_step;
-    for (std::size_t s = static_cast<std::size_t>(k); s < sizes_.size(); s += kRefine)
-      of_step.push_back(sizes_[s]);
-    std::sort(of_step.begin(), of_step.end());
-    const double place = part * static_cast<double>(of_step.size() - 1);
-    return of_step[static_cast<std::size_t>(place)];
-  }
-
-  // Infinity is no JSON number.
-  static std::string number(double x) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", x);
-    return std::isfinite(x) ? text : "null";
-  }
-
-  std::vector<double> sizes_;
-};
-
-// The program around the solver: solves given states, checks, times, simulates, reports.
-
-class Program {
- public:
-  Program(Options options, int rank) : session_(std::move(options), rank) {}
-
-  int run() {
-    const Options& options = session_.options;
-    session_.watch.start(session_.rank, options.time_limit);
-    const std::string wrong = session_.solver.channel.open(MPI_COMM_WORLD, options.channel,
-                                                           options.time_limit, options.hosts);
-    if (!wrong.empty()) return session_.complain(kFault, wrong);
-    int status = options.simulation.seconds > 0 ? simulation_.run() : answer();
-    const auto also = [&status](bool asked, auto task) {
-      if (!asked || status == kFault || status == kUsage) return;
-      const int found = task();
-      if (status == kDone) status = found;
-    };
-    also(options.time, [this] { return timing_.time_all(); });
-    also(!options.trace.empty(), [this] { return timing_.trace_all(); });
-    if (status != kFault) collect_warnings();
-    if (session_.rank == 0 && status != kFault) report();
-    session_.watch.again();
-    session_.solver.channel.close();
-    return status;
-  }
-
- private:
-  // Solves the given states, or random ones to be checked.
-  int answer() {
-    const Options& options = session_.options;
-    int status = kDone;
-    if (!options.states.empty()) {
-      status = load(options.states, session_.comm(), session_.rank, session_.states);
-      const bool loaded = status == kDone;
-      if (loaded) status = solve_all();
-      if ((status == kDone || (kBatch && loaded)) && session_.rank == 0) {
-        const std::string path = options.result.empty() ? "/dev/stdout" : options.result;
-        if (!write_result(path, session_.qdd, session_.states.count, corrections_.every()))
-          status = session_.complain(kFault, "cannot write the result", path);
-      }
-      MPI_Bcast(&status, 1, MPI_INT, 0, session_.comm());
-    } else if (options.check) {
-      session_.states = random_states(kRandomStates, options.seed);
-      status = solve_all();
-    }
-    session_.watch.again();
-    if (status == kDone && options.check) status = check_all();
-    return status;
-  }
-
-  // Accelerations of all states, in place, then gathered at process 0.
-  int solve_all() {
-    Session& on = session_;
-    on.use(std::move(on.states));
-    if constexpr (kBatch) return solve_many(on.solver);
-    int failed = kFine, at = 0;
-    for (int s = 0; s < on.states.count && failed == kFine; ++s) {
-      on.watch.again();
-      failed = on.solver.solve(on.q(s), on.v(s), on.tau(s), on.acceleration(s));
-      on.give_up_if_broken(failed);
-      corrections_.note(on.solver);
-      // Processes that share no joint's motion do not hear of each other's failures by themselves.
-      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, on.comm());
-      at = s;
-    }
-    if (failed != kFine)
-      return on.complain(kInputAtFault,
-                         "state " + std::to_string(at + 1) + ": " + describe(failed).c_str(),
-                         on.options.states);
-    return bring_together();
-  }
-
-  // As many states at once as there are lanes. States that fail are named, all others solved.
-  template <class S>
-  int solve_many(S& solver) {
-    constexpr int kNamed = 20;
-    Session& on = session_;
-    int status = kDone;
-    if constexpr (kBatch) {
-      on.give_up_if_broken(solver.solve_batch_at_root(on.states.count, on.q(0), on.v(0), on.tau(0),
-                                                      on.acceleration(0)));
-      solved_ = on.states.count - solver.failures();
-      if (solver.failures() > 0) status = kInputAtFault;
-      for (int k = 0; k < kNamed && solver.failed_state(k) >= 0; ++k)
-        on.complain(status, solver.text.c_str(), on.options.states);
-      if (solver.failures() > kNamed) on.complain(status, "and more states", on.options.states);
-    }
-    MPI_Bcast(&status, 1, MPI_INT, 0, on.comm());
-    return status;
-  }
-
-  int bring_together() {
-    Session& on = session_;
-    solved_ = on.states.count;
-    // Each process wrote its own joints and left the others zero.
-    void* const all = on.qdd.data();
-    const int size = static_cast<int>(on.qdd.size());
-    if (on.rank == 0)
-      MPI_Reduce(MPI_IN_PLACE, all, size, kMpiNumber, MPI_SUM, 0, on.comm());
-    else
-      MPI_Reduce(all, nullptr, size, kMpiNumber, MPI_SUM, 0, on.comm());
-    return kDone;
-  }
-
-  int check_all() {
-    Session& on = session_;
-    int status = kDone;
-    if (on.rank == 0) {
-      std::vector<double> residuals;
-      for (int s = 0; s < on.states.count; ++s)
-        residuals.push_back(check::residual(on.q(s), on.v(s), on.tau(s), on.acceleration(s)));
-      std::sort(residuals.begin(), residuals.end());
-      residual_median_ = residuals[residuals.size() / 2];
-      residual_max_ = residuals.back();
-      checked_ = true;
-      if (!(residual_max_ <= on.options.tolerance)) status = kInputAtFault;
-    }
-    MPI_Bcast(&status, 1, MPI_INT, 0, on.comm());
-    return status;
-  }
-
-  // What processes have met that costs digits but is no failure, told once.
-  void collect_warnings() {
-    int joint = near_lock(session_.solver, 0);
-    MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
-    if (joint == 0) return;
-    Text names;
-    add_names_of_run(names, joint - 1);
-    warning_ = std::string("joints ") + names.c_str() +
-               ": near gimbal lock at some state: accelerations lose three digits or more";
-    if (session_.rank == 0) std::fprintf(stderr, "warning: %s\n", warning_.c_str());
-  }
-
-  // Shapes that join no runs of joints as one have nothing to tell.
-  template <class S>
-  static auto near_lock(const S& solver, int) -> decltype(solver.w.near_lock) {
-    return solver.w.near_lock;
-  }
-  template <class S>
-  static int near_lock(const S&, long) {
-    return 0;
-  }
-
-  void report() const {
-    const Options& options = session_.options;
-    const bool right = residual_max_ <= options.tolerance;
-    if (options.json) {
-      std::printf("{\"model\": %s, \"processes\": %d, \"channel\": \"%s\"", quoted(kRobot).c_str(),
-                  kProcesses, session_.channel_name());
-      if (!options.states.empty() && options.simulation.seconds == 0)
-        std::printf(", \"solved\": %d", solved_);
-      if (!warning_.empty()) std::printf(", \"warnings\": [%s]", quoted(warning_.c_str()).c_str());
-      if (checked_)
-        std::printf(
-            ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
-            "\"ok\": %s}",
-            residual_median_, residual_max_, options.tolerance, right ? "true" : "false");
-      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(),
-                  simulation_.json().c_str());
-      return;
-    }
-    std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
-    if (checked_)
-      std::fprintf(out, "check  residual of inverse dynamics: median %.1e, largest %.1e: %s\n",
-                   residual_median_, residual_max_, right ? "right" : "WRONG");
-    corrections_.print(out);
-    timing_.print(out);
-    simulation_.print();
-  }
-
-  Session session_;
-  Timing timing_{session_};
-  Simulation simulation_{session_};
-  Corrections corrections_;
-  bool checked_ = false;
-  int solved_ = 0;
-  std::string warning_;
-  double residual_median_ = 0, residual_max_ = 0;
-};
+constexpr adagen::Hop kWindowHop{0, 159, 0.437};
+constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
 }  // namespace
 
-// Compiled for size, and with it what it alone calls: it runs once.
+// Compiled for size: it runs once.
 [[gnu::cold]] int main(int count, char** words) {
-  Options options;
-  const std::string wrong = parse(count, words, options);
-  MPI_Init(&count, &words);
-  int rank = 0, size = 0;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  MPI_Comm_size(MPI_COMM_WORLD, &size);
-  int status = kDone;
-  if (!wrong.empty() || (size != kProcesses && !options.help)) {
-    status = kUsage;
-    if (rank == 0 && !wrong.empty()) std::fprintf(stderr, "error: %s; see --help\n", wrong.c_str());
-    else if (rank == 0)
-      std::fprintf(stderr, "error: this solver is for exactly 4 processes, started with %d: use mpiexec -n 4\n",
-                   size);
-  } else if (options.help) {
-    if (rank == 0) std::printf("usage: mpiexec -n 4 %s [options]\n%s", words[0], kUsageText);
-  } else {
-    status = std::make_unique<Program>(options, rank)->run();
-  }
-  MPI_Finalize();
+  const adagen::Description<Number> description{
+      "human40", "auto", kProcesses, kNq, kNv, kNtau, kRefine,
+      false, kAlone, kBatch, kTolerance, kGravity.data(),
+      table(kJoints), table(kLinks), table(kOuterForces), table(kMessages), kStages.data(), kWindowHop,
+      kMessageHop};
+  auto* const solver = new ThisSolver;
+  const int status = adagen::program(description, *solver, count, words);
+  delete solver;
   return status;
 }
 #endif  // ADAGEN_NO_MAIN

@@ -5,15 +5,13 @@ class BatchTiming {
 
   static constexpr int kStates = 1024;  // for each process
 
-  // Collective. Times batches of random states, each begun by start(), which returns when that was.
-  // Returns the first failure.
-  template <class S, class Start>
-  int measure(S& solver, Start start) {
-    const int count = kStates * (session_.rank == 0 ? kProcesses : 1);
+  // Collective. Times batches of random states. Returns the first failure.
+  int measure() {
+    const int count = kStates * (session_.rank == 0 ? about.processes : 1);
     session_.use(random_states(count, session_.options.seed));
-    for (int active = 1;; active = std::min(2 * active, kProcesses)) {
-      const int failed = measure_on(active, solver, start);
-      if (failed != kFine || active == kProcesses) return failed;
+    for (int active = 1;; active = std::min(2 * active, about.processes)) {
+      const int failed = measure_on(active);
+      if (failed != kFine || active == about.processes) return failed;
     }
   }
 
@@ -55,28 +53,21 @@ class BatchTiming {
     double per_second(const Statistics& ns) const { return 1e9 * processes / ns.median; }
   };
 
-  template <class S, class Start>
-  int measure_on(int active, S& solver, Start start) {
+  int measure_on(int active) {
     std::vector<double> in_place, at_root;
     int failed = kFine;
-    const auto time = [&](std::vector<double>* times, auto solve) {
-      const std::chrono::steady_clock::time_point begin = start();
-      const int found = solve();
-      const double ns = nanoseconds((std::chrono::steady_clock::now() - begin).count());
-      session_.give_up_if_broken(found);
-      if (failed == kFine) failed = found;
-      if (times != nullptr) times->push_back(ns / kStates);
-    };
     for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
       session_.watch.again();
-      const Number *const q = session_.q(0), *const v = session_.v(0), *const tau = session_.tau(0);
-      Number* const qdd = session_.acceleration(0);
-      time(pass < 0 ? nullptr : &in_place, [&] {
-        return solver.solve_batch(session_.rank < active ? kStates : 0, q, v, tau, qdd);
-      });
-      time(pass < 0 ? nullptr : &at_root, [&] {
-        return solver.solve_batch_at_root(kStates * active, q, v, tau, qdd, active - 1);
-      });
+      const Elapsed found = session_.solver.time_batch(
+          kStates, active, session_.q(0), session_.v(0), session_.tau(0), session_.acceleration(0));
+      for (const int status : {found.status_in_place, found.status_at_root}) {
+        session_.give_up_if_broken(status);
+        if (failed == kFine) failed = status;
+      }
+      if (pass >= 0) {
+        in_place.push_back(found.in_place / kStates);
+        at_root.push_back(found.at_root / kStates);
+      }
       MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
     }
     if (failed != kFine) return failed;

@@ -7,14 +7,14 @@ class PassiveTerms {
  public:
   using State = std::vector<double>;
 
-  PassiveTerms() : extra_(kNv), base_(kNv), unit_(kNv) {
-    for (const JointConstants& joint : kJoints)
+  PassiveTerms() {
+    for (State* x : {&extra_, &base_, &unit_}) x->resize(static_cast<std::size_t>(about.nv));
+    for (const Joint& joint : about.joints)
       for (int k = 0; k < joint.nv; ++k) {
-        const Passive& own = joint.passive;
-        if (!own.prescribed && (own.damping > 0 || own.stiffness > 0 || own.friction > 0))
-          rows_.push_back({static_cast<std::size_t>(joint.v + k), double(own.damping),
-                           double(own.stiffness), double(own.friction),
-                           double(own.friction_speed)});
+        if (!joint.prescribed && (joint.damping > 0 || joint.stiffness > 0 || joint.friction > 0))
+          rows_.push_back({static_cast<std::size_t>(joint.v + k), double(joint.damping),
+                           double(joint.stiffness), double(joint.friction),
+                           double(joint.friction_speed)});
       }
     for (State* x : {&taken_, &next_, &slope_, &u_, &du_}) x->resize(rows_.size());
     for (State* x : {&matrix_, &factors_}) x->resize(rows_.size() * rows_.size());

@@ -20,8 +20,9 @@ class Stepper {
   using State = manifold::State;
 
   Stepper() {
-    for (State* x : {&middle_q_, &q_rate_, &q_sum_}) x->resize(kNq);
-    for (State* x : {&middle_v_, &a_, &v_sum_, &x_, &x_rate_, &x_sum_, &none_}) x->resize(kNv);
+    for (State* x : {&middle_q_, &q_rate_, &q_sum_}) x->resize(static_cast<std::size_t>(about.nq));
+    for (State* x : {&middle_v_, &a_, &v_sum_, &x_, &x_rate_, &x_sum_, &none_})
+      x->resize(static_cast<std::size_t>(about.nv));
   }
 
   // One step of length h from (q, v) to (q, v). accelerate(q, v, extra, a) evaluates with extra

@@ -38,7 +38,7 @@ struct Body {
 };
 
 // Rotation and origin of the child frame in the joint frame.
-void displace(const JointConstants& joint, const Number* q, Mat& turn, Vec& shift) {
+void displace(const Joint& joint, const Number* q, Mat& turn, Vec& shift) {
   turn = {Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}};
   shift = {};
   const auto about_z = [&turn](double angle) {
@@ -73,7 +73,7 @@ void displace(const JointConstants& joint, const Number* q, Mat& turn, Vec& shif
 }
 
 // Angular and linear part of a joint's velocity or acceleration, in the child's frame.
-void motion(const JointConstants& joint, const Number* x, Vec& angular, Vec& linear) {
+void motion(const Joint& joint, const Number* x, Vec& angular, Vec& linear) {
   angular = linear = {};
   switch (joint.kind) {
     case JointKind::kRevolute:
@@ -95,9 +95,9 @@ void motion(const JointConstants& joint, const Number* x, Vec& angular, Vec& lin
 }
 
 // What a joint's damping, friction, spring and rotor take of its torque.
-void add_passive(const JointConstants& joint, const Number* q, const Number* v, const Number* qdd,
+void add_passive(const Joint& joint, const Number* q, const Number* v, const Number* qdd,
                  double* tau) {
-  const Passive& own = joint.passive;
+  const auto& own = joint;
   for (int k = 0; k < joint.nv; ++k) {
     const double rate = double(v[joint.v + k]);
     tau[k] += double(own.damping) * rate + double(own.rotor) * double(qdd[joint.v + k]) +
@@ -107,8 +107,8 @@ void add_passive(const JointConstants& joint, const Number* q, const Number* v, 
 }
 
 // The outer forces push their links.
-void push(const Number* outer, std::array<Body, kLinkCount>& body) {
-  for (const OuterForce& one : kOuterForces) {
+void push(const Number* outer, std::vector<Body>& body) {
+  for (const OuterForce& one : about.outer_forces) {
     Body& b = body[static_cast<std::size_t>(one.link)];
     const Mat turn = mat3(one.rotation);
     const Vec force = times(turn, vec3(outer)), moment = times(turn, vec3(outer + 3));
@@ -122,12 +122,13 @@ void push(const Number* outer, std::array<Body, kLinkCount>& body) {
 // through their sources' torques.
 void inverse_dynamics(const Number* q, const Number* v, const Number* qdd, const Number* outer,
                       double* tau) {
-  static std::array<Body, kLinkCount> body;
+  static std::vector<Body> body;
+  body.resize(static_cast<std::size_t>(about.links.count));
   body[0] = {};
-  for (int k = 0; k < 3; ++k) body[0].a[k] = -kGravity[k];
-  for (int j = 0; j < kJointCount; ++j) {
-    const JointConstants& joint = kJoints[j];
-    const LinkConstants& link = kLinks[j + 1];
+  for (int k = 0; k < 3; ++k) body[0].a[k] = -about.gravity[k];
+  for (int j = 0; j < about.joints.count; ++j) {
+    const Joint& joint = about.joints[j];
+    const Link& link = about.links[j + 1];
     const Body& parent = body[joint.parent];
     Body& b = body[j + 1];
     Mat turn;
@@ -152,8 +153,8 @@ void inverse_dynamics(const Number* q, const Number* v, const Number* qdd, const
     b.n = times(inertia, b.dw) + cross(b.w, times(inertia, b.w)) + cross(c, b.f);
   }
   push(outer, body);
-  for (int j = kJointCount - 1; j >= 0; --j) {
-    const JointConstants& joint = kJoints[j];
+  for (int j = about.joints.count - 1; j >= 0; --j) {
+    const Joint& joint = about.joints[j];
     const Body& b = body[j + 1];
     double* t = tau + joint.v;
     switch (joint.kind) {
@@ -180,10 +181,11 @@ void inverse_dynamics(const Number* q, const Number* v, const Number* qdd, const
     parent.f = parent.f + force;
     parent.n = parent.n + times(b.turn, b.n) + cross(b.shift, force);
   }
-  for (int j = 0; j < kJointCount; ++j) {
-    if (kJoints[j].source < 0) continue;
-    tau[kJoints[kJoints[j].source].v] += kJoints[j].multiplier * tau[kJoints[j].v];
-    tau[kJoints[j].v] = 0;
+  for (int j = 0; j < about.joints.count; ++j) {
+    if (about.joints[j].source < 0) continue;
+    tau[about.joints[about.joints[j].source].v] +=
+        about.joints[j].multiplier * tau[about.joints[j].v];
+    tau[about.joints[j].v] = 0;
   }
 }
 
@@ -191,12 +193,12 @@ void inverse_dynamics(const Number* q, const Number* v, const Number* qdd, const
 // prescribed ones from what was prescribed.
 double slip(const Number* tau, const Number* qdd) {
   double worst = 0;
-  for (const JointConstants& joint : kJoints) {
-    for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
+  for (const Joint& joint : about.joints) {
+    for (int k = joint.v; joint.prescribed && k < joint.v + joint.nv; ++k)
       worst = std::max(worst, std::abs(double(qdd[k]) - double(tau[k])));
     if (joint.source < 0) continue;
     const double own = double(qdd[joint.v]);
-    const double due = joint.multiplier * double(qdd[kJoints[joint.source].v]);
+    const double due = joint.multiplier * double(qdd[about.joints[joint.source].v]);
     worst = std::max(worst, std::abs(own - due) / std::max(1.0, std::abs(due)));
   }
   return worst;
@@ -205,23 +207,24 @@ double slip(const Number* tau, const Number* qdd) {
 // The larger of that and of |ID(q, v, qdd) - tau| relative to the size of the torques that it
 // balances.
 double residual(const Number* q, const Number* v, const Number* tau, const Number* qdd) {
-  static std::array<double, kNv> needed, at_rest;
-  static std::array<Number, kNv> zero{};
-  inverse_dynamics(q, v, qdd, tau + kNv, needed.data());
-  inverse_dynamics(q, v, zero.data(), tau + kNv, at_rest.data());
-  std::array<double, kNv> given{};
-  for (int k = 0; k < kNv; ++k) given[k] = double(tau[k]);
-  for (const JointConstants& joint : kJoints) {
-    for (int k = joint.v; joint.passive.prescribed && k < joint.v + joint.nv; ++k)
+  const std::size_t nv = static_cast<std::size_t>(about.nv);
+  static std::vector<double> needed(nv), at_rest(nv), given(nv);
+  static const std::vector<Number> zero(nv);
+  inverse_dynamics(q, v, qdd, tau + about.nv, needed.data());
+  inverse_dynamics(q, v, zero.data(), tau + about.nv, at_rest.data());
+  for (int k = 0; k < about.nv; ++k) given[k] = double(tau[k]);
+  for (const Joint& joint : about.joints) {
+    for (int k = joint.v; joint.prescribed && k < joint.v + joint.nv; ++k)
       given[k] = needed[k] = at_rest[k] = 0;  // nobody asks for its torque
   }
-  for (int j = 0; j < kJointCount; ++j) {
-    if (kJoints[j].source < 0) continue;
-    given[kJoints[kJoints[j].source].v] += kJoints[j].multiplier * given[kJoints[j].v];
-    given[kJoints[j].v] = 0;
+  for (int j = 0; j < about.joints.count; ++j) {
+    if (about.joints[j].source < 0) continue;
+    given[about.joints[about.joints[j].source].v] +=
+        about.joints[j].multiplier * given[about.joints[j].v];
+    given[about.joints[j].v] = 0;
   }
   double error = 0, size = 0;
-  for (int k = 0; k < kNv; ++k) {
+  for (int k = 0; k < about.nv; ++k) {
     error += (needed[k] - given[k]) * (needed[k] - given[k]);
     size += given[k] * given[k] + at_rest[k] * at_rest[k];
   }

@@ -2,13 +2,13 @@
 
 class Program {
  public:
-  Program(Options options, int rank) : session_(std::move(options), rank) {}
+  Program(Options options, Solver& solver, int rank) : session_(std::move(options), solver, rank) {}
 
   int run() {
     const Options& options = session_.options;
     session_.watch.start(session_.rank, options.time_limit);
-    const std::string wrong = session_.solver.channel.open(MPI_COMM_WORLD, options.channel,
-                                                           options.time_limit, options.hosts);
+    const std::string wrong = session_.solver.open(MPI_COMM_WORLD, options.channel.c_str(),
+                                                   options.time_limit, options.hosts);
     if (!wrong.empty()) return session_.complain(kFault, wrong);
     int status = options.simulation.seconds > 0 ? simulation_.run() : answer();
     const auto also = [&status](bool asked, auto task) {
@@ -21,7 +21,7 @@ class Program {
     if (status != kFault) collect_warnings();
     if (session_.rank == 0 && status != kFault) report();
     session_.watch.again();
-    session_.solver.channel.close();
+    session_.solver.close();
     return status;
   }
 
@@ -34,7 +34,7 @@ class Program {
       status = load(options.states, session_.comm(), session_.rank, session_.states);
       const bool loaded = status == kDone;
       if (loaded) status = solve_all();
-      if ((status == kDone || (kBatch && loaded)) && session_.rank == 0) {
+      if ((status == kDone || (about.batch && loaded)) && session_.rank == 0) {
         const std::string path = options.result.empty() ? "/dev/stdout" : options.result;
         if (!write_result(path, session_.qdd, session_.states.count, corrections_.every()))
           status = session_.complain(kFault, "cannot write the result", path);
@@ -53,7 +53,7 @@ class Program {
   int solve_all() {
     Session& on = session_;
     on.use(std::move(on.states));
-    if constexpr (kBatch) return solve_many(on.solver);
+    if (about.batch) return solve_many();
     int failed = kFine, at = 0;
     for (int s = 0; s < on.states.count && failed == kFine; ++s) {
       on.watch.again();
@@ -66,26 +66,24 @@ class Program {
     }
     if (failed != kFine)
       return on.complain(kInputAtFault,
-                         "state " + std::to_string(at + 1) + ": " + describe(failed).c_str(),
+                         "state " + std::to_string(at + 1) + ": " + on.solver.in_words(failed),
                          on.options.states);
     return bring_together();
   }
 
   // As many states at once as there are lanes. States that fail are named, all others solved.
-  template <class S>
-  int solve_many(S& solver) {
+  int solve_many() {
     constexpr int kNamed = 20;
     Session& on = session_;
+    Solver& solver = on.solver;
     int status = kDone;
-    if constexpr (kBatch) {
-      on.give_up_if_broken(solver.solve_batch_at_root(on.states.count, on.q(0), on.v(0), on.tau(0),
-                                                      on.acceleration(0)));
-      solved_ = on.states.count - solver.failures();
-      if (solver.failures() > 0) status = kInputAtFault;
-      for (int k = 0; k < kNamed && solver.failed_state(k) >= 0; ++k)
-        on.complain(status, solver.text.c_str(), on.options.states);
-      if (solver.failures() > kNamed) on.complain(status, "and more states", on.options.states);
-    }
+    on.give_up_if_broken(solver.solve_batch_at_root(on.states.count, on.q(0), on.v(0), on.tau(0),
+                                                    on.acceleration(0)));
+    solved_ = on.states.count - solver.failures();
+    if (solver.failures() > 0) status = kInputAtFault;
+    for (int k = 0; k < kNamed && solver.failed_state(k) >= 0; ++k)
+      on.complain(status, solver.why(), on.options.states);
+    if (solver.failures() > kNamed) on.complain(status, "and more states", on.options.states);
     MPI_Bcast(&status, 1, MPI_INT, 0, on.comm());
     return status;
   }
@@ -122,32 +120,20 @@ class Program {
 
   // What processes have met that costs digits but is no failure, told once.
   void collect_warnings() {
-    int joint = near_lock(session_.solver, 0);
+    int joint = session_.solver.near_lock();
     MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());
     if (joint == 0) return;
-    Text names;
-    add_names_of_run(names, joint - 1);
-    warning_ = std::string("joints ") + names.c_str() +
+    warning_ = std::string("joints ") + session_.solver.names_of_run(joint - 1) +
                ": near gimbal lock at some state: accelerations lose three digits or more";
     if (session_.rank == 0) std::fprintf(stderr, "warning: %s\n", warning_.c_str());
-  }
-
-  // Shapes that join no runs of joints as one have nothing to tell.
-  template <class S>
-  static auto near_lock(const S& solver, int) -> decltype(solver.w.near_lock) {
-    return solver.w.near_lock;
-  }
-  template <class S>
-  static int near_lock(const S&, long) {
-    return 0;
   }
 
   void report() const {
     const Options& options = session_.options;
     const bool right = residual_max_ <= options.tolerance;
     if (options.json) {
-      std::printf("{\"model\": %s, \"processes\": %d, \"channel\": \"%s\"", quoted(kRobot).c_str(),
-                  kProcesses, session_.channel_name());
+      std::printf("{\"model\": %s, \"processes\": %d, \"channel\": \"%s\"",
+                  quoted(about.robot).c_str(), about.processes, session_.solver.channel_name());
       if (!options.states.empty() && options.simulation.seconds == 0)
         std::printf(", \"solved\": %d", solved_);
       if (!warning_.empty()) std::printf(", \"warnings\": [%s]", quoted(warning_.c_str()).c_str());

@@ -5,15 +5,9 @@ struct Part {
   std::vector<double> stretches;  // one more than messages
 };
 
-// What a message costs, ns: its sender, from sent to seen, and per number to put it in and take it
-// out again.
-struct Hop {
-  double send, latency, number;
-};
-
 // When the last process is done, were all to begin together on cores of their own: their parts
 // played through, each message of a process waited for.
-inline double makespan(const std::vector<Part>& parts, const std::vector<MessageInfo>& messages,
+inline double makespan(const std::vector<Part>& parts, const std::vector<Message>& messages,
                        const Hop& hop) {
   std::vector<double> clock(parts.size(), 0);
   std::vector<std::size_t> at(parts.size(), 0), received(messages.size(), 0);

@@ -36,10 +36,10 @@ inline double length(const double* x, int count) {
   return std::sqrt(squared);
 }
 
-constexpr bool turns_freely(const JointConstants& joint) { return joint.nq >= 4; }
+constexpr bool turns_freely(const Joint& joint) { return joint.nq >= 4; }
 
 ADAGEN_HOT void normalise(State& q) {
-  for (const JointConstants& joint : kJoints) {
+  for (const Joint& joint : about.joints) {
     if (!turns_freely(joint)) continue;
     double* const quaternion = &q[static_cast<std::size_t>(joint.q + joint.nq - 4)];
     const double size = length(quaternion, 4);
@@ -50,8 +50,7 @@ ADAGEN_HOT void normalise(State& q) {
 
 // Velocity of the origin of a floating or planar joint's child, told in the joint frame; its row
 // count.
-inline int position_rate(const JointConstants& joint, const double* q, const double* v,
-                         double* rate) {
+inline int position_rate(const Joint& joint, const double* q, const double* v, double* rate) {
   if (joint.kind == JointKind::kFloating) {
     rotate(q + 3, v, rate);
     return 3;
@@ -65,7 +64,7 @@ inline int position_rate(const JointConstants& joint, const double* q, const dou
 
 // q' as numbers: quaternions by half their product with the angular velocity.
 ADAGEN_HOT void rate(const State& q, const State& v, State& result) {
-  for (const JointConstants& joint : kJoints) {
+  for (const Joint& joint : about.joints) {
     const double* const own = &q[static_cast<std::size_t>(joint.q)];
     const double* const speed = &v[static_cast<std::size_t>(joint.v)];
     double* const to = &result[static_cast<std::size_t>(joint.q)];
@@ -83,7 +82,7 @@ ADAGEN_HOT void rate(const State& q, const State& v, State& result) {
 // exponential's derivative, v + x x v / 2 + c x x (x x v), c = (1 - a cot a) / (2 a)^2 at a =
 // |x|/2.
 ADAGEN_HOT void local_rate(const State& q, const State& x, const State& v, State& result) {
-  for (const JointConstants& joint : kJoints) {
+  for (const Joint& joint : about.joints) {
     const double* const speed = &v[static_cast<std::size_t>(joint.v)];
     double* const to = &result[static_cast<std::size_t>(joint.v)];
     const int done = position_rate(joint, &q[static_cast<std::size_t>(joint.q)], speed, to);
@@ -102,7 +101,7 @@ ADAGEN_HOT void local_rate(const State& q, const State& x, const State& v, State
 
 // The configuration with local coordinates x about the anchor.
 ADAGEN_HOT void advance(const State& anchor, const State& x, State& q) {
-  for (const JointConstants& joint : kJoints) {
+  for (const Joint& joint : about.joints) {
     const double* const from = &anchor[static_cast<std::size_t>(joint.q)];
     const double* const by = &x[static_cast<std::size_t>(joint.v)];
     double* const to = &q[static_cast<std::size_t>(joint.q)];

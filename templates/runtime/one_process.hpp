@@ -1,11 +1,11 @@
 // What the program asks of MPI, for one process without it: there is nobody else. A launcher's word
 // is taken for how many were started, so that none of several goes on by itself.
-using MPI_Comm = int;
+using MPI_Comm = OneProcess;
 using MPI_Datatype = std::size_t;  // its size
 using MPI_Aint = std::ptrdiff_t;
 using MPI_Request = int;
 struct MPI_Status {};
-constexpr MPI_Comm MPI_COMM_WORLD = 0;
+constexpr MPI_Comm MPI_COMM_WORLD{};
 constexpr MPI_Datatype MPI_BYTE = 1, MPI_INT = sizeof(int), MPI_DOUBLE = sizeof(double),
                        MPI_LONG_LONG = sizeof(long long), kMpiNumber = sizeof(Number);
 constexpr int MPI_MAX = 0, MPI_MIN = 0, MPI_SUM = 0, MPI_BOR = 0, MPI_COMM_TYPE_SHARED = 0,
@@ -26,7 +26,7 @@ inline void MPI_Comm_rank(MPI_Comm, int* rank) {
 inline void MPI_Comm_size(MPI_Comm, int* size) {
   *size = of_launcher({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}, 1);
 }
-inline void MPI_Comm_split_type(MPI_Comm, int, int, int, MPI_Comm* node) { *node = 0; }
+inline void MPI_Comm_split_type(MPI_Comm, int, int, int, MPI_Comm*) {}
 inline void MPI_Comm_free(MPI_Comm*) {}
 [[noreturn]] inline void MPI_Abort(MPI_Comm, int status) { std::_Exit(status); }
 inline void MPI_Barrier(MPI_Comm) {}

@@ -15,6 +15,12 @@ inline std::string why_not_open(MPI_Comm comm, const std::string& kind, double t
   return time_limit > 0 ? "" : "the time limit must be more than 0 s";
 }
 
+inline ChannelMode mode_of(const std::string& kind) {
+  return kind == "window"    ? ChannelMode::kWindow
+         : kind == "message" ? ChannelMode::kMessage
+                             : ChannelMode::kAuto;
+}
+
 template <class AnySolver>
 AnySolver* opened(MPI_Comm comm, const char* channel, double time_limit) {
   open_failure.clear();
@@ -23,10 +29,7 @@ AnySolver* opened(MPI_Comm comm, const char* channel, double time_limit) {
     std::string wrong = why_not_open(comm, kind, time_limit);
     if (wrong.empty()) {
       auto solver = std::make_unique<AnySolver>();
-      const ChannelMode mode = kind == "window"    ? ChannelMode::kWindow
-                               : kind == "message" ? ChannelMode::kMessage
-                                                   : ChannelMode::kAuto;
-      wrong = solver->channel.open(comm, mode, time_limit);
+      wrong = solver->channel.open(comm, mode_of(kind), time_limit);
       if (wrong.empty()) return solver.release();
       solver->channel.close();
     }

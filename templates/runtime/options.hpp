@@ -11,8 +11,8 @@ struct Options {
   bool check = false, time = false, stretches = false, json = false, help = false, pin = true;
   int repeat = 200;
   std::uint64_t seed = 1;
-  double time_limit = 30, tolerance = kTolerance;
-  ChannelMode channel = kChannelMode;
+  double time_limit = 30, tolerance = about.tolerance;
+  std::string channel = about.channel;
   int hosts = 0;  // as many as there are
   SimulationOptions simulation;
 };
@@ -84,7 +84,8 @@ std::string parse_simulation(const std::string& word, const std::string& value, 
 
 // Returns what is wrong with what was asked for together, and settles what was left open.
 std::string settle(bool simulation_words, Options& options) {
-  if (kBatch && (options.simulation.seconds > 0 || !options.trace.empty() || options.stretches))
+  if (about.batch &&
+      (options.simulation.seconds > 0 || !options.trace.empty() || options.stretches))
     return "a batch solver has neither --simulate nor --trace nor --stretches";
   const bool others = options.check || options.time || !options.trace.empty();
   if (options.simulation.seconds > 0) {
@@ -142,13 +143,8 @@ std::string parse(int count, char** words, Options& options) {
       else if (flag("--trace"))
         options.trace = value;
       else if (flag("--channel")) {
-        if (value == "auto")
-          options.channel = ChannelMode::kAuto;
-        else if (value == "window")
-          options.channel = ChannelMode::kWindow;
-        else if (value == "message")
-          options.channel = ChannelMode::kMessage;
-        else
+        options.channel = value;
+        if (value != "auto" && value != "window" && value != "message")
           return "--channel takes auto, window or message";
       } else if (!numeric)
         return word + " takes a number of 0 or more, not \"" + value + "\"";
@@ -161,8 +157,8 @@ std::string parse(int count, char** words, Options& options) {
           return "--seed takes a whole number of 0 or more";
         options.seed = static_cast<std::uint64_t>(number);
       } else if (flag("--hosts")) {
-        if (number < 1 || number > kProcesses || number != std::floor(number))
-          return "--hosts takes a whole number from 1 to " + std::to_string(kProcesses) +
+        if (number < 1 || number > about.processes || number != std::floor(number))
+          return "--hosts takes a whole number from 1 to " + std::to_string(about.processes) +
                  ", that of processes";
         options.hosts = static_cast<int>(number);
       } else if (flag("--tolerance"))

@@ -13,17 +13,15 @@ States random_states(int count, std::uint64_t seed) {
   const auto size = [count](int n) {
     return static_cast<std::size_t>(count) * static_cast<std::size_t>(n);
   };
-  states.q.resize(size(kNq));
-  states.v.resize(size(kNv));
-  states.tau.resize(size(kNtau));
+  states.q.resize(size(about.nq));
+  states.v.resize(size(about.nv));
+  states.tau.resize(size(about.ntau));
   for (int s = 0; s < count; ++s) {
-    Number* q =
-        states.q.data() + size(kNq) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Number* v =
-        states.v.data() + size(kNv) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    Number* tau = states.tau.data() +
-                  size(kNtau) / static_cast<std::size_t>(count) * static_cast<std::size_t>(s);
-    for (const JointConstants& joint : kJoints) {
+    const long row = s;
+    Number* const q = states.q.data() + row * about.nq;
+    Number* const v = states.v.data() + row * about.nv;
+    Number* const tau = states.tau.data() + row * about.ntau;
+    for (const Joint& joint : about.joints) {
       const bool turns = joint.kind == JointKind::kRevolute;
       for (int k = 0; k < joint.nq; ++k)
         q[joint.q + k] = static_cast<Number>(turns ? 3.141592653589793 * uniform() : uniform());
@@ -41,8 +39,8 @@ States random_states(int count, std::uint64_t seed) {
         tau[joint.v + k] = static_cast<Number>(uniform());
       }
     }
-    for (int k = kNv; k < kNtau; ++k) tau[k] = static_cast<Number>(uniform());
-    slave(q, v);
+    for (int k = about.nv; k < about.ntau; ++k) tau[k] = static_cast<Number>(uniform());
+    slave(about.joints, q, v);
   }
   return states;
 }
@@ -72,10 +70,10 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
     x.resize(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(n));
     MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiNumber, 0, comm);
   };
-  if (kBatch) return status;  // handed out as they are solved
-  share(states.q, kNq);
-  share(states.v, kNv);
-  share(states.tau, kNtau);
+  if (about.batch) return status;  // handed out as they are solved
+  share(states.q, about.nq);
+  share(states.v, about.nv);
+  share(states.tau, about.ntau);
   return status;
 }
 
@@ -83,22 +81,24 @@ struct Session {
   Options options;
   int rank;
   Watch watch;
-  Solver solver;
+  Solver& solver;
   States states;
   std::vector<Number> qdd;  // one acceleration after the other
   bool pinned = false;
 
-  Session(Options given, int own_rank) : options(std::move(given)), rank(own_rank) {}
+  Session(Options given, Solver& own, int own_rank)
+      : options(std::move(given)), rank(own_rank), solver(own) {}
 
-  MPI_Comm comm() const { return solver.channel.comm(); }
-  const Number* q(int s) const { return states.q.data() + static_cast<long>(s) * kNq; }
-  const Number* v(int s) const { return states.v.data() + static_cast<long>(s) * kNv; }
-  const Number* tau(int s) const { return states.tau.data() + static_cast<long>(s) * kNtau; }
-  Number* acceleration(int s) { return qdd.data() + static_cast<long>(s) * kNv; }
+  MPI_Comm comm() const { return solver.comm(); }
+  const Number* q(int s) const { return states.q.data() + static_cast<long>(s) * about.nq; }
+  const Number* v(int s) const { return states.v.data() + static_cast<long>(s) * about.nv; }
+  const Number* tau(int s) const { return states.tau.data() + static_cast<long>(s) * about.ntau; }
+  Number* acceleration(int s) { return qdd.data() + static_cast<long>(s) * about.nv; }
 
   void use(States given) {
     states = std::move(given);
-    qdd.assign(static_cast<std::size_t>(states.count) * kNv, Number(0));
+    qdd.assign(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(about.nv),
+               Number(0));
   }
 
   int complain(int status, const std::string& what, const std::string& file = "") const {
@@ -110,13 +110,8 @@ struct Session {
   // A process that waited in vain cannot be waited for: the whole run ends.
   void give_up_if_broken(int failed) const {
     if (failure_kind(failed) != kNoAnswer) return;
-    std::fprintf(stderr, "error: process %d: %s\n", rank, describe(failed).c_str());
+    std::fprintf(stderr, "error: process %d: %s\n", rank, solver.in_words(failed));
     std::fflush(stderr);
     MPI_Abort(MPI_COMM_WORLD, kFault);
-  }
-
-  const char* channel_name() const {
-    if (kAlone) return "none";
-    return solver.channel.name();
   }
 };

@@ -9,7 +9,7 @@ class Simulation {
     int status = start();
     MPI_Bcast(&status, 1, MPI_INT, 0, on_.comm());
     if (status != kDone) return status;
-    status = kProcesses == 1 || on_.rank == 0 ? integrate() : serve();
+    status = about.processes == 1 || on_.rank == 0 ? integrate() : serve();
     MPI_Bcast(&status, 1, MPI_INT, 0, on_.comm());
     return status;
   }
@@ -57,7 +57,8 @@ class Simulation {
     if (on_.rank != 0) return kDone;
     const std::string& path = asked().trajectory;
     const double rows = static_cast<double>(steps_) / static_cast<double>(asked().every) + 2;
-    if (Trajectory::is_npz(path) && rows * 8 * std::max(kNq, kNv) > Trajectory::kMostBytes)
+    if (Trajectory::is_npz(path) &&
+        rows * 8 * std::max(about.nq, about.nv) > Trajectory::kMostBytes)
       return on_.complain(kUsage,
                           "the trajectory has too many rows for .npz; say --every N or .csv");
     if (!trajectory_.open(path)) return on_.complain(kFault, "cannot write the trajectory", path);
@@ -66,7 +67,7 @@ class Simulation {
 
   // Evaluates for process 0 until that says that it is over.
   int serve() {
-    if (kProcess[static_cast<std::size_t>(on_.rank)].own.count == 0) return kDone;
+    if (!on_.solver.has_part()) return kDone;
     for (int status = kFine; failure_kind(status) != kEnded;) {
       status = on_.solver.solve_at_root(nullptr, nullptr, nullptr, nullptr);
       on_.give_up_if_broken(status);
@@ -76,8 +77,10 @@ class Simulation {
   }
 
   int integrate() {
-    q_.assign(on_.q(0), on_.q(0) + kNq);
-    v_.assign(on_.v(0), on_.v(0) + kNv);
+    q_.assign(on_.q(0), on_.q(0) + about.nq);
+    v_.assign(on_.v(0), on_.v(0) + about.nv);
+    real_q_.resize(q_.size()), real_v_.resize(v_.size()), real_a_.resize(v_.size());
+    real_tau_.resize(static_cast<std::size_t>(about.ntau));
     const Clock::time_point began = next_ = Clock::now();
     next_shown_ = began + std::chrono::seconds(1);
     std::string wrong = follow();
@@ -103,12 +106,12 @@ class Simulation {
                                       [this](const auto& q, const auto& v, const auto& extra,
                                              auto& a) { return accelerate(q, v, extra, a); });
       on_.give_up_if_broken(failed);
-      if (failed != kFine) return describe(failed).c_str() + at(time) + (k > 0 ? kSmaller : "");
-      slave(q_.data(), v_.data());
+      if (failed != kFine) return on_.solver.in_words(failed) + at(time) + (k > 0 ? kSmaller : "");
+      slave(about.joints, q_.data(), v_.data());
       const int joint = not_finite();
       if (joint >= 0)
-        return "joint " + quoted(kJoints[joint].name) + ": its state is not finite" + at(next) +
-               kSmaller;
+        return "joint " + quoted(about.joints[joint].name) + ": its state is not finite" +
+               at(next) + kSmaller;
       if ((k + 1) % asked().every == 0 || k + 1 == steps_) trajectory_.record(next, q_, v_);
       show(next);
     }
@@ -125,7 +128,7 @@ class Simulation {
                             const manifold::State& extra, manifold::State& a) {
     std::copy(q.begin(), q.end(), real_q_.begin());
     std::copy(v.begin(), v.end(), real_v_.begin());
-    std::copy(on_.tau(0), on_.tau(0) + kNtau, real_tau_.begin());
+    std::copy(on_.tau(0), on_.tau(0) + about.ntau, real_tau_.begin());
     for (std::size_t k = 0; k < extra.size(); ++k)
       real_tau_[k] = static_cast<Number>(double(real_tau_[k]) + extra[k]);
     const int status =
@@ -138,9 +141,10 @@ class Simulation {
   // The first joint whose state is not finite, or -1.
   int not_finite() const {
     const auto good = [](double x) { return std::isfinite(x); };
-    for (int j = 0; j < kJointCount; ++j) {
-      const auto q = q_.begin() + kJoints[j].q, v = v_.begin() + kJoints[j].v;
-      if (!std::all_of(q, q + kJoints[j].nq, good) || !std::all_of(v, v + kJoints[j].nv, good))
+    for (int j = 0; j < about.joints.count; ++j) {
+      const auto q = q_.begin() + about.joints[j].q, v = v_.begin() + about.joints[j].v;
+      if (!std::all_of(q, q + about.joints[j].nq, good) ||
+          !std::all_of(v, v + about.joints[j].nv, good))
         return j;
     }
     return -1;
@@ -176,9 +180,7 @@ class Simulation {
   Session& on_;
   Trajectory trajectory_;
   manifold::State q_, v_;
-  std::array<Number, kNq> real_q_{};
-  std::array<Number, kNv> real_v_{}, real_a_{};
-  std::array<Number, kNtau> real_tau_{};
+  std::vector<Number> real_q_, real_v_, real_tau_, real_a_;
   bool done_ = false, told_ = false;
   long long steps_ = 0, evaluations_ = 0;
   double wall_ = 0;

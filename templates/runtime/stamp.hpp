@@ -1,10 +1,4 @@
 // Time stamps between the stages of a process's work (--trace); nothing is stamped otherwise.
-struct Stage {
-  const char* what;
-  int joint;    // that it ends or begins with; -1 for none
-  int message;  // sent or received; -1 for work
-};
-
 std::chrono::steady_clock::rep* trace_stamps =
     nullptr;  // where an evaluation puts them: its start, then each end
 

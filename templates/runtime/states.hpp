@@ -21,23 +21,25 @@ class StatesReader : private JsonReader {
   }
 
  private:
+  static std::size_t as_size(int n) { return static_cast<std::size_t>(n); }
+
   void parse(States& states) {
-    std::array<bool, kJointCount> seen{};
-    std::vector<std::vector<double>> forces(kOuterCount);
+    std::vector<bool> seen(static_cast<std::size_t>(about.joints.count));
+    std::vector<std::vector<double>> forces(static_cast<std::size_t>(about.outer_forces.count));
     bool joints = false;
     object([&](const std::string& key) {
       if (key == "joints") {
         joints = true;
         object([&](const std::string& name) { read_joint(name, seen, states); });
-      } else if (key == "forces" && kOuterCount > 0) {
+      } else if (key == "forces" && about.outer_forces.count > 0) {
         object([&](const std::string& name) { read_force(name, forces); });
       } else if (key == "floating") {
-        if (boolean() != kFloatingBase)
+        if (boolean() != about.floating)
           refuse(std::string("\"floating\": this solver's base is ") +
-                 (kFloatingBase ? "floating" : "fixed") + "; generate it anew");
+                 (about.floating ? "floating" : "fixed") + "; generate it anew");
       } else if (key == "gravity") {
         const std::vector<double> given = numbers();
-        if (given.size() != 3 || !std::equal(given.begin(), given.end(), kGravity.begin()))
+        if (given.size() != 3 || !std::equal(given.begin(), given.end(), about.gravity))
           refuse("\"gravity\": another gravity is compiled into this solver; generate it anew");
       } else {
         refuse("unknown member " + quoted(key.c_str()));
@@ -46,22 +48,22 @@ class StatesReader : private JsonReader {
     white();
     if (at_ != text_.size()) refuse("text behind the end");
     if (!joints) refuse("\"joints\" is missing");
-    for (int j = 0; j < kJointCount; ++j)
-      if (!seen[j] && kJoints[j].source < 0)
-        refuse("joint " + quoted(kJoints[j].name) + " is missing");
+    for (int j = 0; j < about.joints.count; ++j)
+      if (!seen[j] && about.joints[j].source < 0)
+        refuse("joint " + quoted(about.joints[j].name) + " is missing");
     fill_slaved(states);
-    for (std::size_t k = 0; k < kOuterCount; ++k) fill_force(k, forces[k], states);
+    for (int k = 0; k < about.outer_forces.count; ++k) fill_force(k, forces[as_size(k)], states);
   }
 
-  void read_joint(const std::string& name, std::array<bool, kJointCount>& seen, States& states) {
+  void read_joint(const std::string& name, std::vector<bool>& seen, States& states) {
     int j = 0;
-    while (j < kJointCount && name != kJoints[j].name) ++j;
-    if (j == kJointCount) refuse("unknown joint " + quoted(name.c_str()));
+    while (j < about.joints.count && name != about.joints[j].name) ++j;
+    if (j == about.joints.count) refuse("unknown joint " + quoted(name.c_str()));
     const std::string joint = "joint " + quoted(name.c_str());
     if (seen[j]) refuse(joint + " comes twice");
     seen[j] = true;
     std::array<bool, 3> found{};
-    const char* const input = kJoints[j].passive.prescribed ? "qdd" : "tau";
+    const char* const input = about.joints[j].prescribed ? "qdd" : "tau";
     object([&](const std::string& key) {
       if (key == "type" || (key == "qdd" && key != input))
         return skip();  // as in a file of true answers
@@ -72,18 +74,18 @@ class StatesReader : private JsonReader {
       if (there) refuse(joint + ": " + key + " comes twice");
       there = true;
       where_ = joint + ": " + key + ": ";
-      read_field(kJoints[j], key, states);
+      read_field(about.joints[j], key, states);
       where_.clear();
     });
     if (!found[0] || !found[1] || !found[2]) refuse(joint + " needs q, v and " + input);
   }
 
   // One of q, v and tau of a joint: an entry for each state.
-  void read_field(const JointConstants& joint, const std::string& key, States& states) {
+  void read_field(const Joint& joint, const std::string& key, States& states) {
     const bool is_q = key == "q";
     const auto size = static_cast<std::size_t>(is_q ? joint.nq : joint.nv);
     const auto start = static_cast<std::size_t>(is_q ? joint.q : joint.v);
-    const std::size_t stride = is_q ? kNq : key == "v" ? kNv : kNtau;
+    const std::size_t stride = as_size(is_q ? about.nq : key == "v" ? about.nv : about.ntau);
     std::vector<Number>& values = is_q ? states.q : key == "v" ? states.v : states.tau;
     int count = 0;
     array([&] {
@@ -105,32 +107,35 @@ class StatesReader : private JsonReader {
 
   // One link's outer force: six numbers for each state.
   void read_force(const std::string& name, std::vector<std::vector<double>>& forces) {
-    std::size_t k = 0;
-    while (k < kOuterCount && name != kOuterForces[k].name) ++k;
-    if (k == kOuterCount) refuse("no outer force acts on link " + quoted(name.c_str()));
+    int k = 0;
+    while (k < about.outer_forces.count && name != about.outer_forces[k].name) ++k;
+    if (k == about.outer_forces.count)
+      refuse("no outer force acts on link " + quoted(name.c_str()));
     where_ = "force on link " + quoted(name.c_str()) + ": ";
-    if (!forces[k].empty()) refuse("comes twice");
+    std::vector<double>& own = forces[as_size(k)];
+    if (!own.empty()) refuse("comes twice");
     array([&] {
       const std::vector<double> entry = numbers();
       if (entry.size() != 6) refuse("needs six numbers for each state");
-      forces[k].insert(forces[k].end(), entry.begin(), entry.end());
+      own.insert(own.end(), entry.begin(), entry.end());
     });
     where_.clear();
   }
 
-  void fill_force(std::size_t k, const std::vector<double>& given, States& states) {
+  void fill_force(int k, const std::vector<double>& given, States& states) {
     if (given.size() != 6 * static_cast<std::size_t>(states.count))
-      refuse("force on link " + quoted(kOuterForces[k].name) + ": " +
+      refuse("force on link " + quoted(about.outer_forces[k].name) + ": " +
              std::to_string(given.size() / 6) + " states, but the joints have " +
              std::to_string(states.count));
     for (std::size_t i = 0; i < given.size(); ++i)
-      states.tau[i / 6 * kNtau + kNv + 6 * k + i % 6] = static_cast<Number>(given[i]);
+      states.tau[i / 6 * as_size(about.ntau) + as_size(about.nv + 6 * k) + i % 6] =
+          static_cast<Number>(given[i]);
   }
 
   static void fill_slaved(States& states) {
     for (int s = 0; s < states.count; ++s)
-      slave(states.q.data() + static_cast<long>(s) * kNq,
-            states.v.data() + static_cast<long>(s) * kNv);
+      slave(about.joints, states.q.data() + static_cast<long>(s) * about.nq,
+            states.v.data() + static_cast<long>(s) * about.nv);
   }
 };
 
@@ -140,18 +145,19 @@ bool write_result(const std::string& path, const std::vector<Number>& qdd, int c
   std::FILE* file = std::fopen(path.c_str(), "w");
   if (file == nullptr) return false;
   std::fputs("{\"joints\": {", file);
-  for (int j = 0; j < kJointCount; ++j) {
-    std::fprintf(file, "%s\n%s: {\"qdd\": [", j == 0 ? "" : ",", quoted(kJoints[j].name).c_str());
+  for (int j = 0; j < about.joints.count; ++j) {
+    std::fprintf(file, "%s\n%s: {\"qdd\": [", j == 0 ? "" : ",",
+                 quoted(about.joints[j].name).c_str());
     for (int s = 0; s < count; ++s) {
-      const Number* x = qdd.data() + static_cast<long>(s) * kNv + kJoints[j].v;
+      const Number* x = qdd.data() + static_cast<long>(s) * about.nv + about.joints[j].v;
       std::fputs(s == 0 ? "" : ", ", file);
-      if (kJoints[j].nv > 1) std::fputs("[", file);
-      for (int k = 0; k < kJoints[j].nv; ++k)
+      if (about.joints[j].nv > 1) std::fputs("[", file);
+      for (int k = 0; k < about.joints[j].nv; ++k)
         if (x[k] == x[k])
           std::fprintf(file, "%s%.17g", k == 0 ? "" : ", ", static_cast<double>(x[k]));
         else  // of a batch, a state that failed
           std::fputs(k == 0 ? "null" : ", null", file);
-      if (kJoints[j].nv > 1) std::fputs("]", file);
+      if (about.joints[j].nv > 1) std::fputs("]", file);
     }
     std::fputs("]}", file);
   }

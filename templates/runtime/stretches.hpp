@@ -1,6 +1,6 @@
 // What messages cost on a channel.
-inline const Hop& hop_of(const Channel& channel) {
-  return channel.windowed() ? kWindowHop : kMessageHop;
+inline const Hop& hop_of(const Solver& solver) {
+  return solver.windowed() ? about.window_hop : about.message_hop;
 }
 
 // How long an evaluation would take if each process had a core of its own, where they have not: its
@@ -10,22 +10,22 @@ class Stretches {
  public:
   explicit Stretches(Session& session) : session_(session) {}
 
-  // Collective. Evaluates each state of the session by evaluate(s), which returns its status; is
-  // told before each turn, and after it. Returns the first failure.
-  template <class Evaluate, class Turn>
-  int measure(Evaluate evaluate, Turn turn) {
-    takes_.assign(count(), Take());
+  // Collective. Evaluates each state of the session, at the root or in place; turn is told before
+  // each turn. Returns the first failure.
+  template <class Turn>
+  int measure(bool at_root, Turn turn) {
+    session_.solver.forget(session_.states.count);
     lengths_.assign(count(), {});
-    int failed = record(evaluate);
+    int failed = record(at_root);
     MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
     if (failed != kFine) return failed;
     const int repeat = evaluations() / session_.states.count, rounds = std::min(kRounds, repeat);
     for (int round = 0; round < rounds; ++round)
-      for (int p = 0; p < kProcesses; ++p) {
+      for (int p = 0; p < about.processes; ++p) {
         rest();
         if (p != session_.rank) continue;
         turn();
-        play(evaluate, repeat * (round + 1) / rounds - repeat * round / rounds);
+        play(at_root, repeat * (round + 1) / rounds - repeat * round / rounds);
       }
     rest();
     return kFine;
@@ -41,14 +41,14 @@ class Stretches {
   Statistics played_through() {
     const std::vector<std::vector<double>> told = bring_together();
     if (session_.rank != 0) return {};
-    const std::vector<MessageInfo> messages(kMessages.begin(), kMessages.end());
+    const std::vector<Message> messages(about.messages.begin(), about.messages.end());
     std::vector<const double*> next;
     for (const std::vector<double>& one : told) next.push_back(one.data());
-    work_.assign(kProcesses, 0);
+    work_.assign(processes(), 0);
     std::vector<double> typical, least;
     for (std::size_t s = 0; s < count(); ++s) {
-      std::vector<Part> medians(kProcesses), leasts(kProcesses);
-      for (std::size_t p = 0; p < kProcesses; ++p) {
+      std::vector<Part> medians(processes()), leasts(processes());
+      for (std::size_t p = 0; p < processes(); ++p) {
         next[p] = read(next[p], medians[p], leasts[p]);
         for (const double ns : medians[p].stretches) work_[p] += ns / static_cast<double>(count());
       }
@@ -64,21 +64,17 @@ class Stretches {
   const std::vector<double>& work() const { return work_; }
 
  private:
-  using Clock = std::chrono::steady_clock;
   static constexpr int kTag = 0x57e7, kRounds = 5, kMost = 1000;
 
   std::size_t count() const { return static_cast<std::size_t>(session_.states.count); }
-  const Hop& hop() const { return hop_of(session_.solver.channel); }
+  static std::size_t processes() { return static_cast<std::size_t>(about.processes); }
+  const Hop& hop() const { return hop_of(session_.solver); }
 
-  template <class Evaluate>
-  int record(Evaluate evaluate) {
+  int record(bool at_root) {
     int failed = kFine;
     for (int s = 0; s < session_.states.count; ++s) {
-      Take& take = takes_[static_cast<std::size_t>(s)];
-      take.record();
-      session_.solver.channel.use(&take);
-      const int found = evaluate(s);
-      session_.solver.channel.use(nullptr);
+      const int found = session_.solver.record(s, at_root, session_.q(s), session_.v(s),
+                                               session_.tau(s), session_.acceleration(s));
       session_.give_up_if_broken(found);
       if (failed == kFine) failed = found;
     }
@@ -86,29 +82,21 @@ class Stretches {
   }
 
   // A turn: all states as often as asked for, after once to warm up.
-  template <class Evaluate>
-  void play(Evaluate evaluate, int passes) {
+  void play(bool at_root, int passes) {
     look_ = clock_cost();
+    std::vector<Solver::Ticks> looks;
     for (int pass = -1; pass < passes; ++pass)
       for (int s = 0; s < session_.states.count; ++s) {
-        Take& take = takes_[static_cast<std::size_t>(s)];
-        take.play();
-        session_.solver.channel.use(&take);
-        const Clock::rep start = Clock::now().time_since_epoch().count();
-        evaluate(s);
-        const Clock::rep end = Clock::now().time_since_epoch().count();
-        session_.solver.channel.use(nullptr);
-        if (pass >= 0) keep(start, take.looks(), end, lengths_[static_cast<std::size_t>(s)]);
+        looks.resize(static_cast<std::size_t>(session_.solver.noted(s).count) + 2);
+        session_.solver.play(s, at_root, session_.q(s), session_.v(s), session_.tau(s),
+                             session_.acceleration(s), looks.data());
+        if (pass >= 0) keep(looks, lengths_[static_cast<std::size_t>(s)]);
       }
   }
 
-  void keep(Clock::rep start, const std::vector<Clock::rep>& looks, Clock::rep end,
-            std::vector<double>& lengths) const {
-    for (std::size_t k = 0; k <= looks.size(); ++k) {
-      const Clock::rep until = k < looks.size() ? looks[k] : end;
-      lengths.push_back(std::max(0.0, nanoseconds(until - start) - look_));
-      start = until;
-    }
+  void keep(const std::vector<Solver::Ticks>& looks, std::vector<double>& lengths) const {
+    for (std::size_t k = 1; k < looks.size(); ++k)
+      lengths.push_back(std::max(0.0, nanoseconds(looks[k] - looks[k - 1]) - look_));
   }
 
   // Waits for the others, asleep: whoever computes is not disturbed.
@@ -125,20 +113,21 @@ class Stretches {
   std::vector<std::vector<double>> bring_together() {
     std::vector<double> own;
     for (std::size_t s = 0; s < count(); ++s) {
-      const std::vector<int>& messages = takes_[s].messages();
-      own.push_back(static_cast<double>(messages.size()));
+      const Table<int> messages = session_.solver.noted(static_cast<int>(s));
+      own.push_back(messages.count);
       own.insert(own.end(), messages.begin(), messages.end());
-      const std::vector<Statistics> found = of_stretches(lengths_[s], messages.size() + 1);
+      const std::vector<Statistics> found =
+          of_stretches(lengths_[s], static_cast<std::size_t>(messages.count) + 1);
       for (const Statistics& one : found) own.push_back(one.median);
       for (const Statistics& one : found) own.push_back(one.least);
     }
-    std::vector<std::vector<double>> all(kProcesses);
+    std::vector<std::vector<double>> all(processes());
     if (session_.rank != 0) {
       MPI_Send(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, 0, kTag, session_.comm());
       return all;
     }
     all[0] = std::move(own);
-    for (int p = 1; p < kProcesses; ++p) {
+    for (int p = 1; p < about.processes; ++p) {
       MPI_Status status;
       int size = 0;
       MPI_Probe(p, kTag, session_.comm(), &status);
@@ -173,7 +162,6 @@ class Stretches {
   }
 
   Session& session_;
-  std::vector<Take> takes_;                   // of each state
   std::vector<std::vector<double>> lengths_;  // of each state: one evaluation after the other
   double look_ = 0;                           // at the clock
   std::vector<double> work_;

@@ -7,7 +7,7 @@ class Timing {
     const Cores cores(session_.comm());
     crowded_ = !cores.enough();
     cores_ = cores.count();
-    if constexpr (kBatch) return time_batch(session_.solver, cores);
+    if (about.batch) return time_batch(cores);
     session_.use(random_states(kRandomStates, session_.options.seed));
     if (crowded_ || session_.options.stretches) return time_stretches(cores);
     session_.pinned = session_.options.pin && cores.pin();
@@ -17,29 +17,21 @@ class Timing {
          ++pass) {  // the first one warms up
       session_.watch.again();
       for (int s = 0; s < session_.states.count; ++s) {
-        Number* const qdd = session_.acceleration(s);
-        const Clock::time_point start = start_together();
-        const int first = session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s), qdd);
-        const double in_place_ns =
-            std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-        if (!kAlone) MPI_Barrier(session_.comm());
-        const Clock::time_point start_root = Clock::now();
-        const int second =
-            session_.solver.solve_at_root(session_.q(s), session_.v(s), session_.tau(s), qdd);
-        const double root_ns =
-            std::chrono::duration<double, std::nano>(Clock::now() - start_root).count();
+        const Elapsed found = session_.solver.time(session_.q(s), session_.v(s), session_.tau(s),
+                                                   session_.acceleration(s));
+        const int first = found.status_in_place, second = found.status_at_root;
         session_.give_up_if_broken(first);
         session_.give_up_if_broken(second);
         if (failed == kFine) failed = first != kFine ? first : second;
         if (pass < 0) continue;
-        in_place.push_back(in_place_ns);
-        at_root.push_back(root_ns);
+        in_place.push_back(found.in_place);
+        at_root.push_back(found.at_root);
       }
       MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, session_.comm());
     }
     if (failed != kFine)
       return session_.complain(kInputAtFault,
-                               "random state: " + std::string(describe(failed).c_str()));
+                               "random state: " + std::string(session_.solver.in_words(failed)));
     // An evaluation is over when its last process is done.
     MPI_Allreduce(MPI_IN_PLACE, in_place.data(), static_cast<int>(in_place.size()), MPI_DOUBLE,
                   MPI_MAX, session_.comm());
@@ -54,35 +46,25 @@ class Timing {
     const auto turn = [&] {
       if (session_.options.pin) cores.pin_in_turn();
     };
-    const auto in_place = [this](int s) {
-      return session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s),
-                                   session_.acceleration(s));
-    };
-    const auto at_root = [this](int s) {
-      return session_.solver.solve_at_root(session_.q(s), session_.v(s), session_.tau(s),
-                                           session_.acceleration(s));
-    };
     Stretches stretches(session_);
-    int failed = stretches.measure(at_root, turn);
+    int failed = stretches.measure(true, turn);
     if (failed == kFine) at_root_ = stretches.played_through();
-    if (failed == kFine) failed = stretches.measure(in_place, turn);
+    if (failed == kFine) failed = stretches.measure(false, turn);
     if (failed != kFine)
       return session_.complain(kInputAtFault,
-                               "random state: " + std::string(describe(failed).c_str()));
+                               "random state: " + std::string(session_.solver.in_words(failed)));
     in_place_ = stretches.played_through();
     work_ = stretches.work();
     evaluations_ = stretches.evaluations();
     return kDone;
   }
 
-  template <class S>
-  int time_batch(S& solver, const Cores& cores) {
+  int time_batch(const Cores& cores) {
     session_.pinned = session_.options.pin && cores.pin();
-    int failed = kFine;
-    if constexpr (kBatch) failed = batches_.measure(solver, [this] { return start_together(); });
+    const int failed = batches_.measure();
     if (failed != kFine)
       return session_.complain(kInputAtFault,
-                               "random states: " + std::string(describe(failed).c_str()));
+                               "random states: " + std::string(session_.solver.in_words(failed)));
     in_place_ = batches_.in_place();
     at_root_ = batches_.at_root();
     evaluations_ = session_.options.repeat * BatchTiming::kStates;
@@ -98,10 +80,8 @@ class Timing {
     for (int pass = -1; pass < session_.options.repeat && failed == kFine; ++pass) {
       session_.watch.again();
       for (int s = 0; s < session_.states.count; ++s) {
-        start_together();
-        trace.begin();
-        const int found = session_.solver.solve(session_.q(s), session_.v(s), session_.tau(s),
-                                                session_.acceleration(s));
+        const int found = session_.solver.trace(session_.q(s), session_.v(s), session_.tau(s),
+                                                session_.acceleration(s), trace.stamps());
         session_.give_up_if_broken(found);
         trace.end(session_.comm(), pass >= 0);
         if (failed == kFine) failed = found;
@@ -110,8 +90,9 @@ class Timing {
     }
     if (failed != kFine)
       return session_.complain(kInputAtFault,
-                               "random state: " + std::string(describe(failed).c_str()));
-    const std::string text = trace.text(session_.comm(), session_.channel_name(), session_.pinned);
+                               "random state: " + std::string(session_.solver.in_words(failed)));
+    const std::string text =
+        trace.text(session_.comm(), session_.solver.channel_name(), session_.pinned);
     int status = kDone;
     if (session_.rank == 0) {
       std::ofstream file(session_.options.trace, std::ios::binary);
@@ -139,11 +120,12 @@ class Timing {
   void print(std::FILE* out) const {
     if (evaluations_ == 0) return;
     std::fprintf(out, "time   %d process%s%s, ns per %s: median, minimum, 99th percentile\n",
-                 kProcesses, kProcesses == 1 ? "" : "es", session_.pinned ? ", pinned" : "",
-                 kBatch ? "state and process" : "evaluation");
+                 about.processes, about.processes == 1 ? "" : "es",
+                 session_.pinned ? ", pinned" : "",
+                 about.batch ? "state and process" : "evaluation");
     if (crowded_)
-      std::fprintf(out, "       (%d cores for %d processes: a wall time %s)\n", cores_, kProcesses,
-                   kBatch ? "says little" : "would mean nothing");
+      std::fprintf(out, "       (%d cores for %d processes: a wall time %s)\n", cores_,
+                   about.processes, about.batch ? "says little" : "would mean nothing");
     if (!work_.empty())
       std::fprintf(out,
                    "       (from measured stretches of computing, one process at a time, played "
@@ -162,28 +144,6 @@ class Timing {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  // All processes that take part in an evaluation start it at the same instant of their common
-  // clock; hosts have none. One alone starts at once: to meet others that it does not need would
-  // only cool its caches.
-  Clock::time_point start_together() const {
-    if (kAlone) return Clock::now();
-    if (!session_.solver.channel.on_one_host()) {
-      MPI_Barrier(session_.comm());
-      return Clock::now();
-    }
-    Clock::rep start = 0;
-    if (session_.rank == 0)
-      start = (Clock::now() + std::chrono::microseconds(5)).time_since_epoch().count();
-    MPI_Bcast(&start, static_cast<int>(sizeof start), MPI_BYTE, 0, session_.comm());
-    const Clock::time_point at{Clock::duration(start)};
-    const Clock::time_point latest = Clock::now() + std::chrono::microseconds(50);
-    Clock::time_point now;
-    while ((now = Clock::now()) < at && now < latest) relax();
-    return now;
-  }
-
   static std::string whole(double ns) { return std::to_string(std::llround(ns)); }
 
   static std::string figures(const char* what, const Statistics& of) {
@@ -191,7 +151,7 @@ class Timing {
            ", \"min_ns\": " + whole(of.least) + ", \"p99_ns\": " + whole(of.percentile99) + "}";
   }
 
-  const Hop& hop() const { return hop_of(session_.solver.channel); }
+  const Hop& hop() const { return hop_of(session_.solver); }
 
   Session& session_;
   int evaluations_ = 0;

@@ -7,14 +7,13 @@ class Trace {
 
   explicit Trace(int rank)
       : rank_(rank),
-        stages_(kStageCount[static_cast<std::size_t>(rank)]),
+        stages_(about.stages[rank].count),
         stamps_(static_cast<std::size_t>(stages_) + 1) {}
 
-  void begin() { trace_stamps = stamps_.data(); }
+  Clock::rep* stamps() { return stamps_.data(); }
 
   // Collective. An evaluation counts from when the first process began.
   void end(MPI_Comm comm, bool keep) {
-    trace_stamps = nullptr;
     long long first = stages_ == 0 ? std::numeric_limits<long long>::max() : stamps_[0];
     MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_LONG_LONG, MPI_MIN, comm);
     if (!keep || starts_.size() == kMost * (stamps_.size() - 1)) return;
@@ -36,13 +35,13 @@ class Trace {
       MPI_Send(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, 0, kTag, comm);
       return "";
     }
-    std::string text = "{\"model\": " + quoted(kRobot) +
-                       ", \"processes\": " + std::to_string(kProcesses) + ", \"channel\": \"" +
+    std::string text = "{\"model\": " + quoted(about.robot) +
+                       ", \"processes\": " + std::to_string(about.processes) + ", \"channel\": \"" +
                        channel + "\", \"pinned\": " + (pinned ? "true" : "false") +
                        ", \"evaluations\": " + std::to_string(lasts_.size()) +
                        ", \"clock_ns\": " + number(clock_cost()) + ",\n \"stages\": [";
-    for (int p = 0; p < kProcesses; ++p) {
-      const std::size_t count = 2 * static_cast<std::size_t>(kStageCount[p]);
+    for (int p = 0; p < about.processes; ++p) {
+      const std::size_t count = 2 * static_cast<std::size_t>(about.stages[p].count);
       std::vector<double> times(count);
       if (p == 0)
         times = own;
@@ -50,7 +49,7 @@ class Trace {
         MPI_Recv(times.data(), static_cast<int>(count), MPI_DOUBLE, p, kTag, comm,
                  MPI_STATUS_IGNORE);
       for (std::size_t k = 0; 2 * k < count; ++k)
-        text += row(p, kStages[p][k], times[2 * k], times[2 * k + 1]) + ",";
+        text += row(p, about.stages[p][static_cast<int>(k)], times[2 * k], times[2 * k + 1]) + ",";
     }
     if (text.back() == ',') text.pop_back();
     return text + "\n ]}\n";
@@ -66,7 +65,7 @@ class Trace {
   }
 
   static std::string row(int process, const Stage& stage, double start, double length) {
-    const std::string joint = stage.joint < 0 ? "null" : quoted(kJoints[stage.joint].name);
+    const std::string joint = stage.joint < 0 ? "null" : quoted(about.joints[stage.joint].name);
     const std::string message = stage.message < 0 ? "null" : std::to_string(stage.message);
     return "\n  {\"process\": " + std::to_string(process) + ", \"what\": \"" + stage.what +
            "\", \"joint\": " + joint + ", \"message\": " + message +

@@ -57,7 +57,7 @@ class Trajectory {
   void write_names() {
     std::fputs("time", file_.get());
     for (const char field : {'q', 'v'})
-      for (const JointConstants& joint : kJoints) {
+      for (const Joint& joint : about.joints) {
         std::string name;
         for (const char* c = joint.name; *c != '\0'; ++c)
           name += *c == '"' ? "\"\"" : std::string(1, *c);
@@ -77,18 +77,19 @@ class Trajectory {
       members.push_back(write_member(name, npy_head(type, shape), data, bytes));
     };
     add("time.npy", "<f8", "(" + rows + ",)", times_.data(), 8 * times_.size());
-    add("q.npy", "<f8", "(" + rows + ", " + std::to_string(kNq) + ")", q_.data(), 8 * q_.size());
-    add("v.npy", "<f8", "(" + rows + ", " + std::to_string(kNv) + ")", v_.data(), 8 * v_.size());
+    add("q.npy", "<f8", "(" + rows + ", " + std::to_string(about.nq) + ")", q_.data(),
+        8 * q_.size());
+    add("v.npy", "<f8", "(" + rows + ", " + std::to_string(about.nv) + ")", v_.data(),
+        8 * v_.size());
     std::size_t longest = 1;
-    for (const JointConstants& joint : kJoints)
-      longest = std::max(longest, std::strlen(joint.name));
+    for (const Joint& joint : about.joints) longest = std::max(longest, std::strlen(joint.name));
     std::string names;  // UTF-8, padded with zeros
-    for (const JointConstants& joint : kJoints) {
+    for (const Joint& joint : about.joints) {
       names += joint.name;
       names.resize((names.size() / longest + (names.size() % longest > 0)) * longest);
     }
-    add("joints.npy", "|S" + std::to_string(longest), "(" + std::to_string(kJointCount) + ",)",
-        names.data(), names.size());
+    add("joints.npy", "|S" + std::to_string(longest),
+        "(" + std::to_string(about.joints.count) + ",)", names.data(), names.size());
     write_directory(members);
   }
 

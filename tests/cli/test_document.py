@@ -41,7 +41,7 @@ def emitted(folder: Path, *words: str) -> dict[str, bytes]:
     """What is emitted, but for the line that names the command: that names the schedule's file."""
     assert main([*words, "--out", str(folder)]) == 0
     found = {path.name: path.read_bytes() for path in folder.iterdir()}
-    (source,) = (name for name in found if name.endswith(".cpp"))
+    (source,) = (name for name in found if re.search(r"_p[0-9]+\.cpp$", name))
     found[source], commands = re.subn(rb"// command .*\n", b"", found[source])
     assert commands == 1
     return found

@@ -81,7 +81,7 @@ class TestGenerate:
         out = tmp_path / "out"
         assert main([str(arm), "--procs", "2", "--out", str(out)]) == 0
         names = {f"arm_p2.{ending}" for ending in ("cpp", "h", "pc", "plan.json", "svg")}
-        names |= {"Makefile", "CMakeLists.txt"}
+        names |= {"adagen_program.cpp", "Makefile", "CMakeLists.txt"}
         assert {p.name for p in out.iterdir()} == names
         stdout, stderr = said()
         assert stdout == ""
@@ -119,7 +119,8 @@ class TestGenerate:
         assert {path.stat().st_mtime for path in (tmp_path / "out").iterdir()} == {1e9}
         assert main([*words, "--scalar", "float"]) == 0
         renewed = {p.name for p in (tmp_path / "out").iterdir() if p.stat().st_mtime != 1e9}
-        assert "arm_p2.cpp" in renewed and "Makefile" not in renewed
+        assert "arm_p2.cpp" in renewed
+        assert not renewed & {"Makefile", "CMakeLists.txt", "adagen_program.cpp"}
 
     def test_solvers_of_one_folder_leave_each_other_alone(
         self, arm: Path, tmp_path: Path, said: Said
@@ -138,7 +139,7 @@ class TestGenerate:
         assert main([str(arm), *words, "--name", "arm" * 20 + "x"]) == 0
         after = {path.name: path.read_bytes() for path in out.iterdir()}
         assert {name: after[name] for name in before} == before
-        assert len([name for name in after if name.endswith(".cpp")]) == 4
+        assert len([name for name in after if name.endswith(".cpp")]) == 5
         shutil.copy(arm, tmp_path / "moved.urdf")  # the same robot, from another place
         assert main([str(tmp_path / "moved.urdf"), *words, "--name", "arm"]) == 0
 
@@ -370,7 +371,7 @@ def test_the_emitted_makefile_builds_and_checks(
     out = tmp_path / "out"
     assert main([str(arm), "--procs", str(processes), "--form", form, "--out", str(out)]) == 0
     toolchain = find_toolchain()
-    source = next(out.glob("*.cpp")).read_text()
+    source = next(out.glob("*_p[0-9]*.cpp")).read_text()
     # Joints by themselves are told in 6x6 blocks; a straight line needs no Eigen.
     assert ("Eigen" in source) == (processes == 2)
     command = [

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from adagen.emit.around import options_of, program_text
+from adagen.errors import EnvironmentFault
 from adagen.states import random_states
 from tests.emitted import QUICK, ROUNDING, Builder, Solver, forward_error, states_text, truth_of
 from tests.golden.examples import EXAMPLES, FOLDER, Example
@@ -34,6 +37,25 @@ def test_clang_has_nothing_to_say(stem: str, part: tuple[str, ...], builder: Bui
     # Warnings come from the front end; what the linker is told is not used here.
     quiet = ("-Wno-unused-command-line-argument", "-fsyntax-only", *part)
     builder.with_compiler("clang++").check(text(BY_STEM[stem]), stem, quiet)
+
+
+KINDS = [options_of(mpi, number) for mpi in (False, True) for number in ("double", "float")]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("compiler", ["g++", pytest.param("clang++", marks=clang)])
+def test_no_compiler_has_anything_to_say_of_the_program(
+    compiler: str, kind: str, builder: Builder
+) -> None:
+    flags = ("-Wno-unused-command-line-argument", *kind.split(), *QUICK)
+    builder.with_compiler(compiler).check(program_text(), "adagen_program", flags)
+
+
+def test_a_program_of_another_kind_is_not_linked(builder: Builder) -> None:
+    source = text(BY_STEM["mobile_p1"])
+    other = re.sub("(// links .*)", r"\1 -DADAGEN_FLOAT", source, count=1)
+    with pytest.raises(EnvironmentFault, match="undefined reference to .*adagen::program<double"):
+        builder.compile(other, "mobile_p1")
 
 
 @pytest.mark.parametrize("stem", BY_STEM)

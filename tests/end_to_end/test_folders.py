@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from adagen.emit.around import PROGRAM_FILE
 from adagen.states import random_states
 from tests.emitted import ROUNDING, Builder, forward_error, truth_of
 from tests.end_to_end.test_library import BY_STEM, filled
@@ -30,6 +31,7 @@ def solvers(tmp_path: Path) -> Path:
     """A folder with a solver for one process and one for two."""
     for stem in ("mobile_p1", "arm7_p2"):
         shutil.copytree(FOLDER / stem, tmp_path / "solvers", dirs_exist_ok=True)
+    shutil.copy(FOLDER / PROGRAM_FILE, tmp_path / "solvers")
     return tmp_path / "solvers"
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
+from adagen.emit.around import PROGRAM_FILE
 from adagen.library import Compiled, Robot, compile, read  # noqa: A004 (what it does)
 from adagen.model import Model
 from adagen.schedule import Topology, schedule_to_json
@@ -112,5 +113,7 @@ def golden_files() -> dict[str, bytes]:
     texts = {f"models/{name}.urdf": make() for name, make in ROBOTS.items()}
     for example in EXAMPLES:
         for name, text in files_of(example).items():
-            texts[f"{example.stem}/{name}"] = text
+            # The program around them is one for all: the folders' Makefiles look above, too.
+            folder = "" if name == PROGRAM_FILE else f"{example.stem}/"
+            texts[f"{folder}{name}"] = text
     return {path: text.encode() for path, text in sorted(texts.items())}

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from adagen.emit.around import PROGRAM_FILE
 from adagen.emit.refine import MIXED_STEPS
 from adagen.states import States, random_states
 from tests.emitted import QUICK, Array, Builder, Solver, forward_error, truth_of
@@ -94,7 +95,8 @@ def test_make_in_the_folder_of_examples_works(
     folder = tmp_path / "generated_examples"
     folder.mkdir()
     out = tmp_path / "build" / "generated_examples"
-    shutil.copy(FOLDER / "Makefile", folder)
+    for name in ("Makefile", PROGRAM_FILE):
+        shutil.copy(FOLDER / name, folder)
     for stem in stems:
         shutil.copytree(FOLDER / stem, folder / stem)
     for target in ("all", "check", "clean"):

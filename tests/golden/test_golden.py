@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from adagen.cli import main
+from adagen.emit.around import PROGRAM_FILE
 from adagen.plan import FORMS
 from tests.emitted import WRITTEN
 from tests.golden.directory import HINT, differences, held, update
@@ -68,6 +69,7 @@ def test_the_command_line_writes_the_same(emitted: dict[str, bytes], tmp_path: P
     assert main([*words, "--out", str(out)]) == 0
     files = {f"{example.stem}/{name}": data for name, data in held(out).items()}
     assert len(files) == WRITTEN
+    assert files.pop(f"{example.stem}/{PROGRAM_FILE}") == emitted[PROGRAM_FILE]
     assert files == {name: emitted[name] for name in files}
 
 

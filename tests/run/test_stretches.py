@@ -24,15 +24,16 @@ HARNESS = """
 #include <algorithm>
 #include <cstdio>
 #include <vector>
-struct MessageInfo {{ int source, target, size; }};
+struct Message {{ int source, target, size; }};
+struct Hop {{ double send, latency, number; }};
 {makespan}
 // Cases from standard input: processes, messages (source, target, size), then for each process its
 // messages and stretches; a makespan each.
 int main() {{
   int processes, count, k;
   while (std::scanf("%d %d", &processes, &count) == 2) {{
-    std::vector<MessageInfo> messages(static_cast<std::size_t>(count));
-    for (MessageInfo& m : messages)
+    std::vector<Message> messages(static_cast<std::size_t>(count));
+    for (Message& m : messages)
       if (std::scanf("%d %d %d", &m.source, &m.target, &m.size) != 3) return 1;
     std::vector<Part> parts(static_cast<std::size_t>(processes));
     for (Part& part : parts) {{
@@ -165,4 +166,4 @@ def test_the_source_holds_what_messages_are_taken_to_cost() -> None:
     told = ", ".join(
         f"{1e3 * x:g}" for x in (costs.window.send, costs.window.latency, costs.window.number)
     )
-    assert window == f"constexpr Hop kWindowHop{{{told}}};"
+    assert window == f"constexpr adagen::Hop kWindowHop{{{told}}};"

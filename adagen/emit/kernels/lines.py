@@ -68,7 +68,7 @@ class KernelLines:
 
     def all_lines(self) -> list[str]:
         """Return the lines of the process."""
-        follows = ["slave(w.q.data(), w.v.data());"] if self.words.plan.slaved else []
+        follows = ["slave(kJoints, w.q.data(), w.v.data());"] if self.words.plan.slaved else []
         return [
             *follows,
             *guards.checks(self.words, self.process),

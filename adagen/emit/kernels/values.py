@@ -24,6 +24,7 @@ from adagen.program.slots import Slots
 
 RUNTIME = (
     "status.hpp",
+    "failures.hpp",
     "kernels/lanes.hpp",
     "kernels/algebra.hpp",
 )

@@ -57,7 +57,7 @@ def values(words: Words, chunk: int = 0) -> dict[str, object]:
     told = [row.values() for row in rows]
     functions = any(row.calls_functions() for row in rows)
     return {
-        "runtime": ["status.hpp", *["kernels/lanes.hpp"] * (words.batch or wide)],
+        "runtime": ["status.hpp", "failures.hpp", *["kernels/lanes.hpp"] * (words.batch or wide)],
         "functions": ["unrolled_functions.hpp"] * functions
         + ["unrolled_lane_functions.hpp"] * (functions and words.batch),
         "unrolled": told[: len(plan.processes)],

@@ -25,7 +25,7 @@ inline void find_responses(Workspace& w, Channel& channel, void (*sweep)(Workspa
   w.again = false;
   w.answer = answer;
   w.v = given(w.v), w.tau = given(w.tau);
-  slave(w.q.data(), w.v.data());
+  slave(kJoints, w.q.data(), w.v.data());
 }
 
 // An acceleration as it would be without these torques, and what a unit of each adds to it.
