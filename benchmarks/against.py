@@ -29,6 +29,7 @@ from statistics import mean, median
 from adagen.build import build_executable, find_toolchain
 from adagen.cli.console import note, speaking
 from adagen.cli.contest import MOST_TEXT, VARIANTS, Entry
+from adagen.emit.around import PROGRAM_FILE, standalone
 from adagen.model import Model
 from adagen.studies.bench.contest import WORDS, Contestant, Rules, Times, cores, hold
 from adagen.studies.bench.emitted import Emitted
@@ -149,7 +150,11 @@ def emitted(checkout: Path, kept: Path, entry: Entry, variant: str) -> Source:
             )
             if done.returncode == 0:
                 file = next(Path(folder).glob("*_p[0-9]*.cpp"))
-                found = Source(file.name, file.read_text(encoding="utf-8"), "")
+                text = file.read_text(encoding="utf-8")
+                program = file.with_name(PROGRAM_FILE)
+                if program.is_file():  # of that revision, as the solver is
+                    text = standalone(text, program.read_text(encoding="utf-8"))
+                found = Source(file.name, text, "")
             else:
                 found = Source("", "", done.stderr.strip())
         place.parent.mkdir(parents=True, exist_ok=True)

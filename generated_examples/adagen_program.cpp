@@ -9,8 +9,8 @@
 
 #if defined(ADAGEN_MPI)
 #include <mpi.h>
-
 #endif
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -49,6 +49,8 @@
 #define ADAGEN_HOT [[gnu::hot]] ADAGEN_NOINLINE  // called in each step of a simulation; all else is cold
 
 // What a solver tells the program around it (adagen_program.cpp), and what that asks of it.
+#ifndef ADAGEN_DESCRIPTION
+#define ADAGEN_DESCRIPTION
 namespace adagen {
 
 struct OneProcess {};  // in place of a communicator where there is no MPI
@@ -196,6 +198,7 @@ int program(const Description<Number>& description, AnySolver<Number, Comm>& sol
             char** words);
 
 }  // namespace adagen
+#endif
 
 namespace adagen {
 namespace {
@@ -213,7 +216,6 @@ const MPI_Datatype kMpiNumber = sizeof(Number) == sizeof(double) ? MPI_DOUBLE : 
 // is taken for how many were started, so that none of several goes on by itself.
 using MPI_Comm = OneProcess;
 using MPI_Datatype = std::size_t;  // its size
-using MPI_Aint = std::ptrdiff_t;
 using MPI_Request = int;
 struct MPI_Status {};
 constexpr MPI_Comm MPI_COMM_WORLD{};
@@ -240,7 +242,6 @@ inline void MPI_Comm_size(MPI_Comm, int* size) {
 inline void MPI_Comm_split_type(MPI_Comm, int, int, int, MPI_Comm*) {}
 inline void MPI_Comm_free(MPI_Comm*) {}
 [[noreturn]] inline void MPI_Abort(MPI_Comm, int status) { std::_Exit(status); }
-inline void MPI_Barrier(MPI_Comm) {}
 inline void MPI_Ibarrier(MPI_Comm, MPI_Request*) {}
 inline void MPI_Test(MPI_Request*, int* done, std::nullptr_t) { *done = 1; }
 inline void MPI_Bcast(void*, int, MPI_Datatype, int, MPI_Comm) {}
@@ -281,9 +282,11 @@ enum Failure : int {
 };
 
 constexpr int kFailureBase = 1 << 20;
-constexpr int failure(Failure kind, int joint) { return kind * kFailureBase + joint; }
+[[maybe_unused]] constexpr int failure(Failure kind, int joint) {
+  return kind * kFailureBase + joint;
+}
 constexpr Failure failure_kind(int status) { return static_cast<Failure>(status / kFailureBase); }
-constexpr int failure_place(int status) { return status % kFailureBase; }
+[[maybe_unused]] constexpr int failure_place(int status) { return status % kFailureBase; }
 
 // Words without memory from the heap; what is too long is cut.
 class Text {

@@ -47,6 +47,11 @@ def options_of(argv: Sequence[str]) -> argparse.Namespace:
     add_emission(parser)
     add_out(parser)
     parser.add_argument("--name", help="name of the files (default: MODEL's)")
+    parser.add_argument(
+        "--single-file",
+        action="store_true",
+        help="write a source that holds the program around the solver, too, and stands alone",
+    )
     options = parse(parser, argv)
     check_emission(parser, options)
     return options

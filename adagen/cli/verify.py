@@ -43,7 +43,9 @@ def run(argv: Sequence[str]) -> int:
     for source in sources:
         with progress(f"emitting {source.stem} anew"):
             texts = _made_again(source)
-        expected |= {str(_place(source.parent, name)): text.encode() for name, text in texts.items()}
+        expected |= {
+            str(_place(source.parent, name)): text.encode() for name, text in texts.items()
+        }
     found = _found(options.folders, expected)
     if options.update:
         _update(found, expected)

@@ -7,7 +7,7 @@ from dataclasses import replace
 from adagen import __version__
 from adagen.cost import programmed
 from adagen.emit import headers
-from adagen.emit.around import PROGRAM_FILE, options_of, program_text
+from adagen.emit.around import PROGRAM_FILE, options_of, program_text, standalone
 from adagen.emit.head import algorithm, program_lines
 from adagen.emit.interface import FAILURES
 from adagen.emit.model import model_values
@@ -51,6 +51,7 @@ def emit(
     compiler: str = "",
     profile: CostProfile | None = None,
     limbs: Grouping | None = None,
+    single_file: bool = False,
 ) -> dict[str, str]:
     """Return the emitted files, file name to text.
 
@@ -69,6 +70,7 @@ def emit(
             instead of timing itself; without it, or if it prices joins alone, the shipped one.
         limbs: those that each process takes side by side, one in each SIMD lane; None for those
             of least price.
+        single_file: whether NAME_pP.cpp holds the program, too, and stands alone.
 
     Returns:
         NAME_pP.cpp, NAME_pP.h, NAME_pP.plan.json, NAME_pP.pc and, if given, NAME_pP.svg; and for
@@ -85,7 +87,6 @@ def emit(
         f"{stem}.cpp": text,
         f"{stem}.h": header,
         f"{stem}.plan.json": plan_to_json(replace(plan, profile=_named(profile))),
-        PROGRAM_FILE: program_text(),
         f"{stem}.pc": render(
             "solver.pc.j2",
             stem=stem,
@@ -96,6 +97,10 @@ def emit(
         "Makefile": template("Makefile"),
         "CMakeLists.txt": template("CMakeLists.txt"),
     }
+    if single_file:
+        files[f"{stem}.cpp"] = standalone(text, program_text())
+    else:
+        files[PROGRAM_FILE] = program_text()
     if svg is not None:
         files[f"{stem}.svg"] = svg
     return files

@@ -36,7 +36,10 @@ _PARTS = (
     "corrections.hpp",
     "main.hpp",
 )
-_LINKS = re.compile(rf"^// links     {re.escape(PROGRAM_FILE)}(.*)$", re.MULTILINE)
+_MPI = "#if defined(ADAGEN_MPI)\n#include <mpi.h>\n#endif\n"
+_SECTION = "#ifndef ADAGEN_NO_MAIN\n"
+_TOLD = f"what the program around it, {PROGRAM_FILE}, is told; main"
+_LINKS = re.compile(rf"^// links     {re.escape(PROGRAM_FILE)}(.*)\n", re.MULTILINE)
 
 
 @cache
@@ -58,6 +61,17 @@ def options_of(mpi: bool, number: str) -> str:
         number: C++ type of its states and accelerations, double or float.
     """
     return " -DADAGEN_MPI" * mpi + " -DADAGEN_FLOAT" * (number == "float")
+
+
+def standalone(source: str, program: str) -> str:
+    """Return an emitted source with the text of the program in it, which is compiled alone."""
+    options = options_in(source)
+    if options is None:
+        return source
+    own = program.partition(_MPI)[2]  # the solver has included mpi.h
+    defines = "".join(f"#define {option.removeprefix('-D')}\n" for option in options)
+    source = _LINKS.sub("", source, count=1).replace(_TOLD, "the program around it; main", 1)
+    return source.replace(_SECTION, f"{_SECTION}{defines}{own}\n", 1)
 
 
 def options_in(source: str) -> tuple[str, ...] | None:

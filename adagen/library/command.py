@@ -65,7 +65,8 @@ def _of_request(request: Request, folder: Path) -> Iterator[str]:
         value = getattr(request, field.name)
         if field.name in _SAID_BY_ITSELF or value == field.default:
             continue
-        yield f"--{field.name}" if value is True else f"--{field.name}={value}"
+        option = f"--{field.name.replace('_', '-')}"
+        yield option if value is True else f"{option}={value}"
 
 
 def _seen_from(folder: Path, path: Path) -> str:

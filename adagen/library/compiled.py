@@ -197,6 +197,7 @@ def emitted(
         chunk=request.chunk,
         compiler=request.compiler,
         profile=profile,
+        single_file=request.single_file,
     )
     line = timeline(program, profile) if priced else None
     return Compiled(model, origin, request, schedule, plan, program, line, files)

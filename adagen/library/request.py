@@ -36,6 +36,7 @@ class Request:
         chunk: values that one function of shape unrolled computes; 0 for its default.
         compiler: that the source is meant for; "" for any.
         tuned: whether shape, chunk and compiler were found by trying; processes do not gather then.
+        single_file: whether the source holds the program around the solver, too.
     """
 
     procs: int = 1
@@ -57,6 +58,7 @@ class Request:
     chunk: int = 0
     compiler: str = ""
     tuned: bool = False
+    single_file: bool = False
 
     def __post_init__(self) -> None:
         """Refuse what cannot be had, whatever the robot.

@@ -473,9 +473,11 @@ enum Failure : int {
 };
 
 constexpr int kFailureBase = 1 << 20;
-constexpr int failure(Failure kind, int joint) { return kind * kFailureBase + joint; }
+[[maybe_unused]] constexpr int failure(Failure kind, int joint) {
+  return kind * kFailureBase + joint;
+}
 constexpr Failure failure_kind(int status) { return static_cast<Failure>(status / kFailureBase); }
-constexpr int failure_place(int status) { return status % kFailureBase; }
+[[maybe_unused]] constexpr int failure_place(int status) { return status % kFailureBase; }
 
 // Words without memory from the heap; what is too long is cut.
 class Text {
@@ -3209,6 +3211,8 @@ void humanoid_lanes_p1_close(humanoid_lanes_p1_solver* solver) {
 
 #ifndef ADAGEN_NO_MAIN
 // What a solver tells the program around it (adagen_program.cpp), and what that asks of it.
+#ifndef ADAGEN_DESCRIPTION
+#define ADAGEN_DESCRIPTION
 namespace adagen {
 
 struct OneProcess {};  // in place of a communicator where there is no MPI
@@ -3356,6 +3360,7 @@ int program(const Description<Number>& description, AnySolver<Number, Comm>& sol
             char** words);
 
 }  // namespace adagen
+#endif
 
 namespace {
 
@@ -3460,10 +3465,10 @@ class ThisSolver final : public adagen::AnySolver<Number, adagen::OneProcess> {
 
   adagen::Elapsed time(const Number* q, const Number* v, const Number* tau, Number* qdd) override {
     const Clock::time_point start = start_together(solver_.channel);
-    const int first = in_place(q, v, tau, qdd);
+    const int first = solver_.solve(q, v, tau, qdd);
     const double in_place_ns = since(start);
     const Clock::time_point again = start_again(solver_.channel);
-    const int second = at_root(q, v, tau, qdd);
+    const int second = solver_.solve_at_root(q, v, tau, qdd);
     const double at_root_ns = since(again);
     return {in_place_ns, at_root_ns, first, second};
   }
@@ -3490,7 +3495,7 @@ class ThisSolver final : public adagen::AnySolver<Number, adagen::OneProcess> {
   adagen::Table<int> noted(int k) const override { return takes_.messages(k); }
 
  private:
-  // Each once in the code, whoever calls it.
+  // For all but the clock: once in the code, whoever calls it.
   ADAGEN_NOINLINE int in_place(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     return solver_.solve(q, v, tau, qdd);
   }

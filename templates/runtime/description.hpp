@@ -1,4 +1,6 @@
 // What a solver tells the program around it (adagen_program.cpp), and what that asks of it.
+#ifndef ADAGEN_DESCRIPTION
+#define ADAGEN_DESCRIPTION
 namespace adagen {
 
 struct OneProcess {};  // in place of a communicator where there is no MPI
@@ -146,3 +148,4 @@ int program(const Description<Number>& description, AnySolver<Number, Comm>& sol
             char** words);
 
 }  // namespace adagen
+#endif

@@ -2,7 +2,6 @@
 // is taken for how many were started, so that none of several goes on by itself.
 using MPI_Comm = OneProcess;
 using MPI_Datatype = std::size_t;  // its size
-using MPI_Aint = std::ptrdiff_t;
 using MPI_Request = int;
 struct MPI_Status {};
 constexpr MPI_Comm MPI_COMM_WORLD{};
@@ -29,7 +28,6 @@ inline void MPI_Comm_size(MPI_Comm, int* size) {
 inline void MPI_Comm_split_type(MPI_Comm, int, int, int, MPI_Comm*) {}
 inline void MPI_Comm_free(MPI_Comm*) {}
 [[noreturn]] inline void MPI_Abort(MPI_Comm, int status) { std::_Exit(status); }
-inline void MPI_Barrier(MPI_Comm) {}
 inline void MPI_Ibarrier(MPI_Comm, MPI_Request*) {}
 inline void MPI_Test(MPI_Request*, int* done, std::nullptr_t) { *done = 1; }
 inline void MPI_Bcast(void*, int, MPI_Datatype, int, MPI_Comm) {}

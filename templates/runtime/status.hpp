@@ -16,9 +16,11 @@ enum Failure : int {
 };
 
 constexpr int kFailureBase = 1 << 20;
-constexpr int failure(Failure kind, int joint) { return kind * kFailureBase + joint; }
+[[maybe_unused]] constexpr int failure(Failure kind, int joint) {
+  return kind * kFailureBase + joint;
+}
 constexpr Failure failure_kind(int status) { return static_cast<Failure>(status / kFailureBase); }
-constexpr int failure_place(int status) { return status % kFailureBase; }
+[[maybe_unused]] constexpr int failure_place(int status) { return status % kFailureBase; }
 
 // Words without memory from the heap; what is too long is cut.
 class Text {

@@ -364,6 +364,29 @@ class TestSolve:
         assert "no answer within 0.001 s" in said()[1]
 
 
+@pytest.mark.parametrize("words", [("--procs", "1"), ("--procs", "2", "--scalar", "float")])
+def test_a_single_file_stands_alone(words: tuple[str, ...], arm: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    assert main([str(arm), *words, "--single-file", "--out", str(out)]) == 0
+    assert not (out / "adagen_program.cpp").exists()
+    (source,) = out.glob("*.cpp")
+    assert "// links " not in source.read_text()
+    assert main(["verify", str(out)]) == 0
+    toolchain = find_toolchain()
+    command = [
+        "make",
+        "-C",
+        str(out),
+        f"MPICXX={toolchain.mpicxx[0]}",
+        "CXXFLAGS=-O0 -Wall -Wextra",
+    ]
+    command += [f"MPIEXEC={toolchain.mpiexec[0]}", "check"]
+    environment = toolchain.variables(os.environ)
+    done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=300)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert ": right" in done.stdout
+
+
 @pytest.mark.parametrize(("processes", "form"), [(1, "segment"), (2, "ada")])
 def test_the_emitted_makefile_builds_and_checks(
     processes: int, form: str, arm: Path, tmp_path: Path

@@ -54,7 +54,7 @@ def test_no_compiler_has_anything_to_say_of_the_program(
 def test_a_program_of_another_kind_is_not_linked(builder: Builder) -> None:
     source = text(BY_STEM["mobile_p1"])
     other = re.sub("(// links .*)", r"\1 -DADAGEN_FLOAT", source, count=1)
-    with pytest.raises(EnvironmentFault, match="undefined reference to .*adagen::program<double"):
+    with pytest.raises(EnvironmentFault, match="the compiler failed"):
         builder.compile(other, "mobile_p1")
 
 
