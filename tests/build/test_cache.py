@@ -95,6 +95,48 @@ def test_concurrent_builds_of_one_source_agree(fake: Toolchain, tmp_path: Path) 
     assert [entry.name for entry in folder.iterdir()] == [built[0].parent.name]
 
 
+SOLVER = "// links     adagen_program.cpp -DADAGEN_FLOAT\n"
+
+
+def objects(toolchain: Toolchain) -> list[str]:
+    """The calls that have compiled the program around a solver."""
+    log = Path(f"{toolchain.mpicxx[0]}.calls").read_text()
+    return [line for line in log.splitlines() if " -c " in line]
+
+
+def test_the_program_around_solvers_is_compiled_once_for_each_kind(
+    fake: Toolchain, tmp_path: Path
+) -> None:
+    folder = tmp_path / "cache"
+    for k in range(3):
+        build_executable(f"{SOLVER}{k}", "robot", fake, folder)
+    (call,) = objects(fake)
+    assert "-O1 -DADAGEN_FLOAT -c " in call
+    log = Path(f"{fake.mpicxx[0]}.calls").read_text().splitlines()
+    assert len(log) == 4
+    assert all("/adagen_program.o -o " in line for line in log if line != call)
+    build_executable(SOLVER.replace("FLOAT", "MPI"), "robot", fake, folder)
+    build_executable(SOLVER, "robot", replace(fake, flags=("-O2",)), folder)
+    assert len(objects(fake)) == 3
+
+
+def test_what_is_a_library_or_no_solver_is_linked_with_nothing(
+    fake: Toolchain, tmp_path: Path
+) -> None:
+    build_executable(f"#define ADAGEN_NO_MAIN\n{SOLVER}", "robot", fake, tmp_path / "cache")
+    assert objects(fake) == []
+
+
+def test_concurrent_builds_share_one_program(fake: Toolchain, tmp_path: Path) -> None:
+    folder = tmp_path / "cache"
+    with ThreadPoolExecutor(6) as pool:
+        texts = [f"{SOLVER}{k}" for k in range(6)]
+        built = list(pool.map(lambda text: build_executable(text, "r", fake, folder), texts))
+    assert len(set(built)) == 6 and all(path.is_file() for path in built)
+    assert len(list(folder.glob("*/adagen_program.o"))) == 1
+    assert len(list(folder.iterdir())) == 7
+
+
 def test_a_damaged_entry_is_built_anew(fake: Toolchain, tmp_path: Path) -> None:
     built = build_executable("hello", "robot", fake, tmp_path / "cache")
     built.unlink()
