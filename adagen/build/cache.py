@@ -10,7 +10,7 @@ import shutil
 import subprocess
 import tempfile
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext, suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -63,16 +63,17 @@ def build_executable(
     if not _SAFE_NAME.fullmatch(name):
         raise ValueError(f"not a file name for an executable: {name!r}")
     cache = cache_folder() if cache_dir is None else cache_dir
-    parts = _around(source_text)
     mpi = uses_mpi(source_text)
-    texts = (
-        (source_text, name) if parts is None else (source_text, name, parts.text, *parts.options)
-    )
+    around = _around(source_text)
+    texts = [source_text, name]
+    if around is not None:
+        texts += [around.text, *around.options]
     telling = progress or (lambda _: nullcontext())
 
     def compile_and_link(work: Path) -> None:
-        around = (parts,) if parts else ()
-        objects = [_program_object(each, mpi, toolchain, cache, telling) for each in around]
+        objects = []
+        if around is not None:
+            objects = [_program_object(around, mpi, toolchain, cache, telling)]
         source = _written(source_text, work / f"{name}.cpp")
         with telling(f"compiling {name}"):
             _compile(toolchain.compile_command(source, work / name, mpi, objects), toolchain, work)
@@ -108,7 +109,7 @@ def _program_object(
         with progress("compiling adagen_program"):
             _compile(command, toolchain, work)
 
-    key = _key((program.text, name, *program.options), toolchain, mpi)
+    key = _key([program.text, name, *program.options], toolchain, mpi)
     return _entry(cache, key, name, compile_it)
 
 
@@ -165,7 +166,7 @@ def _move_into_place(work: Path, final: Path, file: Path) -> None:
             raise EnvironmentFault(f"cannot keep {file}: {error.strerror}") from None
 
 
-def _key(texts: tuple[str, ...], toolchain: Toolchain, mpi: bool) -> str:
+def _key(texts: Sequence[str], toolchain: Toolchain, mpi: bool) -> str:
     """Return the SHA-256, in hexadecimal, of everything that decides on what is made of texts."""
     compiler = toolchain.compiler(mpi)
     parts = (

@@ -74,6 +74,7 @@ RARE = frozenset(
         "--tune",
         "--tuned",
         "--channel",
+        "--single-file",
     ]
 )
 """What most users never say: --help-all shows it."""
