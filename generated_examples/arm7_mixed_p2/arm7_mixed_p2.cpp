@@ -3460,7 +3460,7 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Ar
   Column kept = shuffled<0, 1, 2, 4, 5, 6, 3, 7>(e, e);
   kept[6] = u, kept[7] = inverse;
   std::memcpy(memory.e, &kept, sizeof kept);
-  due = {U, inverse, std::sqrt(inverse)};
+  due = {U, inverse, std::sqrt(D) * inverse};  // the root need not wait for the division
   X.force += U * u;
 }
 
