@@ -78,7 +78,7 @@ def build_executable(
         with telling(f"compiling {name}"):
             _compile(toolchain.compile_command(source, work / name, mpi, objects), toolchain, work)
 
-    return _entry(cache, _key(texts, toolchain, mpi), name, compile_and_link)
+    return _entry(cache, _key(texts, toolchain, mpi), name, compile_and_link, os.X_OK)
 
 
 @dataclass(frozen=True)
@@ -113,11 +113,13 @@ def _program_object(
     return _entry(cache, key, name, compile_it)
 
 
-def _entry(cache: Path, key: str, name: str, make: Callable[[Path], None]) -> Path:
-    """Return a file of the cache, made now in a folder of its own where it is not there."""
+def _entry(
+    cache: Path, key: str, name: str, make: Callable[[Path], None], access: int = os.R_OK
+) -> Path:
+    """Return a file of the cache, made now in a folder of its own where none can be accessed so."""
     final = cache / key
     file = final / name
-    if os.access(file, os.R_OK):
+    if os.access(file, access):
         with suppress(OSError):
             os.utime(final)  # what was used last is kept longest
         return file
@@ -131,7 +133,7 @@ def _entry(cache: Path, key: str, name: str, make: Callable[[Path], None]) -> Pa
         ) from None
     try:
         make(work)
-        _move_into_place(work, final, file)
+        _move_into_place(work, final, file, access)
     finally:
         shutil.rmtree(work, ignore_errors=True)
     _drop_unused(cache)
@@ -152,12 +154,12 @@ def _compile(command: list[str], toolchain: Toolchain, work: Path) -> None:
         raise EnvironmentFault(_why(done, work))
 
 
-def _move_into_place(work: Path, final: Path, file: Path) -> None:
+def _move_into_place(work: Path, final: Path, file: Path, access: int) -> None:
     work.chmod(0o755)  # mkdtemp makes it private
     try:
         work.rename(final)
     except OSError as error:
-        if os.access(file, os.R_OK):
+        if os.access(file, access):
             return  # somebody else built the same thing meanwhile
         shutil.rmtree(final, ignore_errors=True)  # a damaged entry
         try:

@@ -258,7 +258,7 @@ def _common(one: Sequence[str], other: Sequence[str]) -> int:
 
 
 def _one_beyond_other(one: int, other: int, last: Sequence[int]) -> bool:
-    return other <= one <= last[other] or one <= other <= last[one]
+    return _beyond(one, other, last) or _beyond(other, one, last)
 
 
 def _beyond(joint: int, other: int, last: Sequence[int]) -> bool:
