@@ -267,12 +267,17 @@ def human_figure() -> Model:
     return assemble("human_figure", parts, floating=True)
 
 
-def three_axis_chain(balls: int) -> Model:
-    """Return rods on ball joints, each three revolute joints through two massless links."""
+POINT = Inertia(0.1, np.zeros(3), np.zeros((3, 3)))
+"""A point mass on the joint's axes: no inertia about them."""
+
+
+def three_axis_chain(balls: int, between: Inertia | None = None) -> Model:
+    """Return rods on ball joints, each three revolute joints through two links of no inertia."""
+    none = Inertia.zero() if between is None else between
     step, parts = vector(0.3, 0.0, 0.0), list[Part]()
     for i in range(balls):
         for k, axis in enumerate("xyz"):
-            body = rod(1.0, step) if k == 2 else Inertia.zero()
+            body = rod(1.0, step) if k == 2 else none
             above = parts[-1].name if parts else None
             place = step if k == 0 and parts else np.zeros(3)
             name = f"b{i:02d}{axis}"

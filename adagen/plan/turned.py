@@ -1,18 +1,23 @@
 """Which joints loops eliminate in their own axes instead of those of the base.
 
 In axes of the base D = s^T A s is known to a unit in the last place of A: log10(tr A / D) digits
-are lost. A few configurations show tr A; at the least D is what the bare link has about the axis,
-however the joints beyond turn: nothing for a link without inertia (in a wrist of three axes, which
-loses the more the nearer it is to gimbal lock). Where tr A exceeds that by more than may be lost,
-the joint is eliminated in its own axes, in which D is an entry of the inertia and nothing is left
-along the axis; and so are the joints beyond that may come to lie along it, up to the first link
-that is solid beside what hangs on it. Where processes are joined, links that are joined bare and
-those at the ends of runs joined as one are told in their own axes, too.
+are lost. Where that is more than may be lost, the joint is eliminated in its own axes, in which D
+is an entry of the inertia and nothing is left along the axis; and so are the joints beyond that may
+come to lie along it, up to the first link that is solid beside what hangs on it.
+
+A few configurations show tr A / D as it usually is: joints that lose too much by it (slender
+spinning tools) are always turned. At the least D is what the bare link has about the axis, however
+the joints beyond turn: nothing for a point mass on the axis (in a wrist of three axes, which loses
+the more the nearer it is to gimbal lock). Joints that may lose too much by that are turned only in
+poses in which they do: emitted loops look at D, and repeat the sweep of their run in their own
+axes. Always turned are those of links without mass, as ball joints of three axes have them, and all
+that may lose too much where runs are joined as one; and, where processes are joined, links that are
+joined bare and those at the ends of runs joined as one are told in their own axes.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Set
+from collections.abc import Iterable, Sequence, Set
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -23,14 +28,16 @@ from numpy.typing import NDArray
 from adagen.model.kinds import KINDS
 from adagen.plan.digits import generic_configuration
 from adagen.plan.placement import motion_transform, placement
-from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Articulate, FusedJoin, LinkBias
 from adagen.plan.types import FACTORS, Plan, PlanJoint, PlanLink
 
 Array = NDArray[np.float64]
 MOST = {"double": 2.0**18, "float": 2.0**10}
 """What tr A / D may be at most in axes of the base: 3e-11, or 6e-5, of D is lost then."""
+ENOUGH = {"double": 2.0**8, "float": 2.0**6}
+"""Beyond which tr A / D loops repeat a sweep that may come to lose more than that (kEnough)."""
 SEEDS = (1, 2, 3)
+SMALLEST = np.finfo(np.float64).tiny
 
 
 @dataclass(frozen=True)
@@ -40,28 +47,57 @@ class Side:
     Attributes:
         most: trace of their articulated inertia, of its rotational part (kg m^2) or its mass (kg).
         least: what the nearest link alone has along the axis, with the rotor.
+        usual: median of trace / D of a few configurations.
     """
 
     most: float
     least: float
+    usual: float
 
 
-def turned_joints(plan: Plan) -> frozenset[int]:
+@dataclass(frozen=True)
+class Turned:
+    """Joints that are eliminated in their own axes.
+
+    Attributes:
+        always: in all poses.
+        if_lost: others, where axes of the base lose digits.
+    """
+
+    always: frozenset[int]
+    if_lost: frozenset[int]
+
+
+def turned_joints(plan: Plan) -> Turned:
     """Return the joints of a plan of form segment that are eliminated in their own axes."""
-    steps = {
-        (step.joint, step.reversed)
-        for process in plan.processes
-        for step in (*process.steps, *process.recovery)
-        if isinstance(step, Articulate)
+    steps = _articulated(plan)
+    most, enough = MOST[FACTORS[plan.scalar]], ENOUGH[FACTORS[plan.scalar]]
+    sides = _sides(plan.joints, plan.links)
+    seen = {step: sides[step] for step in steps if step in sides}
+    worst = {step for step, side in seen.items() if side.most > most * side.least}
+    usual = {
+        step for step, side in seen.items() if side.usual > (enough if step in worst else most)
     }
+    fused = any(isinstance(step, FusedJoin) for p in plan.processes for step in p.steps)
+    for j, backwards in worst:  # mobilities of fused runs take away most of what is handed to them
+        far = plan.joints[j].parent if backwards else j + 1
+        if fused or not plan.links[far].mass:
+            usual.add((j, backwards))
+    always = _with_joints_beyond(plan, steps, usual) | _told_at_cuts(plan, {j for j, _ in steps})
+    return Turned(always, _with_joints_beyond(plan, steps, worst) - always)
+
+
+def _with_joints_beyond(
+    plan: Plan, steps: Iterable[tuple[int, bool]], losing: Set[tuple[int, bool]]
+) -> frozenset[int]:
+    """The joints that lose digits, and those beyond them that may come to lie along their axes."""
     most = MOST[FACTORS[plan.scalar]]
     sides = _sides(plan.joints, plan.links)
     beyond: dict[int, list[tuple[int, bool]]] = {}  # by the link that feels a joint
     for j, backwards in steps:
-        near = j + 1 if backwards else plan.joints[j].parent
-        beyond.setdefault(near, []).append((j, backwards))
+        beyond.setdefault(_near(plan, j, backwards), []).append((j, backwards))
     found: set[int] = set()
-    todo = [step for step in sorted(steps) if _loses(sides, step, most)]
+    todo = sorted(losing)
     seen = set(todo)
     while todo:
         j, backwards = todo.pop()
@@ -73,7 +109,7 @@ def turned_joints(plan: Plan) -> frozenset[int]:
         new = [step for step in beyond.get(far, ()) if step not in seen]
         seen.update(new)
         todo += new
-    return frozenset(found | _told_at_cuts(plan, {j for j, _ in steps}))
+    return frozenset(found)
 
 
 def _told_at_cuts(plan: Plan, articulated: Set[int]) -> set[int]:
@@ -93,25 +129,70 @@ def _told_at_cuts(plan: Plan, articulated: Set[int]) -> set[int]:
     return {j for j in found if j not in articulated or plan.joints[j].kind in one}
 
 
-def turned_in_loops(plan: Plan, all_limbs: Iterable[Limbs]) -> frozenset[int]:
-    """Return the same where joints of limbs in one row, one in each SIMD lane, are treated alike.
+def turned_in_units(
+    plan: Plan, rows: Iterable[Sequence[int]], units: Iterable[frozenset[int]]
+) -> Turned:
+    """Return the same for joints that loops sweep together.
 
-    Rows among prescribed joints stay in axes of the base.
+    What a unit hands to another one is told in axes of the base unless the joints at both ends are
+    always turned: so they are where the one beyond may come to lie along an axis that loses.
+
+    Args:
+        plan: the plan.
+        rows: joints that are treated alike, one in each SIMD lane. Rows that hold a joint of
+            prescribed motion stay in axes of the base, as do the rows beside them.
+        units: the joints of each run, and of limbs side by side, that is swept at once.
     """
-    found = set(turned_joints(plan))
-    for limbs in all_limbs:
-        held = any(plan.joints[j].prescribed for j in limbs.members())
-        for row in limbs.rows:
-            if held:
-                found.difference_update(row)
-            elif found.intersection(row):
-                found.update(row)
-    return frozenset(found)
+    found = turned_joints(plan)
+    always, if_lost = set(found.always), set(found.if_lost)
+    swept = list(units)
+    held = {j for unit in swept if any(plan.joints[j].prescribed for j in unit) for j in unit}
+    alike = [set(row) for row in rows]
+    if if_lost:
+        pairs = _pairs(plan, always | if_lost)
+        apart = [pair for pair in pairs if not any(unit.issuperset(pair) for unit in swept)]
+        always.update(*apart)
+        while new := {c for j, c in pairs if j in always and c not in always}:
+            always |= new
+    for row in alike:
+        for joints in (always, if_lost):
+            if row & held:
+                joints -= row
+            elif row & joints:
+                joints |= row
+    return Turned(frozenset(always), frozenset(if_lost - always))
 
 
-def _loses(sides: dict[tuple[int, bool], Side], step: tuple[int, bool], most: float) -> bool:
-    side = sides.get(step)
-    return side is not None and side.most > most * side.least
+def _pairs(plan: Plan, joints: Set[int]) -> list[tuple[int, int]]:
+    """Joints and those beyond them, of some joints, that may come to lie along their axes."""
+    most = MOST[FACTORS[plan.scalar]]
+    sides = _sides(plan.joints, plan.links)
+    steps = _articulated(plan)
+    found = []
+    for j, backwards in steps:
+        far = plan.joints[j].parent if backwards else j + 1
+        if j not in joints or far == 0:
+            continue
+        if _is_solid(plan.links[far], sides.get((j, backwards)), most):
+            continue
+        found += [(j, c) for c, other in steps if c in joints and _near(plan, c, other) == far]
+    return found
+
+
+def _articulated(plan: Plan) -> list[tuple[int, bool]]:
+    """Joints that are eliminated, and whether backwards."""
+    return sorted(
+        {
+            (step.joint, step.reversed)
+            for process in plan.processes
+            for step in (*process.steps, *process.recovery)
+            if isinstance(step, Articulate)
+        }
+    )
+
+
+def _near(plan: Plan, joint: int, backwards: bool) -> int:
+    return joint + 1 if backwards else plan.joints[joint].parent
 
 
 def _is_solid(link: PlanLink, side: Side | None, most: float) -> bool:
@@ -135,13 +216,14 @@ def _sides(
         if joints[j].prescribed:
             return inertia
         rotor = joints[j].rotor_inertia
+        u = inertia[:, :, free]
+        d = inertia[:, free][:, :, free] + rotor * np.eye(len(free))
         if kind.nv == 1:
             half = slice(0, 3) if free[0] < 3 else slice(3, 6)
             trace = np.trace(inertia[:, half, half], axis1=1, axis2=2) + rotor
             least = float(own[:, free[0], free[0]].min()) + rotor
-            found[j, backwards] = Side(float(trace.max()), least)
-        u = inertia[:, :, free]
-        d = inertia[:, free][:, :, free] + rotor * np.eye(len(free))
+            usual = trace / np.maximum(d[:, 0, 0], SMALLEST)
+            found[j, backwards] = Side(float(trace.max()), least, float(np.median(usual)))
         return inertia - u @ np.linalg.pinv(d, hermitian=True) @ u.transpose(0, 2, 1)
 
     handed: list[Any] = [None] * len(joints)

@@ -23,7 +23,6 @@ from adagen.plan.steps import (
     StartLink,
     Step,
 )
-from adagen.plan.turned import turned_in_loops
 from adagen.plan.types import Plan, Process
 from adagen.program.names import PASSING
 from adagen.program.runs import (
@@ -37,6 +36,7 @@ from adagen.program.runs import (
 )
 from adagen.program.segments import split
 from adagen.program.slots import Slots
+from adagen.program.turned import turned_in_loops
 from adagen.program.types import Block, Links, Method, Operation
 from adagen.schedule.costs import StepCosts
 
@@ -68,7 +68,7 @@ class Loops:
         self.joints = plan.joints
         self.placed = placed_links(plan)
         starts = {s.link for s in process.steps if isinstance(s, StartLink)}
-        self.turned = turned_in_loops(plan, slots.numbers)
+        self.turned = turned_in_loops(plan, slots.limbs).always
         self.own = starts - self.placed  # links whose own inertia the sweep adds as it passes them
         self.named = mentions(plan, process)
         self.holding: set[int] = set()  # links at which an inertia has been left

@@ -29,6 +29,10 @@ class Run:
         """How many joints it has."""
         return self.last - self.first + 1
 
+    def joints(self) -> range:
+        """Its joints, outwards."""
+        return range(self.first, self.last + 1)
+
 
 def runs(joints: Sequence[PlanJoint], order: Iterable[int]) -> list[Run]:
     """Return the runs of joints passed outwards in an order."""

@@ -1357,9 +1357,11 @@ constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
 constexpr bool kReordered = false;  // whether joints lie in another order than they have
 constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29 };
 constexpr bool kByColumns = false;  // whether runs are taken by columns
-// Joints that are eliminated in their own axes, and whether there are such.
+// Joints that are eliminated in their own axes; others that are where those of the base lose digits.
 constexpr bool kAnyTurned = false;
 constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
+constexpr bool kAnyTurnedIfLost = false;
+constexpr bool kTurnedIfLost[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
 // Whether sweeps are done again for other forces on links than their motion takes.
 constexpr bool kPassesFree = false;  // whether mobilities pass floating joints
 constexpr bool kAgain = kRefine > 0 || kSlavedCount > 0;
@@ -1511,6 +1513,7 @@ struct Frame {
 
 struct Workspace : State, Cuts {
   int status = kFine;
+  bool lost = false;   // whether a sweep in axes of the base found too few digits left
   bool again = false;  // whether links feel the forces in their blocks, and no motion's
   alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
   std::array<Block, kBlockCount> blocks{};
@@ -1658,6 +1661,10 @@ inline void give(Workspace& w, int first, int count) {
 // D beside the trace of what it is found in: less than this is rounding and nothing else.
 constexpr Real kLeast = 16 * std::numeric_limits<Real>::epsilon();
 
+// Less than this calls for the joint's own axes, where there is a way to take them: a sweep in axes
+// of the base loses as many digits as D is smaller than the trace.
+constexpr Real kEnough = kAnyTurnedIfLost ? Real(sizeof(Real) == 8 ? 0x1p-8 : 0x1p-6) : kLeast;
+
 ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
@@ -1718,6 +1725,25 @@ ADAGEN_COLD void fail_one(Workspace& w, const Joints<T>& joints, [[maybe_unused]
   if constexpr (kWidth < T >> 1)
     while (lane + 1 < kWidth<T> && x[lane] > 0) ++lane;
   fail(w, kFactorization, joints.joint[lane]);
+}
+
+// D is less than enough beside the trace of what it is found in, for one of the joints at least:
+// its sweep is repeated in other axes, or fails where that is no way and nothing but rounding is
+// left.
+template <class T>
+ADAGEN_COLD void lose(Workspace& w, const Joints<T>& joints, const T& D, const T& trace) {
+  for (std::size_t lane = 0; lane < kWidth<T>; ++lane) {
+    Value own = Value{}, whole = Value{};
+    if constexpr (kWidth<T> == 1)
+      own = D, whole = trace;
+    else
+      own = D[lane], whole = trace[lane];
+    const int j = joints.joint[lane];
+    if (kAnyTurnedIfLost && kTurnedIfLost[j])
+      w.lost |= !all_positive(own - kEnough * whole);
+    else if (!all_positive(own - kLeast * whole))
+      fail(w, kFactorization, j);
+  }
 }
 
 // Loops over rows of joints: a run's joints, or those of limbs side by side, of one kind each.
@@ -2210,13 +2236,15 @@ ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Bo
 
 // Inwards in the links' own axes, where axes of the base would cost digits: S is a coordinate axis
 // there, D an entry of the body, and what is left along S exactly zero. Links beyond joints of
-// kTurned have their bodies told so, each about its own origin as all are.
-ADAGEN_INLINE constexpr bool turned(int j) { return kAnyTurned && kTurned[j]; }
-ADAGEN_INLINE constexpr bool turned_link(int link) { return link > 0 && turned(link - 1); }
-constexpr bool any_turned(int first, int last) {
-  for (int j = first; j <= last; ++j)
-    if (turned(j)) return true;
-  return false;
+// kTurned have their bodies told so, each about its own origin as all are. Joints of kTurnedIfLost
+// are so only where a sweep found too few digits left and is repeated: lost is true then.
+template <bool lost = false>
+ADAGEN_INLINE constexpr bool turned(int j) {
+  return (kAnyTurned && kTurned[j]) || (lost && kTurnedIfLost[j]);
+}
+template <bool lost = false>
+ADAGEN_INLINE constexpr bool turned_link(int link) {
+  return link > 0 && turned<lost>(link - 1);
 }
 
 // R M R^T.
@@ -2403,8 +2431,8 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
   if constexpr (kPrescribedAbreast && kWidth < T >> 1)
     u += each(joints, [&w](const JointConstants& joint) { return prescribed(w, joint); });
   const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
-  const T left = D - kLeast * (whole.xx + whole.yy + whole.zz);
-  if (__builtin_expect(!all_positive(left), 0)) fail_one(w, joints, left);
+  const T trace = whole.xx + whole.yy + whole.zz;
+  if (__builtin_expect(!all_positive(D - kEnough * trace), 0)) lose(w, joints, D, trace);
   if constexpr (!reversed) {
     shift(X, r);
     n += cross(r, f);
@@ -2505,19 +2533,25 @@ ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind 
 }
 
 // Adds a bare link in the axes in which what is found at it is told.
+template <bool lost = false>
 ADAGEN_INLINE void add_link(Workspace& w, int link, Body<Value>& X) {
-  if (turned_link(link))
+  if (turned_link<lost>(link))
     add_own_link(w, single(link - 1), X);
   else
     add_bare_link(w, single(link - 1), X);
 }
 
 // Adds to a body what the sweep finds at a link.
-template <int p>
+template <int p, bool lost = false>
 ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
   const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
-  if (role.gathers) X += w.bodies[static_cast<std::size_t>(link)];
-  if (role.adds_own) add_link(w, link, X);
+  if (role.gathers) {
+    Body<Value> gathered = w.bodies[static_cast<std::size_t>(link)];
+    if (lost && turned_link<true>(link) && !turned_link(link))
+      turn_body(gathered, transposed(matrix_at(w.of(link - 1, kAxes))));
+    X += gathered;
+  }
+  if (role.adds_own) add_link<lost>(w, link, X);
 }
 
 // What is found at a link, in axes of the base.
@@ -2555,6 +2589,15 @@ constexpr bool bare(int first, int last) {
   return true;
 }
 
+// Whether a sweep of joints first .. last may lose digits and be repeated in their own axes.
+constexpr bool may_lose(int first, int last) {
+  for (int j = first; j <= last; ++j)
+    if (kAnyTurnedIfLost && kTurnedIfLost[j]) return true;
+  return false;
+}
+template <int p, int first, int last, bool starts, bool reversed>
+void inward_again(Workspace& w);
+
 // Process p takes joints last .. first inwards, each on the link of the one before.
 template <int p, int first, int last, bool starts>
 void inward(Workspace& w) {
@@ -2569,6 +2612,8 @@ void inward(Workspace& w) {
       if (quick && j > first) add_bare_link(w, single(j - 1), near);
     });
   });
+  if constexpr (may_lose(first, last))
+    if (__builtin_expect(w.lost, 0)) return inward_again<p, first, last, starts, false>(w);
   constexpr int near = kJoints[first].parent;
   if constexpr (near > 0) leave<starts>(w, near, X);
 }
@@ -2606,6 +2651,8 @@ void inward_reversed(Workspace& w) {
       if (quick && j < last) add_bare_link(w, single(j), near);
     });
   });
+  if constexpr (may_lose(first, last))
+    if (__builtin_expect(w.lost, 0)) return inward_again<p, first, last, starts, true>(w);
   leave<starts>(w, last + 1, X);
 }
 

@@ -1021,9 +1021,11 @@ constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
 constexpr bool kReordered = true;  // whether joints lie in another order than they have
 constexpr int kSlots[kJointCount]{ 24, 0, 4, 8, 12, 16, 20, 1, 5, 9, 13, 17, 21, 25, 26, 27, 2, 6, 10, 14, 18, 22, 28, 29, 3, 7, 11, 15, 19, 23 };
 constexpr bool kByColumns = true;  // whether runs are taken by columns
-// Joints that are eliminated in their own axes, and whether there are such.
+// Joints that are eliminated in their own axes; others that are where those of the base lose digits.
 constexpr bool kAnyTurned = false;
 constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
+constexpr bool kAnyTurnedIfLost = false;
+constexpr bool kTurnedIfLost[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
 // Whether sweeps are done again for other forces on links than their motion takes.
 constexpr bool kPassesFree = false;  // whether mobilities pass floating joints
 constexpr bool kAgain = kRefine > 0 || kSlavedCount > 0;
@@ -1175,6 +1177,7 @@ struct Frame {
 
 struct Workspace : State, Cuts {
   int status = kFine;
+  bool lost = false;   // whether a sweep in axes of the base found too few digits left
   bool again = false;  // whether links feel the forces in their blocks, and no motion's
   alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
   std::array<Block, kBlockCount> blocks{};
@@ -1322,6 +1325,10 @@ inline void give(Workspace& w, int first, int count) {
 // D beside the trace of what it is found in: less than this is rounding and nothing else.
 constexpr Real kLeast = 16 * std::numeric_limits<Real>::epsilon();
 
+// Less than this calls for the joint's own axes, where there is a way to take them: a sweep in axes
+// of the base loses as many digits as D is smaller than the trace.
+constexpr Real kEnough = kAnyTurnedIfLost ? Real(sizeof(Real) == 8 ? 0x1p-8 : 0x1p-6) : kLeast;
+
 ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
@@ -1382,6 +1389,25 @@ ADAGEN_COLD void fail_one(Workspace& w, const Joints<T>& joints, [[maybe_unused]
   if constexpr (kWidth < T >> 1)
     while (lane + 1 < kWidth<T> && x[lane] > 0) ++lane;
   fail(w, kFactorization, joints.joint[lane]);
+}
+
+// D is less than enough beside the trace of what it is found in, for one of the joints at least:
+// its sweep is repeated in other axes, or fails where that is no way and nothing but rounding is
+// left.
+template <class T>
+ADAGEN_COLD void lose(Workspace& w, const Joints<T>& joints, const T& D, const T& trace) {
+  for (std::size_t lane = 0; lane < kWidth<T>; ++lane) {
+    Value own = Value{}, whole = Value{};
+    if constexpr (kWidth<T> == 1)
+      own = D, whole = trace;
+    else
+      own = D[lane], whole = trace[lane];
+    const int j = joints.joint[lane];
+    if (kAnyTurnedIfLost && kTurnedIfLost[j])
+      w.lost |= !all_positive(own - kEnough * whole);
+    else if (!all_positive(own - kLeast * whole))
+      fail(w, kFactorization, j);
+  }
 }
 
 // Loops over rows of joints: a run's joints, or those of limbs side by side, of one kind each.
@@ -1874,13 +1900,15 @@ ADAGEN_INLINE void eliminate_rotations(Workspace& w, const Joints<T>& joints, Bo
 
 // Inwards in the links' own axes, where axes of the base would cost digits: S is a coordinate axis
 // there, D an entry of the body, and what is left along S exactly zero. Links beyond joints of
-// kTurned have their bodies told so, each about its own origin as all are.
-ADAGEN_INLINE constexpr bool turned(int j) { return kAnyTurned && kTurned[j]; }
-ADAGEN_INLINE constexpr bool turned_link(int link) { return link > 0 && turned(link - 1); }
-constexpr bool any_turned(int first, int last) {
-  for (int j = first; j <= last; ++j)
-    if (turned(j)) return true;
-  return false;
+// kTurned have their bodies told so, each about its own origin as all are. Joints of kTurnedIfLost
+// are so only where a sweep found too few digits left and is repeated: lost is true then.
+template <bool lost = false>
+ADAGEN_INLINE constexpr bool turned(int j) {
+  return (kAnyTurned && kTurned[j]) || (lost && kTurnedIfLost[j]);
+}
+template <bool lost = false>
+ADAGEN_INLINE constexpr bool turned_link(int link) {
+  return link > 0 && turned<lost>(link - 1);
 }
 
 // R M R^T.
@@ -2067,8 +2095,8 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
   if constexpr (kPrescribedAbreast && kWidth < T >> 1)
     u += each(joints, [&w](const JointConstants& joint) { return prescribed(w, joint); });
   const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
-  const T left = D - kLeast * (whole.xx + whole.yy + whole.zz);
-  if (__builtin_expect(!all_positive(left), 0)) fail_one(w, joints, left);
+  const T trace = whole.xx + whole.yy + whole.zz;
+  if (__builtin_expect(!all_positive(D - kEnough * trace), 0)) lose(w, joints, D, trace);
   if constexpr (!reversed) {
     shift(X, r);
     n += cross(r, f);
@@ -2169,19 +2197,25 @@ ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind 
 }
 
 // Adds a bare link in the axes in which what is found at it is told.
+template <bool lost = false>
 ADAGEN_INLINE void add_link(Workspace& w, int link, Body<Value>& X) {
-  if (turned_link(link))
+  if (turned_link<lost>(link))
     add_own_link(w, single(link - 1), X);
   else
     add_bare_link(w, single(link - 1), X);
 }
 
 // Adds to a body what the sweep finds at a link.
-template <int p>
+template <int p, bool lost = false>
 ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
   const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
-  if (role.gathers) X += w.bodies[static_cast<std::size_t>(link)];
-  if (role.adds_own) add_link(w, link, X);
+  if (role.gathers) {
+    Body<Value> gathered = w.bodies[static_cast<std::size_t>(link)];
+    if (lost && turned_link<true>(link) && !turned_link(link))
+      turn_body(gathered, transposed(matrix_at(w.of(link - 1, kAxes))));
+    X += gathered;
+  }
+  if (role.adds_own) add_link<lost>(w, link, X);
 }
 
 // What is found at a link, in axes of the base.
@@ -2219,6 +2253,15 @@ constexpr bool bare(int first, int last) {
   return true;
 }
 
+// Whether a sweep of joints first .. last may lose digits and be repeated in their own axes.
+constexpr bool may_lose(int first, int last) {
+  for (int j = first; j <= last; ++j)
+    if (kAnyTurnedIfLost && kTurnedIfLost[j]) return true;
+  return false;
+}
+template <int p, int first, int last, bool starts, bool reversed>
+void inward_again(Workspace& w);
+
 // Process p takes joints last .. first inwards, each on the link of the one before.
 template <int p, int first, int last, bool starts>
 void inward(Workspace& w) {
@@ -2233,6 +2276,8 @@ void inward(Workspace& w) {
       if (quick && j > first) add_bare_link(w, single(j - 1), near);
     });
   });
+  if constexpr (may_lose(first, last))
+    if (__builtin_expect(w.lost, 0)) return inward_again<p, first, last, starts, false>(w);
   constexpr int near = kJoints[first].parent;
   if constexpr (near > 0) leave<starts>(w, near, X);
 }
@@ -2270,6 +2315,8 @@ void inward_reversed(Workspace& w) {
       if (quick && j < last) add_bare_link(w, single(j), near);
     });
   });
+  if constexpr (may_lose(first, last))
+    if (__builtin_expect(w.lost, 0)) return inward_again<p, first, last, starts, true>(w);
   leave<starts>(w, last + 1, X);
 }
 
@@ -2557,8 +2604,8 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Ar
   const Real tau = torque(w, joint);
   const Real u = ((reversed ? -tau : tau) - component<along>(s, X.force)) * inverse;
   constexpr int first = along ? 4 : 0;  // D beside the trace tells what digits are left
-  const Real left = D - kLeast * (side[0][first] + side[1][first + 1] + side[2][first + 2]);
-  if (__builtin_expect(!all_positive(left), 0)) fail(w, kFactorization, j);
+  const Real trace = side[0][first] + side[1][first + 1] + side[2][first + 2];
+  if (__builtin_expect(!all_positive(D - kEnough * trace), 0)) lose(w, single(j), D, trace);
   if constexpr (!reversed) {
     shift(X, lever);
     U = carried(lever, U);
@@ -2611,6 +2658,8 @@ void inward_in_columns(Workspace& w) {
     });
   });
   settle(X, due);
+  if constexpr (may_lose(first, last))
+    if (__builtin_expect(w.lost, 0)) return inward_again<p, first, last, starts, false>(w);
   constexpr int near = kJoints[first].parent;
   if constexpr (near > 0) leave<starts>(w, near, body(X));
 }
@@ -2632,6 +2681,8 @@ void inward_in_columns_reversed(Workspace& w) {
     });
   });
   settle(X, due);
+  if constexpr (may_lose(first, last))
+    if (__builtin_expect(w.lost, 0)) return inward_again<p, first, last, starts, true>(w);
   leave<starts>(w, last + 1, body(X));
 }
 
@@ -2870,7 +2921,7 @@ void outward_group(Workspace& w) {
 }
 
 // Adds to bodies what the sweep finds at the links beyond a row of joints.
-template <int p, class T>
+template <int p, bool lost = false, class T>
 ADAGEN_INLINE void meet_group(Workspace& w, const Joints<T>& joints, Body<T>& X) {
   const Body<Value> none{};
   const Body<Value>* sides[kWidth<T>];
@@ -2881,8 +2932,14 @@ ADAGEN_INLINE void meet_group(Workspace& w, const Joints<T>& joints, Body<T>& X)
     any |= gathers;
     sides[lane] = gathers ? &w.bodies[link] : &none;
   }
-  if (any) X += side_by_side<T, Body>(sides);
-  if (turned(joints.joint[0]))
+  const int first = joints.joint[0];
+  if (any) {
+    Body<T> gathered = side_by_side<T, Body>(sides);
+    if (lost && turned<true>(first) && !turned(first))
+      turn_body(gathered, transposed(matrix_at<T>(w.at(joints.slot, kAxes))));
+    X += gathered;
+  }
+  if (turned<lost>(first))
     add_own_link(w, joints, X);
   else
     add_bare_link(w, joints, X);
@@ -2896,6 +2953,16 @@ constexpr bool bare_rows(const L& limbs) {
       if (kRoles[p][static_cast<std::size_t>(joint + 1)].gathers) return false;
   return true;
 }
+
+// The same of a sweep of limbs.
+template <class L>
+constexpr bool may_lose(const L& limbs) {
+  for (int k = 0; k < L::kRows; ++k)
+    if (kAnyTurnedIfLost && kTurnedIfLost[limbs.at(k).joint[0]]) return true;
+  return false;
+}
+template <int p, const auto& limbs, class T>
+void inward_group_again(Workspace& w, Body<T>& X);
 
 // What hangs on the links that the limbs hang on.
 template <int p, const auto& limbs>
@@ -2911,6 +2978,8 @@ auto inward_group(Workspace& w) {
       if (quick && k > 0) add_bare_link(w, limbs.at(k - 1), near);
     });
   });
+  if constexpr (may_lose(limbs))
+    if (__builtin_expect(w.lost, 0)) inward_group_again<p, limbs>(w, X);
   return X;
 }
 

@@ -1,8 +1,10 @@
 """Loops at and near gimbal lock of links without inertia: right to the last places, or refused.
 
-Three revolute joints through two massless links have, at an angle from gimbal lock, the inertia
-D = I sin(angle)^2 about the outermost axis. Eliminated in the joints' own axes D keeps all its
-digits; where it is less than rounding, there is no answer, and none may be given.
+Three revolute joints through two links of no inertia have, at an angle from gimbal lock, the
+inertia D = I sin(angle)^2 about the outermost axis. Eliminated in the joints' own axes D keeps all its
+digits; where it is less than rounding, there is no answer, and none may be given. Joints of links
+without mass are always eliminated so, those of point masses where a sweep in axes of the base
+finds too few digits left, and is repeated.
 """
 
 from __future__ import annotations
@@ -19,20 +21,21 @@ from adagen.model.kinds import FLOATING, REVOLUTE
 from adagen.states import States, random_states, write_states
 from adagen.studies.stability import robots
 from tests.emitted import QUICK, ROUNDING, Builder, plan_of, text_of
-from tests.models import AXES, Part, assemble, rod, three_axis_chain, vector
+from tests.models import AXES, POINT, Part, assemble, rod, three_axis_chain, vector
 
 NEAR = (1e-3, 1e-5, 1e-7)
 AT = (1e-9, 0.0)
 
 
-def two_arms() -> Model:
-    """Return a floating body with two arms of two three-axis wrists each."""
+def two_arms(between: Inertia | None = None) -> Model:
+    """Return a floating body with two arms of two wrists each, of three axes and two links."""
+    none = Inertia.zero() if between is None else between
     parts = [Part("body", None, FLOATING, rod(5.0, vector(0.0, 0.0, 0.4), 0.2))]
     for side, y in (("left", 0.3), ("right", -0.3)):
         above = "body"
         for i in range(2):
             for k, axis in enumerate("xyz"):
-                body = rod(1.0, vector(0.3, 0.0, 0.0)) if k == 2 else Inertia.zero()
+                body = rod(1.0, vector(0.3, 0.0, 0.0)) if k == 2 else none
                 place = (0.0, y, 0.2) if i == k == 0 else (0.3 * (k == 0), 0.0, 0.0)
                 name = f"{side}{i}{axis}"
                 axes = vector(*AXES[axis])
@@ -53,8 +56,12 @@ CASES: dict[str, tuple[Callable[[], Model], int, int, str]] = {
     "first ball": (lambda: three_axis_chain(2), 1, 1, "inward_turned<"),
     "last ball": (lambda: three_axis_chain(2), 4, 1, "inward_turned<"),
     "slender rods": (lambda: robots.three_axis(2), 4, 1, "inward_turned<"),
-    "in lanes": (two_arms, 5, 1, "group"),
+    "in lanes": (two_arms, 5, 1, "inward_group_turned<0"),
     "two processes": (two_arms, 5, 2, "inward_turned<"),
+    "first ball, repeated": (lambda: three_axis_chain(2, POINT), 1, 1, "inward_again<"),
+    "last ball, repeated": (lambda: three_axis_chain(2, POINT), 4, 1, "inward_again<"),
+    "in lanes, repeated": (lambda: two_arms(POINT), 5, 1, "inward_group_again<"),
+    "two processes, repeated": (lambda: two_arms(POINT), 5, 2, "inward_again<"),
 }
 
 

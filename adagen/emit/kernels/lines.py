@@ -304,8 +304,11 @@ class KernelLines:
         self.gathers.update(nears)
         verb = "inward_group" + "_turned" * (not self.turned.isdisjoint(limbs.members()))
         sweep = f"{verb}<{self.p}, {self._number(limbs)}>(w);"
+        in_own = self.turned.issuperset(limbs.rows[0])  # as hands_own in groups_turned.hpp tells
+        in_own &= not self.turned.isdisjoint(near - 1 for near in nears)
+        leave = "leave_own" if in_own else "leave"
         left = [
-            f"  leave<{_word(first[k])}>(w, {near}, lane(X, {k + limbs.idle}));"
+            f"  {leave}<{_word(first[k])}>(w, {near}, lane(X, {k + limbs.idle}));"
             for k, near in enumerate(nears)
             if near > 0
         ]

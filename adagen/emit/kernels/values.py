@@ -18,9 +18,9 @@ from adagen.emit.words import Words
 from adagen.plan import Plan
 from adagen.plan.gather import why_not_gather
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.turned import turned_in_loops
 from adagen.plan.types import PlanLink
 from adagen.program.slots import Slots
+from adagen.program.turned import turned_in_loops
 
 RUNTIME = (
     "status.hpp",
@@ -43,15 +43,15 @@ def values(words: Words) -> dict[str, object]:
     cuts = mobility.has_cuts(plan)
     program = words.program
     slots = program.slots
-    turned = turned_in_loops(plan, slots.numbers)
+    turned = turned_in_loops(plan, slots.limbs)
     writers = [
-        KernelLines(words, p, process, own.operations, slots, turned)
+        KernelLines(words, p, process, own.operations, slots, turned.always)
         for p, (process, own) in enumerate(zip(plan.processes, program.processes, strict=True))
     ]
     if any(process.recovery for process in plan.processes):
         again = zip(plan.recovering().processes, program.processes, strict=True)
         writers += [
-            KernelLines(words, p, process, own.recovery, slots, turned)
+            KernelLines(words, p, process, own.recovery, slots, turned.always)
             for p, (process, own) in enumerate(again, start=len(plan.processes))
         ]
     lines = [writer.all_lines() for writer in writers]
@@ -78,8 +78,10 @@ def values(words: Words) -> dict[str, object]:
             {"type": f"Joint_{words.joints[j]}", "id": f"j_{words.joints[j]}", "members": lines}
             for j, lines in mobility.members(words).items()
         ],
-        "turned": bool(turned),
-        "turned_joints": [int(j in turned) for j in range(len(plan.joints))],
+        "turned": bool(turned.always),
+        "turned_joints": [int(j in turned.always) for j in range(len(plan.joints))],
+        "turned_if_lost": bool(turned.if_lost),
+        "turned_if_lost_joints": [int(j in turned.if_lost) for j in range(len(plan.joints))],
         "inertias": [_inertia(words, link) for link in plan.links[1:]],
         "roles": [writer.roles() for writer in writers],
         "steps": lines[: len(plan.processes)],

@@ -77,7 +77,7 @@ void outward_group(Workspace& w) {
 }
 
 // Adds to bodies what the sweep finds at the links beyond a row of joints.
-template <int p, class T>
+template <int p, bool lost = false, class T>
 ADAGEN_INLINE void meet_group(Workspace& w, const Joints<T>& joints, Body<T>& X) {
   const Body<Value> none{};
   const Body<Value>* sides[kWidth<T>];
@@ -88,8 +88,14 @@ ADAGEN_INLINE void meet_group(Workspace& w, const Joints<T>& joints, Body<T>& X)
     any |= gathers;
     sides[lane] = gathers ? &w.bodies[link] : &none;
   }
-  if (any) X += side_by_side<T, Body>(sides);
-  if (turned(joints.joint[0]))
+  const int first = joints.joint[0];
+  if (any) {
+    Body<T> gathered = side_by_side<T, Body>(sides);
+    if (lost && turned<true>(first) && !turned(first))
+      turn_body(gathered, transposed(matrix_at<T>(w.at(joints.slot, kAxes))));
+    X += gathered;
+  }
+  if (turned<lost>(first))
     add_own_link(w, joints, X);
   else
     add_bare_link(w, joints, X);
@@ -103,6 +109,16 @@ constexpr bool bare_rows(const L& limbs) {
       if (kRoles[p][static_cast<std::size_t>(joint + 1)].gathers) return false;
   return true;
 }
+
+// The same of a sweep of limbs.
+template <class L>
+constexpr bool may_lose(const L& limbs) {
+  for (int k = 0; k < L::kRows; ++k)
+    if (kAnyTurnedIfLost && kTurnedIfLost[limbs.at(k).joint[0]]) return true;
+  return false;
+}
+template <int p, const auto& limbs, class T>
+void inward_group_again(Workspace& w, Body<T>& X);
 
 // What hangs on the links that the limbs hang on.
 template <int p, const auto& limbs>
@@ -118,6 +134,8 @@ auto inward_group(Workspace& w) {
       if (quick && k > 0) add_bare_link(w, limbs.at(k - 1), near);
     });
   });
+  if constexpr (may_lose(limbs))
+    if (__builtin_expect(w.lost, 0)) inward_group_again<p, limbs>(w, X);
   return X;
 }
 

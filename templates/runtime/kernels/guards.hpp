@@ -3,6 +3,10 @@
 // D beside the trace of what it is found in: less than this is rounding and nothing else.
 constexpr Real kLeast = 16 * std::numeric_limits<Real>::epsilon();
 
+// Less than this calls for the joint's own axes, where there is a way to take them: a sweep in axes
+// of the base loses as many digits as D is smaller than the trace.
+constexpr Real kEnough = kAnyTurnedIfLost ? Real(sizeof(Real) == 8 ? 0x1p-8 : 0x1p-6) : kLeast;
+
 ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
 }
@@ -63,4 +67,23 @@ ADAGEN_COLD void fail_one(Workspace& w, const Joints<T>& joints, [[maybe_unused]
   if constexpr (kWidth < T >> 1)
     while (lane + 1 < kWidth<T> && x[lane] > 0) ++lane;
   fail(w, kFactorization, joints.joint[lane]);
+}
+
+// D is less than enough beside the trace of what it is found in, for one of the joints at least:
+// its sweep is repeated in other axes, or fails where that is no way and nothing but rounding is
+// left.
+template <class T>
+ADAGEN_COLD void lose(Workspace& w, const Joints<T>& joints, const T& D, const T& trace) {
+  for (std::size_t lane = 0; lane < kWidth<T>; ++lane) {
+    Value own = Value{}, whole = Value{};
+    if constexpr (kWidth<T> == 1)
+      own = D, whole = trace;
+    else
+      own = D[lane], whole = trace[lane];
+    const int j = joints.joint[lane];
+    if (kAnyTurnedIfLost && kTurnedIfLost[j])
+      w.lost |= !all_positive(own - kEnough * whole);
+    else if (!all_positive(own - kLeast * whole))
+      fail(w, kFactorization, j);
+  }
 }

@@ -52,8 +52,8 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
   if constexpr (kPrescribedAbreast && kWidth < T >> 1)
     u += each(joints, [&w](const JointConstants& joint) { return prescribed(w, joint); });
   const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
-  const T left = D - kLeast * (whole.xx + whole.yy + whole.zz);
-  if (__builtin_expect(!all_positive(left), 0)) fail_one(w, joints, left);
+  const T trace = whole.xx + whole.yy + whole.zz;
+  if (__builtin_expect(!all_positive(D - kEnough * trace), 0)) lose(w, joints, D, trace);
   if constexpr (!reversed) {
     shift(X, r);
     n += cross(r, f);
@@ -154,19 +154,25 @@ ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind 
 }
 
 // Adds a bare link in the axes in which what is found at it is told.
+template <bool lost = false>
 ADAGEN_INLINE void add_link(Workspace& w, int link, Body<Value>& X) {
-  if (turned_link(link))
+  if (turned_link<lost>(link))
     add_own_link(w, single(link - 1), X);
   else
     add_bare_link(w, single(link - 1), X);
 }
 
 // Adds to a body what the sweep finds at a link.
-template <int p>
+template <int p, bool lost = false>
 ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
   const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
-  if (role.gathers) X += w.bodies[static_cast<std::size_t>(link)];
-  if (role.adds_own) add_link(w, link, X);
+  if (role.gathers) {
+    Body<Value> gathered = w.bodies[static_cast<std::size_t>(link)];
+    if (lost && turned_link<true>(link) && !turned_link(link))
+      turn_body(gathered, transposed(matrix_at(w.of(link - 1, kAxes))));
+    X += gathered;
+  }
+  if (role.adds_own) add_link<lost>(w, link, X);
 }
 
 // What is found at a link, in axes of the base.
@@ -204,6 +210,15 @@ constexpr bool bare(int first, int last) {
   return true;
 }
 
+// Whether a sweep of joints first .. last may lose digits and be repeated in their own axes.
+constexpr bool may_lose(int first, int last) {
+  for (int j = first; j <= last; ++j)
+    if (kAnyTurnedIfLost && kTurnedIfLost[j]) return true;
+  return false;
+}
+template <int p, int first, int last, bool starts, bool reversed>
+void inward_again(Workspace& w);
+
 // Process p takes joints last .. first inwards, each on the link of the one before.
 template <int p, int first, int last, bool starts>
 void inward(Workspace& w) {
@@ -218,6 +233,8 @@ void inward(Workspace& w) {
       if (quick && j > first) add_bare_link(w, single(j - 1), near);
     });
   });
+  if constexpr (may_lose(first, last))
+    if (__builtin_expect(w.lost, 0)) return inward_again<p, first, last, starts, false>(w);
   constexpr int near = kJoints[first].parent;
   if constexpr (near > 0) leave<starts>(w, near, X);
 }
@@ -255,6 +272,8 @@ void inward_reversed(Workspace& w) {
       if (quick && j < last) add_bare_link(w, single(j), near);
     });
   });
+  if constexpr (may_lose(first, last))
+    if (__builtin_expect(w.lost, 0)) return inward_again<p, first, last, starts, true>(w);
   leave<starts>(w, last + 1, X);
 }
 

@@ -97,8 +97,8 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Ar
   const Real tau = torque(w, joint);
   const Real u = ((reversed ? -tau : tau) - component<along>(s, X.force)) * inverse;
   constexpr int first = along ? 4 : 0;  // D beside the trace tells what digits are left
-  const Real left = D - kLeast * (side[0][first] + side[1][first + 1] + side[2][first + 2]);
-  if (__builtin_expect(!all_positive(left), 0)) fail(w, kFactorization, j);
+  const Real trace = side[0][first] + side[1][first + 1] + side[2][first + 2];
+  if (__builtin_expect(!all_positive(D - kEnough * trace), 0)) lose(w, single(j), D, trace);
   if constexpr (!reversed) {
     shift(X, lever);
     U = carried(lever, U);
@@ -151,6 +151,8 @@ void inward_in_columns(Workspace& w) {
     });
   });
   settle(X, due);
+  if constexpr (may_lose(first, last))
+    if (__builtin_expect(w.lost, 0)) return inward_again<p, first, last, starts, false>(w);
   constexpr int near = kJoints[first].parent;
   if constexpr (near > 0) leave<starts>(w, near, body(X));
 }
@@ -172,5 +174,7 @@ void inward_in_columns_reversed(Workspace& w) {
     });
   });
   settle(X, due);
+  if constexpr (may_lose(first, last))
+    if (__builtin_expect(w.lost, 0)) return inward_again<p, first, last, starts, true>(w);
   leave<starts>(w, last + 1, body(X));
 }

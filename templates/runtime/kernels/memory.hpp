@@ -122,6 +122,7 @@ struct Frame {
 
 struct Workspace : State, Cuts {
   int status = kFine;
+  bool lost = false;   // whether a sweep in axes of the base found too few digits left
   bool again = false;  // whether links feel the forces in their blocks, and no motion's
   alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
   std::array<Block, kBlockCount> blocks{};

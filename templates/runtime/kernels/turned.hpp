@@ -1,12 +1,14 @@
 // Inwards in the links' own axes, where axes of the base would cost digits: S is a coordinate axis
 // there, D an entry of the body, and what is left along S exactly zero. Links beyond joints of
-// kTurned have their bodies told so, each about its own origin as all are.
-ADAGEN_INLINE constexpr bool turned(int j) { return kAnyTurned && kTurned[j]; }
-ADAGEN_INLINE constexpr bool turned_link(int link) { return link > 0 && turned(link - 1); }
-constexpr bool any_turned(int first, int last) {
-  for (int j = first; j <= last; ++j)
-    if (turned(j)) return true;
-  return false;
+// kTurned have their bodies told so, each about its own origin as all are. Joints of kTurnedIfLost
+// are so only where a sweep found too few digits left and is repeated: lost is true then.
+template <bool lost = false>
+ADAGEN_INLINE constexpr bool turned(int j) {
+  return (kAnyTurned && kTurned[j]) || (lost && kTurnedIfLost[j]);
+}
+template <bool lost = false>
+ADAGEN_INLINE constexpr bool turned_link(int link) {
+  return link > 0 && turned<lost>(link - 1);
 }
 
 // R M R^T.

@@ -1,0 +1,32 @@
+"""Which joints the loops of a program sweep in their own axes."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from adagen.executor.lanes import Grouping
+from adagen.plan.order import inward_order
+from adagen.plan.simd_groups import Limbs
+from adagen.plan.steps import Articulate
+from adagen.plan.turned import Turned, turned_in_units
+from adagen.plan.types import Plan
+from adagen.program.runs import units_of_sweep
+
+
+@lru_cache(maxsize=16)  # of one program it is asked for each process, and again to print it
+def turned_in_loops(plan: Plan, limbs: Grouping) -> Turned:
+    """Return the joints of a plan that loops sweep in their own axes.
+
+    Args:
+        plan: a plan of form segment.
+        limbs: those that each process takes side by side.
+    """
+    units: list[frozenset[int]] = []
+    for process, own in zip(plan.processes, limbs, strict=True):
+        for steps, together in ((process.steps, own), (process.recovery, ())):
+            swept = [step for step in steps if isinstance(step, Articulate)]
+            for unit in units_of_sweep(plan.joints, swept, together, inward_order):
+                joints = unit.members() if isinstance(unit, Limbs) else unit.joints()
+                units.append(frozenset(joints))
+    rows = [row for own in limbs for each in own for row in each.rows]
+    return turned_in_units(plan, rows, units)
