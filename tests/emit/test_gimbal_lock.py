@@ -1,9 +1,9 @@
 """Loops at and near gimbal lock of links without inertia: right to the last places, or refused.
 
 Three revolute joints through two links of no inertia have, at an angle from gimbal lock, the
-inertia D = I sin(angle)^2 about the outermost axis. Eliminated in the joints' own axes D keeps all its
-digits; where it is less than rounding, there is no answer, and none may be given. Joints of links
-without mass are always eliminated so, those of point masses where a sweep in axes of the base
+inertia D = I sin(angle)^2 about the outermost axis. Eliminated in the joints' own axes D keeps all
+its digits; where it is less than rounding, there is no answer, and none may be given. Joints of
+links without mass are always eliminated so, those of point masses where a sweep in axes of the base
 finds too few digits left, and is repeated.
 """
 
