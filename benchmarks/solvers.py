@@ -61,7 +61,7 @@ def answers(
         given, found = Path(folder, "states.json"), Path(folder, "result.json")
         write_states(states, model, given)
         words = ["--states", str(given), "--result", str(found)]
-        ran = launch(program, len(plan.processes), words, toolchain, timeout=120)
+        ran = launch(program, plan.launched, words, toolchain, timeout=120)
         if ran.status != 0:
             raise RuntimeError(ran.stderr.strip().removeprefix(f"{given}: "))
         corrections = json.loads(found.read_text(encoding="utf-8")).get("corrections", [])

@@ -114,7 +114,7 @@ struct Hop {
 template <class Number>
 struct Description {
   const char *robot, *channel;
-  int processes, nq, nv, ntau, refine;
+  int processes, threads, nq, nv, ntau, refine;
   bool floating, alone, batch;
   double tolerance;
   const double* gravity;
@@ -291,6 +291,8 @@ constexpr Failure failure_kind(int status) { return static_cast<Failure>(status 
 // Words without memory from the heap; what is too long is cut.
 class Text {
  public:
+  Text() = default;
+  explicit Text(const char* words) { *this += words; }
   Text& operator+=(char c) {
     if (size_ + 1 < sizeof data_) data_[size_++] = c, data_[size_] = '\0';
     return *this;
@@ -305,6 +307,7 @@ class Text {
     return *this += digits;
   }
   const char* c_str() const { return data_; }
+  bool empty() const { return size_ == 0; }
   void clear() { data_[size_ = 0] = '\0'; }
 
  private:
@@ -1591,6 +1594,8 @@ std::string settle(bool simulation_words, Options& options) {
   if (about.batch &&
       (options.simulation.seconds > 0 || !options.trace.empty() || options.stretches))
     return "a batch solver has neither --simulate nor --trace nor --stretches";
+  if (about.threads > 1 && (!options.trace.empty() || options.stretches))
+    return "a solver of threads has neither --trace nor --stretches: emit it for channel window";
   const bool others = options.check || options.time || !options.trace.empty();
   if (options.simulation.seconds > 0) {
     if (others || !options.result.empty())
@@ -2328,11 +2333,12 @@ class Timing {
 
   int time_all() {
     const Cores cores(session_.comm());
-    crowded_ = !cores.enough();
+    crowded_ = !cores.enough() || cores.count() < about.threads;
     cores_ = cores.count();
     if (about.batch) return time_batch(cores);
     session_.use(random_states(kRandomStates, session_.options.seed));
-    if (crowded_ || session_.options.stretches) return time_stretches(cores);
+    if ((crowded_ && about.threads == 1) || session_.options.stretches)
+      return time_stretches(cores);
     session_.pinned = session_.options.pin && cores.pin();
     std::vector<double> in_place, at_root;
     int failed = kFine;
@@ -2442,13 +2448,16 @@ class Timing {
 
   void print(std::FILE* out) const {
     if (evaluations_ == 0) return;
-    std::fprintf(out, "time   %d process%s%s, ns per %s: median, minimum, 99th percentile\n",
-                 about.processes, about.processes == 1 ? "" : "es",
-                 session_.pinned ? ", pinned" : "",
+    const bool threads = about.threads > 1;
+    const int count = threads ? about.threads : about.processes;
+    const char* const what = threads ? "thread" : "process";
+    const char* const many = count == 1 ? "" : threads ? "s" : "es";
+    std::fprintf(out, "time   %d %s%s%s, ns per %s: median, minimum, 99th percentile\n", count,
+                 what, many, session_.pinned ? ", pinned" : "",
                  about.batch ? "state and process" : "evaluation");
     if (crowded_)
-      std::fprintf(out, "       (%d cores for %d processes: a wall time %s)\n", cores_,
-                   about.processes, about.batch ? "says little" : "would mean nothing");
+      std::fprintf(out, "       (%d cores for %d %s%s: a wall time %s)\n", cores_, count, what,
+                   many, about.batch || threads ? "says little" : "would mean nothing");
     if (!work_.empty())
       std::fprintf(out,
                    "       (from measured stretches of computing, one process at a time, played "

@@ -118,7 +118,7 @@ class Builder:
         """Return the built program of a plan, emitted with the options."""
         text = text_of(plan, name, batch, **options)
         executable = self.compile(text, stem_of(plan, name, batch), flags)
-        return Solver(executable, batch or len(plan.processes), self.toolchain)
+        return Solver(executable, batch or plan.launched, self.toolchain)
 
 
 @contextmanager

@@ -73,7 +73,6 @@ RARE = frozenset(
         "--shape",
         "--tune",
         "--tuned",
-        "--channel",
         "--single-file",
     ]
 )
@@ -207,10 +206,10 @@ def add_emission(parser: Parser) -> None:
     )
     group.add_argument(
         "--channel",
-        choices=("auto", "window", "message"),
+        choices=("auto", "window", "message", "threads"),
         default="auto",
         help="between processes: shared window on one node and messages elsewhere (auto, "
-        "default), or one of them",
+        "default), or one of them; threads: of one program, without MPI",
     )
 
 

@@ -79,7 +79,7 @@ def _solve(options: argparse.Namespace, stages: Stages) -> int:
         toolchain = with_compiler(find_toolchain(), made.request.compiler)
         executable = build_executable(made.source, made.stem, toolchain, progress=progress)
     with stages.stage("run"):
-        status, result = _run(executable, made.request.procs, toolchain, options, model, states)
+        status, result = _run(executable, made.plan.launched, toolchain, options, model, states)
     if status != 0:
         return status
     if options.result is None:

@@ -49,7 +49,7 @@ def tuned(plan: Plan, options: argparse.Namespace, stages: Stages) -> Candidate:
             candidates(shapes, compilers()),
             text_of,
             stem,
-            len(plan.processes),
+            plan.launched,
             find_toolchain(),
             progress,
         )

@@ -21,7 +21,7 @@ from adagen.errors import UsageError
 from adagen.executor import Grouping
 from adagen.plan import Plan, plan_to_json
 from adagen.plan.refine import refinable
-from adagen.plan.types import FACTORS
+from adagen.plan.types import FACTORS, THREADS
 from adagen.program import Program, check, lower
 from adagen.program.summary import meeting
 from adagen.schedule import CostProfile, load_profile, step_costs
@@ -91,7 +91,8 @@ def emit(
             "solver.pc.j2",
             stem=stem,
             process_count=processes,
-            mpi=processes > 1,
+            mpi=processes > 1 and plan.channel != THREADS,
+            threads=plan.threads,
             version=__version__,
         ),
         "Makefile": template("Makefile"),
@@ -174,6 +175,9 @@ def _texts(
     plan, shape = program.plan, program.shape
     words = Words(program, refine, chunk)
     processes = batch or len(plan.processes)
+    mpi = processes > 1 and not plan.threads
+    if batch:
+        check_channel(plan)
     costs = load_profile("default") if profile is None else profile
     values: dict[str, object] = {
         "number": words.number,
@@ -182,7 +186,8 @@ def _texts(
         "columns": words.columns,
         "slaved_count": len(plan.slaved),
         "process_count": processes,
-        "mpi": processes > 1,
+        "mpi": mpi,
+        "threads": plan.threads,
         "batch": bool(batch),
         "alone": _alone(program) and (not batch or processes == 1),
         "processes": process_rows(words) * (batch or 1),
@@ -194,9 +199,9 @@ def _texts(
         "channel_messages": _channel_messages(words),
         "hops": _hops(costs),
         "program_file": PROGRAM_FILE,
-        "program_options": options_of(processes > 1, words.number),
-        "comm": "MPI_Comm" if processes > 1 else "adagen::OneProcess",
-        "headers": sorted({*headers.SOLVER, *(headers.MPI if processes > 1 else ())}),
+        "program_options": options_of(mpi, words.number),
+        "comm": "MPI_Comm" if mpi else "adagen::OneProcess",
+        "headers": headers.of_solver(mpi, plan.threads),
         "failures": FAILURES,
         **_head(program, stem, chunk, compiler),
         "algorithm": algorithm(program),
@@ -243,6 +248,18 @@ def _hops(profile: CostProfile) -> dict[str, object]:
     assert profile.steps is not None  # the shipped one has them
     costs = profile.steps
     return {"profile": profile.name, "window": costs.window, "message": costs.message}
+
+
+def check_channel(plan: Plan) -> None:
+    """Refuse threads where states are shared out.
+
+    Raises:
+        UsageError: the plan's channel is threads.
+    """
+    if plan.channel == THREADS:
+        raise UsageError(
+            "batches are not shared out to threads: open a solver for one process in each of yours"
+        )
 
 
 def check_batch(shape: str, refine: int) -> None:

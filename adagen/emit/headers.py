@@ -19,6 +19,17 @@ SOLVER = (
 MPI = ("atomic", "exception", "memory", "string", "thread", "vector")
 """Of solvers that exchange messages, besides."""
 
+THREADS = (
+    "atomic",
+    "condition_variable",
+    "exception",
+    "memory",
+    "mutex",
+    "new",
+    "thread",
+)
+"""Of solvers whose processes are threads."""
+
 PROGRAM = (
     "atomic",
     "charconv",
@@ -34,3 +45,8 @@ PROGRAM = (
     "vector",
 )
 """Of the program around them, besides."""
+
+
+def of_solver(mpi: bool, threads: bool) -> list[str]:
+    """Return what a solver includes, one that exchanges messages or shares out to threads."""
+    return sorted({*SOLVER, *(MPI if mpi else ()), *(THREADS if threads else ())})

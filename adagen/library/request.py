@@ -20,7 +20,7 @@ class Request:
         procs: processes that share the robot, or the states of a batch.
         form: of the algorithm, "segment" or the paper's "ada".
         scalar: "double", "float" or "mixed".
-        channel: between processes, "auto", "window" or "message".
+        channel: between processes, "auto", "window" or "message"; or "threads" of one program.
         shape: of the code, "auto", "unrolled", "kernels" or "joints".
         refine: steps of iterative refinement, 0 to 9; None: as many as the scalar needs.
         batch: whether many states are solved at once, one in each SIMD lane.
@@ -42,7 +42,7 @@ class Request:
     procs: int = 1
     form: Literal["segment", "ada"] = "segment"
     scalar: Literal["double", "float", "mixed"] = "double"
-    channel: Literal["auto", "window", "message"] = "auto"
+    channel: Literal["auto", "window", "message", "threads"] = "auto"
     shape: str = "auto"
     refine: int | None = None
     batch: bool = False
@@ -114,7 +114,7 @@ class Request:
 _KNOWN = {
     "form": ("segment", "ada"),
     "scalar": ("double", "float", "mixed"),
-    "channel": ("auto", "window", "message"),
+    "channel": ("auto", "window", "message", "threads"),
     "shape": ("auto", "unrolled", "kernels", "joints"),
     "objective": ("time", "accuracy", "both"),
     "tie": ("work", "lex"),

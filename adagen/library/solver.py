@@ -174,10 +174,10 @@ def built(compiled: Compiled, toolchain: Toolchain | None = None) -> Solver:
         UsageError: it is for several processes.
         EnvironmentFault: the compiler failed, or is missing.
     """
-    if compiled.request.procs > 1:
+    if compiled.plan.launched > 1:
         raise UsageError(
             f"{compiled.stem} is for {compiled.request.procs} processes, a Python program is one:"
-            " compile with procs=1"
+            ' compile with procs=1, or channel="threads"'
         )
     source = f"#define ADAGEN_NO_MAIN\n{compiled.source}\n{verbatim('runtime/python.hpp')}\n"
     toolchain = _with_python(find_toolchain() if toolchain is None else toolchain)

@@ -14,12 +14,12 @@ from adagen.plan.gather import GatherPlanner, why_not_gather
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.serialise import plan_from_json, plan_to_json
 from adagen.plan.steps import LinkBias
-from adagen.plan.types import FACTORS, Plan
+from adagen.plan.types import FACTORS, THREADS, Plan
 from adagen.schedule import Schedule, Topology, gathered_line, schedule_line
 
 FORMS: dict[str, type[AdaPlanner]] = {"segment": SegmentPlanner, "ada": AdaPlanner}
 SCALARS = tuple(FACTORS)
-CHANNELS = ("auto", "window", "message")
+CHANNELS = ("auto", "window", "message", THREADS)
 MEETINGS = ("auto", "join", "gather")
 
 __all__ = [

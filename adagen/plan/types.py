@@ -13,6 +13,8 @@ from functools import cached_property
 from adagen.model.kinds import KINDS
 from adagen.plan.steps import Bias, Block, Force, Step
 
+THREADS = "threads"
+"""The channel between processes that are threads of one program."""
 FACTORS = {"double": "double", "float": "float", "mixed": "float"}
 """Scalars, and the number type in which each factorizes and solves; all else of "mixed" is double,
 and what it solves for is refined."""
@@ -170,7 +172,8 @@ class Plan:
         source_hash: of the robot description, hexadecimal.
         form: "ada" or "segment".
         scalar: a key of ``FACTORS``.
-        channel: "auto", "window" or "message": what the emitted program prefers.
+        channel: "auto", "window" or "message": what the emitted program prefers; or "threads":
+            processes are threads of one program.
         schedule: the schedule in one line.
         floating: whether joint 0 is the floating base ``__base__``.
         gravity: 3 numbers, m/s^2.
@@ -211,6 +214,16 @@ class Plan:
         for j, joint in enumerate(self.joints):
             below[joint.parent].append(j)
         return tuple(map(tuple, below))
+
+    @property
+    def threads(self) -> bool:
+        """Whether its processes are threads of one program, which needs no MPI."""
+        return self.channel == THREADS and len(self.processes) > 1
+
+    @property
+    def launched(self) -> int:
+        """How many processes a launcher starts."""
+        return 1 if self.threads else len(self.processes)
 
     def recovering(self) -> Plan:
         """Return the plan of what is done where a mobility cannot be taken for an inertia."""

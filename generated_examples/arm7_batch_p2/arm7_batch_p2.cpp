@@ -340,6 +340,8 @@ constexpr Failure failure_kind(int status) { return static_cast<Failure>(status 
 // Words without memory from the heap; what is too long is cut.
 class Text {
  public:
+  Text() = default;
+  explicit Text(const char* words) { *this += words; }
   Text& operator+=(char c) {
     if (size_ + 1 < sizeof data_) data_[size_++] = c, data_[size_] = '\0';
     return *this;
@@ -354,6 +356,7 @@ class Text {
     return *this += digits;
   }
   const char* c_str() const { return data_; }
+  bool empty() const { return size_ == 0; }
   void clear() { data_[size_ = 0] = '\0'; }
 
  private:
@@ -2303,6 +2306,8 @@ class Solver {
   Channel channel;
   Text text;  // of the last failure
 
+  void close() { channel.close(); }
+
   // States one after the other, as are their accelerations; nothing is said to other processes.
   // Accelerations of a state that fails are not numbers; the others are what they should be.
   int solve_batch(int count, const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -2584,7 +2589,7 @@ const char* arm7_batch_p2_failure(const arm7_batch_p2_solver* solver) {
 
 void arm7_batch_p2_close(arm7_batch_p2_solver* solver) {
   if (solver == nullptr) return;
-  solver->channel.close();
+  solver->close();
   delete solver;
 }
 
@@ -2661,7 +2666,7 @@ struct Hop {
 template <class Number>
 struct Description {
   const char *robot, *channel;
-  int processes, nq, nv, ntau, refine;
+  int processes, threads, nq, nv, ntau, refine;
   bool floating, alone, batch;
   double tolerance;
   const double* gravity;
@@ -2752,10 +2757,9 @@ namespace {
 // What is measured (--time, --stretches), of several processes.
 using Clock = std::chrono::steady_clock;
 
-Text open_channel(Channel& channel, MPI_Comm comm, const std::string& kind, double time_limit,
-                  int hosts) {
-  Text wrong;
-  return wrong += channel.open(comm, mode_of(kind), time_limit, hosts).c_str();
+Text open_solver(Solver& solver, MPI_Comm comm, const std::string& kind, double time_limit,
+                 int hosts) {
+  return Text(solver.channel.open(comm, mode_of(kind), time_limit, hosts).c_str());
 }
 
 // All processes that take part in an evaluation start it at the same instant of their common clock;
@@ -2861,10 +2865,10 @@ int near_lock_of(const S&, long) {
 class ThisSolver final : public adagen::AnySolver<Number, MPI_Comm> {
  public:
   const char* open(MPI_Comm comm, const char* channel, double time_limit, int hosts) override {
-    words_ = open_channel(solver_.channel, comm, channel, time_limit, hosts);
+    words_ = open_solver(solver_, comm, channel, time_limit, hosts);
     return words_.c_str();
   }
-  void close() override { solver_.channel.close(); }
+  void close() override { solver_.close(); }
   MPI_Comm comm() const override { return solver_.channel.comm(); }
   const char* channel_name() const override { return kAlone ? "none" : solver_.channel.name(); }
   bool windowed() const override { return solver_.channel.windowed(); }
@@ -2986,7 +2990,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 // Compiled for size: it runs once.
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
-      "arm7", "auto", kProcesses, kNq, kNv, kNtau, kRefine,
+      "arm7", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
       false, kAlone, kBatch, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};

@@ -414,6 +414,8 @@ constexpr Failure failure_kind(int status) { return static_cast<Failure>(status 
 // Words without memory from the heap; what is too long is cut.
 class Text {
  public:
+  Text() = default;
+  explicit Text(const char* words) { *this += words; }
   Text& operator+=(char c) {
     if (size_ + 1 < sizeof data_) data_[size_++] = c, data_[size_] = '\0';
     return *this;
@@ -428,6 +430,7 @@ class Text {
     return *this += digits;
   }
   const char* c_str() const { return data_; }
+  bool empty() const { return size_ == 0; }
   void clear() { data_[size_ = 0] = '\0'; }
 
  private:
@@ -1733,30 +1736,14 @@ constexpr std::array<Range, 1> kTorque_0{ {{0, 9}} };
     {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
 } };
 
-// The entries of a vector that a process needs, one after another, and back.
-inline Number* pack(Number* to, const Ranges& which, const Number* x) {
-  for (int k = 0; k < which.count; ++k)
-    to = std::copy_n(x + which.ranges[k].first, which.ranges[k].count, to);
-  return to;
-}
-inline const Number* unpack(const Number* from, const Ranges& which, Number* x) {
-  for (int k = 0; k < which.count; ++k) {
-    const auto& [first, count] = which.ranges[k];
-    std::copy_n(from, count, x + first);
-    from += count;
-  }
-  return from;
-}
-
-// Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
-// first the state to each process, then the accelerations from each.
-class Solver {
+// One process, or thread, of a solver: state and result in place.
+class InPlace {
  public:
   Workspace w;
   Channel channel;
   Text text;  // of the last failure
 
-  // State and result in place: reads what this process needs, writes what it owns.
+  // Reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     if (kAlone && kProcesses > 1 && channel.rank() != 0) return finish(kFine);
     if (channel.broken()) return finish(failure(kNoAnswer, 0));
@@ -1765,47 +1752,7 @@ class Solver {
     return finish(w.status);
   }
 
-  // Everything through process 0: it has the state and gets all accelerations.
-  int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
-    if constexpr (kAlone) return solve(q, v, tau, qdd);
-    if (channel.broken()) return finish(failure(kNoAnswer, 0));
-    return channel.rank() == 0 ? solve_as_root(q, v, tau, qdd) : solve_for_root();
-  }
-
-  // At process 0: the others' next solve_at_root returns kEnded, and so does this.
-  int end_at_root() {
-    if constexpr (kAlone) return kFine;
-    return solve_as_root(q_.data(), v_.data(), tau_.data(), qdd_.data(), failure(kEnded, 0));
-  }
-
-  // At the others: takes part in what process 0 evaluates until it ends that.
-  int serve() {
-    const int rank = channel.rank();
-    if (rank == 0) return kFine;
-    int status = kFine;
-    if (has_part(rank)) do
-        status = channel.broken() ? failure(kNoAnswer, 0) : solve_for_root(true);
-      while (failure_kind(status) != kEnded && failure_kind(status) != kNoAnswer);
-    else
-      channel.await_end();
-    return failure_kind(status) == kEnded ? kFine : finish(status);
-  }
-
-  // At process 0: the others serve no longer.
-  int end() {
-    if (channel.rank() != 0) return kFine;
-    const int status = end_at_root();
-    for (int p = 1; p < kProcesses; ++p)
-      if (!has_part(p)) channel.send_end(p);
-    return failure_kind(status) == kEnded ? kFine : finish(status);
-  }
-
- private:
-  // Whether a process takes part when all goes through process 0.
-  static bool has_part(int p) {
-    return !kAlone && kProcess[static_cast<std::size_t>(p)].own.count > 0;
-  }
-
+ protected:
   // A pose that the first try cannot stand is known to all processes: they try again together.
   void run() {
     const std::size_t rank = kAlone ? 0 : static_cast<std::size_t>(channel.rank());
@@ -1815,49 +1762,6 @@ class Solver {
     w.status = kFine;
     kRecover[rank](w, channel);
 #endif
-  }
-
-  // patient: however long process 0 lets it wait.
-  int solve_for_root(bool patient = false) {
-    const int rank = channel.rank();
-    const ProcessInfo& own = kProcess[static_cast<std::size_t>(rank)];
-    if (own.own.count == 0) return finish(kFine);
-    int status = kFine;
-    const Number* content = channel.receive(state_message(rank), status, patient);
-    content = unpack(content, own.q, q_.data());
-    content = unpack(content, own.v, v_.data());
-    unpack(content, own.tau, tau_.data());
-    prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
-    Channel::fail(w.status, status);
-    run();
-    Number* result = channel.outgoing(result_message(rank), w.status);
-    pack(result, own.own, qdd_.data());
-    channel.send(result_message(rank), w.status);
-    return finish(w.status);
-  }
-
-  int solve_as_root(const Number* q, const Number* v, const Number* tau, Number* qdd,
-                    int status = kFine) {
-    for (int p = 1; p < kProcesses; ++p) {
-      const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
-      if (other.own.count == 0) continue;
-      Number* content = channel.outgoing(state_message(p), status);
-      content = pack(content, other.q, q);
-      content = pack(content, other.v, v);
-      pack(content, other.tau, tau);
-      channel.send(state_message(p), status);
-    }
-    prepare(q, v, tau, qdd_.data());
-    Channel::fail(w.status, status);
-    run();
-    for (int p = 1; p < kProcesses; ++p) {
-      const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
-      if (other.own.count == 0) continue;
-      const Number* result = channel.receive(result_message(p), w.status);
-      unpack(result, other.own, qdd_.data());
-    }
-    if (w.status == kFine) std::copy(qdd_.begin(), qdd_.end(), qdd);
-    return finish(w.status);
   }
 
   void prepare(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -1872,13 +1776,16 @@ class Solver {
     if (status != kFine) text = describe(status);
     return status;
   }
+};
 
-  static int state_message(int process) { return kPlanMessages + 2 * (process - 1); }
-  static int result_message(int process) { return kPlanMessages + 2 * (process - 1) + 1; }
-
-  std::array<Number, kNq> q_{};
-  std::array<Number, kNv> v_{}, qdd_{};
-  std::array<Number, kNtau> tau_{};
+// A solver for one process.
+class Solver : public InPlace {
+ public:
+  int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
+    return solve(q, v, tau, qdd);
+  }
+  int end_at_root() { return kFine; }
+  void close() {}
 };
 
 }  // namespace
@@ -1938,7 +1845,7 @@ const char* arm7_p1_failure(const arm7_p1_solver* solver) {
 
 void arm7_p1_close(arm7_p1_solver* solver) {
   if (solver == nullptr) return;
-  solver->channel.close();
+  solver->close();
   delete solver;
 }
 
@@ -2015,7 +1922,7 @@ struct Hop {
 template <class Number>
 struct Description {
   const char *robot, *channel;
-  int processes, nq, nv, ntau, refine;
+  int processes, threads, nq, nv, ntau, refine;
   bool floating, alone, batch;
   double tolerance;
   const double* gravity;
@@ -2106,22 +2013,25 @@ namespace {
 // What is measured (--time, --stretches), of one process: it waits for nobody and is sent nothing.
 using Clock = std::chrono::steady_clock;
 
-Text open_channel(Channel&, adagen::OneProcess, const char*, double, int) { return {}; }
-Clock::time_point start_together(const Channel&) { return Clock::now(); }
-Clock::time_point start_again(const Channel&) { return Clock::now(); }
+template <class AnySolver>
+Text open_solver(AnySolver&, adagen::OneProcess, const char*, double, int) {
+  return {};
+}
+Clock::time_point start_together() { return Clock::now(); }
+Clock::time_point start_again() { return Clock::now(); }
 
 class Takes {
  public:
   void forget(int) {}
 
   template <class Evaluate>
-  int record(Channel&, int, Evaluate evaluate) {
+  int record(int, Evaluate evaluate) {
     return evaluate();
   }
 
   // looks: at the clock, at the start and at the end.
   template <class Evaluate>
-  void play(Channel&, int, Clock::rep* looks, Evaluate evaluate) {
+  void play(int, Clock::rep* looks, Evaluate evaluate) {
     looks[0] = Clock::now().time_since_epoch().count();
     evaluate();
     looks[1] = Clock::now().time_since_epoch().count();
@@ -2169,10 +2079,10 @@ int near_lock_of(const S&, long) {
 class ThisSolver final : public adagen::AnySolver<Number, adagen::OneProcess> {
  public:
   const char* open(adagen::OneProcess comm, const char* channel, double time_limit, int hosts) override {
-    words_ = open_channel(solver_.channel, comm, channel, time_limit, hosts);
+    words_ = open_solver(solver_, comm, channel, time_limit, hosts);
     return words_.c_str();
   }
-  void close() override { solver_.channel.close(); }
+  void close() override { solver_.close(); }
   adagen::OneProcess comm() const override { return {}; }
   const char* channel_name() const override { return kAlone ? "none" : solver_.channel.name(); }
   bool windowed() const override { return solver_.channel.windowed(); }
@@ -2185,7 +2095,7 @@ class ThisSolver final : public adagen::AnySolver<Number, adagen::OneProcess> {
   }
   int end_at_root() override { return solver_.end_at_root(); }
   bool has_part() const override {
-    return kProcess[static_cast<std::size_t>(solver_.channel.rank())].own.count > 0;
+    return kProcess[0].own.count > 0;
   }
 
   const char* in_words(int status) override {
@@ -2203,16 +2113,16 @@ class ThisSolver final : public adagen::AnySolver<Number, adagen::OneProcess> {
   int near_lock() const override { return near_lock_of(solver_, 0); }
 
   adagen::Elapsed time(const Number* q, const Number* v, const Number* tau, Number* qdd) override {
-    const Clock::time_point start = start_together(solver_.channel);
+    const Clock::time_point start = start_together();
     const int first = solver_.solve(q, v, tau, qdd);
     const double in_place_ns = since(start);
-    const Clock::time_point again = start_again(solver_.channel);
+    const Clock::time_point again = start_again();
     const int second = solver_.solve_at_root(q, v, tau, qdd);
     const double at_root_ns = since(again);
     return {in_place_ns, at_root_ns, first, second};
   }
   int trace(const Number* q, const Number* v, const Number* tau, Number* qdd, Ticks* stamps) override {
-    start_together(solver_.channel);
+    start_together();
     trace_stamps = stamps;
     const int status = in_place(q, v, tau, qdd);
     trace_stamps = nullptr;
@@ -2221,15 +2131,15 @@ class ThisSolver final : public adagen::AnySolver<Number, adagen::OneProcess> {
 
   void forget(int count) override { takes_.forget(count); }
   int record(int k, bool root, const Number* q, const Number* v, const Number* tau, Number* qdd) override {
-    return takes_.record(solver_.channel, k, [&] {
+    return takes_.record(k, [&] {
       return root ? at_root(q, v, tau, qdd) : in_place(q, v, tau, qdd);
     });
   }
   void play(int k, bool root, const Number* q, const Number* v, const Number* tau, Number* qdd, Ticks* looks) override {
     if (root)
-      takes_.play(solver_.channel, k, looks, [&] { at_root(q, v, tau, qdd); });
+      takes_.play(k, looks, [&] { at_root(q, v, tau, qdd); });
     else
-      takes_.play(solver_.channel, k, looks, [&] { in_place(q, v, tau, qdd); });
+      takes_.play(k, looks, [&] { in_place(q, v, tau, qdd); });
   }
   adagen::Table<int> noted(int k) const override { return takes_.messages(k); }
 
@@ -2270,7 +2180,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 // Compiled for size: it runs once.
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
-      "arm7", "auto", kProcesses, kNq, kNv, kNtau, kRefine,
+      "arm7", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
       false, kAlone, kBatch, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};

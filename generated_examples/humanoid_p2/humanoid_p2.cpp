@@ -506,6 +506,8 @@ constexpr Failure failure_kind(int status) { return static_cast<Failure>(status 
 // Words without memory from the heap; what is too long is cut.
 class Text {
  public:
+  Text() = default;
+  explicit Text(const char* words) { *this += words; }
   Text& operator+=(char c) {
     if (size_ + 1 < sizeof data_) data_[size_++] = c, data_[size_] = '\0';
     return *this;
@@ -520,6 +522,7 @@ class Text {
     return *this += digits;
   }
   const char* c_str() const { return data_; }
+  bool empty() const { return size_ == 0; }
   void clear() { data_[size_ = 0] = '\0'; }
 
  private:
@@ -3456,6 +3459,48 @@ constexpr std::array<Range, 1> kTorque_1{ {{21, 14}} };
     {{2, kReadQ_1.data()}, {2, kReadV_1.data()}, {1, kOwn_1.data()}, {1, kTorque_1.data()}},
 } };
 
+// One process, or thread, of a solver: state and result in place.
+class InPlace {
+ public:
+  Workspace w;
+  Channel channel;
+  Text text;  // of the last failure
+
+  // Reads what this process needs, writes what it owns.
+  int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
+    if (kAlone && kProcesses > 1 && channel.rank() != 0) return finish(kFine);
+    if (channel.broken()) return finish(failure(kNoAnswer, 0));
+    prepare(q, v, tau, qdd);
+    run();
+    return finish(w.status);
+  }
+
+ protected:
+  // A pose that the first try cannot stand is known to all processes: they try again together.
+  void run() {
+    const std::size_t rank = kAlone ? 0 : static_cast<std::size_t>(channel.rank());
+    kRun[rank](w, channel);
+#ifdef ADAGEN_RECOVERS
+    if (failure_kind(w.status) != kSingularPose) return;
+    w.status = kFine;
+    kRecover[rank](w, channel);
+#endif
+  }
+
+  void prepare(const Number* q, const Number* v, const Number* tau, Number* qdd) {
+    w.q = q;
+    w.v = v;
+    w.tau = tau;
+    w.qdd = qdd;
+    w.status = kFine;
+  }
+
+  int finish(int status) {
+    if (status != kFine) text = describe(status);
+    return status;
+  }
+};
+
 // The entries of a vector that a process needs, one after another, and back.
 inline Number* pack(Number* to, const Ranges& which, const Number* x) {
   for (int k = 0; k < which.count; ++k)
@@ -3473,21 +3518,8 @@ inline const Number* unpack(const Number* from, const Ranges& which, Number* x) 
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
 // first the state to each process, then the accelerations from each.
-class Solver {
+class Solver : public InPlace {
  public:
-  Workspace w;
-  Channel channel;
-  Text text;  // of the last failure
-
-  // State and result in place: reads what this process needs, writes what it owns.
-  int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
-    if (kAlone && kProcesses > 1 && channel.rank() != 0) return finish(kFine);
-    if (channel.broken()) return finish(failure(kNoAnswer, 0));
-    prepare(q, v, tau, qdd);
-    run();
-    return finish(w.status);
-  }
-
   // Everything through process 0: it has the state and gets all accelerations.
   int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     if constexpr (kAlone) return solve(q, v, tau, qdd);
@@ -3514,6 +3546,9 @@ class Solver {
     return failure_kind(status) == kEnded ? kFine : finish(status);
   }
 
+  // Collective.
+  void close() { channel.close(); }
+
   // At process 0: the others serve no longer.
   int end() {
     if (channel.rank() != 0) return kFine;
@@ -3527,17 +3562,6 @@ class Solver {
   // Whether a process takes part when all goes through process 0.
   static bool has_part(int p) {
     return !kAlone && kProcess[static_cast<std::size_t>(p)].own.count > 0;
-  }
-
-  // A pose that the first try cannot stand is known to all processes: they try again together.
-  void run() {
-    const std::size_t rank = kAlone ? 0 : static_cast<std::size_t>(channel.rank());
-    kRun[rank](w, channel);
-#ifdef ADAGEN_RECOVERS
-    if (failure_kind(w.status) != kSingularPose) return;
-    w.status = kFine;
-    kRecover[rank](w, channel);
-#endif
   }
 
   // patient: however long process 0 lets it wait.
@@ -3581,19 +3605,6 @@ class Solver {
     }
     if (w.status == kFine) std::copy(qdd_.begin(), qdd_.end(), qdd);
     return finish(w.status);
-  }
-
-  void prepare(const Number* q, const Number* v, const Number* tau, Number* qdd) {
-    w.q = q;
-    w.v = v;
-    w.tau = tau;
-    w.qdd = qdd;
-    w.status = kFine;
-  }
-
-  int finish(int status) {
-    if (status != kFine) text = describe(status);
-    return status;
   }
 
   static int state_message(int process) { return kPlanMessages + 2 * (process - 1); }
@@ -3702,7 +3713,7 @@ const char* humanoid_p2_failure(const humanoid_p2_solver* solver) {
 
 void humanoid_p2_close(humanoid_p2_solver* solver) {
   if (solver == nullptr) return;
-  solver->channel.close();
+  solver->close();
   delete solver;
 }
 
@@ -3779,7 +3790,7 @@ struct Hop {
 template <class Number>
 struct Description {
   const char *robot, *channel;
-  int processes, nq, nv, ntau, refine;
+  int processes, threads, nq, nv, ntau, refine;
   bool floating, alone, batch;
   double tolerance;
   const double* gravity;
@@ -3870,10 +3881,9 @@ namespace {
 // What is measured (--time, --stretches), of several processes.
 using Clock = std::chrono::steady_clock;
 
-Text open_channel(Channel& channel, MPI_Comm comm, const std::string& kind, double time_limit,
-                  int hosts) {
-  Text wrong;
-  return wrong += channel.open(comm, mode_of(kind), time_limit, hosts).c_str();
+Text open_solver(Solver& solver, MPI_Comm comm, const std::string& kind, double time_limit,
+                 int hosts) {
+  return Text(solver.channel.open(comm, mode_of(kind), time_limit, hosts).c_str());
 }
 
 // All processes that take part in an evaluation start it at the same instant of their common clock;
@@ -3979,10 +3989,10 @@ int near_lock_of(const S&, long) {
 class ThisSolver final : public adagen::AnySolver<Number, MPI_Comm> {
  public:
   const char* open(MPI_Comm comm, const char* channel, double time_limit, int hosts) override {
-    words_ = open_channel(solver_.channel, comm, channel, time_limit, hosts);
+    words_ = open_solver(solver_, comm, channel, time_limit, hosts);
     return words_.c_str();
   }
-  void close() override { solver_.channel.close(); }
+  void close() override { solver_.close(); }
   MPI_Comm comm() const override { return solver_.channel.comm(); }
   const char* channel_name() const override { return kAlone ? "none" : solver_.channel.name(); }
   bool windowed() const override { return solver_.channel.windowed(); }
@@ -4092,7 +4102,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 // Compiled for size: it runs once.
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
-      "humanoid", "auto", kProcesses, kNq, kNv, kNtau, kRefine,
+      "humanoid", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
       true, kAlone, kBatch, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};

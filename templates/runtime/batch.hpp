@@ -5,6 +5,8 @@ class Solver {
   Channel channel;
   Text text;  // of the last failure
 
+  void close() { channel.close(); }
+
   // States one after the other, as are their accelerations; nothing is said to other processes.
   // Accelerations of a state that fails are not numbers; the others are what they should be.
   int solve_batch(int count, const Number* q, const Number* v, const Number* tau, Number* qdd) {

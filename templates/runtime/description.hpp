@@ -64,7 +64,7 @@ struct Hop {
 template <class Number>
 struct Description {
   const char *robot, *channel;
-  int processes, nq, nv, ntau, refine;
+  int processes, threads, nq, nv, ntau, refine;
   bool floating, alone, batch;
   double tolerance;
   const double* gravity;

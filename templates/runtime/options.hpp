@@ -87,6 +87,8 @@ std::string settle(bool simulation_words, Options& options) {
   if (about.batch &&
       (options.simulation.seconds > 0 || !options.trace.empty() || options.stretches))
     return "a batch solver has neither --simulate nor --trace nor --stretches";
+  if (about.threads > 1 && (!options.trace.empty() || options.stretches))
+    return "a solver of threads has neither --trace nor --stretches: emit it for channel window";
   const bool others = options.check || options.time || !options.trace.empty();
   if (options.simulation.seconds > 0) {
     if (others || !options.result.empty())

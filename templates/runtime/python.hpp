@@ -19,6 +19,17 @@ struct Held {
   Solver solver;
   std::mutex mutex;  // threads take turns
 };
+constexpr double kTimeLimit = 30;  // s that threads of the solver wait for each other
+
+// Starts the threads of a solver that has some; returns what is wrong, or an empty string.
+template <class AnySolver>
+auto start(AnySolver& solver, int) -> decltype(solver.open(nullptr, kTimeLimit)) {
+  return solver.open(nullptr, kTimeLimit);
+}
+template <class AnySolver>
+Text start(AnySolver&, long) {
+  return {};
+}
 
 struct Object {
   PyObject_HEAD vectorcallfunc call;
@@ -232,9 +243,14 @@ PyObject* make(PyTypeObject* type, PyObject*, PyObject*) {
   if (self == nullptr) return nullptr;
   self->call = call;
   self->held = new (std::nothrow) Held;
-  if (self->held != nullptr) return reinterpret_cast<PyObject*>(self);
+  if (self->held == nullptr) {
+    Py_DECREF(self);
+    return PyErr_NoMemory();
+  }
+  const Text wrong = start(self->held->solver, 0);
+  if (wrong.empty()) return reinterpret_cast<PyObject*>(self);
   Py_DECREF(self);
-  return PyErr_NoMemory();
+  return PyErr_Format(PyExc_OSError, "%s", wrong.c_str());
 }
 
 void drop(PyObject* self) {

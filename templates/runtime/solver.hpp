@@ -15,21 +15,8 @@ inline const Number* unpack(const Number* from, const Ranges& which, Number* x) 
 
 // Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
 // first the state to each process, then the accelerations from each.
-class Solver {
+class Solver : public InPlace {
  public:
-  Workspace w;
-  Channel channel;
-  Text text;  // of the last failure
-
-  // State and result in place: reads what this process needs, writes what it owns.
-  int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
-    if (kAlone && kProcesses > 1 && channel.rank() != 0) return finish(kFine);
-    if (channel.broken()) return finish(failure(kNoAnswer, 0));
-    prepare(q, v, tau, qdd);
-    run();
-    return finish(w.status);
-  }
-
   // Everything through process 0: it has the state and gets all accelerations.
   int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     if constexpr (kAlone) return solve(q, v, tau, qdd);
@@ -56,6 +43,9 @@ class Solver {
     return failure_kind(status) == kEnded ? kFine : finish(status);
   }
 
+  // Collective.
+  void close() { channel.close(); }
+
   // At process 0: the others serve no longer.
   int end() {
     if (channel.rank() != 0) return kFine;
@@ -69,17 +59,6 @@ class Solver {
   // Whether a process takes part when all goes through process 0.
   static bool has_part(int p) {
     return !kAlone && kProcess[static_cast<std::size_t>(p)].own.count > 0;
-  }
-
-  // A pose that the first try cannot stand is known to all processes: they try again together.
-  void run() {
-    const std::size_t rank = kAlone ? 0 : static_cast<std::size_t>(channel.rank());
-    kRun[rank](w, channel);
-#ifdef ADAGEN_RECOVERS
-    if (failure_kind(w.status) != kSingularPose) return;
-    w.status = kFine;
-    kRecover[rank](w, channel);
-#endif
   }
 
   // patient: however long process 0 lets it wait.
@@ -123,19 +102,6 @@ class Solver {
     }
     if (w.status == kFine) std::copy(qdd_.begin(), qdd_.end(), qdd);
     return finish(w.status);
-  }
-
-  void prepare(const Number* q, const Number* v, const Number* tau, Number* qdd) {
-    w.q = q;
-    w.v = v;
-    w.tau = tau;
-    w.qdd = qdd;
-    w.status = kFine;
-  }
-
-  int finish(int status) {
-    if (status != kFine) text = describe(status);
-    return status;
   }
 
   static int state_message(int process) { return kPlanMessages + 2 * (process - 1); }

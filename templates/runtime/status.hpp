@@ -25,6 +25,8 @@ constexpr Failure failure_kind(int status) { return static_cast<Failure>(status 
 // Words without memory from the heap; what is too long is cut.
 class Text {
  public:
+  Text() = default;
+  explicit Text(const char* words) { *this += words; }
   Text& operator+=(char c) {
     if (size_ + 1 < sizeof data_) data_[size_++] = c, data_[size_] = '\0';
     return *this;
@@ -39,6 +41,7 @@ class Text {
     return *this += digits;
   }
   const char* c_str() const { return data_; }
+  bool empty() const { return size_ == 0; }
   void clear() { data_[size_ = 0] = '\0'; }
 
  private:

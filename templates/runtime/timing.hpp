@@ -5,11 +5,12 @@ class Timing {
 
   int time_all() {
     const Cores cores(session_.comm());
-    crowded_ = !cores.enough();
+    crowded_ = !cores.enough() || cores.count() < about.threads;
     cores_ = cores.count();
     if (about.batch) return time_batch(cores);
     session_.use(random_states(kRandomStates, session_.options.seed));
-    if (crowded_ || session_.options.stretches) return time_stretches(cores);
+    if ((crowded_ && about.threads == 1) || session_.options.stretches)
+      return time_stretches(cores);
     session_.pinned = session_.options.pin && cores.pin();
     std::vector<double> in_place, at_root;
     int failed = kFine;
@@ -119,13 +120,16 @@ class Timing {
 
   void print(std::FILE* out) const {
     if (evaluations_ == 0) return;
-    std::fprintf(out, "time   %d process%s%s, ns per %s: median, minimum, 99th percentile\n",
-                 about.processes, about.processes == 1 ? "" : "es",
-                 session_.pinned ? ", pinned" : "",
+    const bool threads = about.threads > 1;
+    const int count = threads ? about.threads : about.processes;
+    const char* const what = threads ? "thread" : "process";
+    const char* const many = count == 1 ? "" : threads ? "s" : "es";
+    std::fprintf(out, "time   %d %s%s%s, ns per %s: median, minimum, 99th percentile\n", count,
+                 what, many, session_.pinned ? ", pinned" : "",
                  about.batch ? "state and process" : "evaluation");
     if (crowded_)
-      std::fprintf(out, "       (%d cores for %d processes: a wall time %s)\n", cores_,
-                   about.processes, about.batch ? "says little" : "would mean nothing");
+      std::fprintf(out, "       (%d cores for %d %s%s: a wall time %s)\n", cores_, count, what,
+                   many, about.batch || threads ? "says little" : "would mean nothing");
     if (!work_.empty())
       std::fprintf(out,
                    "       (from measured stretches of computing, one process at a time, played "

@@ -26,7 +26,7 @@ int main() {
   std::vector<Number> q(8 * kNq, Number(0.3)), v(8 * kNv, Number(0.2)), tau(8 * kNtau, Number(0.1)),
       qdd(8 * kNv);
   const long before = allocations;
-  SOLVER_solver* const solver = SOLVER_open();
+  SOLVER_solver* const solver = OPEN;
   const long opened = allocations - before;
   int failed = 0, words = 0;
   const auto solve = [&] {

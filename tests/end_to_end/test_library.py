@@ -143,7 +143,8 @@ def test_nothing_is_taken_from_the_heap_once_a_solver_is_open(name: str, builder
     files = emit(plan, name="heap", **options)  # type: ignore[arg-type]
     stem = stem_of(plan, "heap", 1)
     batch = "#define BATCH\n" if "batch" in options else ""
-    text = f"#define ADAGEN_NO_MAIN\n{batch}{files[f'{stem}.cpp']}{filled('heap.cpp', stem)}"
+    counting = filled("heap.cpp", stem, OPEN="SOLVER_open()")
+    text = f"#define ADAGEN_NO_MAIN\n{batch}{files[f'{stem}.cpp']}{counting}"
     program = builder.compile(text, "heap", ("-O1", "-march=native", "-fno-builtin-malloc"))
     assert run(program) == "opened 1, failed 1, said 1, later 0\n"
 

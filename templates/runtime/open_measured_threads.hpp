@@ -1,0 +1,12 @@
+// Threads of processes 1, 2, .. onto the cores behind that of the program, if there are as many.
+Text open_solver(Solver& solver, adagen::OneProcess, const char*, double time_limit, int) {
+  std::array<int, static_cast<std::size_t>(kProcesses)> cores{};
+  std::size_t count = 0;
+#if defined(__linux__)
+  cpu_set_t own;
+  if (sched_getaffinity(0, sizeof own, &own) == 0)
+    for (int core = 0; core < CPU_SETSIZE && count < cores.size(); ++core)
+      if (CPU_ISSET(core, &own)) cores[count++] = core;
+#endif
+  return solver.open(count == cores.size() ? cores.data() + 1 : nullptr, time_limit);
+}

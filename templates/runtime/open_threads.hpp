@@ -1,0 +1,16 @@
+// Why the last open of a thread gave no solver.
+thread_local Text open_failure;
+
+template <class AnySolver>
+AnySolver* opened(const int* cores, double time_limit) {
+  open_failure.clear();
+  auto* const solver = new (std::nothrow) AnySolver;
+  if (solver == nullptr) {
+    open_failure += "not enough memory";
+    return nullptr;
+  }
+  open_failure = solver->open(cores, time_limit);
+  if (open_failure.empty()) return solver;
+  delete solver;
+  return nullptr;
+}

@@ -1,0 +1,122 @@
+"""Solvers whose processes are threads of one program."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from adagen import compile as compiled
+from adagen import read
+from adagen.emit import emit, stem_of
+from adagen.errors import UsageError
+from adagen.model import Model
+from adagen.plan import Plan
+from adagen.plan.types import THREADS
+from adagen.states import States, random_states
+from tests.emitted import QUICK, ROUNDING, Builder, forward_error, plan_of, truth_of
+from tests.end_to_end.test_library import BY_STEM, filled, run
+from tests.golden.examples import FOLDER
+from tests.models import human_figure, serial_chain
+
+ARM = BY_STEM["arm7_p1"].model()
+SLAVED = BY_STEM["arm7_slaved_p2"].model()
+CASES: dict[str, tuple[Model, Plan, dict[str, Any]]] = {
+    "joined": (ARM, plan_of(ARM, 2), {}),
+    "straight lines": (ARM, plan_of(ARM, 2), {"shape": "unrolled"}),
+    "gathered": (human_figure(), plan_of(human_figure(), 3, meeting="gather"), {}),
+    "the paper's form": (ARM, plan_of(ARM, 4, form="ada"), {"shape": "joints"}),
+    "float": (ARM, plan_of(ARM, 2, scalar="float"), {}),
+    "refined": (ARM, plan_of(ARM, 2), {"refine": 2}),
+    "slaved": (SLAVED, plan_of(SLAVED, 2), {}),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_threads_answer_as_processes_do(case: str, builder: Builder, tmp_path: Path) -> None:
+    model, plan, options = CASES[case]
+    states = random_states(model, 20, seed=3)
+    threads = replace(plan, channel=THREADS)
+    of_threads = builder.solver(threads, QUICK, **options)
+    of_processes = builder.solver(plan, QUICK, **options)
+    assert (of_threads.processes, of_processes.processes) == (1, len(plan.processes))
+    found = of_threads.solve(model, states, tmp_path, "--check")
+    assert np.array_equal(found, of_processes.solve(model, states, tmp_path, "--check"))
+
+
+@pytest.mark.parametrize("option", [("--trace", "trace.json"), ("--stretches",)])
+def test_what_threads_have_not_is_refused(option: tuple[str, ...], builder: Builder) -> None:
+    _, plan, _ = CASES["joined"]
+    done = builder.solver(replace(plan, channel=THREADS), QUICK).run(*option)
+    assert done.status == 2
+    assert "a solver of threads has neither --trace nor --stretches" in done.stderr
+
+
+FLAGS = ("-O1", "-march=native")
+
+
+def solver_and(program: str, case: str, **words: str) -> str:
+    """Return the source of a solver of threads with a program of its own behind it."""
+    _, plan, options = CASES[case]
+    plan = replace(plan, channel=THREADS)
+    stem = stem_of(plan, "team")
+    source = emit(plan, name="team", **options)[f"{stem}.cpp"]
+    assert "mpi.h" not in source
+    return f"#define ADAGEN_NO_MAIN\n{source}{filled(program, stem, **words)}"
+
+
+@pytest.mark.parametrize(
+    ("case", "flags"),
+    [
+        ("joined", FLAGS),
+        ("gathered", FLAGS),
+        ("gathered", (*FLAGS, "-fsanitize=thread")),
+        ("gathered", (*FLAGS, "-fsanitize=address,undefined")),
+    ],
+    ids=["joined", "gathered", "no data race", "no bad address"],
+)
+def test_a_program_calls_threads(case: str, flags: tuple[str, ...], builder: Builder) -> None:
+    program = builder.compile(solver_and("threads.cpp", case), "team", (*flags, "-pthread"))
+    model, plan, _ = CASES[case]
+    lines = run(program).splitlines()
+    last = len(model.joints) - 1
+    names = [joint.name for joint in model.joints]
+    assert lines[:-1] == [
+        "1 the time limit must be more than 0 s",
+        "1 this process has no core 100000",
+        "other answers: 0",
+        f'1 0 1 joint "{names[0]}": its q, v or tau is not a finite number',
+        f'1 {last} 1 joint "{names[last]}": its q, v or tau is not a finite number',
+        "asleep: 1",
+        "other answers: 0",
+    ]
+    found = np.array([lines[-1].split()], dtype=float)
+    sizes = (model.nq, model.nv, model.ntau)
+    state = States(*(np.full((1, n), x) for n, x in zip(sizes, (0.3, 0.2, 0.1), strict=True)))
+    assert forward_error(found, truth_of(model, state)) < ROUNDING["double"]
+    assert len(plan.processes) > 1
+
+
+def test_threads_take_nothing_from_the_heap_once_they_are_open(builder: Builder) -> None:
+    text = solver_and("heap.cpp", "gathered", OPEN="SOLVER_open_threads(nullptr, 20)")
+    flags = (*FLAGS, "-fno-builtin-malloc", "-pthread")
+    assert run(builder.compile(text, "heap", flags)) == "opened 1, failed 1, said 1, later 0\n"
+
+
+def test_python_calls_threads() -> None:
+    robot = read(FOLDER / "models" / "arm7.urdf")
+    solver = compiled(robot, procs=2, channel=THREADS, form="ada", shape="joints").build()
+    chain = random_states(robot.model, 5, seed=2)
+    found = solver(chain.q, chain.v, chain.tau)
+    assert forward_error(found, truth_of(robot.model, chain)) < ROUNDING["double"]
+    with pytest.raises(UsageError, match=r'compile with procs=1, or channel="threads"'):
+        compiled(robot, procs=2, form="ada", shape="joints").build()
+
+
+def test_batches_are_not_shared_out_to_threads() -> None:
+    plan = plan_of(serial_chain(4), 1)
+    with pytest.raises(UsageError, match="batches are not shared out to threads"):
+        emit(replace(plan, channel=THREADS), batch=2)
