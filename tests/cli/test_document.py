@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import io
 import json
 import re
+from contextlib import redirect_stdout
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -48,7 +50,7 @@ def emitted(folder: Path, *words: str) -> dict[str, bytes]:
 
 
 @pytest.mark.parametrize(("robot", "words"), CASES)
-def test_the_same_program_is_made_of_it(
+def test_the_same_program_is_made_of_it_and_its_figures_are_those_of_the_program(
     robot: str, words: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     model = str(MODELS / f"{robot}.urdf")
@@ -57,15 +59,14 @@ def test_the_same_program_is_made_of_it(
     file.write_text(json.dumps(said, indent=2))
     kept = [word for word in words if word not in ("--schedule", "balanced")]
     again = [*kept, "--schedule", str(file)]
-    assert emitted(tmp_path / "a", model, *words) == emitted(tmp_path / "b", model, *again)
+    files = emitted(tmp_path / "a", model, *words)
+    assert files == emitted(tmp_path / "b", model, *again)
+    (plan,) = (json.loads(text) for name, text in files.items() if name.endswith(".plan.json"))
+    require_figures(said, plan)
 
 
-@pytest.mark.parametrize(("robot", "words"), CASES)
-def test_its_figures_are_those_of_the_program(
-    robot: str, words: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    model = str(MODELS / f"{robot}.urdf")
-    said = document(capsys, model, *words)
+def require_figures(said: dict[str, Any], plan: dict[str, Any]) -> None:
+    """Hold what a schedule's file says against itself and against the plan that is emitted."""
     assert said["predicted"] == said["makespan"] >= max(said["loads"])
     assert said["bound"] <= said["predicted"]
     if said["verdict"] == "optimal":
@@ -73,15 +74,19 @@ def test_its_figures_are_those_of_the_program(
     elif said["gap"] is not None:
         assert said["gap"] == pytest.approx(said["predicted"] / said["bound"] - 1)
     assert said["families"]
-    (plan,) = (
-        json.loads(text)
-        for name, text in emitted(tmp_path / "o", model, *words).items()
-        if name.endswith(".plan.json")
-    )
     names = [joint["name"] for joint in plan["joints"]]
     owners = {names[j]: p for p, process in enumerate(plan["processes"]) for j in process["owns"]}
     assert said["owners"] == owners
     assert ("root" in said) != ("gathered" in said)
+
+
+@pytest.fixture(scope="module")
+def edited(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """The text of a schedule whose processes gather, to be changed."""
+    words, told = gathering(tmp_path_factory.mktemp("near")), io.StringIO()
+    with redirect_stdout(told):
+        assert main(["schedule", *words, "--json"]) == 0
+    return told.getvalue()
 
 
 def test_where_processes_gather_can_be_edited(
@@ -109,10 +114,14 @@ def test_where_processes_gather_can_be_edited(
     ],
 )
 def test_what_cannot_be_is_refused(
-    change: dict[str, Any], complaint: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    change: dict[str, Any],
+    complaint: str,
+    edited: str,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     words, file = gathering(tmp_path), tmp_path / "schedule.json"
-    said = document(capsys, *words)
+    said = json.loads(edited)
     for key, value in change.items():
         told = said["gathered"]
         told[key] = {**told[key], **value} if isinstance(value, dict) and value else value

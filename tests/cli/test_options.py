@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import itertools
 import random
-import subprocess
 from collections.abc import Mapping
 from functools import cache
 from importlib import metadata
@@ -17,9 +16,9 @@ from pathlib import Path
 
 import pytest
 
-from adagen.build import find_toolchain
 from adagen.cli import main
-from tests.emitted import WRITTEN
+from adagen.emit.around import PROGRAM_FILE
+from tests.emitted import WRITTEN, Builder, Solver
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "generated_examples" / "models"
 PACKAGE = "example-robot-data"
@@ -86,10 +85,19 @@ def is_refused(case: Case) -> bool:
     )
 
 
+def is_long(case: Case) -> bool:
+    """Return whether a case is searched for longer than all others together.
+
+    Each two of these values occur in other cases.
+    """
+    digits = case["--objective"] == "accuracy" and case["--form"] == "segment"
+    return digits and case["robot"] == "humanoid" and case["--procs"] in ("3", "4")
+
+
 def any_case(draw: random.Random, *, refused: bool) -> Case:
     while True:
         case = {name: draw.choice(values) for name, values in OPTIONS.items()}
-        if is_refused(case) == refused:
+        if is_refused(case) == refused and not is_long(case):
             return case
 
 
@@ -210,14 +218,16 @@ def test_shared_robots(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixtu
     ],
 )
 def test_a_few_are_built_and_right(
-    robot: str, asked: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    robot: str,
+    asked: str,
+    builder: Builder,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     words = asked.replace("effects", str(tmp_path / "effects.toml")).split()
     (tmp_path / "effects.toml").write_text(SCENES["effects"])
     assert main([str(path_of(robot)), *words, "--out", str(tmp_path)]) == 0, capsys.readouterr().err
-    toolchain = find_toolchain()
-    variables = ("MPICXX", toolchain.mpicxx[0]), ("MPIEXEC", toolchain.mpiexec[0])
-    settings = [f"{name}={value}" for name, value in (*variables, ("EIGEN", toolchain.eigen))]
-    command = ["make", "-C", str(tmp_path), *settings, "CXXFLAGS=-O1", "check"]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=300)
-    assert done.returncode == 0 and "right" in done.stdout, done.stderr
+    (source,) = (file for file in tmp_path.glob("*.cpp") if file.name != PROGRAM_FILE)
+    executable = builder.compile(source.read_text(), source.stem)
+    done = Solver(executable, int(source.stem[-1]), builder.toolchain).run("--check")
+    assert done.status == 0 and "right" in done.stdout, done.stderr

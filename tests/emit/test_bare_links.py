@@ -17,9 +17,9 @@ from tests.schedules import random_schedule
 
 
 @pytest.mark.parametrize(
-    ("seed", "joints", "floating", "mimics"), [(4, 9, True, 0), (5, 12, False, 0), (4, 9, True, 2)]
+    ("seed", "joints", "floating", "mimics", "processes"),
+    [(4, 9, True, 0, 2), (5, 12, False, 0, 4), (4, 9, True, 2, 4)],
 )
-@pytest.mark.parametrize("processes", [2, 4])
 def test_trees_with_bare_links_are_solved(
     seed: int,
     joints: int,
@@ -36,7 +36,7 @@ def test_trees_with_bare_links_are_solved(
     passed = {plan.joints[step.joint].kind for step in steps if isinstance(step, Propagate)}
     assert any(isinstance(step, LinkBias) for step in steps)
     assert processes == 2 or passed & {"floating", "planar"}
-    solver = builder.solver(plan, ("-O0",), name="bare", shape="kernels")
+    solver = builder.solver(plan, name="bare", shape="kernels")
     states = random_states(model, 4, seed=9)
     assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
 

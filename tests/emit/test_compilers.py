@@ -39,16 +39,23 @@ def test_clang_has_nothing_to_say(stem: str, part: tuple[str, ...], builder: Bui
     builder.with_compiler("clang++").check(text(BY_STEM[stem]), stem, quiet)
 
 
+RARE = [options_of(False, "float")]
 KINDS = [options_of(mpi, number) for mpi in (False, True) for number in ("double", "float")]
 
 
+@pytest.mark.parametrize(
+    "kind", [pytest.param(kind, marks=() if kind in RARE else pytest.mark.slow) for kind in KINDS]
+)
+def test_gcc_has_nothing_to_say_of_the_program(kind: str, builder: Builder) -> None:
+    """Of the usual kinds in each test that builds a solver: there, too, a warning is an error."""
+    builder.check(program_text(), "adagen_program", (*kind.split(), *QUICK))
+
+
+@clang
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("compiler", ["g++", pytest.param("clang++", marks=clang)])
-def test_no_compiler_has_anything_to_say_of_the_program(
-    compiler: str, kind: str, builder: Builder
-) -> None:
+def test_clang_has_nothing_to_say_of_the_program(kind: str, builder: Builder) -> None:
     flags = ("-Wno-unused-command-line-argument", *kind.split(), *QUICK)
-    builder.with_compiler(compiler).check(program_text(), "adagen_program", flags)
+    builder.with_compiler("clang++").check(program_text(), "adagen_program", flags)
 
 
 def test_a_program_of_another_kind_is_not_linked(builder: Builder) -> None:

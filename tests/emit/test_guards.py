@@ -34,7 +34,7 @@ def spoiler(model: Model, builder: Builder, shape: str, scalar: str) -> Solver:
     )
     head = f"#include <fstream>\n#define ADAGEN_NO_MAIN\nusing Number = {scalar};\n"
     text = f"{head}{text_of(plan, 'guarded', shape=shape)}\n{PROGRAM.read_text()}"
-    return Solver(builder.compile(text, "guarded", ("-O0",)), 1, builder.toolchain)
+    return Solver(builder.compile(text, "guarded"), 1, builder.toolchain)
 
 
 @pytest.mark.parametrize(

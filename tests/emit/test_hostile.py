@@ -96,7 +96,7 @@ def test_a_robot_of_hostile_names_is_built_and_solved(
     form: str, builder: Builder, tmp_path: Path
 ) -> None:
     model = hostile()
-    solver = builder.solver(plan(model, form), ("-O0",), name="hostile")
+    solver = builder.solver(plan(model, form), name="hostile")
     states = random_states(model, 2, seed=4)
     assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
 
@@ -107,9 +107,7 @@ def test_a_failure_names_a_hostile_joint_in_one_line(builder: Builder, tmp_path:
     turning = next(j for j, joint in enumerate(model.joints) if joint.kind.name == "spherical")
     states.v[0, model.v_start[turning]] = 1e300
     write_states(states, model, tmp_path / "s.json")
-    done = builder.solver(plan(model), ("-O0",), name="hostile").run(
-        "--states", tmp_path / "s.json"
-    )
+    done = builder.solver(plan(model), name="hostile").run("--states", tmp_path / "s.json")
     assert done.status == 1
     assert done.stdout == ""
     (line,) = done.stderr.splitlines()
@@ -125,6 +123,6 @@ def test_the_shared_hostile_robots_are_built_and_right(
     for file in emit(made):
         assert re.fullmatch(r"Makefile|[A-Za-z0-9][A-Za-z0-9_-]*(\.[a-z]+)+", file)
     states = random_states(model, 2)
-    solver = builder.solver(made, ("-O0",))
+    solver = builder.solver(made)
     assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
     assert not Path("/tmp/adagen_pwned").exists()

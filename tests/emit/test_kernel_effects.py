@@ -48,7 +48,7 @@ def require_right(
 ) -> Solver:
     """Build the plan, run it with its own check, compare with the truth and with what was given."""
     states = random_states(model, 3, seed=3)
-    solver = builder.solver(plan, ("-O0",), name="effects", shape="kernels")
+    solver = builder.solver(plan, name="effects", shape="kernels")
     found = solver.solve(model, states, folder, "--check")
     given = rows(model, [j for j, joint in enumerate(model.joints) if joint.prescribed])
     number = NUMBER[plan.scalar]
@@ -175,7 +175,7 @@ def test_earlier_evaluations_leave_nothing_at_such_a_root(builder: Builder, tmp_
 def test_batches_have_outer_forces_and_prescribed_motions(builder: Builder, tmp_path: Path) -> None:
     model = figure("left_knee", "waist", "__base__")
     plan = make_plan(model, best_schedule(model, 1, PROFILE))
-    solver = builder.solver(plan, ("-O0",), name="effects", batch=2, shape="kernels")
+    solver = builder.solver(plan, name="effects", batch=2, shape="kernels")
     states = random_states(model, 21, seed=6)
     assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
 

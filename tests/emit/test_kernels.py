@@ -70,7 +70,7 @@ def test_named_schedules_are_solved(
     assert solver.error(model, states, tmp_path, "--check") < 20 * ROUNDING["double"]
 
 
-@pytest.mark.parametrize("seed", [1, 2, 3])
+@pytest.mark.parametrize("seed", [1, *(pytest.param(k, marks=pytest.mark.slow) for k in (2, 3))])
 @pytest.mark.parametrize("meeting", ["join", "gather"])
 def test_trees_of_all_kinds_are_solved(
     seed: int, meeting: str, builder: Builder, tmp_path: Path
@@ -79,7 +79,7 @@ def test_trees_of_all_kinds_are_solved(
     schedule = random_schedule(model, 2, np.random.default_rng(seed))
     plan = make_plan(model, schedule, meeting=meeting)
     states = random_states(model, 4, seed=seed)
-    solver = builder.solver(plan, ("-O0",), name="tree", shape="kernels")
+    solver = builder.solver(plan, name="tree", shape="kernels")
     assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
 
 
@@ -120,14 +120,14 @@ def test_limbs_side_by_side_are_solved(
     assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
 
 
-@pytest.mark.parametrize("seed", [1, 2, 3, 4])
+@pytest.mark.parametrize("seed", [1, 2, *(pytest.param(k, marks=pytest.mark.slow) for k in (3, 4))])
 def test_bushes_of_all_kinds_are_solved_by_one_process(
     seed: int, builder: Builder, tmp_path: Path
 ) -> None:
     model = random_tree(np.random.default_rng(seed), 14, branching=0.8, floating=seed % 2 == 0)
     plan = make_plan(model, best_schedule(model, 1, PROFILE))
     states = random_states(model, 4, seed=seed)
-    solver = builder.solver(plan, ("-O0",), name="bush", shape="kernels")
+    solver = builder.solver(plan, name="bush", shape="kernels")
     assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
 
 
@@ -138,6 +138,6 @@ def test_inverting_among_light_links_keeps_digits(builder: Builder, tmp_path: Pa
     at = next(step.joint for step in steps if isinstance(step, Join))
     for link in (at, at + 1, at + 2):
         model = with_light_link(model, link, 1e-7)
-    solver = builder.solver(plan_of(model, 2, meeting="join"), ("-O0",), shape="kernels")
+    solver = builder.solver(plan_of(model, 2, meeting="join"), shape="kernels")
     states = random_states(model, 3, seed=1)
     assert energy_errors(model, states, solver.solve(model, states, tmp_path)).max() < 1e-6

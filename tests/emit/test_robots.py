@@ -23,7 +23,7 @@ def test_a_processes_share_can_be_nothing() -> None:
 
 def test_a_failed_factorization_names_the_joint(builder: Builder, tmp_path: Path) -> None:
     model = chain_with_thin_link()
-    solver = builder.solver(plan_of(model, 2, scalar="float", form="ada"), ("-O0",), name="thin")
+    solver = builder.solver(plan_of(model, 2, scalar="float", form="ada"), name="thin")
     write_states(random_states(model, 2), model, tmp_path / "s.json")
     done = solver.run("--states", tmp_path / "s.json", "--result", tmp_path / "r.json")
     assert (done.status, done.stdout) == (1, "")

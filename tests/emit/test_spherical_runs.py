@@ -49,7 +49,7 @@ def test_runs_are_swept_to_a_root_between_their_ends(
     text = text_of(plan, shape="kernels", profile=BY_COLUMNS)
     calls = text.partition("void run_0(")[2]
     assert all(sweep in calls for sweep in sweeps)
-    solver = builder.solver(plan, ("-O0",), name="balls", shape="kernels", profile=BY_COLUMNS)
+    solver = builder.solver(plan, name="balls", shape="kernels", profile=BY_COLUMNS)
     states = random_states(model, 4, seed=5)
     assert solver.error(model, states, tmp_path, "--check") < 20 * ROUNDING[scalar]
 
@@ -62,7 +62,7 @@ def test_needles_keep_the_digits_that_their_inertia_leaves(
     model = serial_chain(20, kind=SPHERICAL, mass=1.0, length=1.0, radius=1e-3, floating=True)
     schedule = named_schedule("balanced", Topology.of(model), processes, profile=PROFILE)
     plan = make_plan(model, schedule, meeting="gather")
-    solver = builder.solver(plan, ("-O0",), name="needles", shape="kernels")
+    solver = builder.solver(plan, name="needles", shape="kernels")
     assert solver.error(model, random_states(model, 6, seed=1), tmp_path) < 1e-9
 
 
@@ -74,7 +74,7 @@ def test_units_do_not_matter(mass: float, scalar: str, builder: Builder, tmp_pat
     model = serial_chain(8, kind=SPHERICAL, mass=mass, floating=True)
     states = random_states(model, 3, seed=2)
     states = replace(states, tau=states.tau * mass)
-    solver = builder.solver(plan_of(model, 1, scalar=scalar), ("-O0",), name="units")
+    solver = builder.solver(plan_of(model, 1, scalar=scalar), name="units")
     assert solver.error(model, states, tmp_path) < 5 * ROUNDING[scalar]
 
 
@@ -85,7 +85,7 @@ def test_inertias_beyond_the_range_of_numbers_are_refused(
     model = serial_chain(8, kind=SPHERICAL, mass=mass, floating=True)
     states = random_states(model, 3, seed=2)
     write_states(replace(states, tau=states.tau * mass), model, tmp_path / "s.json")
-    solver = builder.solver(plan_of(model, 1), ("-O0",), name="range", shape="kernels")
+    solver = builder.solver(plan_of(model, 1), name="range", shape="kernels")
     done = solver.run("--states", tmp_path / "s.json", "--result", tmp_path / "r.json")
     assert (done.status, done.stdout) == (1, "")
     assert "factorization failed" in done.stderr

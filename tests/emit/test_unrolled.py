@@ -19,7 +19,7 @@ from tests.scene.effects import with_effects, with_wrenches
 
 def built(builder: Builder, model: Model, processes: int, name: str, form: str) -> Solver:
     plan = plan_of(model, processes, form=form)
-    return builder.solver(plan, ("-O0",), name=name, shape="unrolled")
+    return builder.solver(plan, name=name, shape="unrolled")
 
 
 QUICK_CASES = ("meeting only in the ground", "float")
@@ -86,7 +86,7 @@ def test_functions_of_any_length_give_the_same(
     text = text_of(plan, shape="unrolled", chunk=chunk)
     assert text.count("ADAGEN_NOINLINE void part_") > 1000 // chunk
     assert f"shape unrolled (functions of {chunk} values)" in text
-    solver = Solver(builder.compile(text, f"chunks{chunk}", ("-O0",)), 2, builder.toolchain)
+    solver = Solver(builder.compile(text, f"chunks{chunk}"), 2, builder.toolchain)
     states = random_states(model, 3, seed=2)
     assert solver.error(model, states, tmp_path) < ROUNDING["double"]
 
@@ -118,7 +118,7 @@ class TestFailures:
     ) -> None:
         model = serial_chain(5)
         plan = plan_of(model, 2, scalar="float", form="ada")
-        solver = builder.solver(plan, ("-O0",), name="narrow", shape="unrolled")
+        solver = builder.solver(plan, name="narrow", shape="unrolled")
         for j in (0, 2, 4):
             states = random_states(model, 2)
             getattr(states, field)[1, j] = 1e39
@@ -132,7 +132,7 @@ class TestFailures:
     ) -> None:
         model = with_wrenches(serial_chain(4), np.random.default_rng(1), 1)
         plan = plan_of(model, 1, scalar="float")
-        solver = builder.solver(plan, ("-O0",), name="pushed", shape="unrolled")
+        solver = builder.solver(plan, name="pushed", shape="unrolled")
         states = random_states(model, 1)
         states.tau[0, model.nv] = 1e39
         write_states(states, model, tmp_path / "s.json")
@@ -169,7 +169,7 @@ class TestFailures:
     def test_a_failed_factorization_names_the_joint(self, builder: Builder, tmp_path: Path) -> None:
         model = chain_with_thin_link()
         plan = plan_of(model, 2, scalar="float", form="ada")
-        solver = builder.solver(plan, ("-O0",), name="thin u", shape="unrolled")
+        solver = builder.solver(plan, name="thin u", shape="unrolled")
         write_states(random_states(model, 2), model, tmp_path / "s.json")
         line = self.said(solver, tmp_path / "s.json")
         assert line.startswith('state 1: joint "j00')

@@ -177,7 +177,7 @@ class TestFailures:
         model = human_figure()
         text = text_of(plan_of(model, 1), shape="unrolled")
         assert "const Two " in text or "const Four " in text
-        return model, Solver(builder.compile(text, "human", ("-O0",)), 1, builder.toolchain)
+        return model, Solver(builder.compile(text, "human"), 1, builder.toolchain)
 
     @staticmethod
     def said(solver: Solver, path: Path) -> str:

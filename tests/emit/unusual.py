@@ -81,7 +81,7 @@ def require_solved(name: str, builder: Builder, folder: Path, shape: str = "auto
     case = CASES[name]
     model = case.model()
     plan = case.plan(model)
-    solver = builder.solver(plan, ("-O0",), name=f"{shape} {name}", shape=shape)
+    solver = builder.solver(plan, name=f"{shape} {name}", shape=shape)
     states = random_states(model, 4, seed=9)
     truth = truth_of(model, states)
     for channel in ("window", "message"):

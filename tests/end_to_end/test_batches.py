@@ -10,13 +10,21 @@ import numpy as np
 import pytest
 
 from adagen.states import random_states, write_states
-from tests.emitted import ROUNDING, Builder, Solver, forward_error, plan_of, states_text, truth_of
+from tests.emitted import (
+    QUICK,
+    ROUNDING,
+    Builder,
+    Solver,
+    forward_error,
+    plan_of,
+    states_text,
+    truth_of,
+)
 from tests.end_to_end.hosts import APART
 from tests.golden.examples import EXAMPLES, FOLDER
 
 STEM = "arm7_batch_p2"
 ARM = next(example for example in EXAMPLES if example.stem == STEM)
-FLAGS = ("-O1", "-march=native")
 SIZES = (0, 1, 7, 8, 9, 16, 17, 63, 64, 65, 1000, 5003)
 SPOILT = ((1, 0), (9, 8), (64, 0, 7, 8, 63), (1003, 5, 500, 1002), (16, *range(16)))
 
@@ -24,9 +32,9 @@ SPOILT = ((1, 0), (9, 8), (64, 0, 7, 8, 63), (1003, 5, 500, 1002), (16, *range(1
 @pytest.fixture(scope="module")
 def program(builder: Builder) -> Solver:
     source = (FOLDER / STEM / f"{STEM}.cpp").read_text()
-    object_file = builder.compile(source, f"{STEM}.o", (*FLAGS, "-DADAGEN_NO_MAIN", "-c"))
+    object_file = builder.object_file(source, STEM)
     text = Path(__file__).with_name("batches.cpp").read_text()
-    flags = ("-O0", "-march=native", f"-I{FOLDER / STEM}", str(object_file))
+    flags = (*QUICK, f"-I{FOLDER / STEM}", str(object_file))
     return Solver(builder.compile(text, "batches", flags), 2, builder.toolchain)
 
 
@@ -76,7 +84,7 @@ def test_a_program_names_states_with_bad_quaternions_and_answers_the_others(
 ) -> None:
     model = next(e for e in EXAMPLES if e.stem == "humanoid_p1").model()
     plan = plan_of(model, 1, scalar=scalar)
-    solver = builder.solver(plan, FLAGS, name="humanoid", batch=2, shape=shape)
+    solver = builder.solver(plan, name="humanoid", batch=2, shape=shape)
     states = random_states(model, 23, seed=6)
     data = states_text(model, states, tmp_path)
     for bad in (4, 20):
@@ -108,6 +116,6 @@ def test_a_program_names_states_with_bad_quaternions_and_answers_the_others(
 
 def test_slaved_joints_are_in_step_in_batches_too(builder: Builder, tmp_path: Path) -> None:
     model = next(example for example in EXAMPLES if example.mimic).model()
-    solver = builder.solver(plan_of(model, 1), FLAGS, name="slaved", batch=1)
+    solver = builder.solver(plan_of(model, 1), name="slaved", batch=1)
     states = random_states(model, 11, seed=7)
     assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]

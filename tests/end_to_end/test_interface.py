@@ -8,12 +8,11 @@ import numpy as np
 import pytest
 
 from adagen.states import States, random_states
-from tests.emitted import ROUNDING, Builder, Solver, forward_error, truth_of
+from tests.emitted import QUICK, ROUNDING, Builder, Solver, forward_error, truth_of
 from tests.golden.examples import EXAMPLES, FOLDER
 
 STEMS = ("arm7_p2", "mobile_p1")
 BY_STEM = {example.stem: example for example in EXAMPLES}
-FLAGS = ("-O0", "-march=native")
 REFUSED = (
     "MPI is not initialised: call MPI_Init first",
     "channel takes auto, window or message, not pigeon",
@@ -29,13 +28,10 @@ def source(stem: str) -> str:
 
 @pytest.fixture(scope="module")
 def program(builder: Builder) -> Solver:
-    objects = [
-        str(builder.compile(source(stem), f"{stem}.o", (*FLAGS, "-DADAGEN_NO_MAIN", "-c")))
-        for stem in STEMS
-    ]
+    objects = [str(builder.object_file(source(stem), stem)) for stem in STEMS]
     text = Path(__file__).with_name("program.cpp").read_text()
     includes = [f"-I{FOLDER / stem}" for stem in STEMS]
-    executable = builder.compile(text, "program", (*FLAGS, *includes, *objects))
+    executable = builder.compile(text, "program", (*QUICK, *includes, *objects))
     return Solver(executable, 2, builder.toolchain)
 
 

@@ -15,7 +15,7 @@ from adagen.plan import Plan, make_plan
 from adagen.schedule import load_profile
 from adagen.search import best_schedule
 from adagen.states import random_states
-from tests.emitted import ROUNDING, Builder, Solver, forward_error, plan_of, truth_of
+from tests.emitted import QUICK, ROUNDING, Builder, Solver, forward_error, plan_of, truth_of
 from tests.golden.examples import EXAMPLES, FOLDER
 from tests.models import human_figure
 
@@ -71,8 +71,7 @@ def test_a_solver_for_one_process_throws_nothing_and_knows_no_mpi(
 ) -> None:
     source = (FOLDER / stem / f"{stem}.cpp").read_text()
     assert "mpi.h" not in source
-    flags = ("-O0", "-march=native", "-DADAGEN_NO_MAIN", "-fno-exceptions", "-c")
-    builder.check(source, stem, flags)
+    builder.check(source, stem, ("-DADAGEN_NO_MAIN", "-fno-exceptions", "-fsyntax-only"))
 
 
 @pytest.mark.parametrize("kind", ["so", "a"])
@@ -155,12 +154,11 @@ class TestWorkers:
     def lines(self, builder: Builder, stem: str, source: str, header: str, channel: str,
               folder: Path, processes: int, batch: bool = False) -> list[str]:  # fmt: skip
         (folder / f"{stem}.h").write_text(header)
-        flags = ("-O0", "-march=native")
-        part = builder.compile(source, f"{stem}.o", (*flags, "-DADAGEN_NO_MAIN", "-c"))
+        part = builder.object_file(source, stem)
         words = {"SOLVER_SOLVE": f"{stem}_solve_{'batch_' * batch}at_root"}
         words["COUNT"] = "1," if batch else ""
         text = filled("workers.cpp", stem, **words)
-        program = builder.compile(text, "workers", (*flags, f"-I{folder}", str(part)))
+        program = builder.compile(text, "workers", (*QUICK, f"-I{folder}", str(part)))
         done = Solver(program, processes, builder.toolchain).run(channel, timeout=60)
         assert (done.status, done.stderr) == (0, "")
         return sorted(done.stdout.splitlines())

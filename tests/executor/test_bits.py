@@ -18,11 +18,10 @@ from adagen.model import Model
 from adagen.plan import Plan
 from adagen.plan.steps import FusedJoin
 from adagen.states import States, random_states
-from tests.emitted import ROUNDING, Builder, forward_error, truth_of
+from tests.emitted import EXACT, ROUNDING, Builder, forward_error, truth_of
 from tests.executor.plans import ADA, CASES, Case, anything, kinds_of
 from tests.models import three_axis_chain
 
-EXACT = ("-O1", "-ffp-contract=off", "-fno-math-errno", "-DNDEBUG")
 ALGEBRAS = {"double": DOUBLE, "float": FLOAT}
 
 

@@ -29,9 +29,8 @@ from adagen.plan.steps import (
 )
 from adagen.states import random_states
 from tests.emit.limbs import alike
-from tests.emitted import ROUNDING, Builder, forward_error, plan_of, truth_of
+from tests.emitted import EXACT, ROUNDING, Builder, forward_error, plan_of, truth_of
 from tests.executor.plans import kinds_of
-from tests.executor.test_bits import EXACT
 from tests.models import (
     Part,
     assemble,

@@ -103,10 +103,11 @@ def test_light_links_at_the_meeting_cost_no_digits(ratio: float) -> None:
 def test_limbs_of_a_figure_are_shared_out_evenly() -> None:
     """Two arms and two legs on a spine: each process takes one of each, and both the spine."""
     rng = np.random.default_rng(5)
-    model = random_tree(rng, 30, branching=0.7, floating=True)
-    plan = make_plan(model, best_schedule(model, 2, load_profile("default")))
+    model = random_tree(rng, 40, branching=0.7, floating=True)
+    few = 500  # it finds the same as twenty times as many
+    plan = make_plan(model, best_schedule(model, 2, load_profile("default"), expansions=few))
     work = [len(process.owns) + len(process.shares) for process in plan.processes]
-    assert max(work) <= 0.7 * 30
+    assert max(work) <= 0.7 * 40
     assert error(model, plan) < 1e-8
 
 

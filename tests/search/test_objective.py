@@ -13,7 +13,7 @@ from adagen.cli import main
 from adagen.executor import interpret
 from adagen.executor.growth import predicted_growth
 from adagen.model import Model
-from adagen.plan import make_plan
+from adagen.plan import Plan, make_plan
 from adagen.plan.steps import Join
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.schedule import Schedule, load_profile
@@ -47,11 +47,17 @@ def middling(mass: float) -> Model:
     return robots.chain("light middle", inertias)
 
 
-def found(model: Model, objective: str, form: str = "segment") -> tuple[Schedule, Digits, float]:
-    """Return a schedule for two processes, its predicted digits and the error that it has."""
+def searched(model: Model, objective: str, form: str = "segment") -> tuple[Schedule, Plan]:
+    """Return a schedule for two processes, and its plan."""
     schedule = schedule_for(objective, model, 2, PROFILE, form, gather=False)
     plan = make_plan(model, schedule, form=form)
     assert all(process.owns for process in plan.processes)
+    return schedule, plan
+
+
+def found(model: Model, objective: str) -> tuple[Schedule, Digits, float]:
+    """Return a schedule for two processes, its predicted digits and the error that it has."""
+    schedule, plan = searched(model, objective)
     states = random_states(model, 3, seed=1)
     error = 0.0
     for state in zip(states.q, states.v, states.tau, strict=True):
@@ -100,7 +106,8 @@ def test_what_recovers_from_singular_poses_is_predicted() -> None:
 
 def test_a_float_solver_is_predicted_to_lose_as_many_digits_of_fewer() -> None:
     model = middling(1e-7)
-    plans = [make_plan(model, found(model, "time")[0], scalar=name) for name in ("double", "float")]
+    schedule, _ = searched(model, "time")
+    plans = [make_plan(model, schedule, scalar=name) for name in ("double", "float")]
     double, single = (predicted_digits("time", model, plan).error for plan in plans)
     assert double < 1e-2
     assert single == 1.0
@@ -115,8 +122,11 @@ def test_ordinary_robots_are_cut_alike_for_time_and_for_both() -> None:
 
 def test_in_form_ada_the_order_hardly_matters() -> None:
     model = middling(1e-4)
-    ratio = found(model, "both", "ada")[1].error / found(model, "accuracy", "ada")[1].error
-    assert 1.0 <= ratio < 30.0
+    both, accuracy = (
+        predicted_digits(name, model, searched(model, name, "ada")[1]).error
+        for name in ("both", "accuracy")
+    )
+    assert 1.0 <= both / accuracy < 30.0
 
 
 def test_one_process_joins_nothing() -> None:
