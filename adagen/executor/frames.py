@@ -3,7 +3,9 @@
 A rotation is a product of turns about coordinate axes, joined with whatever permutes axes; only
 orientations by quaternions and oblique axes need a dense matrix. A turn of a symmetric 2x2 block
 [[a, b], [b, d]] by [[p, q], [-q, p]] is told with t = p (a - d) + 2 q b as [[d + p t, b - q t],
-[., a - p t]]: 7 operations for 12.
+[., a - p t]]: 7 operations for 12. That is exact to a unit in the last place of the block, not of
+its entries: where one of them comes to be what a joint has of inertia near gimbal lock, the turn is
+``exact``, and takes p (p a + q b) + q (p b + q d) and the like.
 """
 
 from __future__ import annotations
@@ -31,6 +33,7 @@ class Turn:
         block: (p, q, r, s) with v[rows[0]] = p u[columns[0]] + q u[columns[1]], ...
         proper: whether the block is a rotation, [[p, q], [-q, p]], not [[p, q], [q, -p]].
         lone: the lone entry, 1 or -1.
+        exact: whether entries that are small beside others keep their digits.
     """
 
     rows: tuple[int, int, int]
@@ -38,11 +41,12 @@ class Turn:
     block: tuple[Expression, Expression, Expression, Expression]
     proper: bool
     lone: int
+    exact: bool = False
 
     def transposed(self) -> Turn:
         """Return the inverse."""
         p, q, r, s = self.block
-        return Turn(self.columns, self.rows, (p, r, q, s), self.proper, self.lone)
+        return Turn(self.columns, self.rows, (p, r, q, s), self.proper, self.lone, self.exact)
 
     def vector(self, u: Array) -> Array:
         """Return the matrix times u, shape (3,)."""
@@ -76,6 +80,11 @@ class Turn:
             return a, p * s * b, p * s * g, d
         if p.constant == 0:
             return d, q * r * g, q * r * b, a
+        if self.exact:
+            first, second = (p * a + q * g, p * b + q * d), (r * a + s * g, r * b + s * d)
+            right = r * first[0] + s * first[1]
+            left = right if b == g else p * second[0] + q * second[1]
+            return p * first[0] + q * first[1], right, left, r * second[0] + s * second[1]
         if _smaller(p, q):
             t = p * (a - d) + ((q + q) * b if b == g else q * (b + g))
             offs = (b - q * t, g - q * t) if self.proper else (q * t - b, q * t - g)
@@ -167,13 +176,16 @@ def constant_turn(rotation: Array) -> Turn | None:
     return None
 
 
-def about_z(cosine: Expression, sine: Expression) -> Turn:
+def about_z(cosine: Expression, sine: Expression, *, exact: bool = False) -> Turn:
     """Return the turn by an angle about z."""
-    return Turn((0, 1, 2), (0, 1, 2), (cosine, -sine, sine, cosine), True, 1)
+    return Turn((0, 1, 2), (0, 1, 2), (cosine, -sine, sine, cosine), True, 1, exact)
 
 
 def placed(base: Array, turn: Turn | Dense | None, *, across: bool = False) -> Rotation:
     """Return the constant rotation ``base`` times ``turn``, what can be merged merged.
+
+    An exact turn is merged with none but permutations of axes: a sum of angles loses the digits of
+    a small one.
 
     Args:
         base: it, shape (3, 3).
@@ -181,6 +193,8 @@ def placed(base: Array, turn: Turn | Dense | None, *, across: bool = False) -> R
         across: whether a base without structure is R_x R_z if it has a zero that shows that.
     """
     fixed = constant_turn(base)
+    if isinstance(turn, Turn) and turn.exact and not _permutes(base):
+        return Rotation((fixed or Dense(base), turn))
     if across and fixed is None and isinstance(turn, Turn) and base[0, 2].constant == 0:
         (p, q), (c, s) = base[1:, 2], (turn.block[0], turn.block[2])
         about_x = Turn((1, 2, 0), (1, 2, 0), (q, p, -p, q), True, 1)
@@ -202,7 +216,12 @@ def placed(base: Array, turn: Turn | Dense | None, *, across: bool = False) -> R
         return Rotation((fixed, turn))
     (p, q, r, s), (c, minus, sine, _) = fixed.block, turn.block
     block = p * c + q * sine, p * minus + q * c, r * c + s * sine, r * minus + s * c
-    return Rotation((Turn(fixed.rows, fixed.columns, block, fixed.proper, fixed.lone),))
+    return Rotation((Turn(fixed.rows, fixed.columns, block, fixed.proper, fixed.lone, turn.exact),))
+
+
+def _permutes(base: Array) -> bool:
+    """Whether a constant rotation has no entries but 0, 1 and -1."""
+    return all(entry.constant in (0, 1, -1) for entry in base.flat)
 
 
 @dataclass(frozen=True)

@@ -75,7 +75,7 @@ class Motion:
         if kind.name == "prismatic":
             return None, np.array([zero, zero, q[0]], dtype=object)
         shift = np.array([q[0], q[1], zero], dtype=object) if kind.name == "planar" else None
-        return about_z(*self.state.circular(q[-1])), shift
+        return about_z(*self.state.circular(q[-1]), exact=self.state.turns_exactly(j)), shift
 
     def _orientation(self, j: int, quaternion: list[Expression]) -> Array:
         """Rotation matrix of a quaternion (x, y, z, w) of any length."""

@@ -15,6 +15,7 @@ from adagen.graph import Expression, Factors, Graph, Numbers, factorize, total
 from adagen.model.kinds import HELD, KINDS, JointKind
 from adagen.plan.digits import EPSILON
 from adagen.plan.simd_groups import Limbs
+from adagen.plan.turned import losing_joints
 from adagen.plan.types import FACTORS, Plan, PlanJoint
 
 Array = NDArray[Any]
@@ -64,6 +65,7 @@ class State:
         self.results: dict[int, Array] = {}
         self.limbs = tuple(all_limbs)
         self.rows = Rows(self, rows_of(all_limbs))
+        self._exact = losing_joints(plan)
 
     # -- numbers ----------------------------------------------------------------------------------
 
@@ -134,6 +136,13 @@ class State:
                 self._place_of_angles.setdefault((single,), place)
         cosine = self.graph.input(f"cosine[{k}]", READY, width)
         return cosine, self.graph.input(f"sine[{k}]", READY, width)
+
+    def turns_exactly(self, j: int) -> bool:
+        """Whether what a joint hands on may be small beside what it is found in, and must be exact.
+
+        So it is for joints that would lose digits in axes of the base, of a row for all.
+        """
+        return not self._exact.isdisjoint(self.rows.lanes(j))
 
     def take_angles_of_rows(self) -> None:
         """Place the angles of rows before all others, the widest first: loads are then aligned."""

@@ -72,8 +72,7 @@ def turned_joints(plan: Plan) -> Turned:
     """Return the joints of a plan of form segment that are eliminated in their own axes."""
     steps = _articulated(plan)
     most, enough = MOST[FACTORS[plan.scalar]], ENOUGH[FACTORS[plan.scalar]]
-    sides = _sides(plan.joints, plan.links)
-    seen = {step: sides[step] for step in steps if step in sides}
+    seen = _seen(plan, steps)
     worst = {step for step, side in seen.items() if side.most > most * side.least}
     usual = {
         step for step, side in seen.items() if side.usual > (enough if step in worst else most)
@@ -85,6 +84,27 @@ def turned_joints(plan: Plan) -> Turned:
             usual.add((j, backwards))
     always = _with_joints_beyond(plan, steps, usual) | _told_at_cuts(plan, {j for j, _ in steps})
     return Turned(always, _with_joints_beyond(plan, steps, worst) - always)
+
+
+def losing_joints(plan: Plan) -> frozenset[int]:
+    """Return the joints that may come to lose too many digits, with those beyond them.
+
+    There what is small beside other entries of an inertia has to keep its own digits.
+    """
+    steps = _articulated(plan)
+    most = MOST[FACTORS[plan.scalar]]
+    losing = {
+        step
+        for step, side in _seen(plan, steps).items()
+        if side.most > most * side.least or side.usual > most
+    }
+    return _with_joints_beyond(plan, steps, losing) if losing else frozenset()
+
+
+def _seen(plan: Plan, steps: Iterable[tuple[int, bool]]) -> dict[tuple[int, bool], Side]:
+    """What joints see that are eliminated."""
+    sides = _sides(plan.joints, plan.links)
+    return {step: sides[step] for step in steps if step in sides}
 
 
 def _with_joints_beyond(

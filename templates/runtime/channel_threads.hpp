@@ -1,7 +1,7 @@
-// Exchange between threads of one process: a message is a slot that its source fills and then numbers
-// (release), and that its target reads once it sees the number (acquire). A message has two slots,
-// taken in turn: when one is written again, two evaluations later, its target has answered in the
-// one between.
+// Exchange between threads of one process: a message is a slot that its source fills and then
+// numbers (release), and that its target reads once it sees the number (acquire). A message has two
+// slots, taken in turn: when one is written again, two evaluations later, its target has answered
+// in the one between.
 template <std::size_t numbers>
 struct alignas(kCacheLine) Slot {
   std::atomic<std::uint64_t> number{0};
@@ -31,7 +31,8 @@ class Channel {
     place.store(number, std::memory_order_release);
   }
 
-  // Waits for message k and returns its content; what its source knows of failures joins the status.
+  // Waits for message k and returns its content; what its source knows of failures joins the
+  // status.
   const Number* receive(int k, int& status) {
     const std::uint64_t number = ++counts_[at(k)];
     auto& [place, content] = slot(k, number);
@@ -67,9 +68,7 @@ class Channel {
 
  private:
   static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
-  Slot<most_numbers()>& slot(int k, std::uint64_t number) {
-    return (*slots_)[at(k)][number & 1];
-  }
+  Slot<most_numbers()>& slot(int k, std::uint64_t number) { return (*slots_)[at(k)][number & 1]; }
 
   int rank_ = 0;
   Slots* slots_ = nullptr;

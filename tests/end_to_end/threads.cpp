@@ -11,7 +11,9 @@ namespace {
 double spent() {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
-  const auto ms = [](const timeval& t) { return 1e3 * double(t.tv_sec) + 1e-3 * double(t.tv_usec); };
+  const auto ms = [](const timeval& t) {
+    return 1e3 * double(t.tv_sec) + 1e-3 * double(t.tv_usec);
+  };
   return ms(used.ru_utime) + ms(used.ru_stime);
 }
 

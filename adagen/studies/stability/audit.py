@@ -1,0 +1,174 @@
+"""What emitted solvers answer in hard states, beside the truth: right, refused, wrong in silence."""
+
+from __future__ import annotations
+
+import ctypes
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.build import Toolchain, build_executable
+from adagen.emit import emit, stem_of
+from adagen.errors import AdagenError
+from adagen.model import Model
+from adagen.plan import Plan, make_plan
+from adagen.plan.types import THREADS
+from adagen.reference import exact_forward_dynamics
+from adagen.schedule import Topology, load_profile
+from adagen.search import named_schedule
+from adagen.states import States
+
+Array = NDArray[np.float64]
+WRONG = {"double": 1e-6, "float": 1e-1}
+"""From which error on, relative to the largest acceleration of a state, an answer is wrong."""
+
+
+@dataclass(frozen=True)
+class Way:
+    """How a robot is solved.
+
+    Attributes:
+        shape: "kernels" or "unrolled".
+        threads: 1, or more that are joined at cuts.
+        scalar: "double" or "float".
+    """
+
+    shape: str
+    threads: int = 1
+    scalar: str = "double"
+
+    def __str__(self) -> str:
+        words = [self.shape] + [f"P={self.threads}"] * (self.threads > 1)
+        return " ".join(words + [self.scalar] * (self.scalar != "double"))
+
+
+@dataclass(frozen=True)
+class Wrong:
+    """An answer that is wrong though nothing was said.
+
+    Attributes:
+        robot: its name.
+        way: how it was solved.
+        state: number of the state.
+        error: of the answer, relative to the largest acceleration.
+    """
+
+    robot: str
+    way: Way
+    state: int
+    error: float
+
+
+@dataclass(frozen=True)
+class Audit:
+    """What became of all evaluations of one way.
+
+    Attributes:
+        counts: answered, refused, wrong.
+        worst: the wrong ones.
+    """
+
+    counts: Counter[str]
+    worst: tuple[Wrong, ...]
+
+
+def planned(model: Model, way: Way) -> Plan | None:
+    """Return a plan of a robot by one thread or several; None where it is not shared out so."""
+    topology, profile = Topology.of(model), load_profile("default")
+    schedule = named_schedule("balanced", topology, way.threads, profile=profile)
+    try:
+        plan = make_plan(model, schedule, form="segment", scalar=way.scalar, channel=THREADS)
+    except AdagenError:
+        return None
+    shared = sum(bool(process.owns) for process in plan.processes)
+    return plan if shared == way.threads else None
+
+
+def truths(model: Model, states: States) -> list[Array | None]:
+    """Return the true accelerations of states, None for one whose inertia matrix is singular."""
+    found: list[Array | None] = []
+    for state in zip(states.q, states.v, states.tau, strict=True):
+        try:
+            found.append(exact_forward_dynamics(model, *state, digits=25).value)
+        except AdagenError:
+            found.append(None)
+    return found
+
+
+def answers(plan: Plan, way: Way, states: States, toolchain: Toolchain) -> Iterator[Array | None]:
+    """Yield what the emitted solver answers for each state, None where it refuses."""
+    stem = stem_of(plan, "audited")
+    source = emit(plan, name="audited", shape=way.shape)[f"{stem}.cpp"]
+    flags = (*toolchain.flags, "-shared", "-fPIC", "-pthread", "-DADAGEN_NO_MAIN")
+    built = build_executable(
+        f"#define ADAGEN_NO_MAIN\n{source}", f"{stem}.so", replace(toolchain, flags=flags)
+    )
+    library = ctypes.CDLL(str(built))
+    number = np.dtype(np.float64 if way.scalar == "double" else np.float32)
+
+    def function(name: str, result: Any, *arguments: Any) -> Any:
+        found = getattr(library, f"{stem}_{name}")
+        found.restype, found.argtypes = result, arguments
+        return found
+
+    pointer = ctypes.c_void_p
+    if plan.threads:
+        opened = function("open_threads", pointer, pointer, ctypes.c_double)(None, 20.0)
+    else:
+        opened = function("open", pointer)()
+    solve = function("solve", ctypes.c_int, *[pointer] * 5)
+    rows = [np.ascontiguousarray(x, number) for x in (states.q, states.v, states.tau)]
+    try:
+        for state in zip(*rows, strict=True):
+            qdd = np.empty(states.v.shape[1], number)
+            status = solve(opened, *(x.ctypes.data for x in (*state, qdd)))
+            yield qdd.astype(np.float64) if status == 0 else None
+    finally:
+        function("close", None, pointer)(opened)
+
+
+def audited(
+    model: Model, states: States, ways: list[Way], toolchain: Toolchain
+) -> dict[Way, Audit]:
+    """Solve states of a robot in some ways and compare with the truth.
+
+    Where the inertia matrix is singular, every answer is wrong. States of floats are rounded to
+    floats for the truth, too.
+
+    Raises:
+        EnvironmentFault: a solver cannot be built.
+    """
+    found: dict[Way, Audit] = {}
+    known: dict[str, list[Array | None]] = {}
+    for way in ways:
+        plan = planned(model, way)
+        if plan is None:
+            continue
+        if way.scalar not in known:
+            kind = np.float64 if way.scalar == "double" else np.float32
+            given = States(*(x.astype(kind).astype(np.float64) for x in _parts(states)))
+            known[way.scalar] = truths(model, given)
+        counts: Counter[str] = Counter()
+        wrong: list[Wrong] = []
+        solved = answers(plan, way, states, toolchain)
+        for k, (answer, truth) in enumerate(zip(solved, known[way.scalar], strict=True)):
+            if answer is None:
+                counts["refused"] += 1
+                continue
+            counts["answered"] += 1
+            error = np.inf
+            if truth is not None:
+                error = float(np.abs(answer - truth).max() / max(np.abs(truth).max(), 1e-300))
+            if not error <= WRONG[way.scalar]:
+                counts["wrong"] += 1
+                wrong.append(Wrong(model.name, way, k, error))
+        found[way] = Audit(counts, tuple(wrong))
+    return found
+
+
+def _parts(states: States) -> tuple[Array, Array, Array]:
+    return states.q, states.v, states.tau
