@@ -8,6 +8,7 @@ and the force f on it obeys sigma tau = S^T f.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -30,6 +31,7 @@ from adagen.plan.steps import (
     StartLink,
     Step,
 )
+from adagen.plan.turned import turned_joints
 
 Array = NDArray[Any]
 
@@ -104,6 +106,27 @@ class Segments:
         parent, child = self.state.plan.joints[step.joint].parent, step.joint + 1
         return (child, parent, -1) if step.reversed else (parent, child, 1)
 
+    @cached_property
+    def _weak(self) -> frozenset[int]:
+        """Joints whose own link has little inertia along them beside what hangs on it."""
+        return turned_joints(self.state.plan)
+
+    def _brought(self, step: Articulate, inertia: Array) -> Expression | None:
+        """Trace of what joints beyond bring to where D is found; None where D cannot be noise.
+
+        What the bare link has along a joint is exact; what others bring is known to a few units in
+        the last place of its trace, and is nothing but noise where links without inertia come near
+        gimbal lock.
+        """
+        if self._weak.isdisjoint(self.state.rows.lanes(step.joint)):
+            return None
+        first = 0 if self.state.kind(step.joint).free[0] < 3 else 3
+        brought = total([inertia[k, k] for k in range(first, first + 3)])
+        if step.reversed:
+            return brought
+        bare = self.motion.link_inertia(step.joint + 1)
+        return brought - total([bare[k, k] for k in range(first, first + 3)])
+
     def _articulate(self, step: Articulate) -> None:
         near, far, sigma = self._ends(step)
         kind = self.state.kind(step.joint)
@@ -115,7 +138,7 @@ class Segments:
         pull = self.state.torques(step.joint) * sigma
         rotor, own = self.state.rotor(step.joint), inertia[np.ix_(free, free)]
         d = own if rotor is None else own + self._diagonal(len(free), rotor)
-        factors = self.state.factorize(d, step.joint)
+        factors = self.state.factorize(d, step.joint, self._brought(step, inertia))
         u = pull - p[free]
         moved = factors.solve(u)
         half = factors.forward(inertia[np.ix_(free, constrained)])  # L^-1 U^T
