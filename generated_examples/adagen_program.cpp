@@ -336,10 +336,11 @@ void add_quoted(Words& to, const char* text) {
 }
 
 // An independent check: inverse dynamics by Newton's and Euler's equations, body by body, in
-// double. It shares the model's constants with the solver, and no arithmetic.
+// long double. It shares the model's constants with the solver, and no arithmetic.
 namespace check {
 
-using Vec = std::array<double, 3>;
+using Real = long double;
+using Vec = std::array<Real, 3>;
 using Mat = std::array<Vec, 3>;
 
 Vec operator+(const Vec& a, const Vec& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
@@ -363,8 +364,15 @@ Mat times(const Mat& a, const Mat& b) {
       for (int k = 0; k < 3; ++k) result[i][j] += a[i][k] * b[k][j];
   return result;
 }
-Vec vec3(const Number* x) { return {double(x[0]), double(x[1]), double(x[2])}; }
+Real length(const Vec& a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
+Vec vec3(const Number* x) { return {Real(x[0]), Real(x[1]), Real(x[2])}; }
 Mat mat3(const Number* x) { return {vec3(x), vec3(x + 3), vec3(x + 6)}; }
+
+// How large the terms are from which something is added up: what rounding errors are relative to.
+// A rotation changes no length, so that sizes hold in every frame.
+struct Sizes {
+  Real dw, a, f, n;
+};
 
 struct Body {
   Mat turn;   // child to parent coordinates
@@ -372,36 +380,37 @@ struct Body {
   Vec w, dw;  // angular velocity and acceleration, in the body's frame
   Vec a;      // acceleration of its origin minus gravity, in the body's frame
   Vec f, n;   // force on it through its joint, and moment about its origin
+  Sizes size;
 };
 
 // Rotation and origin of the child frame in the joint frame.
 void displace(const Joint& joint, const Number* q, Mat& turn, Vec& shift) {
   turn = {Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}};
   shift = {};
-  const auto about_z = [&turn](double angle) {
-    const double c = std::cos(angle), s = std::sin(angle);
+  const auto about_z = [&turn](Real angle) {
+    const Real c = std::cos(angle), s = std::sin(angle);
     turn = {Vec{c, -s, 0}, Vec{s, c, 0}, Vec{0, 0, 1}};
   };
   const auto orient = [&turn](const Number* p) {
-    double x = double(p[0]), y = double(p[1]), z = double(p[2]), w = double(p[3]);
-    const double length = std::sqrt(x * x + y * y + z * z + w * w);
-    x /= length, y /= length, z /= length, w /= length;
+    Real x = p[0], y = p[1], z = p[2], w = p[3];
+    const Real size = std::sqrt(x * x + y * y + z * z + w * w);
+    x /= size, y /= size, z /= size, w /= size;
     turn = {Vec{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)},
             Vec{2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)},
             Vec{2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)}};
   };
   switch (joint.kind) {
     case JointKind::kRevolute:
-      about_z(double(q[0]));
+      about_z(q[0]);
       break;
     case JointKind::kPrismatic:
-      shift[2] = double(q[0]);
+      shift[2] = Real(q[0]);
       break;
     case JointKind::kSpherical:
       orient(q);
       break;
     case JointKind::kPlanar:
-      about_z(double(q[2])), shift = {double(q[0]), double(q[1]), 0};
+      about_z(q[2]), shift = {Real(q[0]), Real(q[1]), 0};
       break;
     case JointKind::kFloating:
       orient(q + 3), shift = vec3(q);
@@ -414,16 +423,16 @@ void motion(const Joint& joint, const Number* x, Vec& angular, Vec& linear) {
   angular = linear = {};
   switch (joint.kind) {
     case JointKind::kRevolute:
-      angular[2] = double(x[0]);
+      angular[2] = Real(x[0]);
       break;
     case JointKind::kPrismatic:
-      linear[2] = double(x[0]);
+      linear[2] = Real(x[0]);
       break;
     case JointKind::kSpherical:
       angular = vec3(x);
       break;
     case JointKind::kPlanar:
-      linear = {double(x[0]), double(x[1]), 0}, angular[2] = double(x[2]);
+      linear = {Real(x[0]), Real(x[1]), 0}, angular[2] = Real(x[2]);
       break;
     case JointKind::kFloating:
       linear = vec3(x), angular = vec3(x + 3);
@@ -431,16 +440,23 @@ void motion(const Joint& joint, const Number* x, Vec& angular, Vec& linear) {
   }
 }
 
+// What is added up in a row of the equation of motion, and the size of it.
+struct Row {
+  Real value = 0, size = 0;
+
+  void add(Real x) { value += x, size += std::abs(x); }
+};
+
 // What a joint's damping, friction, spring and rotor take of its torque.
 void add_passive(const Joint& joint, const Number* q, const Number* v, const Number* qdd,
-                 double* tau) {
-  const auto& own = joint;
+                 Row* row) {
   for (int k = 0; k < joint.nv; ++k) {
     const double rate = double(v[joint.v + k]);
-    tau[k] += double(own.damping) * rate + double(own.rotor) * double(qdd[joint.v + k]) +
-              double(own.friction) * std::tanh(rate / double(own.friction_speed));
+    row[k].add(joint.damping * rate);
+    row[k].add(joint.rotor * double(qdd[joint.v + k]));
+    row[k].add(joint.friction * std::tanh(rate / joint.friction_speed));
   }
-  if (own.stiffness != 0) tau[0] += double(own.stiffness) * (double(q[joint.q]) - double(own.rest));
+  if (joint.stiffness != 0) row[0].add(joint.stiffness * (double(q[joint.q]) - joint.rest));
 }
 
 // The outer forces push their links.
@@ -449,123 +465,157 @@ void push(const Number* outer, std::vector<Body>& body) {
     Body& b = body[static_cast<std::size_t>(one.link)];
     const Mat turn = mat3(one.rotation);
     const Vec force = times(turn, vec3(outer)), moment = times(turn, vec3(outer + 3));
-    const Vec lever = cross(vec3(one.translation), force);
+    const Vec place = vec3(one.translation), lever = cross(place, force);
     for (int k = 0; k < 3; ++k) b.f[k] -= force[k], b.n[k] -= moment[k] + lever[k];
+    b.size.f += length(force), b.size.n += length(moment) + length(place) * length(force);
     outer += 6;
   }
 }
 
-// Torques that give accelerations qdd at (q, v) beside the outer forces; slaved joints count
-// through their sources' torques.
+// What moves a body: its inertia times its acceleration, and what that takes at its joint.
+void set_in_motion(const Link& link, Body& b) {
+  const Vec c = vec3(link.com);
+  const Vec at_com = b.a + cross(b.dw, c) + cross(b.w, cross(b.w, c));
+  const Mat inertia = mat3(link.tensor);
+  for (int k = 0; k < 3; ++k) b.f[k] = link.mass * at_com[k];
+  b.n = times(inertia, b.dw) + cross(b.w, times(inertia, b.w)) + cross(c, b.f);
+  const Real turning = b.size.dw + length(b.w) * length(b.w);
+  const Real about_com = std::hypot(length(inertia[0]), length(inertia[1]), length(inertia[2]));
+  b.size.f = link.mass * (b.size.a + turning * length(c));
+  b.size.n = about_com * turning + length(c) * b.size.f;
+}
+
+// The motion of body j + 1. Errors of joints' accelerations are independent of each other: what
+// they add up to in an angular acceleration grows with their root mean square.
+void set_motion(int j, const Number* q, const Number* v, const Number* qdd,
+                std::vector<Body>& body) {
+  const Joint& joint = about.joints[j];
+  const Body& parent = body[static_cast<std::size_t>(joint.parent)];
+  Body& b = body[static_cast<std::size_t>(j) + 1];
+  Mat turn;
+  Vec shift, spin, slide, spin_rate, slide_rate;
+  displace(joint, q + joint.q, turn, shift);
+  motion(joint, v + joint.v, spin, slide);
+  motion(joint, qdd + joint.v, spin_rate, slide_rate);
+  b.turn = times(mat3(joint.rotation), turn);
+  b.shift = vec3(joint.translation) + times(mat3(joint.rotation), shift);
+  const Vec carried = transposed_times(b.turn, parent.w);
+  b.w = carried + spin;
+  b.dw = transposed_times(b.turn, parent.dw) + cross(carried, spin) + spin_rate;
+  const Vec at_origin =
+      parent.a + cross(parent.dw, b.shift) + cross(parent.w, cross(parent.w, b.shift));
+  const Vec coriolis = cross(carried, slide);
+  b.a = transposed_times(b.turn, at_origin) + coriolis + coriolis + cross(spin, slide) + slide_rate;
+  const Real turning = parent.size.dw + length(parent.w) * length(parent.w);
+  b.size.dw = std::hypot(parent.size.dw, length(carried) * length(spin), length(spin_rate));
+  b.size.a = parent.size.a + turning * length(b.shift) + 2 * length(b.w) * length(slide) +
+             length(slide_rate);
+}
+
+// The torques of a joint: moments and forces along its freedoms.
+void take_torques(const Joint& joint, const Body& b, Row* row) {
+  const auto take = [&row](const Vec& x, Real size, int first, int count) {
+    for (int k = first; k < first + count; ++k, ++row) row->value = x[k], row->size = size;
+  };
+  switch (joint.kind) {
+    case JointKind::kRevolute:
+      return take(b.n, b.size.n, 2, 1);
+    case JointKind::kPrismatic:
+      return take(b.f, b.size.f, 2, 1);
+    case JointKind::kSpherical:
+      return take(b.n, b.size.n, 0, 3);
+    case JointKind::kPlanar:
+      return take(b.f, b.size.f, 0, 2), take(b.n, b.size.n, 2, 1);
+    case JointKind::kFloating:
+      return take(b.f, b.size.f, 0, 3), take(b.n, b.size.n, 0, 3);
+  }
+}
+
+// A slaved joint counts through its source's torque.
+void fold(Row* row) {
+  for (const Joint& joint : about.joints) {
+    if (joint.source < 0) continue;
+    Row& source = row[about.joints[joint.source].v];
+    source.value += joint.multiplier * row[joint.v].value;
+    source.size += std::abs(joint.multiplier) * row[joint.v].size;
+    row[joint.v] = {};
+  }
+}
+
+// Torques that give accelerations qdd at (q, v) beside the outer forces.
 void inverse_dynamics(const Number* q, const Number* v, const Number* qdd, const Number* outer,
-                      double* tau) {
+                      std::vector<Row>& rows) {
   static std::vector<Body> body;
   body.resize(static_cast<std::size_t>(about.links.count));
   body[0] = {};
   for (int k = 0; k < 3; ++k) body[0].a[k] = -about.gravity[k];
+  body[0].size.a = length(body[0].a);
   for (int j = 0; j < about.joints.count; ++j) {
-    const Joint& joint = about.joints[j];
-    const Link& link = about.links[j + 1];
-    const Body& parent = body[joint.parent];
-    Body& b = body[j + 1];
-    Mat turn;
-    Vec shift, spin, slide, spin_rate, slide_rate;
-    displace(joint, q + joint.q, turn, shift);
-    motion(joint, v + joint.v, spin, slide);
-    motion(joint, qdd + joint.v, spin_rate, slide_rate);
-    b.turn = times(mat3(joint.rotation), turn);
-    b.shift = vec3(joint.translation) + times(mat3(joint.rotation), shift);
-    const Vec carried = transposed_times(b.turn, parent.w);
-    b.w = carried + spin;
-    b.dw = transposed_times(b.turn, parent.dw) + cross(carried, spin) + spin_rate;
-    const Vec at_origin =
-        parent.a + cross(parent.dw, b.shift) + cross(parent.w, cross(parent.w, b.shift));
-    const Vec coriolis = cross(carried, slide);
-    b.a =
-        transposed_times(b.turn, at_origin) + coriolis + coriolis + cross(spin, slide) + slide_rate;
-    const Vec c = vec3(link.com);
-    const Vec at_com = b.a + cross(b.dw, c) + cross(b.w, cross(b.w, c));
-    const Mat inertia = mat3(link.tensor);
-    for (int k = 0; k < 3; ++k) b.f[k] = double(link.mass) * at_com[k];
-    b.n = times(inertia, b.dw) + cross(b.w, times(inertia, b.w)) + cross(c, b.f);
+    set_motion(j, q, v, qdd, body);
+    set_in_motion(about.links[j + 1], body[static_cast<std::size_t>(j) + 1]);
   }
   push(outer, body);
   for (int j = about.joints.count - 1; j >= 0; --j) {
     const Joint& joint = about.joints[j];
-    const Body& b = body[j + 1];
-    double* t = tau + joint.v;
-    switch (joint.kind) {
-      case JointKind::kRevolute:
-        t[0] = b.n[2];
-        break;
-      case JointKind::kPrismatic:
-        t[0] = b.f[2];
-        break;
-      case JointKind::kSpherical:
-        std::copy(b.n.begin(), b.n.end(), t);
-        break;
-      case JointKind::kPlanar:
-        t[0] = b.f[0], t[1] = b.f[1], t[2] = b.n[2];
-        break;
-      case JointKind::kFloating:
-        std::copy(b.f.begin(), b.f.end(), t);
-        std::copy(b.n.begin(), b.n.end(), t + 3);
-        break;
-    }
-    add_passive(joint, q, v, qdd, t);
-    Body& parent = body[joint.parent];
+    const Body& b = body[static_cast<std::size_t>(j) + 1];
+    take_torques(joint, b, &rows[static_cast<std::size_t>(joint.v)]);
+    add_passive(joint, q, v, qdd, &rows[static_cast<std::size_t>(joint.v)]);
+    Body& parent = body[static_cast<std::size_t>(joint.parent)];
     const Vec force = times(b.turn, b.f);
     parent.f = parent.f + force;
     parent.n = parent.n + times(b.turn, b.n) + cross(b.shift, force);
+    parent.size.f += b.size.f;
+    parent.size.n += b.size.n + length(b.shift) * b.size.f;
   }
-  for (int j = 0; j < about.joints.count; ++j) {
-    if (about.joints[j].source < 0) continue;
-    tau[about.joints[about.joints[j].source].v] +=
-        about.joints[j].multiplier * tau[about.joints[j].v];
-    tau[about.joints[j].v] = 0;
-  }
+  fold(rows.data());
 }
 
-// How far slaved accelerations are from following their sources, relative to their size, and
-// prescribed ones from what was prescribed.
-double slip(const Number* tau, const Number* qdd) {
+// How far a slaved acceleration is from following its source, relative to its size, and a
+// prescribed one from what was prescribed.
+double slip(const Joint& joint, const Number* tau, const Number* qdd) {
   double worst = 0;
-  for (const Joint& joint : about.joints) {
-    for (int k = joint.v; joint.prescribed && k < joint.v + joint.nv; ++k)
-      worst = std::max(worst, std::abs(double(qdd[k]) - double(tau[k])));
-    if (joint.source < 0) continue;
-    const double own = double(qdd[joint.v]);
-    const double due = joint.multiplier * double(qdd[about.joints[joint.source].v]);
-    worst = std::max(worst, std::abs(own - due) / std::max(1.0, std::abs(due)));
-  }
-  return worst;
+  for (int k = joint.v; joint.prescribed && k < joint.v + joint.nv; ++k)
+    worst = std::max(worst, std::abs(double(qdd[k]) - double(tau[k])));
+  if (joint.source < 0) return worst;
+  const double own = double(qdd[joint.v]);
+  const double due = joint.multiplier * double(qdd[about.joints[joint.source].v]);
+  return std::max(worst, std::abs(own - due) / std::max(1.0, std::abs(due)));
 }
 
-// The larger of that and of |ID(q, v, qdd) - tau| relative to the size of the torques that it
-// balances.
-double residual(const Number* q, const Number* v, const Number* tau, const Number* qdd) {
+// What is left over of the equation of motion.
+struct Left {
+  std::vector<Real> over, size;  // of each row: ID(q, v, qdd) - tau, and how much is added up there
+  double residual = 0;           // length of over beside that of the torques that it balances
+  double backward = 0;           // the largest of over / size, the backward error
+  int joint = 0;                 // whose row that is
+};
+
+// Nobody asks for the torque of a prescribed joint.
+Left left_over(const Number* q, const Number* v, const Number* tau, const Number* qdd) {
   const std::size_t nv = static_cast<std::size_t>(about.nv);
-  static std::vector<double> needed(nv), at_rest(nv), given(nv);
+  static std::vector<Row> needed(nv), at_rest(nv), given(nv);
   static const std::vector<Number> zero(nv);
-  inverse_dynamics(q, v, qdd, tau + about.nv, needed.data());
-  inverse_dynamics(q, v, zero.data(), tau + about.nv, at_rest.data());
-  for (int k = 0; k < about.nv; ++k) given[k] = double(tau[k]);
-  for (const Joint& joint : about.joints) {
-    for (int k = joint.v; joint.prescribed && k < joint.v + joint.nv; ++k)
-      given[k] = needed[k] = at_rest[k] = 0;  // nobody asks for its torque
-  }
+  inverse_dynamics(q, v, qdd, tau + nv, needed);
+  inverse_dynamics(q, v, zero.data(), tau + nv, at_rest);
+  for (std::size_t k = 0; k < nv; ++k) given[k] = {Real(tau[k]), std::abs(Real(tau[k]))};
+  fold(given.data());
+  Left left;
+  left.over.resize(nv), left.size.resize(nv);
+  Real error = 0, size = 0;
   for (int j = 0; j < about.joints.count; ++j) {
-    if (about.joints[j].source < 0) continue;
-    given[about.joints[about.joints[j].source].v] +=
-        about.joints[j].multiplier * given[about.joints[j].v];
-    given[about.joints[j].v] = 0;
+    const Joint& joint = about.joints[j];
+    for (int at = joint.v; !joint.prescribed && at < joint.v + joint.nv; ++at) {
+      const std::size_t k = static_cast<std::size_t>(at);
+      left.over[k] = needed[k].value - given[k].value,
+      left.size[k] = needed[k].size + given[k].size;
+      const double part = left.size[k] > 0 ? double(std::abs(left.over[k]) / left.size[k]) : 0;
+      if (!(part <= left.backward)) left.backward = part, left.joint = j;
+      error += left.over[k] * left.over[k];
+      size += given[k].value * given[k].value + at_rest[k].value * at_rest[k].value;
+    }
   }
-  double error = 0, size = 0;
-  for (int k = 0; k < about.nv; ++k) {
-    error += (needed[k] - given[k]) * (needed[k] - given[k]);
-    size += given[k] * given[k] + at_rest[k] * at_rest[k];
-  }
-  return std::max(size > 0 ? std::sqrt(error / size) : std::sqrt(error), slip(tau, qdd));
+  left.residual = double(size > 0 ? std::sqrt(error / size) : std::sqrt(error));
+  return left;
 }
 
 }  // namespace check
@@ -1530,8 +1580,8 @@ const char* const kUsageText =
     "  --states FILE     solve these states (JSON, joints by name); --result FILE takes the "
     "answer\n"
     "  --result FILE     where the accelerations go (JSON); standard output if it is not given\n"
-    "  --check           residual of an independent inverse dynamics, for the given or random "
-    "states\n"
+    "  --check           judge the answers to the given or random states: backward error by an\n"
+    "                    independent inverse dynamics, and how many digits are sure\n"
     "  --simulate S      integrate for S seconds from the one given state (or a random one), under "
     "its\n"
     "                    torques\n"
@@ -1546,7 +1596,7 @@ const char* const kUsageText =
     "                    and play it through with what messages cost; stands in for --time\n"
     "  --repeat N        evaluations of each random state when timing (200)\n"
     "  --seed N          seed of the random states (1)\n"
-    "  --tolerance X     largest residual that --check lets pass\n"
+    "  --tolerance X     largest backward error that --check lets pass\n"
     "  --channel KIND    auto, window (processes share memory) or message (MPI messages)\n"
     "  --hosts N         take the processes to be on N hosts, in equal parts: only those of one "
     "share memory\n"
@@ -1949,6 +1999,12 @@ struct Session {
     states = std::move(given);
     qdd.assign(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(about.nv),
                Number(0));
+  }
+
+  // Hands the states of process 0 to all.
+  void share_states() {
+    for (auto* const x : {&states.q, &states.v, &states.tau})
+      MPI_Bcast(x->data(), static_cast<int>(x->size()), kMpiNumber, 0, comm());
   }
 
   int complain(int status, const std::string& what, const std::string& file = "") const {
@@ -2746,6 +2802,291 @@ class Corrections {
   std::vector<double> sizes_;
 };
 
+namespace check {
+
+// Whether a link could be a real body: second moments of its mass are not negative in any
+// direction, but for what printed digits explain.
+bool is_real(const Link& link) {
+  constexpr Real kPrinted = 1e-3L;
+  const Mat inertia = mat3(link.tensor);
+  const Real half = (inertia[0][0] + inertia[1][1] + inertia[2][2]) / 2, slack = kPrinted * half;
+  Mat m{};
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) m[i][k] = (i == k ? half + slack : 0) - inertia[i][k];
+  const Real two = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+  const Vec third = cross(m[0], m[1]);
+  const Real all = third[0] * m[2][0] + third[1] * m[2][1] + third[2] * m[2][2];
+  return link.mass >= 0 && m[0][0] >= 0 && two >= 0 && all >= 0;
+}
+
+// The first link that no real body is, or 0.
+int unreal_link() {
+  for (int k = 1; k < about.links.count; ++k)
+    if (!is_real(about.links[k])) return k;
+  return 0;
+}
+
+// What is wrong with that link, in words.
+std::string unreal() {
+  return "the link that joint " + quoted(about.joints[unreal_link() - 1].name) +
+         " moves has an inertia that no real body has";
+}
+
+}  // namespace check
+
+// What --check says of the answers: are they those of a robot that differs from the given one by
+// rounding errors, and how much do such errors matter?
+//
+// The backward error of an answer is what is left over of a row of the equation of motion, relative
+// to the size of all that is added up in that row, the largest of all rows: by so much the robot's
+// constants and the state would have to change for the answer to be exact. A solver that is right
+// keeps it small on every robot. What it means for an acceleration is up to the joint-space inertia
+// H: what is left over moves the accelerations by H^-1 of it, which the solver itself tells if that
+// is added to the torques. What can be known at all is seen from states that differ from the given
+// one in their last digits.
+class Verdict {
+ public:
+  static constexpr int kProbes = 4;  // by what is left over; then three times by last digits
+
+  void listen(int rank, const States& states) {
+    if (rank > 0) return;
+    states_ = states;
+    findings_.resize(static_cast<std::size_t>(states.count));
+  }
+
+  // All of what follows is process 0's.
+  void note_answer(int s, const Number* qdd) {
+    Finding& finding = at(s);
+    finding.qdd.assign(qdd, qdd + about.nv);
+    finding.left = check::left_over(q(s), v(s), tau(s), qdd);
+    for (int j = 0; j < about.joints.count; ++j) {
+      const double slip = check::slip(about.joints[j], tau(s), qdd);
+      if (!(slip <= finding.left.backward)) finding.left.backward = slip, finding.left.joint = j;
+    }
+    finding.error.assign(finding.qdd.size(), 0);
+    finding.known.assign(finding.qdd.size(), 0);
+  }
+
+  // The states of a probe.
+  States states_of(int probe) const {
+    States states = states_;
+    std::uint64_t seed = static_cast<std::uint64_t>(probe);
+    for (int s = 0; s < states.count; ++s) {
+      Number* const own_q = states.q.data() + static_cast<long>(s) * about.nq;
+      Number* const own_v = states.v.data() + static_cast<long>(s) * about.nv;
+      Number* const own_tau = states.tau.data() + static_cast<long>(s) * about.ntau;
+      if (probe == 0)
+        push(at(s), own_tau);
+      else
+        touch(seed, own_q, own_v, own_tau);
+    }
+    return states;
+  }
+
+  void note_response(int probe, int s, const Number* qdd) {
+    Finding& finding = at(s);
+    const double step = probe == 0 ? scale(finding) / kPush : 1 / kTouch;
+    for (std::size_t k = 0; k < finding.qdd.size(); ++k) {
+      const double moved = (double(qdd[k]) - finding.qdd[k]) * step;
+      if (probe == 0)
+        finding.error[k] = std::abs(moved);
+      else if (!(std::abs(moved) <= finding.known[k]))
+        finding.known[k] = std::abs(moved);
+    }
+    finding.probed = probe + 1;
+  }
+
+  // Whether the solver is right.
+  bool judge(double tolerance) {
+    tolerance_ = tolerance;
+    for (int s = 0; s < states_.count; ++s) {
+      const Finding& finding = at(s);
+      residuals_.push_back(finding.left.residual);
+      backward_.push_back(finding.left.backward);
+      if (s == 0 || !(finding.left.backward <= at(off_).left.backward)) off_ = s;
+      if (finding.probed < kProbes) continue;
+      const Unsure own = least_known(finding);
+      if (!probed_ || !(own.part <= unsure_.part)) unsure_ = own, unsure_state_ = s;
+      probed_ = true;
+    }
+    std::sort(residuals_.begin(), residuals_.end());
+    std::sort(backward_.begin(), backward_.end());
+    right_ = backward_.back() <= tolerance;
+    if (!right_)
+      fault_ = "solver";
+    else if (probed_ && !(unsure_.part <= kUnsure))
+      fault_ = digits() < kNone && check::unreal_link() > 0 ? "model" : "conditioning";
+    return right_;
+  }
+
+  // What is said of the model where a solver refuses: nothing where all its links are real.
+  static std::string of_model() {
+    return check::unreal_link() > 0 ? "; the model is at fault: " + check::unreal() : "";
+  }
+
+  void print(std::FILE* out) const {
+    if (backward_.empty()) return;
+    std::fprintf(out, "check  backward error: median %.1e, largest %.1e of %.0e: %s\n",
+                 middle(backward_), backward_.back(), tolerance_, right_ ? "right" : "WRONG");
+    const std::string where =
+        "state " + std::to_string(state() + 1) + ", joint " + quoted(about.joints[joint()].name);
+    if (!right_)
+      std::fprintf(out, "check  the solver is at fault: %s\n", where.c_str());
+    else if (probed_)
+      std::fprintf(out, "check  %.1f digits of the accelerations are sure: %s\n", digits(),
+                   where.c_str());
+    if (fault_ == "conditioning")
+      std::fprintf(out,
+                   "check  warning: the robot is ill-conditioned there: the last digits of its "
+                   "constants and its state decide all others; another shape, or --refine, may "
+                   "keep some more\n");
+    if (fault_ == "model")
+      std::fprintf(out, "check  warning: the model is at fault: %s\n", check::unreal().c_str());
+  }
+
+  // As a member of a JSON object, a comma before it.
+  std::string json() const {
+    if (backward_.empty()) return "";
+    const std::string known = probed_ ? number(unsure_.part) : "null";
+    return ", \"check\": {\"residual_median\": " + number(middle(residuals_)) +
+           ", \"residual_max\": " + number(residuals_.back()) +
+           ", \"backward_error_median\": " + number(middle(backward_)) +
+           ", \"backward_error_max\": " + number(backward_.back()) +
+           ", \"tolerance\": " + number(tolerance_) + ", \"forward_error\": " + known +
+           ", \"digits\": " + (probed_ ? number(digits()) : "null") +
+           ", \"state\": " + std::to_string(state() + 1) +
+           ", \"joint\": " + quoted(about.joints[joint()].name) +
+           ", \"fault\": " + (fault_.empty() ? "null" : quoted(fault_.c_str())) +
+           ", \"ok\": " + (right_ ? "true" : "false") + "}";
+  }
+
+ private:
+  static constexpr double kPush = 1024;  // what it does to the answer is told to three digits
+  static constexpr double kTouch = 64;   // units of rounding: the solver's own are small beside it
+  static constexpr double kRounding = std::numeric_limits<Number>::epsilon() / 2;
+  // Where fewer than six digits (float: two) are sure, a warning tells it.
+  static constexpr double kUnsure = sizeof(Number) == sizeof(double) ? 1e-6 : 1e-2;
+  static constexpr double kNone = 0.5;  // fewer digits are none
+
+  struct Finding {
+    check::Left left;
+    std::vector<double> qdd, error, known;  // answer, how far it is off, how far it may be
+    int probed = 0;
+  };
+
+  struct Unsure {
+    double part = 0;  // of the largest acceleration of the state
+    int joint = 0;
+  };
+
+  Finding& at(int s) { return findings_[static_cast<std::size_t>(s)]; }
+  const Finding& at(int s) const { return findings_[static_cast<std::size_t>(s)]; }
+  const Number* q(int s) const { return states_.q.data() + static_cast<long>(s) * about.nq; }
+  const Number* v(int s) const { return states_.v.data() + static_cast<long>(s) * about.nv; }
+  const Number* tau(int s) const { return states_.tau.data() + static_cast<long>(s) * about.ntau; }
+
+  static double scale(const Finding& finding) {
+    return std::max<double>(finding.left.backward, std::numeric_limits<Number>::min());
+  }
+
+  // Adds what is left over to the torques, so much that it stands out.
+  static void push(const Finding& finding, Number* tau) {
+    for (const Joint& joint : about.joints) {
+      if (joint.prescribed || joint.source >= 0) continue;
+      for (int k = joint.v; k < joint.v + joint.nv; ++k) {
+        const double over = double(finding.left.over[static_cast<std::size_t>(k)]);
+        tau[k] = static_cast<Number>(double(tau[k]) + kPush * (over / scale(finding)));
+      }
+    }
+  }
+
+  // Changes the last digits of a state; of angles and orientations those of 1.
+  static void touch(std::uint64_t& seed, Number* q, Number* v, Number* tau) {
+    const auto change = [&seed](Number& x, double size) {
+      seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+      const double by = ((seed >> 63) != 0 ? kTouch : -kTouch) * kRounding;
+      x = static_cast<Number>(double(x) + by * std::max(size, std::abs(double(x))));
+    };
+    for (const Joint& joint : about.joints) {
+      const int angles = turns(joint, 0) ? 0 : joint.nq == 7 ? 3 : joint.nq == 3 ? 2 : joint.nq;
+      for (int k = 0; k < joint.nq; ++k) change(q[joint.q + k], k < angles ? 0 : 1);
+      for (int k = joint.v; k < joint.v + joint.nv; ++k) change(v[k], 0), change(tau[k], 0);
+    }
+    for (int k = about.nv; k < about.ntau; ++k) change(tau[k], 0);
+    slave(about.joints, q, v);
+  }
+
+  // Whether entry k of a joint's motion is an angle's.
+  static bool turns(const Joint& joint, int k) {
+    switch (joint.kind) {
+      case JointKind::kPrismatic:
+        return false;
+      case JointKind::kPlanar:
+        return k == 2;
+      case JointKind::kFloating:
+        return k >= 3;
+      default:
+        return true;
+    }
+  }
+
+  // The joint whose acceleration is least sure, beside the largest one of its unit.
+  static Unsure least_known(const Finding& finding) {
+    std::array<double, 2> largest{};
+    Unsure found;
+    for (const bool looking : {true, false}) {
+      for (int j = 0; j < about.joints.count; ++j) {
+        for (int k = 0; k < about.joints[j].nv; ++k) {
+          const std::size_t i = static_cast<std::size_t>(about.joints[j].v + k);
+          double& most = largest[turns(about.joints[j], k)];
+          const double own = std::max(finding.error[i], finding.known[i]);
+          if (looking)
+            most = std::max(most, std::abs(finding.qdd[i]));
+          else if (own > 0 && !(own / most <= found.part))
+            found = {own / most, j};
+        }
+      }
+    }
+    return found;
+  }
+
+  // The joint whose acceleration is farther off than anything else explains.
+  static int spoilt(const Finding& finding) {
+    int found = finding.left.joint;
+    double most = 0;
+    for (int j = 0; j < about.joints.count && finding.probed == kProbes; ++j) {
+      const Joint& joint = about.joints[j];
+      for (int k = joint.v; k < joint.v + joint.nv; ++k) {
+        const std::size_t i = static_cast<std::size_t>(k);
+        const double part = finding.error[i] / finding.known[i];
+        if (part > most) most = part, found = j;
+      }
+    }
+    return found;
+  }
+
+  static double middle(const std::vector<double>& sorted) { return sorted[sorted.size() / 2]; }
+
+  double digits() const { return std::max(0.0, -std::log10(unsure_.part)); }
+  int state() const { return right_ && probed_ ? unsure_state_ : off_; }
+  int joint() const { return right_ && probed_ ? unsure_.joint : spoilt(at(off_)); }
+
+  static std::string number(double x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", x);
+    return std::isfinite(x) ? text : "null";
+  }
+
+  States states_;
+  std::vector<Finding> findings_;
+  std::vector<double> residuals_, backward_;  // of all states, ascending
+  double tolerance_ = 0;
+  bool right_ = true, probed_ = false;
+  int off_ = 0, unsure_state_ = 0;
+  Unsure unsure_;
+  std::string fault_;  // "" for none
+};
+
 // The program around the solver: solves given states, checks, times, simulates, reports.
 
 class Program {
@@ -2802,21 +3143,32 @@ class Program {
     Session& on = session_;
     on.use(std::move(on.states));
     if (about.batch) return solve_many();
-    int failed = kFine, at = 0;
+    int at = 0;
+    const int failed = solve_each(at, [&] { corrections_.note(on.solver); });
+    if (failed != kFine)
+      return on.complain(kInputAtFault,
+                         "state " + std::to_string(at + 1) + ": " + on.solver.in_words(failed) +
+                             (on.options.check ? Verdict::of_model() : ""),
+                         on.options.states);
+    bring_together();
+    return kDone;
+  }
+
+  // One state after the other, up to the first that fails; then does after each.
+  template <class Then>
+  int solve_each(int& at, Then then) {
+    Session& on = session_;
+    int failed = kFine;
     for (int s = 0; s < on.states.count && failed == kFine; ++s) {
       on.watch.again();
       failed = on.solver.solve(on.q(s), on.v(s), on.tau(s), on.acceleration(s));
       on.give_up_if_broken(failed);
-      corrections_.note(on.solver);
+      then();
       // Processes that share no joint's motion do not hear of each other's failures by themselves.
       MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, on.comm());
       at = s;
     }
-    if (failed != kFine)
-      return on.complain(kInputAtFault,
-                         "state " + std::to_string(at + 1) + ": " + on.solver.in_words(failed),
-                         on.options.states);
-    return bring_together();
+    return failed;
   }
 
   // As many states at once as there are lanes. States that fail are named, all others solved.
@@ -2825,8 +3177,7 @@ class Program {
     Session& on = session_;
     Solver& solver = on.solver;
     int status = kDone;
-    on.give_up_if_broken(solver.solve_batch_at_root(on.states.count, on.q(0), on.v(0), on.tau(0),
-                                                    on.acceleration(0)));
+    solve_batch();
     solved_ = on.states.count - solver.failures();
     if (solver.failures() > 0) status = kInputAtFault;
     for (int k = 0; k < kNamed && solver.failed_state(k) >= 0; ++k)
@@ -2836,7 +3187,29 @@ class Program {
     return status;
   }
 
-  int bring_together() {
+  void solve_batch() {
+    Session& on = session_;
+    on.give_up_if_broken(on.solver.solve_batch_at_root(on.states.count, on.q(0), on.v(0), on.tau(0),
+                                                       on.acceleration(0)));
+  }
+
+  // The same for states that nobody has given: whether all were solved.
+  bool solve_quietly() {
+    Session& on = session_;
+    on.use(std::move(on.states));
+    int failed = kFine, at = 0;
+    if (about.batch) {
+      solve_batch();
+      failed = on.rank == 0 ? on.solver.failures() : 0;
+      MPI_Bcast(&failed, 1, MPI_INT, 0, on.comm());
+    } else {
+      failed = solve_each(at, [] {});
+      if (failed == kFine) bring_together();
+    }
+    return failed == kFine;
+  }
+
+  void bring_together() {
     Session& on = session_;
     solved_ = on.states.count;
     // Each process wrote its own joints and left the others zero.
@@ -2846,22 +3219,25 @@ class Program {
       MPI_Reduce(MPI_IN_PLACE, all, size, kMpiNumber, MPI_SUM, 0, on.comm());
     else
       MPI_Reduce(all, nullptr, size, kMpiNumber, MPI_SUM, 0, on.comm());
-    return kDone;
   }
 
+  // Judges the answers; asks the solver for some more, to see how much an error in a row matters.
   int check_all() {
     Session& on = session_;
-    int status = kDone;
-    if (on.rank == 0) {
-      std::vector<double> residuals;
-      for (int s = 0; s < on.states.count; ++s)
-        residuals.push_back(check::residual(on.q(s), on.v(s), on.tau(s), on.acceleration(s)));
-      std::sort(residuals.begin(), residuals.end());
-      residual_median_ = residuals[residuals.size() / 2];
-      residual_max_ = residuals.back();
-      checked_ = true;
-      if (!(residual_max_ <= on.options.tolerance)) status = kInputAtFault;
+    const States states = on.states;
+    const std::vector<Number> qdd = on.qdd;
+    verdict_.listen(on.rank, states);
+    for (int s = 0; s < states.count && on.rank == 0; ++s)
+      verdict_.note_answer(s, on.acceleration(s));
+    for (int probe = 0; probe < Verdict::kProbes; ++probe) {
+      if (on.rank == 0) on.states = verdict_.states_of(probe);
+      if (!about.batch) on.share_states();
+      if (!solve_quietly()) break;
+      for (int s = 0; s < states.count && on.rank == 0; ++s)
+        verdict_.note_response(probe, s, on.acceleration(s));
     }
+    on.states = states, on.qdd = qdd;
+    int status = on.rank > 0 || verdict_.judge(on.options.tolerance) ? kDone : kInputAtFault;
     MPI_Bcast(&status, 1, MPI_INT, 0, on.comm());
     return status;
   }
@@ -2878,26 +3254,18 @@ class Program {
 
   void report() const {
     const Options& options = session_.options;
-    const bool right = residual_max_ <= options.tolerance;
     if (options.json) {
       std::printf("{\"model\": %s, \"processes\": %d, \"channel\": \"%s\"",
                   quoted(about.robot).c_str(), about.processes, session_.solver.channel_name());
       if (!options.states.empty() && options.simulation.seconds == 0)
         std::printf(", \"solved\": %d", solved_);
       if (!warning_.empty()) std::printf(", \"warnings\": [%s]", quoted(warning_.c_str()).c_str());
-      if (checked_)
-        std::printf(
-            ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
-            "\"ok\": %s}",
-            residual_median_, residual_max_, options.tolerance, right ? "true" : "false");
-      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(),
-                  simulation_.json().c_str());
+      std::printf("%s%s%s%s}\n", verdict_.json().c_str(), corrections_.json().c_str(),
+                  timing_.json().c_str(), simulation_.json().c_str());
       return;
     }
     std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
-    if (checked_)
-      std::fprintf(out, "check  residual of inverse dynamics: median %.1e, largest %.1e: %s\n",
-                   residual_median_, residual_max_, right ? "right" : "WRONG");
+    verdict_.print(out);
     corrections_.print(out);
     timing_.print(out);
     simulation_.print();
@@ -2907,10 +3275,9 @@ class Program {
   Timing timing_{session_};
   Simulation simulation_{session_};
   Corrections corrections_;
-  bool checked_ = false;
+  Verdict verdict_;
   int solved_ = 0;
   std::string warning_;
-  double residual_median_ = 0, residual_max_ = 0;
 };
 
 }  // namespace

@@ -283,3 +283,43 @@ def three_axis_chain(balls: int, between: Inertia | None = None) -> Model:
             name = f"b{i:02d}{axis}"
             parts.append(Part(name, above, REVOLUTE, body, place, axis=vector(*AXES[axis])))
     return assemble(f"three_axis{balls}", parts)
+
+
+BONES = (  # name, parent, length of the bone (m), mass (kg)
+    *(("lower_back", "root", 0.1, 9.0), ("upper_back", "lower_back", 0.12, 8.0)),
+    *(("thorax", "upper_back", 0.12, 8.0), ("lower_neck", "thorax", 0.08, 1.0)),
+    *(("upper_neck", "lower_neck", 0.05, 0.5), ("head", "upper_neck", 0.2, 4.5)),
+    *(
+        bone
+        for side in ("left", "right")
+        for bone in (
+            (f"{side}_clavicle", "thorax", 0.17, 0.6),
+            (f"{side}_humerus", f"{side}_clavicle", 0.28, 2.0),
+            (f"{side}_radius", f"{side}_humerus", 0.2, 1.1),
+            (f"{side}_thumb", f"{side}_radius", 0.04, 1e-3),
+            (f"{side}_femur", "root", 0.42, 8.0),
+            (f"{side}_tibia", f"{side}_femur", 0.4, 3.5),
+            (f"{side}_toes", f"{side}_tibia", 0.06, 1e-3),
+        )
+    ),
+)
+
+
+def motion_capture_figure() -> Model:
+    """Return a human figure of 66 degrees of freedom as motion capture has it, on a floating base.
+
+    Each of 20 bones turns about three axes, one after the other, through links of 1e-9 kg.
+    """
+    parts = [Part(BASE, None, FLOATING, rod(11.0, vector(0.0, 0.0, 0.2), 0.13))]
+    ends = {"root": (BASE, vector(0.0, 0.0, 0.1))}
+    turn = np.random.default_rng(7)
+    for name, parent, length, mass in BONES:
+        above, place = ends[parent]
+        tip = length * _unit(turn.normal(size=3))
+        for axis in "zyx":
+            body = rod(mass, tip, 0.1 * length) if axis == "x" else rod(1e-9, 0.01 * tip, 1e-4)
+            part = Part(f"{name}_{axis}", above, REVOLUTE, body, place, axis=vector(*AXES[axis]))
+            parts.append(part)
+            above, place = part.name, np.zeros(3)
+        ends[name] = (above, tip)
+    return assemble("motion_capture_figure", parts, floating=True)

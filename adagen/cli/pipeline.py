@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 import os
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -11,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from adagen.cli.console import Stages, progress, tell, warn
-from adagen.cli.options import AUTO
+from adagen.cli.options import AUTO, refinement
 from adagen.cli.predicted import scheduled
 from adagen.errors import InputError
 
@@ -176,27 +177,35 @@ def shared_by(options: argparse.Namespace) -> int:
 
 
 def _warn_of_lost_digits(plan: Plan, model: Model, options: argparse.Namespace) -> None:
-    """Warn where the emitted code will keep fewer digits than its own check asks for.
+    """Warn, by the joint at fault, where the emitted code is predicted to keep few digits.
 
     Raises:
         InputError: it keeps none: a factorization fails already here.
     """
     from adagen.emit import TOLERANCE
-    from adagen.executor.growth import predicted_growth
+    from adagen.emit.shapes import chosen_shape
+    from adagen.plan.types import FACTORS
+    from adagen.search.objective import FEW, predicted_digits
+    from adagen.urdf.notes import quoted
 
     file = options.model
+    shape = options.shape if options.shape != "auto" else chosen_shape(plan, batch=options.batch)
     try:
-        growth = predicted_growth(plan)
+        digits = predicted_digits(options.objective, model, plan, shape)
     except FloatingPointError as error:
         raise InputError(_why_it_fails(plan, model, options, str(error)), file) from None
-    # In form segment, cuts beside light links are not made in the first place; what refinement
-    # makes good, a mixed solver says itself.
-    if plan.form == "ada" and plan.scalar != "mixed" and growth.error > TOLERANCE[plan.scalar]:
-        warn(
-            f"{file}: warning: relative errors of about {growth.error:.0e} are to be expected: a "
-            f'link at joint "{plan.joints[growth.joint].name}" is much lighter than its neighbours;'
-            " form segment keeps more digits"
-        )
+    few = TOLERANCE[plan.scalar] if plan.form == "ada" else FEW[FACTORS[plan.scalar]]
+    if refinement(options) or digits.error <= few:
+        return  # what refinement makes good, or not, the solver says itself
+    ways = ["form segment keeps more digits"] if plan.form == "ada" else []
+    if plan.form != "ada" and shape == "kernels" and plan.scalar == "double":
+        ways = ["--shape unrolled or --refine 1 may keep more"]
+    elif plan.form != "ada" and plan.scalar == "float":
+        ways = ["--scalar double keeps nine more digits"]
+    warn(
+        f"{file}: warning: {max(0.0, -math.log10(digits.error)):.1f} digits are predicted, most "
+        f"are lost at joint {quoted([digits.worst])}" + "".join(f"; {way}" for way in ways)
+    )
 
 
 def _why_it_fails(plan: Plan, model: Model, options: argparse.Namespace, failure: str) -> str:

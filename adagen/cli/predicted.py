@@ -117,7 +117,7 @@ def proven(schedule: Schedule) -> str:
 
 
 def predicted_accuracy(
-    model: Model, schedule: Schedule, options: argparse.Namespace
+    model: Model, schedule: Schedule, program: Program, options: argparse.Namespace
 ) -> Digits | None:
     """Return what is predicted of a schedule's digits; None where a factorization fails."""
     from adagen.plan import make_plan
@@ -125,7 +125,7 @@ def predicted_accuracy(
 
     plan = make_plan(model, schedule, form=options.form, scalar=options.scalar)
     try:
-        return predicted_digits(options.objective, model, plan)
+        return predicted_digits(options.objective, model, plan, program.shape)
     except FloatingPointError:
         return None
 
@@ -136,7 +136,8 @@ def accuracy_line(digits: Digits | None) -> str:
         return "no digits predicted: a factorization fails"
     kept = f"{-math.log10(digits.error):.1f} digits predicted"
     if digits.joint is None:
-        return f"{kept}: nothing is lost by joining"
+        at = printable(digits.worst)
+        return f'{kept}: nothing is lost by joining, most by sweeping at joint "{at}"'
     return f'{kept}: growth {digits.growth:.1e} at joint "{printable(digits.joint)}"'
 
 
@@ -155,6 +156,7 @@ def with_accuracy(text: str, digits: Digits | None) -> str:
             "error": digits.error,
             "growth": digits.growth if math.isfinite(digits.growth) else None,
             "joint": digits.joint,
+            "worst": digits.worst,
         }
     head = text.rstrip().removesuffix("}")
     return f'{head}, "accuracy": {json.dumps(found)}}}'

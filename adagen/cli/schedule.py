@@ -69,7 +69,7 @@ def run(argv: Sequence[str]) -> int:
     finally:
         if options.verbose:
             note(str(stages))
-    digits = predicted_accuracy(model, schedule, options)
+    digits = predicted_accuracy(model, schedule, found.program, options)
     if options.json:
         document = schedule_document(schedule, Topology.of(model), found.program, found.timeline)
         print(with_accuracy(document, digits))

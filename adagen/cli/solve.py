@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import argparse
+import json
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from adagen.cli.console import Stages, note, progress
+from adagen.cli.console import Stages, note, progress, warn
 from adagen.cli.options import add_emission, add_model, add_schedule, check_emission
 from adagen.cli.parser import make_parser, parse, seconds
 from adagen.errors import EnvironmentFault
@@ -61,6 +62,10 @@ def run(argv: Sequence[str]) -> int:
             note(str(stages))
 
 
+CHECKED = 4096
+"""States up to which answers are judged: that takes some five evaluations of each."""
+
+
 def _solve(options: argparse.Namespace, stages: Stages) -> int:
     from adagen.build import build_executable, find_toolchain
     from adagen.build.toolchain import with_compiler
@@ -80,13 +85,13 @@ def _solve(options: argparse.Namespace, stages: Stages) -> int:
         executable = build_executable(made.source, made.stem, toolchain, progress=progress)
     with stages.stage("run"):
         status, result = _run(executable, made.plan.launched, toolchain, options, model, states)
-    if status != 0:
+    if not result:
         return status
     if options.result is None:
         print(result, end="")
     else:
         write_file(options.result, result)
-    return 0
+    return status
 
 
 def _run(
@@ -107,18 +112,46 @@ def _run(
     ):
         given, result = Path(folder, "states.json"), Path(folder, "result.json")
         write_states(states, model, given)  # complete: slaved joints may be left out in a file
-        done = launch(
-            executable,
-            processes,
-            ["--states", str(given), "--result", str(result)],
-            toolchain,
-            options.timeout,
-        )
+        words = ["--states", str(given), "--result", str(result), "--json"]
+        if states.count <= CHECKED:
+            words.append("--check")
+        done = launch(executable, processes, words, toolchain, options.timeout)
+        report = _report(done.stdout)
         for line in done.stderr.splitlines():
-            note(line.replace(str(given), str(options.states)))
-        if done.status != 0:
+            if report is None or report["fault"] != "solver" or result.name not in line:
+                note(line.replace(str(given), str(options.states)))
+        if report is not None:
+            _tell(report, options)
+        if done.status != 0 and report is None:
             return done.status, ""
         try:
-            return 0, result.read_text(encoding="utf-8")
+            return done.status, result.read_text(encoding="utf-8")
         except OSError:
             raise EnvironmentFault(f"{executable.name} ended without a result") from None
+
+
+def _report(text: str) -> dict[str, Any] | None:
+    """What the solver's own check says; None where there was none."""
+    try:
+        report = json.loads(text)["check"]
+    except (ValueError, KeyError):
+        return None
+    return report if isinstance(report, dict) else None
+
+
+def _tell(report: dict[str, Any], options: argparse.Namespace) -> None:
+    """Warn where answers are wrong, or hardly any digits of them are sure."""
+    if report["fault"] is None:
+        return
+    from adagen.urdf.notes import quoted
+
+    place = f"state {report['state']}, joint {quoted([report['joint']])}"
+    if report["fault"] == "solver":
+        error = report["backward_error_max"]
+        told = "no number" if error is None else f"a backward error of {error:.0e}"
+        warn(f"{options.states}: warning: WRONG answers, {told}: {place}; another form may do")
+        return
+    warn(
+        f"{options.states}: warning: {report['digits']:.1f} digits of the accelerations are sure: "
+        f"{place}: the robot is ill-conditioned there; --shape unrolled or --refine 1 may keep more"
+    )

@@ -26,8 +26,8 @@ from adagen.program import Program, check, lower
 from adagen.program.summary import meeting
 from adagen.schedule import CostProfile, load_profile, step_costs
 
-# Largest residual that an emitted self-check lets pass: what the scalar keeps, with a margin for
-# long chains (docs/accuracy.md).
+# Largest backward error that an emitted self-check lets pass: what cuts may lose at most, with a
+# margin (adagen/plan/cuts.py, docs/accuracy.md).
 TOLERANCE = {"double": 1e-9, "float": 1e-3, "mixed": 1e-9}
 
 __all__ = ["check_batch", "emit", "file_stem", "program_of", "stem_of", "templates_folder"]

@@ -34,6 +34,8 @@ _PARTS = (
     "timing.hpp",
     "simulate.hpp",
     "corrections.hpp",
+    "unreal.hpp",
+    "verdict.hpp",
     "main.hpp",
 )
 _MPI = "#if defined(ADAGEN_MPI)\n#include <mpi.h>\n#endif\n"

@@ -104,6 +104,22 @@ class Segments:
         parent, child = self.state.plan.joints[step.joint].parent, step.joint + 1
         return (child, parent, -1) if step.reversed else (parent, child, 1)
 
+    def _brought(self, step: Articulate, inertia: Array) -> Expression | None:
+        """Trace of what joints beyond bring to where D is found; None where D cannot be noise.
+
+        What the bare link has along a joint is exact; what others bring is known to a few units in
+        the last place of its trace, and is nothing but noise where links without inertia come near
+        gimbal lock.
+        """
+        if not self.state.turns_exactly(step.joint):
+            return None
+        first = 0 if self.state.kind(step.joint).free[0] < 3 else 3
+        brought = total([inertia[k, k] for k in range(first, first + 3)])
+        if step.reversed:
+            return brought
+        bare = self.motion.link_inertia(step.joint + 1)
+        return brought - total([bare[k, k] for k in range(first, first + 3)])
+
     def _articulate(self, step: Articulate) -> None:
         near, far, sigma = self._ends(step)
         kind = self.state.kind(step.joint)
@@ -115,7 +131,7 @@ class Segments:
         pull = self.state.torques(step.joint) * sigma
         rotor, own = self.state.rotor(step.joint), inertia[np.ix_(free, free)]
         d = own if rotor is None else own + self._diagonal(len(free), rotor)
-        factors = self.state.factorize(d, step.joint)
+        factors = self.state.factorize(d, step.joint, self._brought(step, inertia))
         u = pull - p[free]
         moved = factors.solve(u)
         half = factors.forward(inertia[np.ix_(free, constrained)])  # L^-1 U^T

@@ -89,14 +89,21 @@ class State:
         result[:, 0] = first
         return result
 
-    def factorize(self, matrix: Array, joint: int) -> Factors:
+    def factorize(self, matrix: Array, joint: int, brought: Expression | None = None) -> Factors:
         """Return the factors of a matrix, its pivots being checked in the name of a joint.
 
         A pivot has to be positive, and not lost against the entry that it was subtracted from.
+
+        Args:
+            matrix: symmetric, shape (n, n).
+            joint: whose it is.
+            brought: of one entry, size of the numbers that it was added up from, where it may be
+                lost among them.
         """
         factors, lost = factorize(matrix), 16 * EPSILON[FACTORS[self.plan.scalar]]
+        none = self.graph.constant(0) if brought is None else brought * lost
         for pivot, entry in zip(factors.pivots, factors.diagonal, strict=True):
-            least = self.graph.constant(0) if pivot == entry else entry * lost
+            least = none if pivot == entry else entry * lost
             self.checks.append(Check(pivot, least, joint))
         return factors
 

@@ -78,7 +78,9 @@ class Compiled:
     def digits(self) -> float | None:
         """Right decimal digits that are predicted; None where a factorization fails."""
         try:
-            found = predicted_digits(self.request.objective, self.model, self.plan)
+            found = predicted_digits(
+                self.request.objective, self.model, self.plan, self.program.shape
+            )
         except FloatingPointError:
             return None
         return -math.log10(found.error)

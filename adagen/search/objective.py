@@ -17,12 +17,14 @@ import numpy as np
 from adagen.errors import UsageError
 from adagen.executor.growth import Growth, predicted_growth
 from adagen.executor.refine import interpret_refined
+from adagen.executor.trial import Trial, tried
 from adagen.model import Model
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan, make_plan
 from adagen.plan.clusters import fold_of
 from adagen.plan.cuts import cuttable_joints
 from adagen.plan.digits import EPSILON, generic_configuration
+from adagen.plan.turned import turned_joints
 from adagen.plan.types import FACTORS
 from adagen.schedule import CostProfile, Schedule
 from adagen.schedule.tree import Named
@@ -34,9 +36,13 @@ LIMITS = (1e1, 1e2, 1e3, 1e4, 1e5)
 """Growths that objective `accuracy` lets pass at a cut, one after the other."""
 HARDLY_SINGULAR = {"double": 1e12, "float": 1e5}
 """Growth that objective `time` lets pass: factorizations still succeed."""
+FEW = {"double": 1e-6, "float": 1e-2}
+"""Predicted errors that a warning tells."""
 _TRIALS = 6
 _WORSE = 3.0
 """How much more than in the worst of so many generic states joins may lose in others."""
+_MARGIN = 1.5
+"""How much more than in the worst state of a trial sweeps may lose in others (docs/digits.md)."""
 _BETTER = 0.5  # of the predicted error, for a slower schedule to be taken
 
 
@@ -49,12 +55,14 @@ class Digits:
         error: predicted relative error, 1 where no digit is.
         growth: the largest growth g where chains are joined.
         joint: where that is; None where nothing is joined.
+        worst: the joint at which most is lost.
     """
 
     objective: str
     error: float
     growth: float
     joint: str | None
+    worst: str
 
 
 def schedule_for(
@@ -116,11 +124,18 @@ def _faster(found: Schedule, stricter: Schedule) -> Schedule:
     return replace(stricter, lower_bound=min(found.lower_bound, stricter.makespan))
 
 
-def predicted_digits(objective: str, model: Model, plan: Plan) -> Digits:
+def predicted_digits(objective: str, model: Model, plan: Plan, shape: str = "kernels") -> Digits:
     """Return what is predicted of a plan's accuracy.
 
-    The error is what the growth of its joins predicts, or what carrying out the plan in generic
-    states is found to lose where that is more: g knows nothing of what inverting I^A costs.
+    The error is what sweeping the robot loses in a trial as the shape does it; where processes
+    share it also what the growth of joins predicts, or what carrying out the plan in generic states
+    is found to lose: g knows nothing of what inverting I^A costs. The largest counts.
+
+    Args:
+        objective: what the schedule was searched for.
+        model: the robot.
+        plan: its plan.
+        shape: of the code, "kernels", "unrolled" or "joints".
 
     Raises:
         FloatingPointError: a factorization fails already here; the message names the joint.
@@ -128,8 +143,15 @@ def predicted_digits(objective: str, model: Model, plan: Plan) -> Digits:
     growth = predicted_growth(plan)
     joined = growth.largest > 1.0
     name = model.joints[growth.joint].name if joined else None
-    error = min(1.0, max(growth.error, _tried(plan) * (_WORSE if joined else 1.0)))
-    return Digits(objective, error, growth.largest, name)
+    trial = Trial(growth.error, growth.joint)
+    shared = sum(bool(process.owns) for process in plan.processes) > 1
+    if joined or shared or plan.form != "segment":  # mobilities are joined, or hold the ground
+        trial = Trial(max(trial.error, _tried(plan) * _WORSE), growth.joint)
+    if plan.form == "segment":
+        swept = tried(plan, turned_joints(plan) if shape == "kernels" else None)
+        trial = max(trial, Trial(_MARGIN * swept.error, swept.joint), key=lambda each: each.error)
+    worst = model.joints[trial.joint].name
+    return Digits(objective, min(1.0, trial.error), growth.largest, name, worst)
 
 
 def _tried(plan: Plan) -> float:

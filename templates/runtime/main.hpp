@@ -54,21 +54,32 @@ class Program {
     Session& on = session_;
     on.use(std::move(on.states));
     if (about.batch) return solve_many();
-    int failed = kFine, at = 0;
+    int at = 0;
+    const int failed = solve_each(at, [&] { corrections_.note(on.solver); });
+    if (failed != kFine)
+      return on.complain(kInputAtFault,
+                         "state " + std::to_string(at + 1) + ": " + on.solver.in_words(failed) +
+                             (on.options.check ? Verdict::of_model() : ""),
+                         on.options.states);
+    bring_together();
+    return kDone;
+  }
+
+  // One state after the other, up to the first that fails; then does after each.
+  template <class Then>
+  int solve_each(int& at, Then then) {
+    Session& on = session_;
+    int failed = kFine;
     for (int s = 0; s < on.states.count && failed == kFine; ++s) {
       on.watch.again();
       failed = on.solver.solve(on.q(s), on.v(s), on.tau(s), on.acceleration(s));
       on.give_up_if_broken(failed);
-      corrections_.note(on.solver);
+      then();
       // Processes that share no joint's motion do not hear of each other's failures by themselves.
       MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, on.comm());
       at = s;
     }
-    if (failed != kFine)
-      return on.complain(kInputAtFault,
-                         "state " + std::to_string(at + 1) + ": " + on.solver.in_words(failed),
-                         on.options.states);
-    return bring_together();
+    return failed;
   }
 
   // As many states at once as there are lanes. States that fail are named, all others solved.
@@ -77,8 +88,7 @@ class Program {
     Session& on = session_;
     Solver& solver = on.solver;
     int status = kDone;
-    on.give_up_if_broken(solver.solve_batch_at_root(on.states.count, on.q(0), on.v(0), on.tau(0),
-                                                    on.acceleration(0)));
+    solve_batch();
     solved_ = on.states.count - solver.failures();
     if (solver.failures() > 0) status = kInputAtFault;
     for (int k = 0; k < kNamed && solver.failed_state(k) >= 0; ++k)
@@ -88,7 +98,29 @@ class Program {
     return status;
   }
 
-  int bring_together() {
+  void solve_batch() {
+    Session& on = session_;
+    on.give_up_if_broken(on.solver.solve_batch_at_root(on.states.count, on.q(0), on.v(0), on.tau(0),
+                                                       on.acceleration(0)));
+  }
+
+  // The same for states that nobody has given: whether all were solved.
+  bool solve_quietly() {
+    Session& on = session_;
+    on.use(std::move(on.states));
+    int failed = kFine, at = 0;
+    if (about.batch) {
+      solve_batch();
+      failed = on.rank == 0 ? on.solver.failures() : 0;
+      MPI_Bcast(&failed, 1, MPI_INT, 0, on.comm());
+    } else {
+      failed = solve_each(at, [] {});
+      if (failed == kFine) bring_together();
+    }
+    return failed == kFine;
+  }
+
+  void bring_together() {
     Session& on = session_;
     solved_ = on.states.count;
     // Each process wrote its own joints and left the others zero.
@@ -98,22 +130,25 @@ class Program {
       MPI_Reduce(MPI_IN_PLACE, all, size, kMpiNumber, MPI_SUM, 0, on.comm());
     else
       MPI_Reduce(all, nullptr, size, kMpiNumber, MPI_SUM, 0, on.comm());
-    return kDone;
   }
 
+  // Judges the answers; asks the solver for some more, to see how much an error in a row matters.
   int check_all() {
     Session& on = session_;
-    int status = kDone;
-    if (on.rank == 0) {
-      std::vector<double> residuals;
-      for (int s = 0; s < on.states.count; ++s)
-        residuals.push_back(check::residual(on.q(s), on.v(s), on.tau(s), on.acceleration(s)));
-      std::sort(residuals.begin(), residuals.end());
-      residual_median_ = residuals[residuals.size() / 2];
-      residual_max_ = residuals.back();
-      checked_ = true;
-      if (!(residual_max_ <= on.options.tolerance)) status = kInputAtFault;
+    const States states = on.states;
+    const std::vector<Number> qdd = on.qdd;
+    verdict_.listen(on.rank, states);
+    for (int s = 0; s < states.count && on.rank == 0; ++s)
+      verdict_.note_answer(s, on.acceleration(s));
+    for (int probe = 0; probe < Verdict::kProbes; ++probe) {
+      if (on.rank == 0) on.states = verdict_.states_of(probe);
+      if (!about.batch) on.share_states();
+      if (!solve_quietly()) break;
+      for (int s = 0; s < states.count && on.rank == 0; ++s)
+        verdict_.note_response(probe, s, on.acceleration(s));
     }
+    on.states = states, on.qdd = qdd;
+    int status = on.rank > 0 || verdict_.judge(on.options.tolerance) ? kDone : kInputAtFault;
     MPI_Bcast(&status, 1, MPI_INT, 0, on.comm());
     return status;
   }
@@ -130,26 +165,18 @@ class Program {
 
   void report() const {
     const Options& options = session_.options;
-    const bool right = residual_max_ <= options.tolerance;
     if (options.json) {
       std::printf("{\"model\": %s, \"processes\": %d, \"channel\": \"%s\"",
                   quoted(about.robot).c_str(), about.processes, session_.solver.channel_name());
       if (!options.states.empty() && options.simulation.seconds == 0)
         std::printf(", \"solved\": %d", solved_);
       if (!warning_.empty()) std::printf(", \"warnings\": [%s]", quoted(warning_.c_str()).c_str());
-      if (checked_)
-        std::printf(
-            ", \"check\": {\"residual_median\": %.3g, \"residual_max\": %.3g, \"tolerance\": %.3g, "
-            "\"ok\": %s}",
-            residual_median_, residual_max_, options.tolerance, right ? "true" : "false");
-      std::printf("%s%s%s}\n", corrections_.json().c_str(), timing_.json().c_str(),
-                  simulation_.json().c_str());
+      std::printf("%s%s%s%s}\n", verdict_.json().c_str(), corrections_.json().c_str(),
+                  timing_.json().c_str(), simulation_.json().c_str());
       return;
     }
     std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
-    if (checked_)
-      std::fprintf(out, "check  residual of inverse dynamics: median %.1e, largest %.1e: %s\n",
-                   residual_median_, residual_max_, right ? "right" : "WRONG");
+    verdict_.print(out);
     corrections_.print(out);
     timing_.print(out);
     simulation_.print();
@@ -159,8 +186,7 @@ class Program {
   Timing timing_{session_};
   Simulation simulation_{session_};
   Corrections corrections_;
-  bool checked_ = false;
+  Verdict verdict_;
   int solved_ = 0;
   std::string warning_;
-  double residual_median_ = 0, residual_max_ = 0;
 };

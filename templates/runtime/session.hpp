@@ -101,6 +101,12 @@ struct Session {
                Number(0));
   }
 
+  // Hands the states of process 0 to all.
+  void share_states() {
+    for (auto* const x : {&states.q, &states.v, &states.tau})
+      MPI_Bcast(x->data(), static_cast<int>(x->size()), kMpiNumber, 0, comm());
+  }
+
   int complain(int status, const std::string& what, const std::string& file = "") const {
     const std::string place = file.empty() ? "" : file + ": ";
     if (rank == 0) std::fprintf(stderr, "%serror: %s\n", place.c_str(), what.c_str());

@@ -76,6 +76,21 @@ def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("cache")
 
 
+_BODY = (
+    '<inertial><origin xyz="0 0 {}"/><mass value="{}"/>'
+    '<inertia ixx="{}" iyy="{}" izz="{}" ixy="0" ixz="0" iyz="0"/></inertial>'
+)
+BALL = f"""<robot name="ball"><link name="base"/>
+<link name="light">{_BODY.format(0, 1e-6, 1e-13, 1e-13, 1e-13)}</link>
+<link name="rod">{_BODY.format(0.15, 1, 0.0075, 0.0075, 0.0002)}</link>
+<link name="tip">{_BODY.format(0.15, 1, 0.0075, 0.0075, 0.0002)}</link>
+<joint name="ball" type="spherical"><parent link="base"/><child link="light"/></joint>
+<joint name="along" type="continuous"><parent link="light"/><child link="rod"/><axis xyz="0 0 1"/>
+</joint><joint name="across" type="continuous"><parent link="rod"/><child link="tip"/>
+<origin xyz="0 0 0.3"/><axis xyz="0 1 0"/></joint></robot>"""
+"""A ball joint that moves hardly any mass about the axis of the next joint."""
+
+
 class TestGenerate:
     def test_the_files_are_written_and_told(self, arm: Path, tmp_path: Path, said: Said) -> None:
         out = tmp_path / "out"
@@ -191,15 +206,29 @@ class TestGenerate:
         """A link of a microgram between two of 1.5 kg."""
         text = write_arm(tmp_path / "arm.urdf").read_text()
         assert main([str(tmp_path / "arm.urdf"), "--procs", "2", "--out", str(tmp_path / "a")]) == 0
-        assert "errors of about" not in said()[1]
+        assert "digits are predicted" not in said()[1]
         light = LINK.format(name="l2")
         for number in ("1.5", "0.02", "0.03", "0.01"):
             light = light.replace(f'="{number}"', f'="{number}e-9"')
         (tmp_path / "b.urdf").write_text(text.replace(LINK.format(name="l2"), light))
         words = ["--procs", "2", "--form", "ada", "--out", str(tmp_path / "b")]
         assert main([str(tmp_path / "b.urdf"), *words]) == 0
-        (line,) = [row for row in said()[1].splitlines() if "errors of about" in row]
+        (line,) = [row for row in said()[1].splitlines() if "digits are predicted" in row]
         assert line.startswith(f"{tmp_path / 'b.urdf'}: warning: ")
+        assert "form segment keeps more digits" in line
+
+    def test_few_digits_of_form_segment_are_foretold(self, tmp_path: Path, said: Said) -> None:
+        robot = tmp_path / "ball.urdf"
+        robot.write_text(BALL)
+        words = [str(robot), "--procs", "1", "--out", str(tmp_path / "a"), "--shape"]
+        assert main([*words, "unrolled"]) == 0
+        assert "digits are predicted" not in said()[1]
+        assert main([*words, "kernels", "--refine", "1"]) == 0
+        assert "digits are predicted" not in said()[1]
+        assert main([*words, "kernels"]) == 0
+        (line,) = [row for row in said()[1].splitlines() if "digits are predicted" in row]
+        assert re.search(r'\d\.\d digits are predicted, most are lost at joint "\w+"; ', line)
+        assert line.endswith("--shape unrolled or --refine 1 may keep more")
 
     def test_a_link_that_cannot_be_inverted_is_joined_with_its_neighbour_in_form_ada(
         self, tmp_path: Path

@@ -16,6 +16,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from adagen.executor import interpret
 from adagen.model import Inertia, Model
 from adagen.model.kinds import FLOATING, REVOLUTE
 from adagen.states import States, random_states, write_states
@@ -84,3 +85,26 @@ def test_loops_are_right_near_gimbal_lock_or_refuse(
         assert done.status == 1
         assert "factorization failed" in done.stderr
         assert not result.exists()
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_straight_lines_and_the_executor_refuse_at_gimbal_lock(
+    case: str, builder: Builder, tmp_path: Path
+) -> None:
+    make, joint, processes, _ = CASES[case]
+    model = make()
+    plan = plan_of(model, processes, meeting="gather")
+    solver = builder.solver(plan, QUICK, shape="unrolled")
+    for angle in NEAR:
+        states = tilted(model, joint, angle)
+        error = solver.error(model, states, tmp_path)
+        assert error < ROUNDING["double"] / angle  # ^2 is what a sum in D would lose
+    given, result = tmp_path / "at.json", tmp_path / "none.json"
+    for angle in AT:
+        states = tilted(model, joint, angle)
+        write_states(states, model, given)
+        done = solver.run("--states", given, "--result", result)
+        assert done.status == 1
+        assert "factorization failed" in done.stderr
+        with pytest.raises(FloatingPointError, match="factorization failed"):
+            interpret(plan, states.q[0], states.v[0], states.tau[0])

@@ -211,8 +211,12 @@ class TestReports:
         assert list(told) == ["model", "processes", "channel", "check", "time"]
         assert (told["model"], told["processes"], told["channel"]) == ("arm7", 2, "window")
         assert told["check"]["ok"] is True
-        assert 0 < told["check"]["residual_median"] <= told["check"]["residual_max"]
-        assert told["check"]["residual_max"] < told["check"]["tolerance"] == 1e-9
+        check = told["check"]
+        assert 0 < check["residual_median"] <= check["residual_max"] < 1e-12
+        assert 0 < check["backward_error_median"] <= check["backward_error_max"] < 1e-14
+        assert check["tolerance"] == 1e-9
+        assert (check["digits"] > 12, check["forward_error"] < 1e-12) == (True, True)
+        assert check["fault"] is None
         assert told["time"]["source"] == ("clock" if cores() >= 2 else "stretches")
         assert told["time"]["evaluations"] == 192
         assert told["time"]["pinned"] in (True, False)
@@ -230,7 +234,7 @@ class TestReports:
     def test_a_check_that_fails_is_status_1_and_says_so(self, arm: Subject) -> None:
         done = arm.solver.run("--check", "--tolerance", "0")
         assert done.status == 1
-        assert done.stdout.rstrip().endswith("WRONG")
+        assert "of 0e+00: WRONG\ncheck  the solver is at fault: state " in done.stdout
         done = arm.solver.run("--check", "--tolerance", "0", "--json")
         assert json.loads(done.stdout)["check"]["ok"] is False
 
@@ -245,7 +249,7 @@ class TestReports:
         states = arm.states(3)
         found = arm.solver.solve(arm.model, states, arm.folder)
         done = arm.solver.run("--states", arm.folder / "states.json", "--check")
-        assert done.status == 0 and "check  residual" in done.stderr
+        assert done.status == 0 and "check  backward error" in done.stderr
         assert done.stdout == (arm.folder / "result.json").read_text()
         assert found.shape == (3, arm.model.nv)
         joints = json.loads(done.stdout)["joints"]

@@ -12,6 +12,7 @@ import pytest
 from adagen.cli import main
 from adagen.executor import interpret
 from adagen.executor.growth import predicted_growth
+from adagen.executor.trial import tried
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.steps import Join
@@ -64,7 +65,7 @@ def found(model: Model, objective: str) -> tuple[Schedule, Digits, float]:
         truth = exact_forward_dynamics(model, *state, digits=20).value
         wrong = interpret(plan, *state) - truth
         error = max(error, energy_norm_error(joint_space_inertia(model, state[0]), wrong, truth))
-    return schedule, predicted_digits(objective, model, plan), error
+    return schedule, predicted_digits(objective, model, plan, "unrolled"), error
 
 
 def test_cuts_move_away_from_light_links_as_the_objective_asks() -> None:
@@ -92,8 +93,9 @@ def test_digits_lost_in_inverting_among_light_links_are_predicted(
     assert error < 30 * digits.error
     # Mobilities are inverted without subtracting: by differences, 1e-3 was lost here.
     assert error < 1e-7
-    growth = predicted_growth(make_plan(model, schedule)).error
-    assert digits.error <= max(1e2 * error, 1e-13, growth)
+    plan = make_plan(model, schedule)
+    growth, swept = predicted_growth(plan).error, 2 * tried(plan, None).error
+    assert digits.error <= max(1e2 * error, 1e-13, growth, swept)  # joins add no more
 
 
 def test_what_recovers_from_singular_poses_is_predicted() -> None:
@@ -135,7 +137,7 @@ def test_one_process_joins_nothing() -> None:
     assert not [step for step in plan.processes[0].steps if isinstance(step, Join)]
     digits = predicted_digits("accuracy", model, plan)
     assert digits.joint is None
-    assert digits.error < 1e-15
+    assert digits.error < 5e-15  # what sweeping loses
 
 
 @pytest.mark.parametrize("objective", OBJECTIVES)

@@ -1,0 +1,392 @@
+"""How many digits a way of sweeping keeps on a robot, found by a trial in a few random states.
+
+Articulated bodies are swept in numpy as emitted code sweeps them: in straight lines each body is
+told in its link's axes, in which a joint's projection is exact; in loops in axes of the base, but
+for joints that are swept in their own (adagen/plan/turned.py). The same is done in more digits than
+the scalar has; what differs is the rounding error of that way. Joining is no part of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Set
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.model.kinds import KINDS
+from adagen.plan.turned import ENOUGH, Turned
+from adagen.plan.types import FACTORS, Plan, PlanJoint
+
+Array = NDArray[Any]
+STATES = {"few joints": 32, "many joints": 4}
+MANY = 200
+"""Joints beyond which fewer states are tried: what many joints lose varies less."""
+_MORE: dict[str, tuple[Any, Any]] = {
+    "double": (np.float64, np.longdouble),
+    "float": (np.float32, np.float64),
+}
+
+
+@dataclass(frozen=True)
+class Trial:
+    """What a way of sweeping is found to lose.
+
+    Attributes:
+        error: relative forward error in the energy norm, the largest of the states; infinite where
+            a factorization fails.
+        joint: the joint that has the largest share of it.
+    """
+
+    error: float
+    joint: int
+
+
+def tried(plan: Plan, turned: Turned | None) -> Trial:
+    """Return what sweeping a robot inwards and outwards loses.
+
+    Args:
+        plan: its joints, links and scalar are looked at.
+        turned: joints that are swept in their own axes, always or where digits are lost, all others
+            in those of the base; None: every body is told in its link's axes.
+    """
+    own, more = _MORE[FACTORS[plan.scalar]]
+    states = _states(plan)
+    with np.errstate(all="ignore"):
+        truth = _Sweep(plan, more, None, states).solved()
+        found = _swept(plan, own, turned, states).astype(more)
+        size = _Sweep(plan, np.float64, None, states)
+        shares = size.energy((found - truth).astype(np.float64))
+        errors = shares.sum(axis=1) / size.energy(truth.astype(np.float64)).sum(axis=1)
+    errors[~np.isfinite(errors)] = np.inf
+    worst = int(np.argmax(errors))
+    return Trial(float(np.sqrt(errors[worst])), int(np.argmax(np.nan_to_num(shares[worst]))))
+
+
+def _swept(
+    plan: Plan, number: Any, turned: Turned | None, states: tuple[Array, Array, Array]
+) -> Array:
+    """What emitted code would find in states: sweeps that lose digits are repeated in own axes."""
+    if turned is None:
+        return _Sweep(plan, number, None, states, rounded=True).solved()
+    first = _Sweep(plan, number, turned.always, states, rounded=True, watched=turned.if_lost)
+    found = first.solved()
+    if first.lost.any():
+        everywhere = turned.always | turned.if_lost
+        again = _Sweep(plan, number, everywhere, states, rounded=True).solved()
+        found[first.lost] = again[first.lost]
+    return found
+
+
+def accelerations(plan: Plan, q: Array, v: Array, tau: Array) -> Array:
+    """Return the accelerations of states in more digits than the plan's scalar has.
+
+    Slaved joints are taken for independent ones.
+
+    Args:
+        plan: of the robot.
+        q: configurations, shape (S, nq).
+        v: velocities, shape (S, nv).
+        tau: torques, shape (S, nv).
+    """
+    more = _MORE[FACTORS[plan.scalar]][1]
+    return _Sweep(plan, more, None, (q, v, tau)).solved()
+
+
+def _states(plan: Plan) -> tuple[Array, Array, Array]:
+    """States as emitted programs draw them, one in each row: angles anywhere, all else up to 1."""
+    rng = np.random.default_rng(1)
+    count = STATES["many joints" if len(plan.joints) > MANY else "few joints"]
+    nv = sum(KINDS[joint.kind].nv for joint in plan.joints)
+    parts = []
+    for joint in plan.joints:
+        kind = KINDS[joint.kind]
+        part = rng.uniform(-1.0, 1.0, (count, kind.nq)) * (np.pi if joint.kind == "revolute" else 1)
+        if kind.quaternion is not None:
+            part[:, kind.quaternion :] = rng.normal(size=(count, 4))
+        parts.append(part)
+    return np.hstack(parts), rng.uniform(-1, 1, (count, nv)), rng.uniform(-1, 1, (count, nv))
+
+
+class _Sweep:
+    """All states at once, in numbers of one type; arrays have the states first."""
+
+    def __init__(
+        self,
+        plan: Plan,
+        number: Any,
+        turned: Set[int] | None,
+        states: tuple[Array, Array, Array],
+        rounded: bool = False,
+        watched: Set[int] = frozenset(),
+    ) -> None:
+        self.plan, self.number, self.watched = plan, number, watched
+        self.rounded = np.random.default_rng(2) if rounded else None
+        self.q, self.v, self.tau = (x.astype(number) for x in states)
+        self.count = len(self.q)
+        self.lost = np.zeros(self.count, dtype=bool)  # whether a watched joint lost digits
+        eye = np.broadcast_to(np.eye(3, dtype=number), (self.count, 3, 3))
+        self.axes, self.place, self.local = [eye], [np.zeros((self.count, 3), number)], [eye]
+        self.own = [True] + [turned is None or j in turned for j in range(len(plan.joints))]
+        self._place()
+
+    def solved(self) -> Array:
+        """Accelerations, shape (states, nv)."""
+        n = len(self.plan.joints)
+        bodies, forces = self._bare()
+        kept: list[Any] = [None] * n
+        for j in reversed(range(n)):
+            kept[j] = self._eliminate(j, bodies, forces)
+        motion: list[Any] = [np.zeros((self.count, 6), self.number)] * (n + 1)
+        qdd = np.zeros((self.count, self.v.shape[1]), self.number)
+        for j, joint in enumerate(self.plan.joints):
+            a = self._outwards(j, motion[joint.parent])
+            if not joint.prescribed:
+                axes, u, over = kept[j]
+                own = u - np.einsum("skm,sm->sk", over, a)
+                qdd[:, joint.v : joint.v + own.shape[1]] = own
+                a = a + np.einsum("smk,sk->sm", axes, own)
+            motion[j + 1] = a
+        return qdd
+
+    def energy(self, qdd: Array) -> Array:
+        """What joints' accelerations share in qdd^T H qdd, shape (states, joints)."""
+        bodies, _ = self._bare()
+        n = len(self.plan.joints)
+        motion: list[Any] = [np.zeros((self.count, 6), self.number)] * (n + 1)
+        shares = np.zeros((self.count, n))
+        for j, joint in enumerate(self.plan.joints):
+            a = self._outwards(j, motion[joint.parent])
+            axes = self._freedoms(j)
+            own = qdd[:, joint.v : joint.v + axes.shape[2]]
+            motion[j + 1] = a = a + np.einsum("smk,sk->sm", axes, own)
+            shares[:, j] = np.einsum("sm,smk,sk->s", a, bodies[j + 1], a)
+            shares[:, j] += joint.rotor_inertia * (own**2).sum(axis=1)
+        return shares
+
+    # -- kinematics -------------------------------------------------------------------------------
+
+    def _place(self) -> None:
+        for joint in self.plan.joints:
+            turn, shift = self._displaced(joint)
+            base = np.array(joint.rotation, dtype=self.number)
+            local = base @ turn
+            offset = np.array(joint.translation, dtype=self.number) + shift @ base.T
+            self.local.append(local)
+            self.axes.append(self.axes[joint.parent] @ local)
+            self.place.append(offset)  # in the parent's axes
+
+    def _displaced(self, joint: PlanJoint) -> tuple[Array, Array]:
+        kind, q = KINDS[joint.kind], self._configuration(joint)
+        turn = np.zeros((self.count, 3, 3), self.number) + np.eye(3, dtype=self.number)
+        shift = np.zeros((self.count, 3), self.number)
+        if kind.quaternion is not None:
+            turn = _rotation(q[:, kind.quaternion :])
+            shift[:, : kind.quaternion] = q[:, : kind.quaternion]
+        elif joint.kind == "prismatic":
+            shift[:, 2] = q[:, 0]
+        else:
+            c, s = np.cos(q[:, -1]), np.sin(q[:, -1])
+            turn[:, 0, 0], turn[:, 0, 1], turn[:, 1, 0], turn[:, 1, 1] = c, -s, s, c
+            if joint.kind == "planar":
+                shift[:, :2] = q[:, :2]
+        return turn, shift
+
+    def _configuration(self, joint: PlanJoint) -> Array:
+        if joint.mimic is None:
+            return self.q[:, joint.q : joint.q + KINDS[joint.kind].nq]
+        source, multiplier, offset = joint.mimic
+        at = self.plan.joints[source].q
+        own = self.number(multiplier) * self.q[:, at : at + 1] + self.number(offset)
+        return np.asarray(own, dtype=self.number)
+
+    def _told(self, link: int, vectors: Array) -> Array:
+        """Vectors of a link's axes, shape (states, 3), in those that its body is told in."""
+        return vectors if self.own[link] else np.einsum("sik,sk->si", self.axes[link], vectors)
+
+    def _freedoms(self, j: int) -> Array:
+        """S of a joint, told as its child link's body, shape (states, 6, freedoms)."""
+        free = list(KINDS[self.plan.joints[j].kind].free)
+        found = np.zeros((self.count, 6, len(free)), self.number)
+        found[:, free, range(len(free))] = 1
+        if not self.own[j + 1]:
+            found[:, :3] = self.axes[j + 1] @ found[:, :3]
+            found[:, 3:] = self.axes[j + 1] @ found[:, 3:]
+        return found
+
+    def _between(self, j: int) -> tuple[Array | None, Array]:
+        """From the axes that the child's body is told in to the parent's, and the way between."""
+        parent, child = self.plan.joints[j].parent, j + 1
+        way = self._told(parent, self.place[child])
+        if self.own[child]:
+            return (self.local[child] if self.own[parent] else self.axes[child]), way
+        return (self.axes[parent].transpose(0, 2, 1) if self.own[parent] else None), way
+
+    # -- bodies -----------------------------------------------------------------------------------
+
+    def _bare(self) -> tuple[list[Array], list[Array]]:
+        """Inertia of each link, and the force that it takes where no joint accelerates."""
+        zero = np.zeros((self.count, 3), self.number)
+        gravity = np.zeros((self.count, 3), self.number) - np.array(self.plan.gravity, self.number)
+        spins, rates, rises = [zero], [zero], [gravity]
+        bodies, forces = [np.zeros((self.count, 6, 6), self.number)], [np.zeros((self.count, 6))]
+        for j in range(len(self.plan.joints)):
+            spin, rate, rise = self._carried(j, spins, rates, rises)
+            spins.append(spin)
+            rates.append(rate)
+            rises.append(rise)
+            link = self.plan.links[j + 1]
+            tensor = np.array([link.tensor] * self.count, self.number)
+            com = zero + np.array(link.com, self.number)
+            if not self.own[j + 1]:
+                axes = self.axes[j + 1]
+                tensor, com = axes @ tensor @ axes.transpose(0, 2, 1), self._told(j + 1, com)
+            mass = self.number(link.mass)
+            bodies.append(self._as_rounded(_body(mass, com, tensor)))
+            force = mass * (rise + _cross(rate, com) + _cross(spin, _cross(spin, com)))
+            turning = np.einsum("sik,sk->si", tensor, spin)
+            moment = np.einsum("sik,sk->si", tensor, rate) + _cross(spin, turning)
+            forces.append(np.hstack([moment + _cross(com, force), force]))
+        return bodies, forces
+
+    def _as_rounded(self, body: Array) -> Array:
+        """A body whose entries are rounded one by one.
+
+        Emitted code does so where a product and a sum are one instruction.
+        """
+        if self.rounded is None:
+            return body
+        half = np.tril(self.rounded.choice([-1.0, 1.0], body.shape))
+        signs = (half + np.tril(half, -1).transpose(0, 2, 1)).astype(self.number)
+        found: Array = body * (1 + signs * (np.finfo(self.number).eps / 2))
+        return found
+
+    def _carried(
+        self, j: int, spins: list[Array], rates: list[Array], rises: list[Array]
+    ) -> tuple[Array, Array, Array]:
+        """Spin, its rate and acceleration of a child link where its joint does not accelerate."""
+        joint = self.plan.joints[j]
+        turn, way = self._between(j)
+        spin, rate, rise = (x[joint.parent] for x in (spins, rates, rises))
+        rise = rise + _cross(rate, way) + _cross(spin, _cross(spin, way))
+        if turn is not None:
+            spin, rate, rise = (np.einsum("ski,sk->si", turn, x) for x in (spin, rate, rise))
+        axes = self._freedoms(j)
+        count = axes.shape[2]
+        speed = np.einsum("smk,sk->sm", axes, self.v[:, joint.v : joint.v + count])
+        extra = np.zeros_like(speed)
+        if joint.prescribed:
+            extra = np.einsum("smk,sk->sm", axes, self.tau[:, joint.v : joint.v + count])
+        turning, sliding = speed[:, :3], speed[:, 3:]
+        rate = rate + _cross(spin, turning) + extra[:, :3]
+        rise = rise + 2 * _cross(spin, sliding) + _cross(turning, sliding) + extra[:, 3:]
+        return spin + turning, rate, rise
+
+    def _eliminate(self, j: int, bodies: list[Array], forces: list[Array]) -> Any:
+        """Take a joint out of the body beyond, hand that on; (S, D^-1 u, D^-1 U^T)."""
+        joint, body, force = self.plan.joints[j], bodies[j + 1], forces[j + 1]
+        kept = None
+        if not joint.prescribed:
+            axes = self._freedoms(j)
+            count = axes.shape[2]
+            rotor = self.number(joint.rotor_inertia)
+            wide = np.einsum("smk,skf->smf", body, axes)
+            d = np.einsum("skf,skg->sfg", axes, wide) + rotor * np.eye(count, dtype=self.number)
+            if j in self.watched:
+                half = slice(0, 3) if KINDS[joint.kind].free[0] < 3 else slice(3, 6)
+                trace = np.trace(body[:, half, half], axis1=1, axis2=2)
+                self.lost |= ~(d[:, 0, 0] * ENOUGH[FACTORS[self.plan.scalar]] > trace)
+            pull = self.tau[:, joint.v : joint.v + count] - np.einsum("skf,sk->sf", axes, force)
+            u, over = _solved(d, pull[:, :, None])[:, :, 0], _solved(d, wide.transpose(0, 2, 1))
+            body = body - wide @ over
+            force = force + np.einsum("smf,sf->sm", wide, u)
+            exact = self.own[j + 1] or count in (3, 6)
+            if exact and not joint.rotor_inertia and joint.kind != "planar":
+                free = list(KINDS[joint.kind].free)  # nothing is subtracted there
+                body[:, free], body[:, :, free] = 0, 0
+                told = np.einsum("smf,sf->sm", axes, self.tau[:, joint.v : joint.v + count])
+                force[:, free] = told[:, free]
+            body = (body + body.transpose(0, 2, 1)) / 2
+            kept = (axes, u, over)
+        if joint.parent > 0:
+            turn, way = self._between(j)
+            if turn is not None:
+                body, force = _turned(turn, body, force)
+            body, force = _shifted(body, force, way)
+            bodies[joint.parent] = bodies[joint.parent] + body
+            forces[joint.parent] = forces[joint.parent] + force
+        return kept
+
+    def _outwards(self, j: int, a: Array) -> Array:
+        """An acceleration of the parent's, at the child and as the child's body is told."""
+        turn, way = self._between(j)
+        turning, sliding = a[:, :3], a[:, 3:] + _cross(a[:, :3], way)
+        if turn is not None:
+            turning, sliding = (np.einsum("ski,sk->si", turn, x) for x in (turning, sliding))
+        return np.hstack([turning, sliding])
+
+
+def _cross(a: Array, b: Array) -> Array:
+    (a0, a1, a2), (b0, b1, b2) = a.T, b.T
+    return np.stack([a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0], axis=1)
+
+
+def _skew(c: Array) -> Array:
+    found = np.zeros((len(c), 3, 3), c.dtype)
+    found[:, 0, 1], found[:, 0, 2], found[:, 1, 2] = -c[:, 2], c[:, 1], -c[:, 0]
+    return found - found.transpose(0, 2, 1)
+
+
+def _body(mass: Any, com: Array, tensor: Array) -> Array:
+    """Spatial inertia about a link's origin, shape (states, 6, 6), [angular; linear]."""
+    found = np.zeros((len(com), 6, 6), com.dtype)
+    moments = _skew(mass * com)
+    found[:, :3, :3] = tensor - moments @ _skew(com)
+    found[:, :3, 3:], found[:, 3:, :3] = moments, moments.transpose(0, 2, 1)
+    found[:, 3:, 3:] = mass * np.eye(3, dtype=com.dtype)
+    return found
+
+
+def _turned(turn: Array, body: Array, force: Array) -> tuple[Array, Array]:
+    found, back = np.empty_like(body), turn.transpose(0, 2, 1)
+    for i in (slice(0, 3), slice(3, 6)):
+        for k in (slice(0, 3), slice(3, 6)):
+            found[:, i, k] = turn @ body[:, i, k] @ back
+    return found, np.hstack(
+        [np.einsum("sik,sk->si", turn, x) for x in (force[:, :3], force[:, 3:])]
+    )
+
+
+def _shifted(body: Array, force: Array, way: Array) -> tuple[Array, Array]:
+    found, cross = body.copy(), _skew(way)
+    found[:, :3, 3:] += cross @ body[:, 3:, 3:]
+    found[:, :3, :3] += cross @ body[:, 3:, :3] - found[:, :3, 3:] @ cross
+    found[:, 3:, :3] = found[:, :3, 3:].transpose(0, 2, 1)
+    return found, np.hstack([force[:, :3] + _cross(way, force[:, 3:]), force[:, 3:]])
+
+
+def _rotation(p: Array) -> Array:
+    x, y, z, w = (p / np.sqrt((p * p).sum(axis=1, keepdims=True))).T
+    rows = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+    ]
+    return np.array(rows, dtype=p.dtype).transpose(2, 0, 1)
+
+
+def _solved(d: Array, right: Array) -> Array:
+    """Return d^-1 right by Cholesky's factorization, of any number; NaN where that fails."""
+    n = d.shape[1]
+    lower, found = np.zeros_like(d), right.copy()
+    for k in range(n):
+        column = d[:, k:, k] - np.einsum("sik,sk->si", lower[:, k:, :k], lower[:, k, :k])
+        lower[:, k:, k] = column / np.sqrt(column[:, :1])
+    for k in range(n):
+        found[:, k] -= np.einsum("si,sic->sc", lower[:, k, :k], found[:, :k])
+        found[:, k] /= lower[:, k, k][:, None]
+    for k in reversed(range(n)):
+        found[:, k] -= np.einsum("si,sic->sc", lower[:, k + 1 :, k], found[:, k + 1 :])
+        found[:, k] /= lower[:, k, k][:, None]
+    return found

@@ -1,0 +1,221 @@
+"""Predicted digits beside what emitted solvers lose, over a corpus of robots.
+
+    python -m benchmarks.predicted_digits [--states 64] [--only WORD] [--write docs/digits.md]
+
+Each robot as loops and as a straight line on one process, as loops in float, and on two processes
+as scheduled by default. Measured is the forward error in the energy norm, sqrt(e^T H e / t^T H t),
+against certified digits in the worst of the suite's state and random ones, which a sweep in more
+digits than the solver's finds; predicted is what `adagen schedule` says of plan and shape.
+The ratio is measured over predicted: above 1 the
+prediction was too optimistic.
+"""
+
+from __future__ import annotations
+
+import argparse
+import platform
+import sys
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, files
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.errors import AdagenError
+from adagen.executor.trial import accelerations
+from adagen.library import Origin
+from adagen.library.robot import read_whole
+from adagen.model import Inertia, Model
+from adagen.plan import Plan, make_plan
+from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
+from adagen.schedule import load_profile
+from adagen.search import best_schedule
+from adagen.search.objective import predicted_digits
+from adagen.states import States
+from adagen.studies.stability import robots
+from benchmarks.emitted_digits import light_wrists, slender_tool, states_of
+from benchmarks.page import write_between_marks
+from benchmarks.solvers import answers
+from tests.models import human_figure, motion_capture_figure, random_tree, serial_chain, star
+
+Array = NDArray[np.float64]
+EXAMPLES = Path(__file__).resolve().parents[1] / "generated_examples" / "models"
+URDFS = (
+    *("icub_description/robots/icub.urdf", "human_description/robots/human.urdf"),
+    *("talos_data/robots/talos_reduced.urdf", "panda_description/urdf/panda.urdf"),
+    *("allegro_hand_description/urdf/allegro_left_hand.urdf", "ur_description/urdf/ur5_robot.urdf"),
+    *("solo_description/robots/solo12.urdf", "kinova_description/robots/kinova.urdf"),
+    *("g1_description/urdf/g1_29dof_rev_1_0.urdf", "go2_description/urdf/go2.urdf"),
+    *("baxter_description/urdf/baxter.urdf", "so_arm_description/urdf/so101.urdf"),
+)
+WAYS = (  # processes, shape, scalar
+    (1, "kernels", "double"),
+    (1, "unrolled", "double"),
+    (1, "kernels", "float"),
+    (2, "kernels", "double"),
+)
+MOST_UNROLLED = 40  # degrees of freedom: longer lines take long to compile
+HALF_A_DECADE = 10**0.5
+
+
+@dataclass(frozen=True)
+class Row:
+    """A program: robot, processes, shape, scalar, and its errors."""
+
+    robot: str
+    processes: int
+    shape: str
+    scalar: str
+    predicted: float
+    measured: float
+
+    @property
+    def ratio(self) -> float:
+        """Measured over predicted."""
+        return self.measured / self.predicted
+
+
+def example(path: Path, floating: bool = False) -> Model:
+    """Return the robot of a URDF."""
+    return read_whole(Origin(path, floating, False, False, None, None))[0].model
+
+
+def light_tree(seed: int) -> Model:
+    """Return a random tree of 12 joints whose links' masses are spread over eight decades."""
+    rng = np.random.default_rng(seed)
+    model = random_tree(rng, 12)
+    links = [
+        type(link)(
+            link.name, Inertia(m * link.inertia.mass, link.inertia.com, m * link.inertia.tensor)
+        )
+        for link, m in zip(model.links, 10.0 ** rng.uniform(-8, 0, len(model.links)), strict=True)
+    ]
+    return Model(f"light_tree{seed}", tuple(links), model.joints)
+
+
+def corpus() -> Iterator[tuple[str, Callable[[], Model]]]:
+    """Yield names of robots, and what makes them."""
+    for path in sorted(EXAMPLES.glob("*.urdf")):
+        yield path.stem, lambda path=path: example(path)  # type: ignore[misc]
+    folder = _robots()
+    for name in URDFS:
+        if folder is not None and (folder / name).exists():
+            yield Path(name).stem, lambda path=folder / name: example(path)  # type: ignore[misc]
+    if folder is not None:
+        yield "icub, floating", lambda: example(folder / URDFS[0], True)
+    for seed in range(8):
+        rng = np.random.default_rng(seed)
+        size = int(rng.integers(4, 20))
+        yield f"random tree {seed}", lambda r=rng, n=size: random_tree(r, n)  # type: ignore[misc]
+    for seed in range(8):
+        yield f"masses over 8 decades {seed}", lambda seed=seed: light_tree(seed)  # type: ignore[misc]
+    yield "human figure", human_figure
+    yield "motion capture", motion_capture_figure
+    yield "star", lambda: star(4, 3, floating=True)
+    yield "chain of 20", lambda: serial_chain(20)
+    yield "chain of 60", lambda: serial_chain(60)
+    yield "30 rods", lambda: robots.rods(30)
+    yield "100 rods", lambda: robots.rods(100)
+    yield "a link of 1e-8 kg", lambda: robots.with_mass(30, 15, 1e-8)
+    yield "a tip of 1e4 kg", lambda: robots.with_mass(30, 30, 1e4)
+    yield "a tip of 1e8 kg", lambda: robots.with_mass(30, 30, 1e8)
+    yield "graded by 1e8", lambda: robots.graded(30, 1e8)
+    yield "graded by 1e-8", lambda: robots.graded(30, 1e-8)
+    yield "slender rods", lambda: robots.rods(30, radius=5e-4)
+    yield "slender tool", lambda: slender_tool(2e-6)
+    yield "coil of 50", lambda: robots.coil(50)
+    yield "dill of level 4", lambda: robots.dill(4)
+    yield "30 ball joints", lambda: robots.spherical_rods(30)
+    yield "three axes x 10", lambda: robots.three_axis(10)
+    yield "light wrists x 40", light_wrists
+
+
+def _robots() -> Path | None:
+    """The folder of example-robot-data's robots, if that is installed."""
+    try:
+        listed = files("example-robot-data") or []
+    except PackageNotFoundError:
+        return None
+    one = next((Path(str(file.locate())) for file in listed if file.name == "icub.urdf"), None)
+    return None if one is None else one.parents[2]
+
+
+def rows_of(name: str, model: Model, count: int) -> Iterator[Row]:
+    """Yield a robot's rows; ways that are refused are left out."""
+    for processes, shape, scalar in WAYS:
+        if shape == "unrolled" and model.nv > MOST_UNROLLED:
+            continue
+        try:
+            schedule = best_schedule(model, processes, load_profile("default"), "segment", scalar)
+            plan = make_plan(model, schedule, form="segment", scalar=scalar)
+            predicted = predicted_digits("both", model, plan, shape).error
+            states = states_of(model, count)
+            found = answers(plan, model, states, shape=shape).qdd
+        except (AdagenError, FloatingPointError, RuntimeError) as error:
+            print(f"{name}, {processes}, {shape}, {scalar}: {error}", file=sys.stderr)
+            continue
+        yield Row(name, processes, shape, scalar, predicted, largest(model, plan, states, found))
+
+
+def largest(model: Model, plan: Plan, states: States, found: Array) -> float:
+    """Return the certified error of the answer that is farthest off."""
+    inertia = [joint_space_inertia(model, q) for q in states.q]
+    about = accelerations(plan, states.q, states.v, states.tau)
+    rough = zip(inertia, found, about.astype(np.float64), strict=True)
+    s = int(np.argmax([energy_norm_error(h, x - t, t) for h, x, t in rough]))
+    truth = exact_forward_dynamics(model, states.q[s], states.v[s], states.tau[s]).value
+    return min(1.0, energy_norm_error(inertia[s], found[s] - truth, truth))
+
+
+def page(rows: list[Row], count: int) -> str:
+    """Return the page: what share of predictions is how far off, and all rows."""
+    ratios = np.array([row.ratio for row in rows])
+    within = np.mean((ratios > 0.1) & (ratios < 10))
+    worst = np.log10(ratios.max())
+    too_few = int((ratios > HALF_A_DECADE).sum())
+    lines = [
+        f"The suite's state and {count} random ones, {platform.machine()}, "
+        f"`python -m benchmarks.predicted_digits --states {count}`",
+        "",
+        f"{len(rows)} programs: {within:.0%} within a decade; {too_few} more than half a decade "
+        f"too optimistic, the worst by {worst:.2f} decades; median of measured over predicted "
+        f"{np.median(ratios):.2f}.",
+        "",
+        "| robot | P | shape | scalar | predicted | measured | ratio |",
+        "|---|---|---|---|---|---|---|",
+    ]
+    for row in rows:
+        lines.append(
+            f"| {row.robot} | {row.processes} | {row.shape} | {row.scalar} | {row.predicted:.1e} | "
+            f"{row.measured:.1e} | {row.ratio:.2f} |"
+        )
+    return "\n".join(lines)
+
+
+def main() -> int:
+    """Print the table, or put it into a document."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
+    )
+    parser.add_argument("--states", type=int, default=64)
+    parser.add_argument("--only", default="", metavar="WORD", help="robots whose name has it")
+    parser.add_argument("--write", type=Path)
+    options = parser.parse_args()
+    rows = []
+    for name, make in corpus():
+        if options.only not in name:
+            continue
+        for row in rows_of(name, make(), options.states):
+            print(row, f"{row.ratio:.2f}", file=sys.stderr, flush=True)
+            rows.append(row)
+    if options.write is None:
+        print(page(rows, options.states))
+    else:
+        write_between_marks(options.write, "predicted_digits", page(rows, options.states))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,59 @@
+"""What sweeping is predicted to lose, beside what it loses."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from adagen.executor.trial import accelerations, tried
+from adagen.model import Model
+from adagen.plan.turned import Turned, turned_joints
+from adagen.reference import energy_norm_error, joint_space_inertia
+from adagen.states import random_states
+from adagen.studies.stability import robots
+from tests.emitted import plan_of, truth_of
+from tests.models import human_figure, random_tree, serial_chain
+
+ROBOTS: dict[str, Callable[[], Model]] = {
+    "a tree of all kinds": lambda: random_tree(np.random.default_rng(5), 12),
+    "a floating figure": human_figure,
+    "ball joints": lambda: robots.spherical_rods(20),
+    "a tip of 1e8 kg": lambda: robots.with_mass(30, 30, 1e8),
+    "a light link": lambda: robots.with_mass(30, 15, 1e-8),
+}
+
+
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_sweeps_in_more_digits_are_right(robot: str) -> None:
+    model = ROBOTS[robot]()
+    states = random_states(model, 3, seed=2)
+    found = accelerations(plan_of(model, 1), states.q, states.v, states.tau).astype(float)
+    for q, x, truth in zip(states.q, found, truth_of(model, states), strict=True):
+        assert energy_norm_error(joint_space_inertia(model, q), x - truth, truth) < 1e-14
+
+
+@pytest.mark.parametrize("scalar", ["double", "float"])
+def test_axes_of_the_base_lose_what_own_axes_keep(scalar: str) -> None:
+    """A slender spinning tool: D is 4e-12 of the trace (float: 2.5e-5)."""
+    radius = 2e-6 if scalar == "double" else 5e-3
+    links = [robots.rod(), robots.rod(), robots.rod(radius=radius)]
+    plan = plan_of(robots.chain("tool", links, axes="xyz"), 1, scalar=scalar)
+    eps = 1e-16 if scalar == "double" else 6e-8
+    assert turned_joints(plan).always
+    none = Turned(frozenset(), frozenset())
+    own, turned, base = (tried(plan, axes) for axes in (None, turned_joints(plan), none))
+    assert own.error < 100 * eps
+    assert turned.error < 100 * eps
+    assert base.error > 1000 * eps
+    assert plan.joints[base.joint].name == "j3"
+
+
+def test_what_cannot_be_factorized_has_no_digits() -> None:
+    plan = plan_of(robots.with_mass(30, 30, 1e8), 1, scalar="float")
+    assert tried(plan, None).error > 1e-2
+
+
+def test_more_joints_take_fewer_states() -> None:
+    assert tried(plan_of(serial_chain(300), 1), None).error < 1e-11
