@@ -20,6 +20,7 @@ from adagen.emit.words import Words
 from adagen.errors import UsageError
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan
+from adagen.plan.turned import balls_lose
 from adagen.schedule import CostProfile, load_profile
 
 
@@ -109,7 +110,8 @@ def _of_batch(plan: Plan, profile: CostProfile | None) -> str:
 def offered(plan: Plan) -> tuple[str, ...]:
     """Return the shapes of which "auto" takes the one of least price, the plainest first.
 
-    Form `ada` is read joint by joint on several processes.
+    Form `ada` is read joint by joint on several processes. Loops sweep ball joints in axes of the
+    base, where links that are slender beyond them lose digits: those are straight lines.
     """
     loops = (stepwise(plan),)
     several = sum(bool(process.steps) for process in plan.processes) > 1
@@ -117,7 +119,7 @@ def offered(plan: Plan) -> tuple[str, ...]:
         return loops
     if sum(KINDS[joint.kind].nv for joint in plan.joints) > MOST_FREEDOMS:
         return loops
-    return (*loops, "unrolled")
+    return ("unrolled",) if balls_lose(plan) else (*loops, "unrolled")
 
 
 @lru_cache(maxsize=8)  # a plan is judged, priced and emitted one after the other

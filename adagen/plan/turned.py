@@ -37,7 +37,7 @@ MOST = {"double": 2.0**18, "float": 2.0**10}
 ENOUGH = {"double": 2.0**8, "float": 2.0**6}
 """Beyond which tr A / D loops repeat a sweep that may come to lose more than that (kEnough)."""
 SEEDS = (1, 2, 3)
-SMALLEST = np.finfo(np.float64).tiny
+SMALLEST = 1e-200
 
 
 @dataclass(frozen=True)
@@ -99,6 +99,21 @@ def losing_joints(plan: Plan) -> frozenset[int]:
         if side.most > most * side.least or side.usual > most
     }
     return _with_joints_beyond(plan, steps, losing) if losing else frozenset()
+
+
+def balls_lose(plan: Plan) -> bool:
+    """Whether a ball joint's link is so slender that loops lose too many digits.
+
+    Ball joints are eliminated in axes of the base, where the least of a body's principal inertias
+    is known to a unit in the last place of its trace.
+    """
+    most = MOST[FACTORS[plan.scalar]]
+    for j, joint in enumerate(plan.joints):
+        if joint.kind == "spherical" and not joint.prescribed:
+            about = _spatial_inertia(plan.links[j + 1])[:3, :3]
+            if most * float(np.linalg.eigvalsh(about)[0]) < float(np.trace(about)):
+                return True
+    return False
 
 
 def _seen(plan: Plan, steps: Iterable[tuple[int, bool]]) -> dict[tuple[int, bool], Side]:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from adagen.model import Inertia, Model
-from adagen.plan.turned import Turned, turned_joints
+from adagen.emit.shapes import chosen_shape
+from adagen.model import SPHERICAL, Inertia, Model
+from adagen.plan.turned import Turned, balls_lose, turned_joints
 from adagen.studies.stability import robots
 from tests.emitted import plan_of
 from tests.models import human_figure
@@ -41,3 +42,11 @@ def test_links_of_no_inertia_turn_with_the_joints_beyond() -> None:
 def test_links_without_mass_always_turn_with_the_joints_beyond() -> None:
     found = turned_joints(plan_of(robots.three_axis(1), 1))
     assert found == Turned(frozenset({0, 1, 2}), frozenset())
+
+
+def test_ball_joints_of_slender_links_lose_digits_in_loops() -> None:
+    assert not balls_lose(plan_of(robots.spherical_rods(4), 1))
+    assert not balls_lose(plan_of(human_figure(), 1))
+    slender = robots.rods(4, kind=SPHERICAL, radius=1e-4)
+    assert balls_lose(plan_of(slender, 1))
+    assert chosen_shape(plan_of(slender, 1)) == "unrolled"

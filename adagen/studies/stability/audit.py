@@ -1,4 +1,4 @@
-"""What emitted solvers answer in hard states, beside the truth: right, refused, wrong in silence."""
+"""What emitted solvers answer in hard states, beside the truth: right, refused, wrong."""
 
 from __future__ import annotations
 
@@ -20,6 +20,7 @@ from adagen.plan.types import THREADS
 from adagen.reference import exact_forward_dynamics
 from adagen.schedule import Topology, load_profile
 from adagen.search import named_schedule
+from adagen.search.objective import FEW, predicted_digits
 from adagen.states import States
 
 Array = NDArray[np.float64]
@@ -33,7 +34,7 @@ class Way:
 
     Attributes:
         shape: "kernels" or "unrolled".
-        threads: 1, or more that are joined at cuts.
+        threads: 1, or more that are joined at cuts, as schedule `balanced` has them.
         scalar: "double" or "float".
     """
 
@@ -68,12 +69,14 @@ class Audit:
     """What became of all evaluations of one way.
 
     Attributes:
-        counts: answered, refused, wrong.
-        worst: the wrong ones.
+        counts: answered, refused, and of the answered ones wrong.
+        wrong: the wrong ones.
+        warned: whether few digits are predicted, so that emission warns.
     """
 
     counts: Counter[str]
-    worst: tuple[Wrong, ...]
+    wrong: tuple[Wrong, ...]
+    warned: bool
 
 
 def planned(model: Model, way: Way) -> Plan | None:
@@ -131,6 +134,15 @@ def answers(plan: Plan, way: Way, states: States, toolchain: Toolchain) -> Itera
         function("close", None, pointer)(opened)
 
 
+def warned(model: Model, plan: Plan, way: Way) -> bool:
+    """Whether so few digits are predicted of a plan that its emission warns."""
+    try:
+        found = predicted_digits("both", model, plan, way.shape)
+    except FloatingPointError:
+        return True
+    return found.error > FEW[way.scalar]
+
+
 def audited(
     model: Model, states: States, ways: list[Way], toolchain: Toolchain
 ) -> dict[Way, Audit]:
@@ -166,7 +178,7 @@ def audited(
             if not error <= WRONG[way.scalar]:
                 counts["wrong"] += 1
                 wrong.append(Wrong(model.name, way, k, error))
-        found[way] = Audit(counts, tuple(wrong))
+        found[way] = Audit(counts, tuple(wrong), warned(model, plan, way))
     return found
 
 

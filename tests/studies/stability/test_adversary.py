@@ -1,0 +1,46 @@
+"""Random robots that are hard to solve: on one thread nothing is wrong unless it was warned of."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from adagen.build import Toolchain
+from adagen.studies.stability.adversary import FAMILIES, hard_states, robots
+from adagen.studies.stability.audit import Way, audited
+from tests.emitted import QUICK, STANDARD, Builder
+
+WAYS = [Way("kernels"), Way("unrolled")]
+
+
+@pytest.fixture(scope="module")
+def quick(builder: Builder) -> Toolchain:
+    return replace(builder.toolchain, flags=(*STANDARD, *QUICK))
+
+
+def test_the_same_seed_gives_the_same_robots_and_states() -> None:
+    for one, other in zip(robots(24, seed=5), robots(24, seed=5), strict=True):
+        assert one.name == other.name
+        assert np.array_equal(hard_states(one, 3).q, hard_states(other, 3).q)
+        masses = [[link.inertia.mass for link in model.links] for model in (one, other)]
+        assert masses[0] == masses[1]
+
+
+@pytest.mark.parametrize("k", range(len(FAMILIES)), ids=lambda k: FAMILIES[k].__name__)
+def test_nothing_is_wrong_in_silence(k: int, quick: Toolchain) -> None:
+    model = robots(k + 1, seed=3)[k]
+    found = audited(model, hard_states(model, 40, seed=3), WAYS, quick)
+    assert set(found) == set(WAYS)
+    for way, audit in found.items():
+        assert audit.warned or not audit.wrong, f"{way}: {audit.wrong}"
+        assert sum(audit.counts[what] for what in ("answered", "refused")) == 40
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(10, 14))
+def test_nothing_is_wrong_in_silence_on_many(seed: int, quick: Toolchain) -> None:
+    for model in robots(2 * len(FAMILIES), seed):
+        for way, audit in audited(model, hard_states(model, 60, seed), WAYS, quick).items():
+            assert audit.warned or not audit.wrong, f"{model.name}, {way}: {audit.wrong}"
