@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 from adagen.build import Toolchain
+from adagen.build.toolchain import STANDARD
 from adagen.studies.stability.adversary import FAMILIES, hard_states, robots
 from adagen.studies.stability.audit import Way, audited
-from tests.emitted import QUICK, STANDARD, Builder
+from tests.emitted import QUICK, Builder
 
 WAYS = [Way("kernels"), Way("unrolled")]
 
