@@ -61,6 +61,7 @@ def channel_program(toolchain: Toolchain) -> Path:
     text = render(
         "channel_times.cpp.j2",
         mpi=True,
+        threads=False,
         headers=sorted({*SOLVER, *MPI, *PROGRAM}),
         channel_messages=messages,
     )

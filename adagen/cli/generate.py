@@ -34,6 +34,16 @@ examples:
 exit status: 0 done, 1 the input is at fault, 2 usage, 3 tool or surroundings."""
 
 
+class _CMakeFolder(argparse.Action):
+    """Prints the folder and ends."""
+
+    def __call__(self, parser: argparse.ArgumentParser, *_: object) -> None:
+        from adagen.emit.templates import templates_folder
+
+        print(templates_folder() / "cmake")
+        parser.exit()
+
+
 def options_of(argv: Sequence[str]) -> argparse.Namespace:
     """Return the options of ``adagen MODEL``.
 
@@ -51,6 +61,12 @@ def options_of(argv: Sequence[str]) -> argparse.Namespace:
         "--single-file",
         action="store_true",
         help="write a source that holds the program around the solver, too, and stands alone",
+    )
+    parser.add_argument(
+        "--cmake-dir",
+        action=_CMakeFolder,
+        nargs=0,
+        help="print where CMake's find_package(adagen) finds adagen_add_solver",
     )
     options = parse(parser, argv)
     check_emission(parser, options)

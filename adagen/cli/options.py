@@ -73,7 +73,9 @@ RARE = frozenset(
         "--shape",
         "--tune",
         "--tuned",
+        "--channel",
         "--single-file",
+        "--cmake-dir",
     ]
 )
 """What most users never say: --help-all shows it."""

@@ -185,11 +185,14 @@ def _warn_of_lost_digits(plan: Plan, model: Model, options: argparse.Namespace) 
     from adagen.emit import TOLERANCE
     from adagen.emit.shapes import chosen_shape
     from adagen.plan.types import FACTORS
-    from adagen.search.objective import FEW, predicted_digits
+    from adagen.search.objective import FEW, predicted_digits, suited_shape
     from adagen.urdf.notes import quoted
 
-    file = options.model
-    shape = options.shape if options.shape != "auto" else chosen_shape(plan, batch=options.batch)
+    file, shape = options.model, options.shape
+    if not options.batch:
+        shape = suited_shape(options.objective, plan, shape)
+    if shape == "auto":
+        shape = chosen_shape(plan, batch=options.batch)
     try:
         digits = predicted_digits(options.objective, model, plan, shape)
     except FloatingPointError as error:

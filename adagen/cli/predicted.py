@@ -82,8 +82,10 @@ def priced_shape(options: argparse.Namespace) -> str:
 def program_for(plan: Plan, options: argparse.Namespace) -> Program:
     """Return the program that a plan is emitted as under the options, for one state at a time."""
     from adagen.emit.predicted import priced_program
+    from adagen.search.objective import suited_shape
 
-    return priced_program(plan, priced_shape(options), _profile(options))
+    shape = suited_shape(options.objective, plan, priced_shape(options))
+    return priced_program(plan, shape, _profile(options))
 
 
 def timeline_of(program: Program, options: argparse.Namespace) -> Timeline | None:

@@ -83,8 +83,9 @@ def _solve(options: argparse.Namespace, stages: Stages) -> int:
     with stages.stage("build"):
         toolchain = with_compiler(find_toolchain(), made.request.compiler)
         executable = build_executable(made.source, made.stem, toolchain, progress=progress)
+    processes = 1 if made.plan.threads else made.request.procs  # of a batch the plan is for one
     with stages.stage("run"):
-        status, result = _run(executable, made.plan.launched, toolchain, options, model, states)
+        status, result = _run(executable, processes, toolchain, options, model, states)
     if not result:
         return status
     if options.result is None:

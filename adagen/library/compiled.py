@@ -21,7 +21,7 @@ from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.program import Program
 from adagen.schedule import Schedule, Topology, load_profile
-from adagen.search.objective import predicted_digits
+from adagen.search.objective import predicted_digits, suited_shape
 from adagen.wholefile import write_files
 
 if TYPE_CHECKING:
@@ -187,13 +187,16 @@ def emitted(
         UsageError: the plan cannot be emitted as it is asked for.
     """
     profile = load_profile(request.profile)
-    program = program_of(plan, request.shape, request.refine, batch=request.batch, profile=profile)
+    shape = request.shape
+    if not request.batch and not request.refinement:
+        shape = suited_shape(request.objective, plan, shape)
+    program = program_of(plan, shape, request.refine, batch=request.batch, profile=profile)
     priced = not request.batch and profile.steps is not None
     files = emit(
         plan,
         name=origin.path.stem if request.name is None else request.name,
         svg=draw(schedule, Topology.of(model), program, profile, model.name),
-        shape=request.shape,
+        shape=shape,
         refine=request.refine,
         batch=request.procs if request.batch else 0,
         chunk=request.chunk,

@@ -14,6 +14,7 @@ from typing import Any, get_args
 
 import numpy as np
 
+from adagen.emit.shapes import offered
 from adagen.errors import UsageError
 from adagen.executor.growth import Growth, predicted_growth
 from adagen.executor.refine import interpret_refined
@@ -36,6 +37,8 @@ LIMITS = (1e1, 1e2, 1e3, 1e4, 1e5)
 """Growths that objective `accuracy` lets pass at a cut, one after the other."""
 HARDLY_SINGULAR = {"double": 1e12, "float": 1e5}
 """Growth that objective `time` lets pass: factorizations still succeed."""
+_ALIKE = 2.0
+"""Up to this ratio of predicted errors two shapes are equally accurate."""
 FEW = {"double": 1e-6, "float": 1e-2}
 """Predicted errors that a warning tells."""
 _TRIALS = 6
@@ -152,6 +155,28 @@ def predicted_digits(objective: str, model: Model, plan: Plan, shape: str = "ker
         trial = max(trial, Trial(_MARGIN * swept.error, swept.joint), key=lambda each: each.error)
     worst = model.joints[trial.joint].name
     return Digits(objective, min(1.0, trial.error), growth.largest, name, worst)
+
+
+def suited_shape(objective: str, plan: Plan, shape: str = "auto") -> str:
+    """Return the shape that suits an objective: for accuracy the one that loses clearly less.
+
+    Args:
+        objective: one of ``OBJECTIVES``.
+        plan: what each process computes.
+        shape: what is asked for; "auto" leaves it open.
+
+    Returns:
+        A shape, or "auto" where the fastest one is as good as any: its error is at most twice as
+        large.
+    """
+    if objective != "accuracy" or shape != "auto":
+        return shape
+    errors = {
+        name: tried(plan, turned_joints(plan) if name == "kernels" else None).error
+        for name in offered(plan)
+    }
+    fine = [name for name, error in errors.items() if error <= _ALIKE * min(errors.values())]
+    return fine[0] if len(fine) == 1 else shape
 
 
 def _tried(plan: Plan) -> float:

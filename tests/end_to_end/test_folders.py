@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -101,6 +102,37 @@ def test_cmake_finds_what_is_installed(solvers: Path, project: Path, tmp_path: P
     run("cmake", "-S", project, "-B", build, f"-DCMAKE_PREFIX_PATH={prefix}")
     run("cmake", "--build", build)
     check(build / "controller", tmp_path)
+
+
+EMITTING = """\
+cmake_minimum_required(VERSION 3.16)
+project(controller LANGUAGES C CXX)
+find_package(adagen REQUIRED)
+adagen_add_solver(mobile MODEL mobile.urdf PROCS 1 OPTIONS --shape kernels)
+add_executable(controller controller.c)
+set_target_properties(controller PROPERTIES C_STANDARD 99 C_EXTENSIONS OFF)
+target_link_libraries(controller PRIVATE mobile)
+"""
+
+
+def test_cmake_has_solvers_emitted(project: Path, tmp_path: Path) -> None:
+    shutil.copy(FOLDER / "models" / "mobile.urdf", project)
+    (project / "CMakeLists.txt").write_text(EMITTING)
+    command = Path(sys.executable).with_name("adagen")
+    folder, build = run(command, "--cmake-dir").strip(), tmp_path / "build"
+    words = ("-S", project, "-B", build, f"-Dadagen_DIR={folder}", FAST)
+    run("cmake", *words, f"-DADAGEN_PROGRAM={command}")
+    run("cmake", "--build", build)
+    check(build / "controller", tmp_path)
+
+    source = build / "mobile" / "mobile_p1.cpp"
+    written = source.stat().st_mtime_ns
+    run("cmake", "-S", project, "-B", build)
+    assert source.stat().st_mtime_ns == written  # it is right already
+    (project / "mobile.urdf").write_text("<robot name='none'/>")
+    failed = subprocess.run(["cmake", "--build", str(build)], capture_output=True, text=True)
+    assert failed.returncode != 0
+    assert "mobile.urdf" in failed.stderr
 
 
 def test_pkg_config_finds_what_make_has_built(solvers: Path, project: Path, tmp_path: Path) -> None:

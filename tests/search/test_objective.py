@@ -13,12 +13,19 @@ from adagen.cli import main
 from adagen.executor import interpret
 from adagen.executor.growth import predicted_growth
 from adagen.executor.trial import tried
-from adagen.model import Model
+from adagen.model import SPHERICAL, Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.steps import Join
+from adagen.plan.turned import balls_lose
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.schedule import Schedule, load_profile
-from adagen.search.objective import OBJECTIVES, Digits, predicted_digits, schedule_for
+from adagen.search.objective import (
+    OBJECTIVES,
+    Digits,
+    predicted_digits,
+    schedule_for,
+    suited_shape,
+)
 from adagen.states import random_states
 from adagen.studies.stability import robots
 from tests.emitted import plan_of
@@ -153,3 +160,16 @@ def test_the_command_line_reports_digits(
     out = capsys.readouterr().out
     assert f"{-np.log10(said['error']):.1f} digits predicted" in out
     assert (said["joint"] or "nothing is lost by joining") in out
+
+
+def test_accuracy_takes_the_shape_that_loses_less() -> None:
+    # Spherical joints are swept in axes of the base in loops, whatever their links look like.
+    plan = plan_of(robots.rods(6, kind=SPHERICAL, radius=5e-3), 1)
+    assert not balls_lose(plan)
+    assert suited_shape("accuracy", plan) == "unrolled"
+    assert suited_shape("accuracy", plan, "kernels") == "kernels"
+    assert suited_shape("both", plan) == suited_shape("time", plan) == "auto"
+
+
+def test_accuracy_takes_the_fastest_of_shapes_that_lose_alike() -> None:
+    assert suited_shape("accuracy", plan_of(robots.rods(4), 1)) == "auto"
