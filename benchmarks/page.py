@@ -20,5 +20,5 @@ def write_between_marks(page: Path, benchmark: str, text: str) -> None:
     """
     begin = f"<!-- benchmarks.{benchmark} -->"
     held = page.read_text(encoding="utf-8")
-    head, tail = held[: held.index(begin)], held[held.index(_END) :]
+    head, tail = held[: held.index(begin)], held[held.index(_END, held.index(begin)) :]
     page.write_text(f"{head}{begin}\n{text}\n{tail}", encoding="utf-8")
