@@ -184,8 +184,8 @@ def about_z(cosine: Expression, sine: Expression, *, exact: bool = False) -> Tur
 def placed(base: Array, turn: Turn | Dense | None, *, across: bool = False) -> Rotation:
     """Return the constant rotation ``base`` times ``turn``, what can be merged merged.
 
-    An exact turn is merged with none but permutations of axes: a sum of angles loses the digits of
-    a small one.
+    A sum of angles loses as many digits of a small one as that is smaller than a unit; a product
+    that is exact to its largest entry only would lose twice as many.
 
     Args:
         base: it, shape (3, 3).
@@ -193,13 +193,12 @@ def placed(base: Array, turn: Turn | Dense | None, *, across: bool = False) -> R
         across: whether a base without structure is R_x R_z if it has a zero that shows that.
     """
     fixed = constant_turn(base)
-    if isinstance(turn, Turn) and turn.exact and not _permutes(base):
-        return Rotation((fixed or Dense(base), turn))
     if across and fixed is None and isinstance(turn, Turn) and base[0, 2].constant == 0:
         (p, q), (c, s) = base[1:, 2], (turn.block[0], turn.block[2])
         about_x = Turn((1, 2, 0), (1, 2, 0), (q, p, -p, q), True, 1)
         x, y = base[0, 0], -base[0, 1]
-        return Rotation((about_x, about_z(x * c - y * s, y * c + x * s)))
+        turned = about_z(x * c - y * s, y * c + x * s, exact=turn.exact)
+        return Rotation((about_x, turned))
     if turn is None:
         return Rotation((fixed or Dense(base),))
     if isinstance(turn, Dense):
@@ -217,11 +216,6 @@ def placed(base: Array, turn: Turn | Dense | None, *, across: bool = False) -> R
     (p, q, r, s), (c, minus, sine, _) = fixed.block, turn.block
     block = p * c + q * sine, p * minus + q * c, r * c + s * sine, r * minus + s * c
     return Rotation((Turn(fixed.rows, fixed.columns, block, fixed.proper, fixed.lone, turn.exact),))
-
-
-def _permutes(base: Array) -> bool:
-    """Whether a constant rotation has no entries but 0, 1 and -1."""
-    return all(entry.constant in (0, 1, -1) for entry in base.flat)
 
 
 @dataclass(frozen=True)

@@ -107,9 +107,9 @@ class Segments:
     def _brought(self, step: Articulate, inertia: Array) -> Expression | None:
         """Trace of what joints beyond bring to where D is found; None where D cannot be noise.
 
-        What the bare link has along a joint is exact; what others bring is known to a few units in
-        the last place of its trace, and is nothing but noise where links without inertia come near
-        gimbal lock.
+        What the bare link has along a joint is exact, and so is what others bring, by exact turns;
+        but where links without inertia come within rounding of gimbal lock, that is the square of
+        an angle's last digits.
         """
         if not self.state.turns_exactly(step.joint):
             return None

@@ -97,11 +97,11 @@ class State:
         Args:
             matrix: symmetric, shape (n, n).
             joint: whose it is.
-            brought: of one entry, size of the numbers that it was added up from, where it may be
-                lost among them.
+            brought: of one entry, size of what comes to be it by exact turns, where it may be next to
+                nothing: the square of the sine of an angle, in whose last digits nothing is known.
         """
         factors, lost = factorize(matrix), 16 * EPSILON[FACTORS[self.plan.scalar]]
-        none = self.graph.constant(0) if brought is None else brought * lost
+        none = self.graph.constant(0) if brought is None else brought * lost**2
         for pivot, entry in zip(factors.pivots, factors.diagonal, strict=True):
             least = none if pivot == entry else entry * lost
             self.checks.append(Check(pivot, least, joint))

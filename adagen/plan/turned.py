@@ -32,9 +32,9 @@ from adagen.plan.steps import Articulate, FusedJoin, LinkBias
 from adagen.plan.types import FACTORS, Plan, PlanJoint, PlanLink
 
 Array = NDArray[np.float64]
-MOST = {"double": 2.0**18, "float": 2.0**10}
-"""What tr A / D may be at most in axes of the base: 3e-11, or 6e-5, of D is lost then."""
-ENOUGH = {"double": 2.0**8, "float": 2.0**6}
+MOST = {"double": 2.0**18, "float": 2.0**12}
+"""What tr A / D may be at most in axes of the base: 3e-11, or 2e-4, of D is lost then."""
+ENOUGH = {"double": 2.0**8, "float": 2.0**8}
 """Beyond which tr A / D loops repeat a sweep that may come to lose more than that (kEnough)."""
 SEEDS = (1, 2, 3)
 SMALLEST = 1e-200

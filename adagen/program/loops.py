@@ -68,7 +68,7 @@ class Loops:
         self.joints = plan.joints
         self.placed = placed_links(plan)
         starts = {s.link for s in process.steps if isinstance(s, StartLink)}
-        self.turned = turned_in_loops(plan, slots.limbs).always
+        self.turned = turned_in_loops(plan, slots.limbs, batch).always
         self.own = starts - self.placed  # links whose own inertia the sweep adds as it passes them
         self.named = mentions(plan, process)
         self.holding: set[int] = set()  # links at which an inertia has been left

@@ -14,12 +14,14 @@ from adagen.program.runs import units_of_sweep
 
 
 @lru_cache(maxsize=16)  # of one program it is asked for each process, and again to print it
-def turned_in_loops(plan: Plan, limbs: Grouping) -> Turned:
+def turned_in_loops(plan: Plan, limbs: Grouping, batch: bool = False) -> Turned:
     """Return the joints of a plan that loops sweep in their own axes.
 
     Args:
         plan: a plan of form segment.
         limbs: those that each process takes side by side.
+        batch: whether SIMD lanes are for states: one of them loses digits too often for a sweep to
+            be repeated for all.
     """
     units: list[frozenset[int]] = []
     for process, own in zip(plan.processes, limbs, strict=True):
@@ -29,4 +31,5 @@ def turned_in_loops(plan: Plan, limbs: Grouping) -> Turned:
                 joints = unit.members() if isinstance(unit, Limbs) else unit.joints()
                 units.append(frozenset(joints))
     rows = [row for own in limbs for each in own for row in each.rows]
-    return turned_in_units(plan, rows, units)
+    found = turned_in_units(plan, rows, units)
+    return Turned(found.always | found.if_lost, frozenset()) if batch else found

@@ -88,23 +88,21 @@ def test_loops_are_right_near_gimbal_lock_or_refuse(
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_straight_lines_and_the_executor_refuse_at_gimbal_lock(
+def test_straight_lines_are_right_down_to_gimbal_lock_and_refuse_there(
     case: str, builder: Builder, tmp_path: Path
 ) -> None:
     make, joint, processes, _ = CASES[case]
     model = make()
     plan = plan_of(model, processes, meeting="gather")
     solver = builder.solver(plan, QUICK, shape="unrolled")
-    for angle in NEAR:
+    for angle in (*NEAR, 1e-9, 1e-12):
         states = tilted(model, joint, angle)
-        error = solver.error(model, states, tmp_path)
-        assert error < ROUNDING["double"] / angle  # ^2 is what a sum in D would lose
+        assert solver.error(model, states, tmp_path) < ROUNDING["double"]
     given, result = tmp_path / "at.json", tmp_path / "none.json"
-    for angle in AT:
-        states = tilted(model, joint, angle)
-        write_states(states, model, given)
-        done = solver.run("--states", given, "--result", result)
-        assert done.status == 1
-        assert "factorization failed" in done.stderr
-        with pytest.raises(FloatingPointError, match="factorization failed"):
-            interpret(plan, states.q[0], states.v[0], states.tau[0])
+    states = tilted(model, joint, 0.0)
+    write_states(states, model, given)
+    done = solver.run("--states", given, "--result", result)
+    assert done.status == 1
+    assert "factorization failed" in done.stderr
+    with pytest.raises(FloatingPointError, match="factorization failed"):
+        interpret(plan, states.q[0], states.v[0], states.tau[0])

@@ -43,7 +43,7 @@ def values(words: Words) -> dict[str, object]:
     cuts = mobility.has_cuts(plan)
     program = words.program
     slots = program.slots
-    turned = turned_in_loops(plan, slots.limbs)
+    turned = turned_in_loops(plan, slots.limbs, program.batch)
     writers = [
         KernelLines(words, p, process, own.operations, slots, turned.always)
         for p, (process, own) in enumerate(zip(plan.processes, program.processes, strict=True))
