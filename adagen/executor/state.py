@@ -97,8 +97,8 @@ class State:
         Args:
             matrix: symmetric, shape (n, n).
             joint: whose it is.
-            brought: of one entry, size of what comes to be it by exact turns, where it may be next to
-                nothing: the square of the sine of an angle, in whose last digits nothing is known.
+            brought: of one entry, size of what comes to be it by exact turns, where it may be next
+                to nothing: the square of the sine of an angle, whose last digits nobody knows.
         """
         factors, lost = factorize(matrix), 16 * EPSILON[FACTORS[self.plan.scalar]]
         none = self.graph.constant(0) if brought is None else brought * lost**2
