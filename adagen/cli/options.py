@@ -259,7 +259,7 @@ def check_emission(parser: Parser, options: argparse.Namespace) -> None:
     steps = refinement(options)
     checked_shape(steps, options.shape)
     if options.batch:
-        check_batch(options.shape, steps)
+        check_batch(options.shape, steps, options.channel)
         if options.tune or options.tuned is not None:
             parser.error("batches are not tuned: leave out --tune or --batch")
     if options.tuned is not None and (options.tune or options.shape != "auto"):

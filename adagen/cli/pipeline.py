@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from adagen.cli.console import Stages, progress, tell, warn
-from adagen.cli.options import AUTO, refinement
+from adagen.cli.options import AUTO
 from adagen.cli.predicted import scheduled
 from adagen.errors import InputError
 
@@ -148,7 +148,7 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Compi
         with stages.stage("compare"):
             tell_savings(plan, schedule, options)
     with stages.stage("assess"):
-        _warn_of_lost_digits(plan, model, options)
+        _warn_of_lost_digits(plan, model, request, options)
     if options.tune:
         from adagen.cli.tuning import tuned
 
@@ -176,7 +176,9 @@ def shared_by(options: argparse.Namespace) -> int:
     return int(options.procs) or len(os.sched_getaffinity(0))
 
 
-def _warn_of_lost_digits(plan: Plan, model: Model, options: argparse.Namespace) -> None:
+def _warn_of_lost_digits(
+    plan: Plan, model: Model, request: Request, options: argparse.Namespace
+) -> None:
     """Warn, by the joint at fault, where the emitted code is predicted to keep few digits.
 
     Raises:
@@ -184,21 +186,20 @@ def _warn_of_lost_digits(plan: Plan, model: Model, options: argparse.Namespace) 
     """
     from adagen.emit import TOLERANCE
     from adagen.emit.shapes import chosen_shape
+    from adagen.library.compiled import shape_of
     from adagen.plan.types import FACTORS
-    from adagen.search.objective import FEW, predicted_digits, suited_shape
+    from adagen.search.objective import FEW, predicted_digits
     from adagen.urdf.notes import quoted
 
-    file, shape = options.model, options.shape
-    if not options.batch:
-        shape = suited_shape(options.objective, plan, shape)
+    file, shape = options.model, shape_of(plan, request)
     if shape == "auto":
-        shape = chosen_shape(plan, batch=options.batch)
+        shape = chosen_shape(plan, batch=request.batch)
     try:
         digits = predicted_digits(options.objective, model, plan, shape)
     except FloatingPointError as error:
         raise InputError(_why_it_fails(plan, model, options, str(error)), file) from None
     few = TOLERANCE[plan.scalar] if plan.form == "ada" else FEW[FACTORS[plan.scalar]]
-    if refinement(options) or digits.error <= few:
+    if request.refinement or digits.error <= few:
         return  # what refinement makes good, or not, the solver says itself
     ways = ["form segment keeps more digits"] if plan.form == "ada" else []
     if plan.form != "ada" and shape == "kernels" and plan.scalar == "double":

@@ -91,7 +91,7 @@ def emit(
             "solver.pc.j2",
             stem=stem,
             process_count=processes,
-            mpi=processes > 1 and plan.channel != THREADS,
+            mpi=processes > 1 and not plan.threads,
             threads=plan.threads,
             version=__version__,
         ),
@@ -138,7 +138,7 @@ def program_of(
     if batch:
         if len(plan.processes) > 1:
             raise UsageError("a batch is solved by the plan of one process")
-        check_batch(shape, refine)
+        check_batch(shape, refine, plan.channel)
     if refine and checked_shape(refine, shape) == "auto":
         shape = stepwise(plan)
     shape = chosen_shape(plan, shape, batch=batch, profile=profile)
@@ -176,8 +176,6 @@ def _texts(
     words = Words(program, refine, chunk)
     processes = batch or len(plan.processes)
     mpi = processes > 1 and not plan.threads
-    if batch:
-        check_channel(plan)
     costs = load_profile("default") if profile is None else profile
     values: dict[str, object] = {
         "number": words.number,
@@ -250,24 +248,16 @@ def _hops(profile: CostProfile) -> dict[str, object]:
     return {"profile": profile.name, "window": costs.window, "message": costs.message}
 
 
-def check_channel(plan: Plan) -> None:
-    """Refuse threads where states are shared out.
-
-    Raises:
-        UsageError: the plan's channel is threads.
-    """
-    if plan.channel == THREADS:
-        raise UsageError(
-            "batches are not shared out to threads: open a solver for one process in each of yours"
-        )
-
-
-def check_batch(shape: str, refine: int) -> None:
+def check_batch(shape: str, refine: int, channel: str) -> None:
     """Refuse what is not emitted for batches.
 
     Raises:
-        UsageError: the shape or refinement cannot be had for batches.
+        UsageError: the shape, refinement or channel cannot be had for batches.
     """
+    if channel == THREADS:
+        raise UsageError(
+            "batches are not shared out to threads: open a solver for one process in each of yours"
+        )
     if refine:
         raise UsageError("batches are not refined; leave out --batch, --refine or --scalar mixed")
     if shape not in ("auto", "kernels", "unrolled"):

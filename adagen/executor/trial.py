@@ -296,7 +296,7 @@ class _Sweep:
             if j in self.watched:
                 half = slice(0, 3) if KINDS[joint.kind].free[0] < 3 else slice(3, 6)
                 trace = np.trace(body[:, half, half], axis1=1, axis2=2)
-                self.lost |= ~(d[:, 0, 0] * ENOUGH[FACTORS[self.plan.scalar]] > trace)
+                self.lost |= ~(d[:, 0, 0] * ENOUGH > trace)
             pull = self.tau[:, joint.v : joint.v + count] - np.einsum("skf,sk->sf", axes, force)
             u, over = _solved(d, pull[:, :, None])[:, :, 0], _solved(d, wide.transpose(0, 2, 1))
             body = body - wide @ over

@@ -171,6 +171,13 @@ def planned(model: Model, schedule: Schedule, request: Request, source_hash: str
     )
 
 
+def shape_of(plan: Plan, request: Request) -> str:
+    """Return the shape that a request leaves to a plan: "auto" for the fastest."""
+    if request.batch or request.refinement:
+        return request.shape
+    return suited_shape(request.objective, plan, request.shape)
+
+
 def emitted(
     model: Model, origin: Origin, schedule: Schedule, plan: Plan, request: Request
 ) -> Compiled:
@@ -187,9 +194,7 @@ def emitted(
         UsageError: the plan cannot be emitted as it is asked for.
     """
     profile = load_profile(request.profile)
-    shape = request.shape
-    if not request.batch and not request.refinement:
-        shape = suited_shape(request.objective, plan, shape)
+    shape = shape_of(plan, request)
     program = program_of(plan, shape, request.refine, batch=request.batch, profile=profile)
     priced = not request.batch and profile.steps is not None
     files = emit(

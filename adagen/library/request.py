@@ -79,7 +79,7 @@ class Request:
             raise UsageError("naive is for strategy astar or paper")
         checked_shape(self.refinement, self.shape)
         if self.batch:
-            check_batch(self.shape, self.refinement)
+            check_batch(self.shape, self.refinement, self.channel)
 
     @property
     def refinement(self) -> int:

@@ -34,10 +34,11 @@ from adagen.plan.types import FACTORS, Plan, PlanJoint, PlanLink
 Array = NDArray[np.float64]
 MOST = {"double": 2.0**18, "float": 2.0**12}
 """What tr A / D may be at most in axes of the base: 3e-11, or 2e-4, of D is lost then."""
-ENOUGH = {"double": 2.0**8, "float": 2.0**8}
-"""Beyond which tr A / D loops repeat a sweep that may come to lose more than that (kEnough)."""
+ENOUGH = 2.0**8
+"""Beyond which tr A / D loops repeat a sweep that may come to lose more than that."""
 SEEDS = (1, 2, 3)
-SMALLEST = 1e-200
+_SMALLEST = 1e-200
+"""What D is taken for where it is nothing, so that tr A / D is a number."""
 
 
 @dataclass(frozen=True)
@@ -71,12 +72,9 @@ class Turned:
 def turned_joints(plan: Plan) -> Turned:
     """Return the joints of a plan of form segment that are eliminated in their own axes."""
     steps = _articulated(plan)
-    most, enough = MOST[FACTORS[plan.scalar]], ENOUGH[FACTORS[plan.scalar]]
-    seen = _seen(plan, steps)
-    worst = {step for step, side in seen.items() if side.most > most * side.least}
-    usual = {
-        step for step, side in seen.items() if side.usual > (enough if step in worst else most)
-    }
+    worst, usual = _losing(plan, steps)
+    sides = _sides(plan.joints, plan.links)
+    usual |= {step for step in worst if sides[step].usual > ENOUGH}
     fused = any(isinstance(step, FusedJoin) for p in plan.processes for step in p.steps)
     for j, backwards in worst:  # mobilities of fused runs take away most of what is handed to them
         far = plan.joints[j].parent if backwards else j + 1
@@ -92,13 +90,8 @@ def losing_joints(plan: Plan) -> frozenset[int]:
     There what is small beside other entries of an inertia has to keep its own digits.
     """
     steps = _articulated(plan)
-    most = MOST[FACTORS[plan.scalar]]
-    losing = {
-        step
-        for step, side in _seen(plan, steps).items()
-        if side.most > most * side.least or side.usual > most
-    }
-    return _with_joints_beyond(plan, steps, losing) if losing else frozenset()
+    worst, usual = _losing(plan, steps)
+    return _with_joints_beyond(plan, steps, worst | usual)
 
 
 def balls_lose(plan: Plan) -> bool:
@@ -116,10 +109,14 @@ def balls_lose(plan: Plan) -> bool:
     return False
 
 
-def _seen(plan: Plan, steps: Iterable[tuple[int, bool]]) -> dict[tuple[int, bool], Side]:
-    """What joints see that are eliminated."""
-    sides = _sides(plan.joints, plan.links)
-    return {step: sides[step] for step in steps if step in sides}
+def _losing(
+    plan: Plan, steps: Iterable[tuple[int, bool]]
+) -> tuple[set[tuple[int, bool]], set[tuple[int, bool]]]:
+    """Joints that may lose too many digits in some pose, and those that do as a rule."""
+    most, sides = MOST[FACTORS[plan.scalar]], _sides(plan.joints, plan.links)
+    seen = {step: sides[step] for step in steps if step in sides}
+    worst = {step for step, side in seen.items() if side.most > most * side.least}
+    return worst, {step for step, side in seen.items() if side.usual > most}
 
 
 def _with_joints_beyond(
@@ -257,7 +254,7 @@ def _sides(
             half = slice(0, 3) if free[0] < 3 else slice(3, 6)
             trace = np.trace(inertia[:, half, half], axis1=1, axis2=2) + rotor
             least = float(own[:, free[0], free[0]].min()) + rotor
-            usual = trace / np.maximum(d[:, 0, 0], SMALLEST)
+            usual = trace / np.maximum(d[:, 0, 0], _SMALLEST)
             found[j, backwards] = Side(float(trace.max()), least, float(np.median(usual)))
         return inertia - u @ np.linalg.pinv(d, hermitian=True) @ u.transpose(0, 2, 1)
 

@@ -1500,6 +1500,7 @@ constexpr bool kAnyTurned = false;
 constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0 };
 constexpr bool kAnyTurnedIfLost = false;
 constexpr bool kTurnedIfLost[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0 };
+constexpr double kLosing = 256.0;  // times D: a trace from which on they do
 // Whether sweeps are done again for other forces on links than their motion takes.
 constexpr bool kPassesFree = false;  // whether mobilities pass floating joints
 constexpr bool kAgain = kRefine > 0 || kSlavedCount > 0;
@@ -1827,7 +1828,7 @@ constexpr Real kLeast = 16 * std::numeric_limits<Real>::epsilon();
 
 // Less than this calls for the joint's own axes, where there is a way to take them: a sweep in axes
 // of the base loses as many digits as D is smaller than the trace.
-constexpr Real kEnough = kAnyTurnedIfLost ? Real(0x1p-8) : kLeast;
+constexpr Real kEnough = kAnyTurnedIfLost ? Real(1 / kLosing) : kLeast;
 
 ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
@@ -2430,11 +2431,13 @@ ADAGEN_INLINE void turn_body(Body<T>& X, const Matrix<T>& R) {
 }
 
 // From the axes that a link's body is told in to those of the base, and back.
+template <bool lost = false>
 ADAGEN_INLINE void to_base(Workspace& w, int link, Body<Value>& X) {
-  if (turned_link(link)) turn_body(X, matrix_at(w.of(link - 1, kAxes)));
+  if (turned_link<lost>(link)) turn_body(X, matrix_at(w.of(link - 1, kAxes)));
 }
+template <bool lost = false>
 ADAGEN_INLINE void from_base(Workspace& w, int link, Body<Value>& X) {
-  if (turned_link(link)) turn_body(X, transposed(matrix_at(w.of(link - 1, kAxes))));
+  if (turned_link<lost>(link)) turn_body(X, transposed(matrix_at(w.of(link - 1, kAxes))));
 }
 
 // Mass, its moments and the pseudo-inertia of the links beyond joints.
@@ -2711,8 +2714,7 @@ ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
   const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
   if (role.gathers) {
     Body<Value> gathered = w.bodies[static_cast<std::size_t>(link)];
-    if (lost && turned_link<true>(link) && !turned_link(link))
-      turn_body(gathered, transposed(matrix_at(w.of(link - 1, kAxes))));
+    if (lost && !turned_link(link)) from_base<true>(w, link, gathered);
     X += gathered;
   }
   if (role.adds_own) add_link<lost>(w, link, X);

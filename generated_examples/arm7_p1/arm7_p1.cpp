@@ -2010,28 +2010,28 @@ int program(const Description<Number>& description, AnySolver<Number, Comm>& sol
 
 namespace {
 
-// What is measured (--time, --stretches), of one process: it waits for nobody and is sent nothing.
+// What is measured (--time, --stretches), of one program: no other starts with it.
 using Clock = std::chrono::steady_clock;
 
 template <class AnySolver>
 Text open_solver(AnySolver&, adagen::OneProcess, const char*, double, int) {
   return {};
 }
-Clock::time_point start_together() { return Clock::now(); }
-Clock::time_point start_again() { return Clock::now(); }
+Clock::time_point start_together(const Channel&) { return Clock::now(); }
+Clock::time_point start_again(const Channel&) { return Clock::now(); }
 
 class Takes {
  public:
   void forget(int) {}
 
   template <class Evaluate>
-  int record(int, Evaluate evaluate) {
+  int record(Channel&, int, Evaluate evaluate) {
     return evaluate();
   }
 
   // looks: at the clock, at the start and at the end.
   template <class Evaluate>
-  void play(int, Clock::rep* looks, Evaluate evaluate) {
+  void play(Channel&, int, Clock::rep* looks, Evaluate evaluate) {
     looks[0] = Clock::now().time_since_epoch().count();
     evaluate();
     looks[1] = Clock::now().time_since_epoch().count();
@@ -2095,7 +2095,7 @@ class ThisSolver final : public adagen::AnySolver<Number, adagen::OneProcess> {
   }
   int end_at_root() override { return solver_.end_at_root(); }
   bool has_part() const override {
-    return kProcess[0].own.count > 0;
+    return kProcess[static_cast<std::size_t>(solver_.channel.rank())].own.count > 0;
   }
 
   const char* in_words(int status) override {
@@ -2113,16 +2113,16 @@ class ThisSolver final : public adagen::AnySolver<Number, adagen::OneProcess> {
   int near_lock() const override { return near_lock_of(solver_, 0); }
 
   adagen::Elapsed time(const Number* q, const Number* v, const Number* tau, Number* qdd) override {
-    const Clock::time_point start = start_together();
+    const Clock::time_point start = start_together(solver_.channel);
     const int first = solver_.solve(q, v, tau, qdd);
     const double in_place_ns = since(start);
-    const Clock::time_point again = start_again();
+    const Clock::time_point again = start_again(solver_.channel);
     const int second = solver_.solve_at_root(q, v, tau, qdd);
     const double at_root_ns = since(again);
     return {in_place_ns, at_root_ns, first, second};
   }
   int trace(const Number* q, const Number* v, const Number* tau, Number* qdd, Ticks* stamps) override {
-    start_together();
+    start_together(solver_.channel);
     trace_stamps = stamps;
     const int status = in_place(q, v, tau, qdd);
     trace_stamps = nullptr;
@@ -2131,15 +2131,15 @@ class ThisSolver final : public adagen::AnySolver<Number, adagen::OneProcess> {
 
   void forget(int count) override { takes_.forget(count); }
   int record(int k, bool root, const Number* q, const Number* v, const Number* tau, Number* qdd) override {
-    return takes_.record(k, [&] {
+    return takes_.record(solver_.channel, k, [&] {
       return root ? at_root(q, v, tau, qdd) : in_place(q, v, tau, qdd);
     });
   }
   void play(int k, bool root, const Number* q, const Number* v, const Number* tau, Number* qdd, Ticks* looks) override {
     if (root)
-      takes_.play(k, looks, [&] { at_root(q, v, tau, qdd); });
+      takes_.play(solver_.channel, k, looks, [&] { at_root(q, v, tau, qdd); });
     else
-      takes_.play(k, looks, [&] { in_place(q, v, tau, qdd); });
+      takes_.play(solver_.channel, k, looks, [&] { in_place(q, v, tau, qdd); });
   }
   adagen::Table<int> noted(int k) const override { return takes_.messages(k); }
 

@@ -1029,6 +1029,7 @@ constexpr bool kAnyTurned = false;
 constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
 constexpr bool kAnyTurnedIfLost = false;
 constexpr bool kTurnedIfLost[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
+constexpr double kLosing = 256.0;  // times D: a trace from which on they do
 // Whether sweeps are done again for other forces on links than their motion takes.
 constexpr bool kPassesFree = false;  // whether mobilities pass floating joints
 constexpr bool kAgain = kRefine > 0 || kSlavedCount > 0;
@@ -1330,7 +1331,7 @@ constexpr Real kLeast = 16 * std::numeric_limits<Real>::epsilon();
 
 // Less than this calls for the joint's own axes, where there is a way to take them: a sweep in axes
 // of the base loses as many digits as D is smaller than the trace.
-constexpr Real kEnough = kAnyTurnedIfLost ? Real(0x1p-8) : kLeast;
+constexpr Real kEnough = kAnyTurnedIfLost ? Real(1 / kLosing) : kLeast;
 
 ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
@@ -1933,11 +1934,13 @@ ADAGEN_INLINE void turn_body(Body<T>& X, const Matrix<T>& R) {
 }
 
 // From the axes that a link's body is told in to those of the base, and back.
+template <bool lost = false>
 ADAGEN_INLINE void to_base(Workspace& w, int link, Body<Value>& X) {
-  if (turned_link(link)) turn_body(X, matrix_at(w.of(link - 1, kAxes)));
+  if (turned_link<lost>(link)) turn_body(X, matrix_at(w.of(link - 1, kAxes)));
 }
+template <bool lost = false>
 ADAGEN_INLINE void from_base(Workspace& w, int link, Body<Value>& X) {
-  if (turned_link(link)) turn_body(X, transposed(matrix_at(w.of(link - 1, kAxes))));
+  if (turned_link<lost>(link)) turn_body(X, transposed(matrix_at(w.of(link - 1, kAxes))));
 }
 
 // Mass, its moments and the pseudo-inertia of the links beyond joints.
@@ -2214,8 +2217,7 @@ ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
   const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
   if (role.gathers) {
     Body<Value> gathered = w.bodies[static_cast<std::size_t>(link)];
-    if (lost && turned_link<true>(link) && !turned_link(link))
-      turn_body(gathered, transposed(matrix_at(w.of(link - 1, kAxes))));
+    if (lost && !turned_link(link)) from_base<true>(w, link, gathered);
     X += gathered;
   }
   if (role.adds_own) add_link<lost>(w, link, X);
@@ -3339,28 +3341,28 @@ int program(const Description<Number>& description, AnySolver<Number, Comm>& sol
 
 namespace {
 
-// What is measured (--time, --stretches), of one process: it waits for nobody and is sent nothing.
+// What is measured (--time, --stretches), of one program: no other starts with it.
 using Clock = std::chrono::steady_clock;
 
 template <class AnySolver>
 Text open_solver(AnySolver&, adagen::OneProcess, const char*, double, int) {
   return {};
 }
-Clock::time_point start_together() { return Clock::now(); }
-Clock::time_point start_again() { return Clock::now(); }
+Clock::time_point start_together(const Channel&) { return Clock::now(); }
+Clock::time_point start_again(const Channel&) { return Clock::now(); }
 
 class Takes {
  public:
   void forget(int) {}
 
   template <class Evaluate>
-  int record(int, Evaluate evaluate) {
+  int record(Channel&, int, Evaluate evaluate) {
     return evaluate();
   }
 
   // looks: at the clock, at the start and at the end.
   template <class Evaluate>
-  void play(int, Clock::rep* looks, Evaluate evaluate) {
+  void play(Channel&, int, Clock::rep* looks, Evaluate evaluate) {
     looks[0] = Clock::now().time_since_epoch().count();
     evaluate();
     looks[1] = Clock::now().time_since_epoch().count();
@@ -3424,7 +3426,7 @@ class ThisSolver final : public adagen::AnySolver<Number, adagen::OneProcess> {
   }
   int end_at_root() override { return solver_.end_at_root(); }
   bool has_part() const override {
-    return kProcess[0].own.count > 0;
+    return kProcess[static_cast<std::size_t>(solver_.channel.rank())].own.count > 0;
   }
 
   const char* in_words(int status) override {
@@ -3442,16 +3444,16 @@ class ThisSolver final : public adagen::AnySolver<Number, adagen::OneProcess> {
   int near_lock() const override { return near_lock_of(solver_, 0); }
 
   adagen::Elapsed time(const Number* q, const Number* v, const Number* tau, Number* qdd) override {
-    const Clock::time_point start = start_together();
+    const Clock::time_point start = start_together(solver_.channel);
     const int first = solver_.solve(q, v, tau, qdd);
     const double in_place_ns = since(start);
-    const Clock::time_point again = start_again();
+    const Clock::time_point again = start_again(solver_.channel);
     const int second = solver_.solve_at_root(q, v, tau, qdd);
     const double at_root_ns = since(again);
     return {in_place_ns, at_root_ns, first, second};
   }
   int trace(const Number* q, const Number* v, const Number* tau, Number* qdd, Ticks* stamps) override {
-    start_together();
+    start_together(solver_.channel);
     trace_stamps = stamps;
     const int status = in_place(q, v, tau, qdd);
     trace_stamps = nullptr;
@@ -3460,15 +3462,15 @@ class ThisSolver final : public adagen::AnySolver<Number, adagen::OneProcess> {
 
   void forget(int count) override { takes_.forget(count); }
   int record(int k, bool root, const Number* q, const Number* v, const Number* tau, Number* qdd) override {
-    return takes_.record(k, [&] {
+    return takes_.record(solver_.channel, k, [&] {
       return root ? at_root(q, v, tau, qdd) : in_place(q, v, tau, qdd);
     });
   }
   void play(int k, bool root, const Number* q, const Number* v, const Number* tau, Number* qdd, Ticks* looks) override {
     if (root)
-      takes_.play(k, looks, [&] { at_root(q, v, tau, qdd); });
+      takes_.play(solver_.channel, k, looks, [&] { at_root(q, v, tau, qdd); });
     else
-      takes_.play(k, looks, [&] { in_place(q, v, tau, qdd); });
+      takes_.play(solver_.channel, k, looks, [&] { in_place(q, v, tau, qdd); });
   }
   adagen::Table<int> noted(int k) const override { return takes_.messages(k); }
 

@@ -1,25 +1,25 @@
-// What is measured (--time, --stretches), of one process: it waits for nobody and is sent nothing.
+// What is measured (--time, --stretches), of one program: no other starts with it.
 using Clock = std::chrono::steady_clock;
 
 template <class AnySolver>
 Text open_solver(AnySolver&, adagen::OneProcess, const char*, double, int) {
   return {};
 }
-Clock::time_point start_together() { return Clock::now(); }
-Clock::time_point start_again() { return Clock::now(); }
+Clock::time_point start_together(const Channel&) { return Clock::now(); }
+Clock::time_point start_again(const Channel&) { return Clock::now(); }
 
 class Takes {
  public:
   void forget(int) {}
 
   template <class Evaluate>
-  int record(int, Evaluate evaluate) {
+  int record(Channel&, int, Evaluate evaluate) {
     return evaluate();
   }
 
   // looks: at the clock, at the start and at the end.
   template <class Evaluate>
-  void play(int, Clock::rep* looks, Evaluate evaluate) {
+  void play(Channel&, int, Clock::rep* looks, Evaluate evaluate) {
     looks[0] = Clock::now().time_since_epoch().count();
     evaluate();
     looks[1] = Clock::now().time_since_epoch().count();

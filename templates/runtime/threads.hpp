@@ -1,19 +1,11 @@
 // A solver whose processes are threads of one: the caller's is process 0, the others wait for its
 // evaluations, at first awake, then asleep.
-class Solver {
+class Solver : public InPlace {
  public:
   Solver() = default;
   Solver(const Solver&) = delete;
   Solver& operator=(const Solver&) = delete;
   ~Solver() { close(); }
-
-  Text text;  // of the last failure
-
- private:
-  InPlace own_;
-
- public:
-  Workspace& w = own_.w;  // of process 0
 
   // Starts the threads. cores: where those of processes 1, 2, .. are to stay, null for anywhere.
   // Returns what is wrong, or an empty string. All memory that is ever needed is taken here.
@@ -21,8 +13,7 @@ class Solver {
     if (!(time_limit > 0)) return Text("the time limit must be more than 0 s");
     const auto limit = std::chrono::duration_cast<std::chrono::nanoseconds>(
         std::chrono::duration<double>(std::min(time_limit, 1e8)));
-    channel_.open(0, slots_, limit);
-    own_.channel.open(0, slots_, limit);
+    channel.open(0, slots_, limit);
     for (int p = 1; p < kProcesses; ++p) {
       if (!has_part(p)) continue;
       Member& member = members_[at(p)];
@@ -38,9 +29,12 @@ class Solver {
         return wrong += cores[p - 1];
       }
     }
-    for (int p = 1; p < kProcesses; ++p)
-      if (has_part(p) && (!channel_.wait_for(members_[at(p)].done, 1) || !members_[at(p)].ready))
-        return Text("not enough memory");
+    for (int p = 1; p < kProcesses; ++p) {
+      if (!has_part(p)) continue;
+      if (!channel.wait_for(members_[at(p)].done, 1))
+        return Text("a thread did not start within the time limit");
+      if (!members_[at(p)].ready) return Text("not enough memory");
+    }
     return {};
   }
 
@@ -53,16 +47,13 @@ class Solver {
   }
 
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
-    if (channel_.broken()) return finish(failure(kNoAnswer, late_));
+    if (channel.broken()) return finish(failure(kNoAnswer, 0));
     q_ = q, v_ = v, tau_ = tau;
     const std::uint64_t number = call();
-    int status = own_.solve(q, v, tau, kAlone ? qdd : qdd_.data());
+    int status = InPlace::solve(q, v, tau, kAlone ? qdd : qdd_.data());
     for (int p = 1; p < kProcesses; ++p) {
       if (!has_part(p)) continue;
-      if (!channel_.wait_for(members_[at(p)].done, number)) {
-        late_ = p;
-        return finish(failure(kNoAnswer, p));
-      }
+      if (!channel.wait_for(members_[at(p)].done, number)) return finish(failure(kNoAnswer, p));
       Channel::fail(status, members_[at(p)].status);
     }
     if (!kAlone && status == kFine) std::copy(qdd_.begin(), qdd_.end(), qdd);
@@ -155,12 +146,6 @@ class Solver {
     }
   }
 
-  int finish(int status) {
-    if (status != kFine) text = describe(status);
-    return status;
-  }
-
-  Channel channel_;  // waits alone
   Slots slots_{};
   std::array<Member, static_cast<std::size_t>(kProcesses)> members_{};
   alignas(kCacheLine) std::atomic<std::uint64_t> called_{1};
@@ -170,5 +155,4 @@ class Solver {
   std::condition_variable bell_;
   const Number *q_ = nullptr, *v_ = nullptr, *tau_ = nullptr;  // of the evaluation at work
   alignas(kCacheLine) std::array<Number, kNv> qdd_{};          // each thread writes its own
-  int late_ = 0;
 };

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from adagen import Request, read
 from adagen import compile as compiled
-from adagen import read
 from adagen.emit import emit, stem_of
 from adagen.errors import UsageError
 from adagen.model import Model
@@ -120,3 +120,5 @@ def test_batches_are_not_shared_out_to_threads() -> None:
     plan = plan_of(serial_chain(4), 1)
     with pytest.raises(UsageError, match="batches are not shared out to threads"):
         emit(replace(plan, channel=THREADS), batch=2)
+    with pytest.raises(UsageError, match="batches are not shared out to threads"):
+        Request(procs=2, channel="threads", batch=True)

@@ -18,6 +18,7 @@ from adagen.emit.words import Words
 from adagen.plan import Plan
 from adagen.plan.gather import why_not_gather
 from adagen.plan.simd_groups import Limbs
+from adagen.plan.turned import ENOUGH
 from adagen.plan.types import PlanLink
 from adagen.program.slots import Slots
 from adagen.program.turned import turned_in_loops
@@ -82,6 +83,7 @@ def values(words: Words) -> dict[str, object]:
         "turned_joints": [int(j in turned.always) for j in range(len(plan.joints))],
         "turned_if_lost": bool(turned.if_lost),
         "turned_if_lost_joints": [int(j in turned.if_lost) for j in range(len(plan.joints))],
+        "enough": ENOUGH,
         "inertias": [_inertia(words, link) for link in plan.links[1:]],
         "roles": [writer.roles() for writer in writers],
         "steps": lines[: len(plan.processes)],

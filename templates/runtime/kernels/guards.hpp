@@ -5,7 +5,7 @@ constexpr Real kLeast = 16 * std::numeric_limits<Real>::epsilon();
 
 // Less than this calls for the joint's own axes, where there is a way to take them: a sweep in axes
 // of the base loses as many digits as D is smaller than the trace.
-constexpr Real kEnough = kAnyTurnedIfLost ? Real(0x1p-8) : kLeast;
+constexpr Real kEnough = kAnyTurnedIfLost ? Real(1 / kLosing) : kLeast;
 
 ADAGEN_COLD inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));

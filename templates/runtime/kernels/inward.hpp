@@ -168,8 +168,7 @@ ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
   const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
   if (role.gathers) {
     Body<Value> gathered = w.bodies[static_cast<std::size_t>(link)];
-    if (lost && turned_link<true>(link) && !turned_link(link))
-      turn_body(gathered, transposed(matrix_at(w.of(link - 1, kAxes))));
+    if (lost && !turned_link(link)) from_base<true>(w, link, gathered);
     X += gathered;
   }
   if (role.adds_own) add_link<lost>(w, link, X);

@@ -92,7 +92,7 @@ void inward_turned_reversed(Workspace& w) {
   });
   if constexpr (!lost && may_lose(first, last))
     if (__builtin_expect(w.lost, 0)) return inward_again<p, first, last, starts, true>(w);
-  if (lost && turned<lost>(last) && !turned(last)) turn_body(X, matrix_at(w.of(last, kAxes)));
+  if (lost && !turned(last)) to_base<true>(w, last + 1, X);
   add_to<starts>(w, last + 1, X);
 }
 

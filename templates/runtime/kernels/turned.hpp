@@ -30,11 +30,13 @@ ADAGEN_INLINE void turn_body(Body<T>& X, const Matrix<T>& R) {
 }
 
 // From the axes that a link's body is told in to those of the base, and back.
+template <bool lost = false>
 ADAGEN_INLINE void to_base(Workspace& w, int link, Body<Value>& X) {
-  if (turned_link(link)) turn_body(X, matrix_at(w.of(link - 1, kAxes)));
+  if (turned_link<lost>(link)) turn_body(X, matrix_at(w.of(link - 1, kAxes)));
 }
+template <bool lost = false>
 ADAGEN_INLINE void from_base(Workspace& w, int link, Body<Value>& X) {
-  if (turned_link(link)) turn_body(X, transposed(matrix_at(w.of(link - 1, kAxes))));
+  if (turned_link<lost>(link)) turn_body(X, transposed(matrix_at(w.of(link - 1, kAxes))));
 }
 
 // Mass, its moments and the pseudo-inertia of the links beyond joints.
