@@ -94,6 +94,30 @@ struct OuterForce {
   const Number *rotation, *translation;
 };
 
+// A joint that closes a loop; axes of frame 1 along which it holds places together, and about which
+// it bars turns, as bits.
+template <class Number>
+struct Loop {
+  const char* name;
+  int link1, link2;
+  const Number *rotation1, *translation1, *rotation2, *translation2;
+  unsigned linear, angular;
+  bool universal;
+
+  bool holds(int axis) const { return (linear >> axis & 1u) != 0; }
+  bool bars(int axis) const { return (angular >> axis & 1u) != 0; }
+};
+
+// Coordinates of joints whose sum, each times its factor, is the offset.
+template <class Number>
+struct Coupling {
+  const char* name;
+  int count;
+  const int* joints;
+  const Number* factors;
+  Number offset;
+};
+
 struct Message {
   int source, target, size;  // size in numbers, the status not counted
 };
@@ -121,6 +145,8 @@ struct Description {
   Table<Joint<Number>> joints;
   Table<Link<Number>> links;
   Table<OuterForce<Number>> outer_forces;
+  Table<Loop<Number>> loops;
+  Table<Coupling<Number>> couplings;
   Table<Message> messages;
   const Table<Stage>* stages;  // of each process
   Hop window_hop, message_hop;
@@ -258,6 +284,8 @@ inline void MPI_Get_count(const MPI_Status*, MPI_Datatype, int*) {}
 using Joint = adagen::Joint<Number>;
 using Link = adagen::Link<Number>;
 using OuterForce = adagen::OuterForce<Number>;
+using Loop = adagen::Loop<Number>;
+using Coupling = adagen::Coupling<Number>;
 using Solver = AnySolver<Number, MPI_Comm>;
 
 constexpr int kRandomStates = 64;
@@ -275,6 +303,10 @@ enum Failure : int {
   kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
   kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
   kSingularPose = 10,   // no failure: the evaluation is done again in another way
+  kLoopOpen = 12,       // a loop or coupling is open (numbered behind all joints)
+  kLoopTorn = 13,       // its velocity tears it open
+  kLoopSingular = 14,   // what it holds cannot be told from this pose
+  kLoopFree = 15,       // loops leave a joint a motion that nothing resists
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
@@ -1097,7 +1129,363 @@ ADAGEN_HOT void advance(const State& anchor, const State& x, State& q) {
   }
 }
 
+// A configuration moved by a step in the components of velocities.
+inline void move(const State& from, const State& step, State& q) {
+  State local = step;
+  for (const Joint& joint : about.joints)  // positions are told in the joint frame
+    position_rate(joint, &from[static_cast<std::size_t>(joint.q)],
+                  &step[static_cast<std::size_t>(joint.v)],
+                  &local[static_cast<std::size_t>(joint.v)]);
+  advance(from, local, q);
+  normalise(q);
+}
+
 }  // namespace manifold
+
+// Closed loops: how far they are open, how fast, and states in which they are closed. In long
+// double, straight from the frames of the model, in axes of the ground.
+namespace loops {
+
+using check::Mat;
+using check::Real;
+using check::Vec;
+using check::operator+;
+
+struct Pose {
+  Mat turn;    // link to ground coordinates
+  Vec origin;  // in ground coordinates
+};
+
+// Constraints at a configuration: gaps, and the rows J of their rates.
+struct Constraints {
+  std::vector<Real> gaps, rows;  // rows: one after the other
+
+  int count() const { return static_cast<int>(gaps.size()); }
+  Real* row(int k) { return rows.data() + static_cast<std::size_t>(k) * std::size_t(about.nv); }
+  const Real* row(int k) const {
+    return rows.data() + static_cast<std::size_t>(k) * std::size_t(about.nv);
+  }
+};
+
+inline bool any() { return about.loops.count + about.couplings.count > 0; }
+inline Real dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Vec minus(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline Vec column(const Mat& m, int k) { return {m[0][k], m[1][k], m[2][k]}; }
+
+inline std::vector<Pose> poses(const Number* q) {
+  std::vector<Pose> result(static_cast<std::size_t>(about.links.count));
+  result[0] = {{Vec{1, 0, 0}, Vec{0, 1, 0}, Vec{0, 0, 1}}, {}};
+  for (int j = 0; j < about.joints.count; ++j) {
+    const Joint& joint = about.joints[j];
+    const Pose& parent = result[static_cast<std::size_t>(joint.parent)];
+    Mat turn;
+    Vec shift;
+    check::displace(joint, q + joint.q, turn, shift);
+    const Mat base = check::mat3(joint.rotation);
+    const Vec place = check::vec3(joint.translation) + check::times(base, shift);
+    result[static_cast<std::size_t>(j) + 1] = {check::times(parent.turn, check::times(base, turn)),
+                                               parent.origin + check::times(parent.turn, place)};
+  }
+  return result;
+}
+
+// Both frames of a loop in ground coordinates.
+struct Frames {
+  const Loop& loop;
+  Mat axes1, axes2;
+  Vec place1, place2;  // of their origins
+  Vec apart;           // from the first to the second
+  Vec seen;            // where frame 2 is if the loop is closed: a point of link 1
+
+  Frames(const Loop& given, const std::vector<Pose>& pose) : loop(given) {
+    const Pose& one = pose[static_cast<std::size_t>(loop.link1)];
+    const Pose& two = pose[static_cast<std::size_t>(loop.link2)];
+    axes1 = check::times(one.turn, check::mat3(loop.rotation1));
+    axes2 = check::times(two.turn, check::mat3(loop.rotation2));
+    place1 = one.origin + check::times(one.turn, check::vec3(loop.translation1));
+    place2 = two.origin + check::times(two.turn, check::vec3(loop.translation2));
+    apart = minus(place2, place1);
+    seen = place1;
+    for (int k = 0; k < 3; ++k) {
+      if (loop.holds(k)) continue;
+      const Vec axis = column(axes1, k);
+      for (int i = 0; i < 3; ++i) seen[i] += axis[i] * dot(axis, apart);
+    }
+  }
+
+  // The direction about which the k-th angular row is: an axis of frame 1, or the common normal.
+  Vec turning_axis(int k) const {
+    return loop.universal ? check::cross(column(axes2, 2), column(axes1, 2)) : column(axes1, k);
+  }
+
+  Real misaligned(int k) const {
+    if (loop.universal) return dot(column(axes1, 2), column(axes2, 2));
+    const bool whole = loop.bars(2);
+    Vec twist{};
+    for (int i = whole ? 0 : 2; i < 3; ++i)
+      twist = twist + check::cross(column(axes1, i), column(axes2, i));
+    return dot(column(axes1, k), twist) / (whole ? 2 : 1);
+  }
+
+  // Calls for each row: whether it is of places, its direction, its gap.
+  template <class Do>
+  void each(Do row) const {
+    for (int k = 0; k < 3; ++k)
+      if (loop.holds(k)) row(true, column(axes1, k), dot(column(axes1, k), apart));
+    for (int k = 0; k < 3; ++k)
+      if (loop.bars(k)) row(false, turning_axis(k), misaligned(k));
+  }
+};
+
+// Adds how fast a point of a link moves along a direction, or the link turns about it.
+inline void add_rate(const std::vector<Pose>& pose, int link, Real sign, bool linear, const Vec& n,
+                     const Vec& place, Real* row) {
+  for (; link > 0; link = about.joints[link - 1].parent) {
+    const Joint& joint = about.joints[link - 1];
+    const Pose& own = pose[static_cast<std::size_t>(link)];
+    for (int k = 0; k < joint.nv; ++k) {
+      Number unit[6] = {};
+      unit[k] = 1;
+      Vec angular, sliding;
+      check::motion(joint, unit, angular, sliding);
+      const Vec w = check::times(own.turn, angular);
+      const Vec v = check::times(own.turn, sliding) + check::cross(w, minus(place, own.origin));
+      row[joint.v + k] += sign * dot(n, linear ? v : w);
+    }
+  }
+}
+
+inline Constraints constraints(const Number* q) {
+  Constraints found;
+  const std::vector<Pose> pose = poses(q);
+  const auto add = [&found](Real gap) {
+    found.gaps.push_back(gap);
+    found.rows.resize(found.rows.size() + static_cast<std::size_t>(about.nv));
+    return found.row(found.count() - 1);
+  };
+  for (const Loop& loop : about.loops) {
+    const Frames frames(loop, pose);
+    frames.each([&](bool linear, const Vec& n, Real gap) {
+      Real* const row = add(gap);
+      add_rate(pose, loop.link2, 1, linear, n, frames.place2, row);
+      add_rate(pose, loop.link1, -1, linear, n, frames.seen, row);
+    });
+  }
+  for (const Coupling& coupling : about.couplings) {
+    Real gap = -Real(coupling.offset);
+    for (int k = 0; k < coupling.count; ++k)
+      gap += Real(coupling.factors[k]) * Real(q[about.joints[coupling.joints[k]].q]);
+    Real* const row = add(gap);
+    for (int k = 0; k < coupling.count; ++k)
+      row[about.joints[coupling.joints[k]].v] += Real(coupling.factors[k]);
+  }
+  return found;
+}
+
+// x = W J^T y with (J W J^T + damping) y = r: for a small damping the x of least size that moves
+// the gaps by r, as far as it can be had. W: weights, or 1.
+inline std::vector<Real> least(const Constraints& at, const std::vector<Real>& r, Real damping,
+                               const std::vector<Real>* weights, std::vector<Real>* forces) {
+  const int m = at.count(), n = about.nv;
+  const std::size_t rows = static_cast<std::size_t>(m);
+  std::vector<Real> square(rows * rows), y(r), x(static_cast<std::size_t>(n));
+  const auto weight = [weights](int k) { return weights ? (*weights)[std::size_t(k)] : Real(1); };
+  const auto entry = [&square, m](int i, int k) -> Real& {
+    return square[static_cast<std::size_t>(i * m + k)];
+  };
+  Real trace = 0;
+  for (int i = 0; i < m; ++i) {
+    for (int k = 0; k <= i; ++k)
+      for (int j = 0; j < n; ++j) entry(i, k) += at.row(i)[j] * weight(j) * at.row(k)[j];
+    trace += entry(i, i);
+  }
+  for (int i = 0; i < m; ++i) entry(i, i) += damping * trace;
+  for (int i = 0; i < m; ++i) {  // L L^T
+    for (int k = 0; k <= i; ++k) {
+      for (int j = 0; j < k; ++j) entry(i, k) -= entry(i, j) * entry(k, j);
+      if (k < i)
+        entry(i, k) /= entry(k, k) > 0 ? entry(k, k) : 1;
+      else
+        entry(i, i) = entry(i, i) > 0 ? std::sqrt(entry(i, i)) : 0;
+    }
+  }
+  const auto divided = [&entry](Real value, int i) {
+    return entry(i, i) > 0 ? value / entry(i, i) : 0;
+  };
+  for (int i = 0; i < m; ++i) {
+    for (int k = 0; k < i; ++k) y[std::size_t(i)] -= entry(i, k) * y[std::size_t(k)];
+    y[std::size_t(i)] = divided(y[std::size_t(i)], i);
+  }
+  for (int i = m - 1; i >= 0; --i) {
+    for (int k = i + 1; k < m; ++k) y[std::size_t(i)] -= entry(k, i) * y[std::size_t(k)];
+    y[std::size_t(i)] = divided(y[std::size_t(i)], i);
+  }
+  for (int i = 0; i < m; ++i)
+    for (int j = 0; j < n; ++j) x[std::size_t(j)] += weight(j) * at.row(i)[j] * y[std::size_t(i)];
+  if (forces != nullptr) *forces = y;
+  return x;
+}
+
+inline Real largest(const std::vector<Real>& values) {
+  Real size = 0;
+  for (const Real x : values) size = std::max(size, std::abs(x));
+  return size;
+}
+
+constexpr Real kLittle = 1e-15L;  // damping beside rows that follow from others
+
+// Newton's method with Levenberg's damping, as near as can be. Returns how far loops stay open.
+inline Real close(std::vector<double>& q) {
+  std::vector<Number> at(q.size());
+  const auto found = [&at](const std::vector<double>& x) {
+    std::transform(x.begin(), x.end(), at.begin(), [](double y) { return static_cast<Number>(y); });
+    return constraints(at.data());
+  };
+  const auto cost = [](const Constraints& one) {
+    Real sum = 0;
+    for (const Real gap : one.gaps) sum += gap * gap;
+    return sum;
+  };
+  constexpr Real kRounding = std::numeric_limits<Number>::epsilon();
+  Constraints now = found(q);
+  Real damping = 1e-3L;
+  for (int k = 0; k < 100 && largest(now.gaps) > kRounding && damping < 1e6L; ++k) {
+    const std::vector<Real> step =
+        least(now, now.gaps, std::max(damping, kLittle), nullptr, nullptr);
+    std::vector<double> by(step.size()), next(q);
+    std::transform(step.begin(), step.end(), by.begin(), [](Real x) { return double(-x); });
+    manifold::move(q, by, next);
+    Constraints tried = found(next);
+    if (cost(tried) < cost(now))
+      q = next, now = std::move(tried), damping *= 0.1L;
+    else
+      damping = std::max(damping, kLittle) * 10;
+  }
+  return largest(now.gaps);
+}
+
+// Takes from velocities what would tear loops open.
+inline void hold(const Number* q, std::vector<double>& v) {
+  const Constraints now = constraints(q);
+  for (int again = 0; again < 2; ++again) {
+    std::vector<Real> rates(now.gaps.size());
+    for (int i = 0; i < now.count(); ++i)
+      for (int j = 0; j < about.nv; ++j)
+        rates[std::size_t(i)] += now.row(i)[j] * Real(v[std::size_t(j)]);
+    const std::vector<Real> excess = least(now, rates, kLittle, nullptr, nullptr);
+    for (std::size_t j = 0; j < v.size(); ++j) v[j] -= double(excess[j]);
+  }
+}
+
+// Closes a state that is nearly closed; whether that can be.
+inline bool settle(std::vector<double>& q, std::vector<double>& v) {
+  constexpr Real kClosed = sizeof(Number) == sizeof(double) ? 1e-10L : 3e-5L;
+  if (!(close(q) <= kClosed)) return false;
+  std::vector<Number> at(q.begin(), q.end());
+  hold(at.data(), v);
+  return true;
+}
+
+// The size of a row of the acceleration, and how far it is from zero.
+struct Parting {
+  Real value, size;
+};
+
+inline Parting parting(const Frames& frames, const std::vector<Pose>& pose,
+                       const std::vector<check::Body>& body, const Number* v, bool linear,
+                       const Vec& n) {
+  const Loop& loop = frames.loop;
+  Vec spin[2], spin_rate[2], at[2];
+  Real size = 0;
+  const int links[] = {loop.link1, loop.link2};
+  const Vec places[] = {frames.seen, frames.place2};
+  for (int k = 0; k < 2; ++k) {
+    const check::Body& b = body[static_cast<std::size_t>(links[k])];
+    const Pose& own = pose[static_cast<std::size_t>(links[k])];
+    const Vec arm = minus(places[k], own.origin);
+    spin[k] = check::times(own.turn, b.w), spin_rate[k] = check::times(own.turn, b.dw);
+    at[k] = check::times(own.turn, b.a) + check::cross(spin_rate[k], arm) +
+            check::cross(spin[k], check::cross(spin[k], arm));
+    const Real turning = b.size.dw + dot(b.w, b.w);
+    size += linear ? b.size.a + turning * check::length(arm) : turning;
+  }
+  const Vec turning = minus(spin[1], spin[0]);
+  if (linear) {
+    Vec sliding{};
+    for (int k = 0; k < 3; ++k) {
+      if (loop.holds(k)) continue;
+      const Vec axis = column(frames.axes1, k);
+      std::vector<Real> row(static_cast<std::size_t>(about.nv));
+      add_rate(pose, loop.link2, 1, true, axis, frames.place2, row.data());
+      add_rate(pose, loop.link1, -1, true, axis, frames.seen, row.data());
+      Real speed = 0;
+      for (std::size_t j = 0; j < row.size(); ++j) speed += row[j] * Real(v[j]);
+      for (int i = 0; i < 3; ++i) sliding[i] += axis[i] * speed;
+    }
+    const Vec coriolis = check::cross(spin[0], sliding);
+    size += 2 * check::length(coriolis);
+    return {dot(n, minus(minus(at[1], at[0]), coriolis + coriolis)), size};
+  }
+  const Real rates = dot(n, minus(spin_rate[1], spin_rate[0]));
+  if (!loop.universal) return {rates - dot(n, check::cross(spin[0], turning)), size};
+  const Vec a = column(frames.axes1, 2), b = column(frames.axes2, 2);
+  const Vec changing =
+      check::cross(check::cross(spin[1], b), a) + check::cross(b, check::cross(spin[0], a));
+  return {rates + dot(changing, turning), size};
+}
+
+// What is left over of the equation of motion may be forces of constraints: those that fit best are
+// taken from it. In exchange accelerations must not tear loops open.
+inline void account(const Number* q, const Number* v, const Number* qdd, check::Left& left) {
+  const Constraints now = constraints(q);
+  const std::size_t nv = left.over.size();
+  std::vector<Real> weights(nv), right(now.gaps.size()), forces;
+  for (std::size_t k = 0; k < nv; ++k)
+    weights[k] = left.size[k] > 0 ? 1 / (left.size[k] * left.size[k]) : 0;
+  for (int i = 0; i < now.count(); ++i)
+    for (std::size_t k = 0; k < nv; ++k)
+      right[static_cast<std::size_t>(i)] += now.row(i)[k] * weights[k] * left.over[k];
+  least(now, right, kLittle, &weights, &forces);
+  Real before = 0, after = 0;
+  for (std::size_t k = 0; k < nv; ++k) {
+    before += left.over[k] * left.over[k];
+    for (int i = 0; i < now.count(); ++i) {
+      const Real part = now.row(i)[k] * forces[static_cast<std::size_t>(i)];
+      left.over[k] -= part, left.size[k] += std::abs(part);
+    }
+    after += left.over[k] * left.over[k];
+  }
+  left.residual *= before > 0 ? double(std::sqrt(after / before)) : 1;
+  left.backward = 0;
+  const auto note = [&left](Real value, Real size, int joint) {
+    const double part = size > 0 ? double(std::abs(value) / size) : 0;
+    if (!(part <= left.backward)) left.backward = part, left.joint = joint;
+  };
+  for (int j = 0; j < about.joints.count; ++j)
+    for (int k = about.joints[j].v; k < about.joints[j].v + about.joints[j].nv; ++k)
+      note(left.over[static_cast<std::size_t>(k)], left.size[static_cast<std::size_t>(k)], j);
+  std::vector<check::Body> body(static_cast<std::size_t>(about.links.count));
+  for (int k = 0; k < 3; ++k) body[0].a[k] = -about.gravity[k];
+  for (int j = 0; j < about.joints.count; ++j) check::set_motion(j, q, v, qdd, body);
+  const std::vector<Pose> pose = poses(q);
+  for (const Loop& loop : about.loops) {
+    const Frames frames(loop, pose);
+    frames.each([&](bool linear, const Vec& n, Real) {
+      const Parting found = parting(frames, pose, body, v, linear, n);
+      note(found.value, found.size, std::max(loop.link1, loop.link2) - 1);
+    });
+  }
+  for (const Coupling& coupling : about.couplings) {
+    Real sum = 0, size = 0;
+    for (int k = 0; k < coupling.count; ++k) {
+      const Real part = Real(coupling.factors[k]) * Real(qdd[about.joints[coupling.joints[k]].v]);
+      sum += part, size += std::abs(part);
+    }
+    note(sum, size, coupling.joints[0]);
+  }
+}
+
+}  // namespace loops
 
 // Damping D, stiffness K and friction of joints as they act at the end of a step, where these
 // joints move with v + u instead of v: they take g(u) = (D + h K) u + friction at v + u less
@@ -1900,8 +2288,33 @@ class Trace {
 
 // What the parts of the program share: the solver, the states at work, and how a failure is told.
 
+// Closes the loops of random states, each from its own configuration, then from others: until the
+// solver takes one, if any. Near singular poses it does not.
+template <class Uniform, class Taken>
+void close(States& states, Uniform uniform, Taken taken) {
+  constexpr int kTries = 60;
+  const std::size_t nq = static_cast<std::size_t>(about.nq),
+                    nv = static_cast<std::size_t>(about.nv);
+  std::vector<double> rest(nq);
+  for (const Joint& joint : about.joints)
+    if (joint.nq >= 4) rest[static_cast<std::size_t>(joint.q + joint.nq - 1)] = 1;
+  for (int s = 0; s < states.count; ++s) {
+    const std::size_t row = static_cast<std::size_t>(s);
+    Number *const q = states.q.data() + row * nq, *const v = states.v.data() + row * nv;
+    const std::vector<double> drawn(q, q + nq), rates(v, v + nv);
+    for (int tries = 0; tries < kTries; ++tries) {
+      std::vector<double> rate(rates), step(nv), start(nq);
+      for (double& x : step) x = tries == 0 ? 0 : 3 * uniform() / (1 << 2 * (tries % 3));
+      manifold::move(tries % 2 == 0 ? drawn : rest, step, start);
+      if (!loops::settle(start, rate)) continue;
+      std::copy(start.begin(), start.end(), q), std::copy(rate.begin(), rate.end(), v);
+      if (taken(s)) break;
+    }
+  }
+}
+
 // Random states, the same on every machine (splitmix64).
-States random_states(int count, std::uint64_t seed) {
+States random_states(int count, std::uint64_t seed, Solver& solver) {
   const auto uniform = [&seed] {
     std::uint64_t z = (seed += 0x9E3779B97F4A7C15ULL);
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
@@ -1941,6 +2354,14 @@ States random_states(int count, std::uint64_t seed) {
     }
     for (int k = about.nv; k < about.ntau; ++k) tau[k] = static_cast<Number>(uniform());
     slave(about.joints, q, v);
+  }
+  if (loops::any()) {
+    std::vector<Number> qdd(static_cast<std::size_t>(std::max(1, about.nv)));
+    close(states, uniform, [&](int s) {
+      const long row = s;
+      return solver.solve(states.q.data() + row * about.nq, states.v.data() + row * about.nv,
+                          states.tau.data() + row * about.ntau, qdd.data()) == kFine;
+    });
   }
   return states;
 }
@@ -2308,7 +2729,7 @@ class BatchTiming {
   // Collective. Times batches of random states. Returns the first failure.
   int measure() {
     const int count = kStates * (session_.rank == 0 ? about.processes : 1);
-    session_.use(random_states(count, session_.options.seed));
+    session_.use(random_states(count, session_.options.seed, session_.solver));
     for (int active = 1;; active = std::min(2 * active, about.processes)) {
       const int failed = measure_on(active);
       if (failed != kFine || active == about.processes) return failed;
@@ -2392,7 +2813,7 @@ class Timing {
     crowded_ = !cores.enough() || cores.count() < about.threads;
     cores_ = cores.count();
     if (about.batch) return time_batch(cores);
-    session_.use(random_states(kRandomStates, session_.options.seed));
+    session_.use(random_states(kRandomStates, session_.options.seed, session_.solver));
     if ((crowded_ && about.threads == 1) || session_.options.stretches)
       return time_stretches(cores);
     session_.pinned = session_.options.pin && cores.pin();
@@ -2458,7 +2879,7 @@ class Timing {
 
   // The same evaluations with time stamps between the stages of each process.
   int trace_all() {
-    session_.use(random_states(kRandomStates, session_.options.seed));
+    session_.use(random_states(kRandomStates, session_.options.seed, session_.solver));
     if (!session_.pinned && session_.options.pin) session_.pinned = Cores(session_.comm()).pin();
     Trace trace(session_.rank);
     int failed = kFine;
@@ -2594,7 +3015,7 @@ class Simulation {
   // The initial state and the file to write; process 0's status counts.
   int start() {
     if (on_.options.states.empty()) {
-      on_.use(random_states(1, on_.options.seed));
+      on_.use(random_states(1, on_.options.seed, on_.solver));
     } else {
       const int status = load(on_.options.states, on_.comm(), on_.rank, on_.states);
       if (status != kDone) return status;
@@ -2660,6 +3081,8 @@ class Simulation {
       on_.give_up_if_broken(failed);
       if (failed != kFine) return on_.solver.in_words(failed) + at(time) + (k > 0 ? kSmaller : "");
       slave(about.joints, q_.data(), v_.data());
+      if (loops::any() && !loops::settle(q_, v_))
+        return "the loops cannot be closed again" + at(next) + kSmaller;
       const int joint = not_finite();
       if (joint >= 0)
         return "joint " + quoted(about.joints[joint].name) + ": its state is not finite" +
@@ -2859,6 +3282,7 @@ class Verdict {
     Finding& finding = at(s);
     finding.qdd.assign(qdd, qdd + about.nv);
     finding.left = check::left_over(q(s), v(s), tau(s), qdd);
+    if (loops::any()) loops::account(q(s), v(s), qdd, finding.left);
     for (int j = 0; j < about.joints.count; ++j) {
       const double slip = check::slip(about.joints[j], tau(s), qdd);
       if (!(slip <= finding.left.backward)) finding.left.backward = slip, finding.left.joint = j;
@@ -3130,7 +3554,7 @@ class Program {
       }
       MPI_Bcast(&status, 1, MPI_INT, 0, session_.comm());
     } else if (options.check) {
-      session_.states = random_states(kRandomStates, options.seed);
+      session_.states = random_states(kRandomStates, options.seed, session_.solver);
       status = solve_all();
     }
     session_.watch.again();

@@ -19,6 +19,7 @@ _PARTS = (
     "slave.hpp",
     "states.hpp",
     "manifold.hpp",
+    "loops.hpp",
     "implicit.hpp",
     "integrators.hpp",
     "trajectory.hpp",

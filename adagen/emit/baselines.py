@@ -10,6 +10,8 @@ def why_not(plan: Plan) -> str | None:
     """Return why a plan cannot be emitted as a baseline; None where it can."""
     if len(plan.processes) > 1:
         return "a baseline runs on one process"
+    if plan.closed:
+        return "a baseline knows no closed loops"
     passive = ("damping", "friction", "stiffness", "rotor_inertia", "prescribed")
     if any(getattr(joint, name) for joint in plan.joints for name in passive) or plan.wrenches:
         return "a baseline knows no passive effects, prescribed motions or outer forces"

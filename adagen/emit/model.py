@@ -6,6 +6,7 @@ from adagen.emit import effects
 from adagen.emit.names import quoted
 from adagen.emit.words import Words
 from adagen.model.kinds import KINDS
+from adagen.model.loops import LOOP_KINDS
 from adagen.plan.steps import LinkBias, StartLink
 
 
@@ -21,6 +22,9 @@ def model_values(words: Words) -> dict[str, object]:
         "links": _links(words),
         "joints": _joints(words),
         "outer_forces": _outer_forces(words),
+        "closed": plan.closed,
+        "loops": _loops(words),
+        "couplings": _couplings(words),
         "prescribed": [quoted(joint.name) for joint in plan.joints if joint.prescribed],
     }
 
@@ -85,4 +89,41 @@ def _outer_forces(words: Words) -> list[dict[str, object]]:
             "translation": numbers(wrench.translation),
         }
         for wrench in words.plan.wrenches
+    ]
+
+
+def _loops(words: Words) -> list[dict[str, object]]:
+    numbers = words.constants.numbers
+    rows = []
+    for k, loop in enumerate(words.plan.loops):
+        kind = LOOP_KINDS[loop.kind]
+        rows.append(
+            {
+                "index": k,
+                "quoted": quoted(loop.name),
+                "link1": loop.link1,
+                "link2": loop.link2,
+                "rotation1": numbers(x for row in loop.rotation1 for x in row),
+                "translation1": numbers(loop.translation1),
+                "rotation2": numbers(x for row in loop.rotation2 for x in row),
+                "translation2": numbers(loop.translation2),
+                "linear": sum(1 << axis for axis in kind.linear),
+                "angular": sum(1 << axis for axis in kind.angular),
+                "universal": "true" if kind.axes == 2 else "false",
+            }
+        )
+    return rows
+
+
+def _couplings(words: Words) -> list[dict[str, object]]:
+    return [
+        {
+            "index": k,
+            "quoted": quoted(coupling.name),
+            "count": len(coupling.terms),
+            "joints": ", ".join(str(j) for j, _ in coupling.terms),
+            "factors": words.constants.numbers(factor for _, factor in coupling.terms),
+            "offset": words.constants.number(coupling.offset),
+        }
+        for k, coupling in enumerate(words.plan.couplings)
     ]

@@ -67,7 +67,8 @@ def stepwise(plan: Plan) -> str:
 
     Refined plans are emitted in it, too.
     """
-    return next(name for name in ("kernels", "joints") if SHAPES[name].why_not(plan) is None)
+    names = ("kernels", "joints", "unrolled")  # closed loops are straight lines alone
+    return next(name for name in names if SHAPES[name].why_not(plan) is None)
 
 
 def chosen_shape(
@@ -114,6 +115,8 @@ def offered(plan: Plan) -> tuple[str, ...]:
     base, where links that are slender beyond them lose digits: those are straight lines.
     """
     loops = (stepwise(plan),)
+    if plan.closed:
+        return loops
     several = sum(bool(process.steps) for process in plan.processes) > 1
     if (plan.form == "ada" and several) or unrolled.why_not(plan) is not None:
         return loops

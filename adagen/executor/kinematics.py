@@ -131,7 +131,7 @@ class Motion:
 
     def _field_of(self, link: int) -> Field:
         if link == 0:
-            return self._ground()
+            return self.ground()
         kept, k = self.state.rows.kept("field", link)
         field: Field = kept
         if k is None:
@@ -139,7 +139,8 @@ class Motion:
         parts = (field.omega, field.alpha, field.a, field.gradient)
         return Field(*(self.state.rows.lane(part, k) for part in parts))
 
-    def _ground(self) -> Field:
+    def ground(self) -> Field:
+        """Return the field of the ground: it does not move, and is held against free fall."""
         nothing = self.state.zeros(3)
         return Field(nothing, nothing, self.state.upwards(), self.state.zeros(3, 3))
 

@@ -53,8 +53,9 @@ def fit_for_lanes(plan: Plan, all_limbs: Iterable[Limbs]) -> tuple[Limbs, ...]:
     """Return what of limbs can share straight-line code: rows from the outermost inwards.
 
     Joints of a row all move freely or all as prescribed, and the same passive torques and rotors
-    act on them. None is slaved, and none leads others.
+    act on them. None is slaved, none leads others, and no loop goes through or closes beyond it.
     """
+    bound = plan.bound_by_loops
     sources = {joint.mimic[0] for joint in plan.joints if joint.mimic is not None}
     found = []
     for limbs in all_limbs:
@@ -64,6 +65,8 @@ def fit_for_lanes(plan: Plan, all_limbs: Iterable[Limbs]) -> tuple[Limbs, ...]:
             if len({_nature(joint) for joint in joints}) > 1:
                 break
             if any(joint.mimic is not None for joint in joints) or not sources.isdisjoint(row):
+                break
+            if not bound.isdisjoint(row):
                 break
             rows.insert(0, row)
         if rows:

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from adagen.executor.closures import Closures
 from adagen.executor.joins import Joins
 from adagen.executor.kinematics import Motion
 from adagen.executor.segments import Segments
@@ -22,12 +23,19 @@ from adagen.executor.state import Refining, State
 from adagen.graph import Expression, Graph, Numbers, total
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import (
+    AccelerateHeld,
     ApplyCoupling,
+    CarryRows,
+    CloseCoupling,
+    CloseLoop,
     Disassemble,
+    Eliminate,
+    HoldBack,
     Join,
     Kinematics,
     LinkBias,
     Receive,
+    Release,
     Send,
     SolveCoupling,
     Step,
@@ -62,6 +70,7 @@ class Machine(State):
         self.motion = Motion(self)
         self.segments = Segments(self, self.motion)
         self.joins = Joins(self, self.motion)
+        self.closures = Closures(self, self.motion)
         self.take_angles_of_rows()
 
     def step(self, step: Step) -> bool:
@@ -79,6 +88,16 @@ class Machine(State):
                 self.joins.join(step)
             case Disassemble():
                 self.joins.disassemble(step)
+            case (
+                CloseLoop()
+                | CloseCoupling()
+                | HoldBack()
+                | CarryRows()
+                | Eliminate()
+                | Release()
+                | AccelerateHeld()
+            ):
+                self.closures.step(step)
             case SolveCoupling():
                 self._solve_coupling()
             case ApplyCoupling():

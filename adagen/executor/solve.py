@@ -169,7 +169,7 @@ class Run:
     def _fail(self, check: Check, joint: int) -> None:
         if check.failure == SINGULAR:
             raise SingularPoseError
-        names = f'joint "{self.plan.joints[joint].name}"'
+        names = self.plan.place(joint)
         if check.failure == "kGimbalLock":
             steps = (step for process in self.plan.processes for step in process.steps)
             run = next(s.run for s in steps if isinstance(s, FusedJoin) and s.joint == check.joint)
@@ -210,4 +210,8 @@ _SAID = {
     "kFactorization": "factorization failed",
     "kGrowth": "no digits left",
     "kGimbalLock": "gimbal lock",
+    "kLoopOpen": "it is open",
+    "kLoopTorn": "its velocity tears it open",
+    "kLoopSingular": "singular pose",
+    "kLoopFree": "nothing resists its motion",
 }

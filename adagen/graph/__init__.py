@@ -12,6 +12,7 @@ from adagen.graph.linear import (
     matrix_times,
     reflect,
     solve_by_reflections,
+    solved_by_reflections,
     total,
 )
 from adagen.graph.nodes import Expression, Graph, Node
@@ -38,5 +39,6 @@ __all__ = [
     "matrix_times",
     "reflect",
     "solve_by_reflections",
+    "solved_by_reflections",
     "total",
 ]

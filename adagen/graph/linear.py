@@ -123,36 +123,67 @@ def factorize(matrix: Array) -> Factors:
     return Factors(lower, tuple(inverses), tuple(pivots), diagonal)
 
 
-def reflect(k: int, r: Array, b: Array) -> None:
+@dataclass(frozen=True)
+class Reflection:
+    """Householder's reflection of some rows: x - u (factor u^T x).
+
+    Attributes:
+        rows: which.
+        u: shape (len(rows),).
+        factor: 2 / u^T u.
+    """
+
+    rows: tuple[int, ...]
+    u: Array
+    factor: Expression
+
+    def apply(self, matrix: Array, first: int = 0) -> None:
+        """Reflect columns of a matrix, from the first one on."""
+        rows = list(self.rows)
+        for c in range(first, matrix.shape[1]):
+            part = self.factor * total(self.u * matrix[rows, c])
+            matrix[rows, c] = matrix[rows, c] - self.u * part
+
+
+def reflect(k: int, r: Array, b: Array) -> Reflection | None:
     """Reflect r and b, of as many rows; nothing is left below the diagonal in column k of r.
 
-    Householder's reflection; columns of r before k have nothing there already.
+    Columns of r before k have nothing there already. Returns the reflection; None where there was
+    nothing to do.
     """
     graph = r[0, 0].graph
     rows = [i for i in range(k, len(r)) if i == k or r[i, k].constant != 0]
     if len(rows) == 1:
-        return
+        return None
     x = r[rows, k]
     reached = graph.sign(x[0]) * graph.sqrt(total(x * x))
     u = x.copy()
     u[0] = x[0] + reached
-    factor = 2 * graph.reciprocal(total(u * u))
-    for matrix, first in ((r, k + 1), (b, 0)):
-        for c in range(first, matrix.shape[1]):
-            part = factor * total(u * matrix[rows, c])
-            matrix[rows, c] = matrix[rows, c] - u * part
+    reflection = Reflection(tuple(rows), u, 2 * graph.reciprocal(total(u * u)))
+    reflection.apply(r, k + 1)
+    reflection.apply(b)
     r[rows, k] = graph.constant(0)
     r[k, k] = -reached
+    return reflection
 
 
 def solve_by_reflections(matrix: Array, right: Array) -> Array:
     """Return M^-1 x of a square matrix of any kind, shape (n, k)."""
+    return solved_by_reflections(matrix, right)[0]
+
+
+def solved_by_reflections(matrix: Array, right: Array) -> tuple[Array, list[Expression]]:
+    """Return M^-1 x of a square matrix of any kind, shape (n, k), and the diagonal of its R.
+
+    One entry of that is next to nothing where the matrix is next to singular.
+    """
     r, x = matrix.copy(), right.copy()
     for k in range(len(r)):
         reflect(k, r, x)
+    diagonal = [r[i, i] for i in range(len(r))]
     for i in reversed(range(len(r))):
         over = r[i, i].graph.reciprocal(r[i, i])
         for c in range(x.shape[1]):
             terms = [-(r[i, k] * x[k, c]) for k in range(i + 1, len(r))]
             x[i, c] = total([x[i, c], *terms]) * over
-    return x
+    return x, diagonal

@@ -48,7 +48,15 @@ def canonical(model: Model) -> Model:
     wrenches = tuple(
         replace(wrench, frame=_turned(wrench.frame, turn[wrench.link])) for wrench in model.wrenches
     )
-    return replace(model, links=tuple(links), joints=tuple(joints), wrenches=wrenches)
+    loops = tuple(
+        replace(
+            loop,
+            frame1=_turned(loop.frame1, turn[loop.link1]),
+            frame2=_turned(loop.frame2, turn[loop.link2]),
+        )
+        for loop in model.loops
+    )
+    return replace(model, links=tuple(links), joints=tuple(joints), wrenches=wrenches, loops=loops)
 
 
 def _turned(frame: Frame, turn: Exact) -> Frame:

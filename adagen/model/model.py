@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.model.kinds import JointKind
+from adagen.model.loops import Coupling, Loop
 
 Array = NDArray[np.float64]
 
@@ -165,6 +166,8 @@ class Model:
         gravity: acceleration of free fall in ground coordinates, shape (3,), m/s^2.
         floating: whether joint 0 is the floating base ``__base__`` that the user asked for.
         wrenches: outer forces that are inputs; they follow the joints' torques in tau.
+        loops: joints that close loops of the tree.
+        couplings: joints whose coordinates are tied.
     """
 
     name: str
@@ -173,6 +176,13 @@ class Model:
     gravity: Array = field(default_factory=lambda: np.array([0.0, 0.0, -9.81]))
     floating: bool = False
     wrenches: tuple[Wrench, ...] = ()
+    loops: tuple[Loop, ...] = ()
+    couplings: tuple[Coupling, ...] = ()
+
+    @property
+    def closed(self) -> bool:
+        """Whether constraints tie its joints: loops or couplings."""
+        return bool(self.loops or self.couplings)
 
     @cached_property
     def nq(self) -> int:

@@ -8,14 +8,16 @@ from adagen.errors import UsageError
 from adagen.model import Model
 from adagen.model.fuse import runs_of, settled
 from adagen.plan.ada import AdaPlanner
+from adagen.plan.closed import ClosedPlanner
+from adagen.plan.closures import closures_of
 from adagen.plan.clusters import ClusterPlanner, clusters_of
-from adagen.plan.constants import joints_of, links_of, wrenches_of
+from adagen.plan.constants import couplings_of, joints_of, links_of, loops_of, wrenches_of
 from adagen.plan.gather import GatherPlanner, why_not_gather
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.serialise import plan_from_json, plan_to_json
 from adagen.plan.steps import LinkBias
 from adagen.plan.types import FACTORS, THREADS, Plan
-from adagen.schedule import Schedule, Topology, gathered_line, schedule_line
+from adagen.schedule import Schedule, Topology, gathered_line, postorder, schedule_line
 
 FORMS: dict[str, type[AdaPlanner]] = {"segment": SegmentPlanner, "ada": AdaPlanner}
 SCALARS = tuple(FACTORS)
@@ -92,6 +94,8 @@ def make_plan(
         processes=processes,
         messages=messages,
         wrenches=wrenches_of(model),
+        loops=loops_of(model),
+        couplings=couplings_of(model),
     )
 
 
@@ -124,6 +128,11 @@ def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto
         meeting: one of ``MEETINGS``.
     """
     joints, runs = joints_of(model), runs_of(model)
+    if model.closed:
+        _check_closed(schedule, form)
+        return ClosedPlanner(
+            joints, schedule, closures_of(model), loops_of(model), couplings_of(model)
+        )
     clusters = clusters_of(model, runs) if form == "ada" else {}
     if clusters:
         return ClusterPlanner(joints, schedule, runs, clusters)
@@ -132,3 +141,11 @@ def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto
             raise UsageError(f"processes cannot gather: {reason}")
         return GatherPlanner(joints, schedule)
     return FORMS[form](joints, schedule, runs)
+
+
+def _check_closed(schedule: Schedule, form: str) -> None:
+    """Refuse what closed loops cannot be had with."""
+    if form != "segment":
+        raise UsageError(f"form {form} does not take closed loops: leave --form out")
+    if len({node.processes[0] for node in postorder(schedule.root)}) > 1:
+        raise UsageError("a robot with closed loops is solved by one process: leave --schedule out")

@@ -11,7 +11,7 @@ import numpy as np
 from adagen.errors import InputError
 from adagen.exact import Exact, exact, identity, rounded, skew
 from adagen.model import Inertia, Model, Passive, canonical
-from adagen.plan.types import PlanJoint, PlanLink, PlanWrench
+from adagen.plan.types import PlanCoupling, PlanJoint, PlanLink, PlanLoop, PlanWrench
 
 WAY_OUT = (
     "joining it as a link of its own inverts its inertia: use a schedule that adagen finds, or form"
@@ -71,6 +71,29 @@ def wrenches_of(model: Model) -> tuple[PlanWrench, ...]:
         )
         for wrench in (canonical(model).wrenches if model.wrenches else ())
     )
+
+
+def loops_of(model: Model) -> tuple[PlanLoop, ...]:
+    """Return a model's loop joints in canonical frames."""
+    return tuple(
+        PlanLoop(
+            loop.name,
+            loop.kind.name,
+            loop.link1,
+            _rows(loop.frame1.rotation),
+            _tuple(loop.frame1.translation),
+            loop.link2,
+            _rows(loop.frame2.rotation),
+            _tuple(loop.frame2.translation),
+            loop.tolerance,
+        )
+        for loop in (canonical(model).loops if model.loops else ())
+    )
+
+
+def couplings_of(model: Model) -> tuple[PlanCoupling, ...]:
+    """Return a model's couplings."""
+    return tuple(PlanCoupling(c.name, c.terms, c.offset, c.tolerance) for c in model.couplings)
 
 
 def inverse_inertia(inertia: Inertia, name: str) -> tuple[np.ndarray, np.ndarray]:

@@ -22,7 +22,7 @@ def plan_to_json(plan: Plan) -> str:
         value = getattr(plan, field.name)
         if field.name == "processes":
             lines.append(f'"processes": [\n{_processes(plan)}\n]')
-        elif field.name in ("links", "joints", "messages", "wrenches"):
+        elif field.name in ("links", "joints", "messages", "wrenches", "loops", "couplings"):
             lines.append(f'"{field.name}": {_lines(_encode(item) for item in value)}')
         else:
             lines.append(f'"{field.name}": {_dump(_encode(value))}')
@@ -39,6 +39,12 @@ def _processes(plan: Plan) -> str:
         )
         recovery = _lines({"step": type(s).__name__, **_encode(s)} for s in process.recovery)
         more = f', "recovery": {recovery}' if process.recovery else ""
+        if process.others:
+            each = (
+                _lines({"step": type(s).__name__, **_encode(s)} for s in steps_of)
+                for steps_of in process.others
+            )
+            more += f', "others": [{", ".join(each)}]'
         parts.append(f'{{{joints}, "steps": {steps}{more}}}')
     return ",\n".join(parts)
 

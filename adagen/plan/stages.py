@@ -12,6 +12,7 @@ from typing import Literal
 
 from adagen.plan.steps import (
     Accelerate,
+    AccelerateHeld,
     AccelerateRoot,
     ApplyCoupling,
     Deliver,
@@ -22,6 +23,7 @@ from adagen.plan.steps import (
     Load,
     LoadRoot,
     Receive,
+    Release,
     Send,
     SolveCoupling,
     SolveMobility,
@@ -39,6 +41,8 @@ _DOWN = (
     Deliver,
     AccelerateRoot,
     Accelerate,
+    AccelerateHeld,
+    Release,
     FreeAcceleration,
 )
 

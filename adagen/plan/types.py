@@ -140,6 +140,50 @@ class PlanWrench:
 
 
 @dataclass(frozen=True)
+class PlanLoop:
+    """A joint that closes a loop.
+
+    Attributes:
+        name: its name.
+        kind: name of its kind (adagen.model.loops).
+        link1: the link that frame 1 is fixed to; 0 is the ground.
+        rotation1: of frame 1 in that link's, 3x3; z is the loop joint's axis.
+        translation1: of frame 1 in that link's, 3 numbers, m.
+        link2: the link that frame 2 is fixed to.
+        rotation2: likewise, 3x3.
+        translation2: likewise, 3 numbers, m.
+        tolerance: how far it may be open in a state, m and rad.
+    """
+
+    name: str
+    kind: str
+    link1: int
+    rotation1: tuple[tuple[float, ...], ...]
+    translation1: tuple[float, ...]
+    link2: int
+    rotation2: tuple[tuple[float, ...], ...]
+    translation2: tuple[float, ...]
+    tolerance: float
+
+
+@dataclass(frozen=True)
+class PlanCoupling:
+    """Joints whose coordinates are tied: the sum of factor * q is ``offset``.
+
+    Attributes:
+        name: its name.
+        terms: joints with their factors.
+        offset: m or rad.
+        tolerance: how far it may be off in a state.
+    """
+
+    name: str
+    terms: tuple[tuple[int, float], ...]
+    offset: float
+    tolerance: float
+
+
+@dataclass(frozen=True)
 class Process:
     """What one process does.
 
@@ -148,7 +192,9 @@ class Process:
         reads: joints whose q and v it reads, ascending.
         owns: joints whose torque it reads and whose acceleration it gives, ascending.
         shares: further joints whose torque it reads and whose acceleration it computes for itself.
-        recovery: what is done instead where ``HoldMobility`` cannot be; empty where it is not used.
+        recovery: what is done instead in a pose in which that cannot be done: a mobility cannot be
+            held, or a closure's choice is poor there; empty where there is nothing else.
+        others: what is done where that cannot be done either, in the order in which it is tried.
     """
 
     steps: tuple[Step, ...]
@@ -156,6 +202,7 @@ class Process:
     owns: tuple[int, ...]
     shares: tuple[int, ...] = ()
     recovery: tuple[Step, ...] = field(default=(), metadata=OPTIONAL)
+    others: tuple[tuple[Step, ...], ...] = field(default=(), metadata=OPTIONAL)
 
     @property
     def treated(self) -> list[int]:
@@ -184,6 +231,8 @@ class Plan:
         messages: numbered by their place.
         wrenches: outer forces.
         profile: name of the cost profile by which its program was chosen.
+        loops: joints that close loops.
+        couplings: joints whose coordinates are tied.
     """
 
     name: str
@@ -201,11 +250,34 @@ class Plan:
     messages: tuple[Message, ...]
     wrenches: tuple[PlanWrench, ...] = field(default=(), metadata=OPTIONAL)
     profile: str = field(default="default", metadata=OPTIONAL)
+    loops: tuple[PlanLoop, ...] = field(default=(), metadata=OPTIONAL)
+    couplings: tuple[PlanCoupling, ...] = field(default=(), metadata=OPTIONAL)
+
+    def place(self, number: int) -> str:
+        """Return what can fail by number in words: joints, then loops, then couplings."""
+        kinds = (("joint", self.joints), ("loop", self.loops), ("coupling", self.couplings))
+        for what, things in kinds:
+            if number < len(things):
+                return f'{what} "{things[number].name}"'
+            number -= len(things)
+        raise IndexError(number)
+
+    @property
+    def closed(self) -> bool:
+        """Whether loops or couplings hold it."""
+        return bool(self.loops or self.couplings)
 
     @property
     def right_hand_sides(self) -> int:
         """Columns of every bias, force and acceleration: the motion, and one per slaved joint."""
         return 1 + len(self.slaved)
+
+    @cached_property
+    def bound_by_loops(self) -> frozenset[int]:
+        """Joints that a loop or coupling is at, or beyond."""
+        links = {link for loop in self.loops for link in (loop.link1, loop.link2)}
+        coupled = {j for coupling in self.couplings for j, _ in coupling.terms}
+        return frozenset(self.paths({link - 1 for link in links} | coupled))
 
     @cached_property
     def children(self) -> tuple[tuple[int, ...], ...]:
@@ -226,9 +298,25 @@ class Plan:
         return 1 if self.threads else len(self.processes)
 
     def recovering(self) -> Plan:
-        """Return the plan of what is done where a mobility cannot be taken for an inertia."""
-        processes = (replace(p, steps=p.recovery, recovery=()) for p in self.processes)
+        """Return the plan of what is done in a pose in which this one cannot be done."""
+        processes = (
+            replace(p, steps=p.recovery, recovery=next(iter(p.others), ()), others=p.others[1:])
+            for p in self.processes
+        )
         return replace(self, processes=tuple(processes))
+
+    @property
+    def recovers(self) -> bool:
+        """Whether there is something else to be done in some poses."""
+        return any(process.recovery for process in self.processes)
+
+    @property
+    def alternatives(self) -> tuple[Plan, ...]:
+        """This plan, and what is done instead where it cannot be done, in order."""
+        plans = [self]
+        while plans[-1].recovers:
+            plans.append(plans[-1].recovering())
+        return tuple(plans)
 
     def entry_of_wrench(self, k: int) -> int:
         """Return where the six numbers of outer force ``k`` start in tau."""

@@ -10,6 +10,7 @@ and add all others.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import zip_longest
 
 from adagen.plan.order import ends_of
 from adagen.plan.simd_groups import Limbs, placed_links
@@ -48,6 +49,8 @@ def check(program: Program) -> None:
     _check_run(program.plan, [process.operations for process in program.processes])
     if any(process.recovery for process in program.processes):
         _check_run(program.plan, [process.recovery for process in program.processes])
+    for operations in zip_longest(*(each.others for each in program.processes), fillvalue=()):
+        _check_run(program.plan, operations)
 
 
 def _check_owners(plan: Plan) -> None:

@@ -6,7 +6,9 @@ A place is a name: a ``Block``, ``Bias`` or ``Force`` of the plan, or a pair of 
 * ``("inertia", link)``: I^A and p^A of a link;
 * ``("projected", joint)``: U, D and u of a joint that was swept inwards;
 * ``("load", link)``, ``("acceleration", link)``, ``("joined", joint)``, ``("qdd", joint)``;
-* ``("torques", 0)``: of slaved joints.
+* ``("torques", 0)``: of slaved joints;
+* ``("loop", k)``, ``("coupling", k)``, ``("held", joint)``, ``("carried", joint)``: what they add
+  to their closure; ``("closure", k)``: it, eliminated; ``("released", k)``: it, solved for.
 """
 
 from __future__ import annotations
@@ -17,17 +19,23 @@ from dataclasses import dataclass
 from adagen.plan.order import ends_of
 from adagen.plan.steps import (
     Accelerate,
+    AccelerateHeld,
     AccelerateRoot,
     ApplyCoupling,
     Articulate,
     Bias,
     Block,
+    CarryRows,
+    CloseCoupling,
+    CloseLoop,
     Deliver,
     Disassemble,
+    Eliminate,
     Force,
     FreeAcceleration,
     FreeBase,
     FusedJoin,
+    HoldBack,
     HoldMobility,
     InvertRoot,
     Join,
@@ -37,6 +45,7 @@ from adagen.plan.steps import (
     LoadRoot,
     Propagate,
     Receive,
+    Release,
     Send,
     SolveCoupling,
     SolveMobility,
@@ -105,6 +114,16 @@ def effects(plan: Plan, step: Step, runs: Mapping[int, tuple[int, ...]]) -> Effe
             return _across(plan, step)
         case Kinematics() | FreeBase() | FreeAcceleration() | SolveCoupling() | ApplyCoupling():
             return _of_joint(plan, step)
+        case (
+            CloseLoop()
+            | CloseCoupling()
+            | HoldBack()
+            | CarryRows()
+            | Eliminate()
+            | Release()
+            | AccelerateHeld()
+        ):
+            return _closed(plan, step)
         case Send() | Receive():
             raise AssertionError("what a message does depends on what has been sent")
     return _of_link(step)
@@ -154,6 +173,57 @@ def _of_link(step: _OfLink) -> Effects:
         case AccelerateRoot():
             reads = (step.block, step.bias, ("load", link))
             return Effects(reads, (("acceleration", link),))
+
+
+_Closed = CloseLoop | CloseCoupling | HoldBack | CarryRows | Eliminate | Release | AccelerateHeld
+
+
+def _closed(plan: Plan, step: _Closed) -> Effects:
+    """Of a step of closed loops."""
+    reads: tuple[Place, ...]
+    match step:
+        case CloseLoop():
+            loop = plan.loops[step.loop]
+            ends = _moving(("velocity", loop.link1), ("velocity", loop.link2))
+            return Effects(ends, (("loop", step.loop),))
+        case CloseCoupling():
+            return Effects((), (("coupling", step.coupling),))
+        case HoldBack(j):
+            reads = (("transform", j), ("inertia", j + 1))
+            near = _moving(("inertia", plan.joints[j].parent))
+            return Effects(reads, (("held", j),), near)
+        case CarryRows(j):
+            return Effects((("projected", j),), (("carried", j),))
+        case Eliminate():
+            top = _moving(("inertia", step.link))
+            return Effects(_parts(plan, step.closure), (("closure", step.closure),), top)
+        case Release():
+            reads = (("closure", step.closure), *_moving(("acceleration", step.link)))
+            carried = tuple(
+                ("projected", k) for what, k in _parts(plan, step.closure) if what == "carried"
+            )
+            return Effects(reads, (("released", step.closure),), (), carried)
+        case AccelerateHeld(j):
+            above = _moving(("acceleration", plan.joints[j].parent))
+            reads = (("transform", j), ("released", step.closure), *above)
+            return Effects(reads, (("qdd", j), ("acceleration", j + 1)))
+
+
+def _parts(plan: Plan, closure: int) -> tuple[tuple[str, int], ...]:
+    """What is added to a closure before it is eliminated."""
+    found: dict[tuple[str, int], None] = {}
+    for process in plan.processes:
+        for step in process.steps:
+            match step:
+                case CloseLoop(k) if step.closure == closure:
+                    found["loop", k] = None
+                case CloseCoupling(k) if step.closure == closure:
+                    found["coupling", k] = None
+                case HoldBack(k) if step.closure == closure:
+                    found["held", k] = None
+                case CarryRows(k) if step.closure == closure:
+                    found["carried", k] = None
+    return tuple(found)
 
 
 def contents(message: Message) -> tuple[Place, ...]:

@@ -43,7 +43,11 @@ def lower(
         method: Method = "straight" if shape == "unrolled" else "step"
         processes = tuple(
             ProcessProgram(
-                _step_by_step(process, method), _step_by_step(_recovery_of(process), method)
+                _step_by_step(process, method),
+                _step_by_step(_recovery_of(process), method),
+                tuple(
+                    _step_by_step(replace(process, steps=other), method) for other in process.others
+                ),
             )
             for process in plan.processes
         )

@@ -51,6 +51,9 @@ def _processes(program: Program) -> str:
             if operations or name == "operations":
                 said = [operation_to_dict(plan, operation) for operation in operations]
                 parts.append(f'"{name}": {_lines(said)}')
+        if own.others:
+            each = (_lines([operation_to_dict(plan, one) for one in own]) for own in own.others)
+            parts.append(f'"others": [{", ".join(each)}]')
         rows.append("{" + ", ".join(parts) + "}")
     return ",\n".join(rows)
 

@@ -77,11 +77,13 @@ class ProcessProgram:
 
     Attributes:
         operations: in order.
-        recovery: what it runs instead in a pose in which a mobility cannot be held.
+        recovery: what it runs instead in a pose in which that cannot be done.
+        others: what it runs where that cannot be done either, in order.
     """
 
     operations: tuple[Operation, ...]
     recovery: tuple[Operation, ...] = ()
+    others: tuple[tuple[Operation, ...], ...] = ()
 
 
 @dataclass(frozen=True)

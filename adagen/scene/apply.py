@@ -9,7 +9,20 @@ import numpy as np
 from flint import arb
 
 from adagen.exact import exact, rounded
-from adagen.model import BASE, FLOATING, KINDS, Joint, Model, Part, Passive, Pose, Wrench
+from adagen.model import (
+    BASE,
+    FLOATING,
+    KINDS,
+    WORLD,
+    Joint,
+    Model,
+    Part,
+    Passive,
+    Pose,
+    Wrench,
+    closed,
+)
+from adagen.model.loops import open_by
 from adagen.scene.lock import lock, select
 from adagen.scene.names import Names
 from adagen.scene.prune import influential
@@ -60,9 +73,10 @@ def apply_scene(model: Model, scene: Scene) -> Reduction:
     robot = _with_effects(robot, scene, names)
     if scene.gravity is not None:
         robot = robot.with_gravity(np.array(scene.gravity) + 0.0)
+    robot = _closed(robot, scene, names)
     masses = _masses(scene, names)
     values = _locked(robot, scene, names)
-    robot = lock(robot, values, masses)
+    robot = _without_still_loops(lock(robot, values, masses), scene)
     locked = {model.joints[j].name: tuple(map(float, q)) for j, q in values.items()}
     if not robot.joints:
         raise scene.error(
@@ -116,6 +130,47 @@ def _defaults(scene: Scene) -> dict[str, float]:
     if scene.friction_speed is not None:
         numbers["friction_speed"] = scene.friction_speed
     return numbers
+
+
+def _closed(model: Model, scene: Scene, names: Names) -> Model:
+    """Add the scene's loops and couplings."""
+    for k, loop in enumerate(scene.loops):
+        for end, key in ((loop.end1, "link1"), (loop.end2, "link2")):
+            if end.link != WORLD:
+                names.link(end.link, "loops", k, key)
+    for k, coupling in enumerate(scene.couplings):
+        for name, _ in coupling.terms:
+            joint = model.joints[names.joint(name, "couplings", k)]
+            if joint.kind.nv > 1:
+                raise scene.error(
+                    f"joint '{name}' is {joint.kind.name}: only joints of one degree of freedom "
+                    "can be coupled", "couplings", k
+                )  # fmt: skip
+    return closed(model, scene.loops, scene.couplings, names.link, names.joint)
+
+
+def _without_still_loops(model: Model, scene: Scene) -> Model:
+    """Leave out loops between links that locked joints hold together, if they are closed.
+
+    Raises:
+        InputError: locked joints hold a loop or a coupling open.
+    """
+    for coupling in model.couplings:
+        if not coupling.terms:
+            raise scene.error(
+                f"coupling '{coupling.name}' cannot hold: its joints are locked, and off by "
+                f"{abs(coupling.offset):.2g}", "couplings"
+            )  # fmt: skip
+    kept = []
+    for loop in model.loops:
+        if loop.link1 != loop.link2:
+            kept.append(loop)
+        elif (gap := open_by(loop)) > loop.tolerance:
+            raise scene.error(
+                f"loop '{loop.name}' cannot close: its links are locked together, and it is open "
+                f"by {gap:.2g}", "loops"
+            )  # fmt: skip
+    return replace(model, loops=tuple(kept))
 
 
 def _masses(scene: Scene, names: Names) -> dict[int, list[Part]]:

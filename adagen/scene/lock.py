@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from adagen.exact import exact, rounded
-from adagen.model import Frame, Link, Mimic, Model, Part, Pose, lump
+from adagen.model import Coupling, Frame, Link, Loop, Mimic, Model, Part, Pose, lump
 from adagen.model.placement import placed
 
 
@@ -78,7 +78,42 @@ def lock(
         body, pose = at[k]
         bodies[body].parts.extend(pose.moved(part) for part in parts)
     links = tuple(body.lumped(model.links[body.link]) for body in bodies)
-    return replace(model, links=links, joints=tuple(joints))
+    return replace(
+        model,
+        links=links,
+        joints=tuple(joints),
+        loops=tuple(_carried(loop, at) for loop in model.loops),
+        couplings=tuple(
+            left
+            for coupling in model.couplings
+            if (left := _without(coupling, values, kept)).terms or abs(left.offset) > left.tolerance
+        ),
+    )
+
+
+def _carried(loop: Loop, at: Sequence[tuple[int, Pose]]) -> Loop:
+    """A loop whose links are held by others, with its frames in these."""
+    (body1, pose1), (body2, pose2) = at[loop.link1], at[loop.link2]
+    return replace(
+        loop,
+        link1=body1,
+        frame1=_inside(pose1, loop.frame1),
+        link2=body2,
+        frame2=_inside(pose2, loop.frame2),
+    )
+
+
+def _inside(pose: Pose, frame: Frame) -> Frame:
+    return pose.then(exact(frame.rotation), exact(frame.translation)).frame(frame.name)
+
+
+def _without(
+    coupling: Coupling, values: Mapping[int, Sequence[Any]], kept: Mapping[int, int]
+) -> Coupling:
+    """A coupling in which locked joints are part of the offset."""
+    known = sum((float(values[j][0]) * factor for j, factor in coupling.terms if j in values), 0.0)
+    terms = tuple((kept[j], factor) for j, factor in coupling.terms if j not in values)
+    return replace(coupling, terms=terms, offset=coupling.offset - known)
 
 
 def select(model: Model, joints: Collection[int]) -> Model:
@@ -101,6 +136,16 @@ def select(model: Model, joints: Collection[int]) -> Model:
                 mimic=_renumbered(model.joints[j].mimic, kept),
             )
             for j in kept
+        ),
+        loops=tuple(
+            replace(loop, link1=number[loop.link1], link2=number[loop.link2])
+            for loop in model.loops
+            if loop.link1 in number and loop.link2 in number
+        ),
+        couplings=tuple(
+            replace(coupling, terms=tuple((kept[j], factor) for j, factor in coupling.terms))
+            for coupling in model.couplings
+            if all(j in kept for j, _ in coupling.terms)
         ),
     )
 

@@ -30,12 +30,8 @@ def influential(model: Model, wanted: Collection[int], kept: Collection[int]) ->
             limb[j] = j if joint.parent in known else limb[joint.parent - 1]
     stay = {limb[j] for j in {*wanted, *(link - 1 for link in kept)} if j in limb}
     grown = True
-    while grown:  # slaved joints tie limbs together
-        ties = [
-            {limb[j], limb[joint.mimic.source]}
-            for j, joint in enumerate(model.joints)
-            if joint.mimic is not None
-        ]
+    ties = [{limb[j] for j in tied if j in limb} for tied in _tied(model)]
+    while grown:  # they tie limbs together
         more = {one for tie in ties if tie & stay for one in tie} - stay
         stay |= more
         grown = bool(more)
@@ -45,3 +41,12 @@ def influential(model: Model, wanted: Collection[int], kept: Collection[int]) ->
             result.add(j)
             j = model.joints[j].parent - 1
     return sorted(result)
+
+
+def _tied(model: Model) -> list[set[int]]:
+    """Joints that do not move apart: slaved ones and their sources, ends of loops, couplings."""
+    slaved = [
+        {j, joint.mimic.source} for j, joint in enumerate(model.joints) if joint.mimic is not None
+    ]
+    loops = [{link - 1 for link, _ in loop.ends} for loop in model.loops]
+    return [*slaved, *loops, *({j for j, _ in c.terms} for c in model.couplings)]

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from adagen.errors import InputError
 from adagen.jsonfile import nearest
+from adagen.model import LOOP_WORDS, LoopEnd, NamedCoupling, NamedLoop
 from adagen.scene.source import Source, read_toml
 from adagen.scene.types import EFFECTS, URDF, Base, JointScene, PointMass, Scene
 
@@ -18,12 +20,12 @@ LARGEST = 1e40
 _KINDS = ("fixed", "floating", "planar", "prismatic", "revolute", "spherical")
 _AXIAL = ("planar", "prismatic", "revolute")
 _SIGNED = ("rest",)
-_UNMODELLED = {
-    "loops": "closed loops are not modelled; leave them out to solve the open chain",
-    "couplings": "couplings of joints are not modelled; write each as a <mimic> of its joint in "
-    "the robot description and say mimic = true, or leave them out",
-}
+_LOOP_KEYS = (
+    "name", "kind", "link1", "origin1", "link2", "origin2", "axis", "axis2", "tolerance",
+)  # fmt: skip
+_COUPLING_KEYS = ("name", "joint", "other", "ratio", "offset", "terms", "tolerance")
 _Path = tuple[str | int, ...]
+Triple = tuple[float, float, float]
 
 
 def read_scene(path: Path | str) -> Scene:
@@ -35,9 +37,6 @@ def read_scene(path: Path | str) -> Scene:
     """
     source, document = read_toml(path)
     reader = _Reader(source)
-    for key in document:
-        if key in _UNMODELLED:
-            raise reader.fail(f"[[{key}]]: {_UNMODELLED[key]}", (key,))
     reader.known(document, _FIELDS, "key")
     return Scene(
         source, **{key: _FIELDS[key](reader, value, (key,)) for key, value in document.items()}
@@ -191,6 +190,94 @@ class _Reader:
             result.append(PointMass(self.text(table["link"], (*place, "link")), mass, position))
         return tuple(result)
 
+    def tables(self, value: Any, path: _Path) -> list[tuple[dict[str, Any], _Path]]:
+        if not isinstance(value, list):
+            raise self.fail(f"write [[{path[-1]}]], a table for each", path)
+        return [(self.table(said, (*path, k)), (*path, k)) for k, said in enumerate(value)]
+
+    def need(self, table: Mapping[str, Any], keys: Iterable[str], what: str, at: _Path) -> None:
+        for key in keys:
+            if key not in table:
+                raise self.fail(f"this {what} has no {key}", at)
+
+    def direction(self, table: Mapping[str, Any], key: str, path: _Path) -> Triple:
+        axis = self.three(table[key], (*path, key))
+        if math.hypot(*axis) < 1e-6:
+            raise self.fail("the axis has length zero: give it a direction", (*path, key))
+        return axis
+
+    def tolerance(self, table: Mapping[str, Any], path: _Path) -> dict[str, Any]:
+        if "tolerance" not in table:
+            return {}
+        return {"tolerance": self.speed(table["tolerance"], (*path, "tolerance"))}
+
+    def loop_end(self, table: Mapping[str, Any], end: str, path: _Path) -> LoopEnd:
+        place = (*path, f"origin{end}")
+        origin = self.table(table.get(f"origin{end}", {}), place)
+        self.known(origin, ("xyz", "rpy"), "key of an origin", *place)
+        pose = {key: self.three(value, (*place, key)) for key, value in origin.items()}
+        return LoopEnd(self.text(table[f"link{end}"], (*path, f"link{end}")), **pose)
+
+    def loops(self, value: Any, path: _Path) -> tuple[NamedLoop, ...]:
+        result = []
+        for k, (table, place) in enumerate(self.tables(value, path)):
+            self.known(table, _LOOP_KEYS, "key of a loop", *place)
+            self.need(table, ("kind", "link1", "link2"), "loop", place)
+            word = self.text(table["kind"], (*place, "kind"))
+            if word not in LOOP_WORDS:
+                hint = nearest(word, LOOP_WORDS) or f"; known: {', '.join(LOOP_WORDS)}"
+                raise self.fail(f"unknown kind of loop '{word}'{hint}", (*place, "kind"))
+            axes = ("axis", "axis2")[: LOOP_WORDS[word].axes]
+            self.need(table, axes, f"{word} loop", place)
+            for key in {"axis", "axis2"}.intersection(table).difference(axes):
+                raise self.fail(f"a {word} loop has no {key}: leave it out", (*place, key))
+            loop = NamedLoop(
+                self.text(table.get("name", f"loop {k + 1}"), (*place, "name")),
+                word,
+                self.loop_end(table, "1", place),
+                self.loop_end(table, "2", place),
+                **self.tolerance(table, place),
+            )
+            if "axis" in axes:
+                loop = replace(loop, axis=self.direction(table, "axis", place))
+            if "axis2" in axes:
+                loop = replace(loop, axis2=self.direction(table, "axis2", place))
+            result.append(loop)
+        self.unlike([loop.name for loop in result], "loops", path)
+        return tuple(result)
+
+    def unlike(self, names: Sequence[str], what: str, path: _Path) -> None:
+        for k, name in enumerate(names):
+            if name in names[:k]:
+                raise self.fail(f"two {what} are named '{name}': rename one", (*path, k))
+
+    def couplings(self, value: Any, path: _Path) -> tuple[NamedCoupling, ...]:
+        result = []
+        for k, (table, place) in enumerate(self.tables(value, path)):
+            self.known(table, _COUPLING_KEYS, "key of a coupling", *place)
+            terms = self.terms(table, place)
+            offset = self.number(table.get("offset", 0), (*place, "offset"))
+            name = self.text(table.get("name", f"coupling {k + 1}"), (*place, "name"))
+            result.append(NamedCoupling(name, terms, offset, **self.tolerance(table, place)))
+        self.unlike([coupling.name for coupling in result], "couplings", path)
+        return tuple(result)
+
+    def terms(self, table: Mapping[str, Any], path: _Path) -> tuple[tuple[str, float], ...]:
+        """The terms of a coupling: joints with their factors, or joint = ratio * other."""
+        if "terms" in table:
+            for key in {"joint", "other", "ratio"}.intersection(table):
+                raise self.fail(f"this coupling has terms: leave {key} out", (*path, key))
+            place = (*path, "terms")
+            given = self.table(table["terms"], place)
+            if not given:
+                raise self.fail("this coupling has no terms", place)
+            return tuple((name, self.number(x, (*place, name))) for name, x in given.items())
+        self.need(table, ("joint", "other", "ratio"), "coupling", path)
+        joint, other = (self.text(table[key], (*path, key)) for key in ("joint", "other"))
+        if joint == other:
+            raise self.fail(f"joint '{joint}' is coupled to itself", (*path, "other"))
+        return (joint, 1.0), (other, -self.number(table["ratio"], (*path, "ratio")))
+
 
 def _told(path: _Path) -> str:
     return ".".join(str(key) for key in path if isinstance(key, str))
@@ -210,6 +297,8 @@ _FIELDS: dict[str, Callable[[_Reader, Any, _Path], Any]] = {
     "friction_speed": _Reader.speed,
     "joints": _Reader.joints,
     "point_masses": _Reader.point_masses,
+    "loops": _Reader.loops,
+    "couplings": _Reader.couplings,
 }
 
 KEYS = tuple(_FIELDS)

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from adagen.errors import InputError
+from adagen.model import NamedCoupling, NamedLoop
 from adagen.scene.source import Source
 
 EFFECTS = ("damping", "friction", "friction_speed", "stiffness", "rest", "rotor_inertia")
@@ -69,6 +70,8 @@ class Scene:
         friction_speed: likewise, a number.
         joints: what it says of single joints.
         point_masses: masses that are added.
+        loops: joints that close loops.
+        couplings: joints whose coordinates are tied.
     """
 
     source: Source
@@ -85,6 +88,8 @@ class Scene:
     friction_speed: float | None = None
     joints: Mapping[str, JointScene] = field(default_factory=dict)
     point_masses: tuple[PointMass, ...] = ()
+    loops: tuple[NamedLoop, ...] = ()
+    couplings: tuple[NamedCoupling, ...] = ()
 
     @property
     def floating(self) -> bool:

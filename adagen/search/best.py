@@ -55,6 +55,9 @@ def best_schedule(
     topology, costs = Topology.of(model), profile
     if form == "ada":
         profile = profile.joins_only()
+    if model.closed:  # one process has it all
+        search["cuttable"] = [False] * len(topology)
+        return find_schedule(topology, processes, profile=profile, **search)
     if form == "segment" and processes == 1:
         return find_schedule(topology, 1, profile=profile, **search)
     seen = fold_of(model, form)

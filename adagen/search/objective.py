@@ -16,6 +16,7 @@ import numpy as np
 
 from adagen.emit.shapes import offered
 from adagen.errors import UsageError
+from adagen.executor.closed_trial import tried_closed
 from adagen.executor.growth import Growth, predicted_growth
 from adagen.executor.refine import interpret_refined
 from adagen.executor.trial import Trial, tried
@@ -143,6 +144,10 @@ def predicted_digits(objective: str, model: Model, plan: Plan, shape: str = "ker
     Raises:
         FloatingPointError: a factorization fails already here; the message names the joint.
     """
+    if plan.closed:
+        trial = tried_closed(model, plan)
+        error = min(1.0, max(trial.error, EPSILON[FACTORS[plan.scalar]]))
+        return Digits(objective, error, 1.0, None, model.joints[trial.joint].name)
     growth = predicted_growth(plan)
     joined = growth.largest > 1.0
     name = model.joints[growth.joint].name if joined else None
@@ -169,7 +174,7 @@ def suited_shape(objective: str, plan: Plan, shape: str = "auto") -> str:
         A shape, or "auto" where the fastest one is as good as any: its error is at most twice as
         large.
     """
-    if objective != "accuracy" or shape != "auto":
+    if objective != "accuracy" or shape != "auto" or plan.closed:
         return shape
     errors = {
         name: tried(plan, turned_joints(plan) if name == "kernels" else None).error

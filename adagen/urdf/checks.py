@@ -53,6 +53,8 @@ def check_model(model: Model, lines: Lines, notes: Notes) -> None:
         )
     for j in range(len(model.joints)):
         _check_body(model, j, lines, notes)
+    if model.closed:  # what moves without mass in the tree may be held by a loop
+        return
     weak = weakest(model)
     if weak.singular and any(joint.mimic for joint in model.joints):
         weak = weakest_slaved(model)

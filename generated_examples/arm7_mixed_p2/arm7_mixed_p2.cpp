@@ -329,6 +329,10 @@ enum Failure : int {
   kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
   kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
   kSingularPose = 10,   // no failure: the evaluation is done again in another way
+  kLoopOpen = 12,       // a loop or coupling is open (numbered behind all joints)
+  kLoopTorn = 13,       // its velocity tears it open
+  kLoopSingular = 14,   // what it holds cannot be told from this pose
+  kLoopFree = 15,       // loops leave a joint a motion that nothing resists
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
@@ -435,10 +439,23 @@ constexpr FailureWords words_of(Failure kind) {
       return {false,
               "refinement converges too slowly: its last correction is too large; take more steps "
               "(--refine) or --scalar double"};
+    case kLoopOpen:
+      return {false, "it is not closed in this configuration, by more than its tolerance"};
+    case kLoopTorn:
+      return {false, "this velocity tears it open"};
+    case kLoopSingular:
+      return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
+    case kLoopFree:
+      return {true, "closed loops leave it a motion that no inertia resists"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
   return {false, "unknown failure"};
+}
+
+// Whether a failure is numbered with a loop or coupling, behind all joints.
+[[maybe_unused]] constexpr bool is_of_loop(Failure kind) {
+  return kind == kLoopOpen || kind == kLoopTorn || kind == kLoopSingular;
 }
 
 // Whether a failure is numbered with a joint.
@@ -456,6 +473,13 @@ Text describe(int status) {
     text += "joints ";
     add_names_of_run(text, failure_place(status));
     text += ": ";
+#ifdef ADAGEN_LOOPS
+  } else if (is_of_loop(kind)) {
+    const int place = failure_place(status) - static_cast<int>(kJoints.size());
+    text += place < kLoopCount ? "loop " : "coupling ";
+    add_quoted(text, kLoopNames[static_cast<std::size_t>(place)]);
+    text += ": ";
+#endif
   } else if (kind == kNoAnswer) {
     text += "process ";
     text += failure_place(status);
@@ -4607,14 +4631,16 @@ class InPlace {
   }
 
  protected:
-  // A pose that the first try cannot stand is known to all processes: they try again together.
+  // A pose that a try cannot stand is known to all processes: they try the next way together.
   void run() {
     const std::size_t rank = kAlone ? 0 : static_cast<std::size_t>(channel.rank());
     kRun[rank](w, channel);
 #ifdef ADAGEN_RECOVERS
-    if (failure_kind(w.status) != kSingularPose) return;
-    w.status = kFine;
-    kRecover[rank](w, channel);
+    for (std::size_t k = rank; k < kRecover.size(); k += std::size_t(kProcesses)) {
+      if (failure_kind(w.status) != kSingularPose) return;
+      w.status = kFine;
+      kRecover[k](w, channel);
+    }
 #endif
   }
 
@@ -4906,6 +4932,30 @@ struct OuterForce {
   const Number *rotation, *translation;
 };
 
+// A joint that closes a loop; axes of frame 1 along which it holds places together, and about which
+// it bars turns, as bits.
+template <class Number>
+struct Loop {
+  const char* name;
+  int link1, link2;
+  const Number *rotation1, *translation1, *rotation2, *translation2;
+  unsigned linear, angular;
+  bool universal;
+
+  bool holds(int axis) const { return (linear >> axis & 1u) != 0; }
+  bool bars(int axis) const { return (angular >> axis & 1u) != 0; }
+};
+
+// Coordinates of joints whose sum, each times its factor, is the offset.
+template <class Number>
+struct Coupling {
+  const char* name;
+  int count;
+  const int* joints;
+  const Number* factors;
+  Number offset;
+};
+
 struct Message {
   int source, target, size;  // size in numbers, the status not counted
 };
@@ -4933,6 +4983,8 @@ struct Description {
   Table<Joint<Number>> joints;
   Table<Link<Number>> links;
   Table<OuterForce<Number>> outer_forces;
+  Table<Loop<Number>> loops;
+  Table<Coupling<Number>> couplings;
   Table<Message> messages;
   const Table<Stage>* stages;  // of each process
   Hop window_hop, message_hop;
@@ -5240,7 +5292,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
   const adagen::Description<Number> description{
       "arm7", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
       false, kAlone, kBatch, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), table(kMessages), kStages.data(), kWindowHop,
+      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};
   auto* const solver = new ThisSolver;
   const int status = adagen::program(description, *solver, count, words);

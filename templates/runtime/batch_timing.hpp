@@ -8,7 +8,7 @@ class BatchTiming {
   // Collective. Times batches of random states. Returns the first failure.
   int measure() {
     const int count = kStates * (session_.rank == 0 ? about.processes : 1);
-    session_.use(random_states(count, session_.options.seed));
+    session_.use(random_states(count, session_.options.seed, session_.solver));
     for (int active = 1;; active = std::min(2 * active, about.processes)) {
       const int failed = measure_on(active);
       if (failed != kFine || active == about.processes) return failed;

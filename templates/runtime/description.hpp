@@ -44,6 +44,30 @@ struct OuterForce {
   const Number *rotation, *translation;
 };
 
+// A joint that closes a loop; axes of frame 1 along which it holds places together, and about which
+// it bars turns, as bits.
+template <class Number>
+struct Loop {
+  const char* name;
+  int link1, link2;
+  const Number *rotation1, *translation1, *rotation2, *translation2;
+  unsigned linear, angular;
+  bool universal;
+
+  bool holds(int axis) const { return (linear >> axis & 1u) != 0; }
+  bool bars(int axis) const { return (angular >> axis & 1u) != 0; }
+};
+
+// Coordinates of joints whose sum, each times its factor, is the offset.
+template <class Number>
+struct Coupling {
+  const char* name;
+  int count;
+  const int* joints;
+  const Number* factors;
+  Number offset;
+};
+
 struct Message {
   int source, target, size;  // size in numbers, the status not counted
 };
@@ -71,6 +95,8 @@ struct Description {
   Table<Joint<Number>> joints;
   Table<Link<Number>> links;
   Table<OuterForce<Number>> outer_forces;
+  Table<Loop<Number>> loops;
+  Table<Coupling<Number>> couplings;
   Table<Message> messages;
   const Table<Stage>* stages;  // of each process
   Hop window_hop, message_hop;

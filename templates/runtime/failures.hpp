@@ -44,10 +44,23 @@ constexpr FailureWords words_of(Failure kind) {
       return {false,
               "refinement converges too slowly: its last correction is too large; take more steps "
               "(--refine) or --scalar double"};
+    case kLoopOpen:
+      return {false, "it is not closed in this configuration, by more than its tolerance"};
+    case kLoopTorn:
+      return {false, "this velocity tears it open"};
+    case kLoopSingular:
+      return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
+    case kLoopFree:
+      return {true, "closed loops leave it a motion that no inertia resists"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
   return {false, "unknown failure"};
+}
+
+// Whether a failure is numbered with a loop or coupling, behind all joints.
+[[maybe_unused]] constexpr bool is_of_loop(Failure kind) {
+  return kind == kLoopOpen || kind == kLoopTorn || kind == kLoopSingular;
 }
 
 // Whether a failure is numbered with a joint.
@@ -65,6 +78,13 @@ Text describe(int status) {
     text += "joints ";
     add_names_of_run(text, failure_place(status));
     text += ": ";
+#ifdef ADAGEN_LOOPS
+  } else if (is_of_loop(kind)) {
+    const int place = failure_place(status) - static_cast<int>(kJoints.size());
+    text += place < kLoopCount ? "loop " : "coupling ";
+    add_quoted(text, kLoopNames[static_cast<std::size_t>(place)]);
+    text += ": ";
+#endif
   } else if (kind == kNoAnswer) {
     text += "process ";
     text += failure_place(status);

@@ -15,14 +15,16 @@ class InPlace {
   }
 
  protected:
-  // A pose that the first try cannot stand is known to all processes: they try again together.
+  // A pose that a try cannot stand is known to all processes: they try the next way together.
   void run() {
     const std::size_t rank = kAlone ? 0 : static_cast<std::size_t>(channel.rank());
     kRun[rank](w, channel);
 #ifdef ADAGEN_RECOVERS
-    if (failure_kind(w.status) != kSingularPose) return;
-    w.status = kFine;
-    kRecover[rank](w, channel);
+    for (std::size_t k = rank; k < kRecover.size(); k += std::size_t(kProcesses)) {
+      if (failure_kind(w.status) != kSingularPose) return;
+      w.status = kFine;
+      kRecover[k](w, channel);
+    }
 #endif
   }
 

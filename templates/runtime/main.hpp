@@ -41,7 +41,7 @@ class Program {
       }
       MPI_Bcast(&status, 1, MPI_INT, 0, session_.comm());
     } else if (options.check) {
-      session_.states = random_states(kRandomStates, options.seed);
+      session_.states = random_states(kRandomStates, options.seed, session_.solver);
       status = solve_all();
     }
     session_.watch.again();

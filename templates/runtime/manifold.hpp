@@ -116,4 +116,15 @@ ADAGEN_HOT void advance(const State& anchor, const State& x, State& q) {
   }
 }
 
+// A configuration moved by a step in the components of velocities.
+inline void move(const State& from, const State& step, State& q) {
+  State local = step;
+  for (const Joint& joint : about.joints)  // positions are told in the joint frame
+    position_rate(joint, &from[static_cast<std::size_t>(joint.q)],
+                  &step[static_cast<std::size_t>(joint.v)],
+                  &local[static_cast<std::size_t>(joint.v)]);
+  advance(from, local, q);
+  normalise(q);
+}
+
 }  // namespace manifold

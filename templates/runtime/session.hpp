@@ -1,7 +1,32 @@
 // What the parts of the program share: the solver, the states at work, and how a failure is told.
 
+// Closes the loops of random states, each from its own configuration, then from others: until the
+// solver takes one, if any. Near singular poses it does not.
+template <class Uniform, class Taken>
+void close(States& states, Uniform uniform, Taken taken) {
+  constexpr int kTries = 60;
+  const std::size_t nq = static_cast<std::size_t>(about.nq),
+                    nv = static_cast<std::size_t>(about.nv);
+  std::vector<double> rest(nq);
+  for (const Joint& joint : about.joints)
+    if (joint.nq >= 4) rest[static_cast<std::size_t>(joint.q + joint.nq - 1)] = 1;
+  for (int s = 0; s < states.count; ++s) {
+    const std::size_t row = static_cast<std::size_t>(s);
+    Number *const q = states.q.data() + row * nq, *const v = states.v.data() + row * nv;
+    const std::vector<double> drawn(q, q + nq), rates(v, v + nv);
+    for (int tries = 0; tries < kTries; ++tries) {
+      std::vector<double> rate(rates), step(nv), start(nq);
+      for (double& x : step) x = tries == 0 ? 0 : 3 * uniform() / (1 << 2 * (tries % 3));
+      manifold::move(tries % 2 == 0 ? drawn : rest, step, start);
+      if (!loops::settle(start, rate)) continue;
+      std::copy(start.begin(), start.end(), q), std::copy(rate.begin(), rate.end(), v);
+      if (taken(s)) break;
+    }
+  }
+}
+
 // Random states, the same on every machine (splitmix64).
-States random_states(int count, std::uint64_t seed) {
+States random_states(int count, std::uint64_t seed, Solver& solver) {
   const auto uniform = [&seed] {
     std::uint64_t z = (seed += 0x9E3779B97F4A7C15ULL);
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
@@ -41,6 +66,14 @@ States random_states(int count, std::uint64_t seed) {
     }
     for (int k = about.nv; k < about.ntau; ++k) tau[k] = static_cast<Number>(uniform());
     slave(about.joints, q, v);
+  }
+  if (loops::any()) {
+    std::vector<Number> qdd(static_cast<std::size_t>(std::max(1, about.nv)));
+    close(states, uniform, [&](int s) {
+      const long row = s;
+      return solver.solve(states.q.data() + row * about.nq, states.v.data() + row * about.nv,
+                          states.tau.data() + row * about.ntau, qdd.data()) == kFine;
+    });
   }
   return states;
 }

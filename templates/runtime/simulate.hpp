@@ -42,7 +42,7 @@ class Simulation {
   // The initial state and the file to write; process 0's status counts.
   int start() {
     if (on_.options.states.empty()) {
-      on_.use(random_states(1, on_.options.seed));
+      on_.use(random_states(1, on_.options.seed, on_.solver));
     } else {
       const int status = load(on_.options.states, on_.comm(), on_.rank, on_.states);
       if (status != kDone) return status;
@@ -108,6 +108,8 @@ class Simulation {
       on_.give_up_if_broken(failed);
       if (failed != kFine) return on_.solver.in_words(failed) + at(time) + (k > 0 ? kSmaller : "");
       slave(about.joints, q_.data(), v_.data());
+      if (loops::any() && !loops::settle(q_, v_))
+        return "the loops cannot be closed again" + at(next) + kSmaller;
       const int joint = not_finite();
       if (joint >= 0)
         return "joint " + quoted(about.joints[joint].name) + ": its state is not finite" +

@@ -9,6 +9,10 @@ enum Failure : int {
   kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
   kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
   kSingularPose = 10,   // no failure: the evaluation is done again in another way
+  kLoopOpen = 12,       // a loop or coupling is open (numbered behind all joints)
+  kLoopTorn = 13,       // its velocity tears it open
+  kLoopSingular = 14,   // what it holds cannot be told from this pose
+  kLoopFree = 15,       // loops leave a joint a motion that nothing resists
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge

@@ -8,7 +8,7 @@ class Timing {
     crowded_ = !cores.enough() || cores.count() < about.threads;
     cores_ = cores.count();
     if (about.batch) return time_batch(cores);
-    session_.use(random_states(kRandomStates, session_.options.seed));
+    session_.use(random_states(kRandomStates, session_.options.seed, session_.solver));
     if ((crowded_ && about.threads == 1) || session_.options.stretches)
       return time_stretches(cores);
     session_.pinned = session_.options.pin && cores.pin();
@@ -74,7 +74,7 @@ class Timing {
 
   // The same evaluations with time stamps between the stages of each process.
   int trace_all() {
-    session_.use(random_states(kRandomStates, session_.options.seed));
+    session_.use(random_states(kRandomStates, session_.options.seed, session_.solver));
     if (!session_.pinned && session_.options.pin) session_.pinned = Cores(session_.comm()).pin();
     Trace trace(session_.rank);
     int failed = kFine;

@@ -23,6 +23,7 @@ class Verdict {
     Finding& finding = at(s);
     finding.qdd.assign(qdd, qdd + about.nv);
     finding.left = check::left_over(q(s), v(s), tau(s), qdd);
+    if (loops::any()) loops::account(q(s), v(s), qdd, finding.left);
     for (int j = 0; j < about.joints.count; ++j) {
       const double slip = check::slip(about.joints[j], tau(s), qdd);
       if (!(slip <= finding.left.backward)) finding.left.backward = slip, finding.left.joint = j;

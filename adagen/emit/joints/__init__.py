@@ -21,6 +21,8 @@ def why_not(plan: Plan) -> str | None:
     """Return why a plan cannot be emitted in this shape; None where it can."""
     if any(message.inertias for message in plan.messages):
         return "the processes of this plan gather their inertias"
+    if plan.closed:
+        return "the robot has closed loops, which are straight lines"
     return None
 
 

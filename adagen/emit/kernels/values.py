@@ -35,6 +35,8 @@ def why_not(plan: Plan) -> str | None:
     """Return why a plan cannot be emitted in this shape; None where it can."""
     if plan.form != "segment":
         return f"it is for form segment, not {plan.form}"
+    if plan.closed:
+        return "the robot has closed loops, which are straight lines"
     return why_not_gather([replace(joint, mimic=None) for joint in plan.joints])
 
 

@@ -41,11 +41,10 @@ def values(words: Words, chunk: int = 0) -> dict[str, object]:
     """
     chunk = chunk or words.chunk or CHUNK
     plan = words.plan
-    recovers = any(process.recovery for process in plan.processes)
-    plans = [plan, plan.recovering()] if recovers else [plan]
-    groupings = (words.program.slots.limbs, words.program.recovering)
+    plans = plan.alternatives
+    groupings = [words.program.slots.limbs, *[words.program.recovering] * (len(plans) - 1)]
     line = [
-        one for each, limbs in zip(plans, groupings, strict=False) for one in simulate(each, limbs)
+        one for each, limbs in zip(plans, groupings, strict=True) for one in simulate(each, limbs)
     ]
     processes = [process for each in plans for process in each.processes]
     wide = any(simulated.machine.rows.rows for simulated in line)

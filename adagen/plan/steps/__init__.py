@@ -20,6 +20,15 @@ from adagen.plan.steps.articulated import (
     StartEmpty,
     StartLink,
 )
+from adagen.plan.steps.closed import (
+    AccelerateHeld,
+    CarryRows,
+    CloseCoupling,
+    CloseLoop,
+    Eliminate,
+    HoldBack,
+    Release,
+)
 from adagen.plan.steps.joins import (
     BiasUpdate,
     BlockUpdate,
@@ -35,6 +44,7 @@ from adagen.plan.steps.process import ApplyCoupling, Kinematics, Receive, Send, 
 
 __all__ = [
     "Accelerate",
+    "AccelerateHeld",
     "AccelerateRoot",
     "ApplyCoupling",
     "Articulate",
@@ -42,14 +52,19 @@ __all__ = [
     "BiasUpdate",
     "Block",
     "BlockUpdate",
+    "CarryRows",
+    "CloseCoupling",
+    "CloseLoop",
     "Coupling",
     "Deliver",
     "Disassemble",
+    "Eliminate",
     "Force",
     "ForceUpdate",
     "FreeAcceleration",
     "FreeBase",
     "FusedJoin",
+    "HoldBack",
     "HoldMobility",
     "InvertRoot",
     "Join",
@@ -59,6 +74,7 @@ __all__ = [
     "LoadRoot",
     "Propagate",
     "Receive",
+    "Release",
     "Send",
     "SolveCoupling",
     "SolveMobility",
@@ -96,6 +112,13 @@ Step = (
     | Receive
     | SolveCoupling
     | ApplyCoupling
+    | CloseLoop
+    | CloseCoupling
+    | HoldBack
+    | CarryRows
+    | Eliminate
+    | Release
+    | AccelerateHeld
 )
 
 

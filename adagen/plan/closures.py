@@ -1,0 +1,386 @@
+"""Closures: which loops and couplings are solved together, where, and what follows from what.
+
+Loops that share joints are one closure. Its constraints are J qdd = -Jdot v; often some rows follow
+from others (planar loops, mechanisms that move though they are overconstrained). Which do, and
+which freedoms follow from the rest, is found at consistent states that are drawn at random, by
+elimination with complete pivoting of J alone: no mass, however light, decides it. Solved is then
+z = G y + g for the freedoms that follow. In poses in which G is large, they follow from an
+orthogonal basis of what the rows leave free instead. Where a closure has many freedoms, those of z
+alone are held back, and all others are articulated on the way inwards.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.errors import InputError
+from adagen.model import Model
+from adagen.model.kinds import KINDS
+from adagen.plan.types import PlanJoint
+from adagen.reference.closed import closed_states, constraints_of_all
+from adagen.reference.double import joint_space_inertia
+
+Array = NDArray[np.float64]
+
+SAMPLES = 64
+"""Consistent states at which choices are made; of many freedoms fewer."""
+SECONDS_OF = 2000
+"""So many freedoms of all samples together."""
+MOST_HELD = 30
+"""Freedoms of a closure up to which all of them are held back."""
+FOLLOWS = 1e-9
+"""A pivot below this, relative to the largest entry, is none: the row follows from others."""
+VANISHING = 1e-6
+"""A singular value of rows that are brought to a size of one which counts as none."""
+NEAR = 0.3
+"""A pivot may be so much smaller than the largest one where it is nearer to the top."""
+MOST_OFFERS = 24
+"""Choices that are compared: those that suit most samples best."""
+ALIKE = 0.1
+"""Digits by which choices may differ in the mean for the one of less arithmetic to be taken."""
+MOST_SETS = 2
+APART = 1e-2
+"""Rows that are so far from following from each other, brought to a size of one, are good."""
+LARGE = 50.0
+"""Size of G up to which a choice loses hardly any digits, and nothing else is tried."""
+STILL = 1e-12
+"""Inertia of a motion that the loops allow, relative to the joints' own, that counts as none."""
+
+
+@dataclass(frozen=True)
+class Choice:
+    """What follows from what.
+
+    Attributes:
+        moved: freedoms whose accelerations follow, as entries of v, ascending; none: by an
+            orthogonal basis.
+        rows: the rows that they follow by, numbered in the robot, ascending.
+        scales: of these rows, powers of two that bring them to a size.
+    """
+
+    moved: tuple[int, ...]
+    rows: tuple[int, ...]
+    scales: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Closure:
+    """Loops and couplings that are solved together.
+
+    Attributes:
+        top: the last link that all its joints have in common; 0 is the ground.
+        loops: numbers of its loops, ascending.
+        couplings: numbers of its couplings.
+        path: joints between the top and the links and joints that are tied, ascending.
+        held: those of them whose accelerations are held back, ascending.
+        rows: constraints of its loops and couplings that are any, numbered in the robot.
+        choices: the usual one, and others for poses in which it is poor.
+    """
+
+    top: int
+    loops: tuple[int, ...]
+    couplings: tuple[int, ...]
+    path: tuple[int, ...]
+    held: tuple[int, ...]
+    rows: tuple[int, ...]
+    choices: tuple[Choice, ...]
+
+
+@lru_cache(maxsize=4)  # asked for by every plan that is tried
+def closures_of(model: Model) -> tuple[Closure, ...]:
+    """Return the closures of a robot; none for a tree.
+
+    Raises:
+        InputError: its loops cannot be closed, leave a motion without inertia, or go over joints
+            that are slaved or prescribed.
+    """
+    if not model.closed:
+        return ()
+    _check_joints(model)
+    count = max(8, min(SAMPLES, SECONDS_OF // model.nv))
+    q, _ = closed_states(model, count, starts=3 * count)
+    if not len(q):
+        raise InputError(_why_open(model))
+    rows = constraints_of_all(model, q).rows
+    found = tuple(_with_choices(model, one, rows) for one in _connected(model))
+    _check_inertia(model, q, rows)
+    return found
+
+
+def _ways(model: Model, link: int) -> list[int]:
+    """Joints from a link inwards to the ground."""
+    found = []
+    while link > 0:
+        found.append(link - 1)
+        link = model.joints[link - 1].parent
+    return found
+
+
+def _parted(model: Model, links: Sequence[int]) -> tuple[int, set[int]]:
+    """The last link that some links hang on together, and the joints beyond it."""
+    ways = [_ways(model, link) for link in links]
+    shared = set(ways[0]).intersection(*ways[1:])
+    return max((j + 1 for j in shared), default=0), set().union(*ways) - shared
+
+
+def _tied(model: Model) -> list[tuple[int, set[int]]]:
+    """For each loop, then each coupling: the link where it closes, and the joints beyond."""
+    found = [_parted(model, (loop.link1, loop.link2)) for loop in model.loops]
+    for coupling in model.couplings:
+        joints = [j for j, _ in coupling.terms]
+        top, path = _parted(model, [model.joints[j].parent for j in joints])
+        found.append((top, path.union(joints)))
+    return found
+
+
+@dataclass(frozen=True)
+class _Tied:
+    top: int
+    members: tuple[int, ...]
+    path: tuple[int, ...]
+
+
+def _connected(model: Model) -> list[_Tied]:
+    """Loops and couplings put together where they share joints; the innermost tops come first."""
+    groups: list[tuple[set[int], set[int]]] = []
+    tops = []
+    for number, (top, path) in enumerate(_tied(model)):
+        tops.append(top)
+        members, joints = {number}, set(path)
+        for other in [group for group in groups if group[1] & joints]:
+            groups.remove(other)
+            members, joints = members | other[0], joints | other[1]
+        groups.append((members, joints))
+    found = []
+    for members, joints in groups:
+        top, between = _parted(model, [tops[k] for k in sorted(members)])
+        found.append(_Tied(top, tuple(sorted(members)), tuple(sorted(joints | between))))
+    return sorted(found, key=lambda one: (-one.top, one.members))
+
+
+def _rows_of(model: Model) -> list[range]:
+    """The rows of each loop, then of each coupling."""
+    counts = [loop.kind.rows for loop in model.loops] + [1] * len(model.couplings)
+    ends = np.cumsum([0, *counts])
+    return [range(a, b) for a, b in zip(ends[:-1].tolist(), ends[1:].tolist(), strict=True)]
+
+
+def _freedoms(model: Model, joints: Sequence[int]) -> list[int]:
+    return [model.v_start[j] + k for j in joints for k in range(model.joints[j].kind.nv)]
+
+
+def _with_choices(model: Model, tied: _Tied, samples: Array) -> Closure:
+    """Choose what follows from what: so that G is least where it is largest."""
+    rows = [row for k in tied.members for row in _rows_of(model)[k]]
+    columns = _freedoms(model, tied.path)
+    own = samples[np.ix_(range(len(samples)), rows, columns)]
+    sizes = np.abs(own).max(axis=(0, 2), initial=0.0)
+    there = sizes > FOLLOWS * float(sizes.max(initial=0.0))
+    rows = [row for row, some in zip(rows, there.tolist(), strict=True) if some]
+    scaled = own[:, there] / sizes[there][:, None]
+    usual = np.median(np.abs(own[:, there]).max(axis=2, initial=0.0), axis=0)
+    usual = np.where(usual > FOLLOWS * sizes[there], usual, sizes[there])
+    whole = len(columns) <= MOST_HELD
+    depths = [0] * len(columns) if whole else _depths(model, tied.path)
+    (moved, kept), others = _choices(scaled, depths)
+
+    def choice(moved: _Numbers, kept: _Numbers) -> Choice:
+        return Choice(
+            tuple(columns[c] for c in moved),
+            tuple(rows[r] for r in kept),
+            tuple(2.0 ** -round(float(np.log2(usual[r]))) for r in kept),
+        )
+
+    choices = [choice(moved, kept)]
+    if whole and 0 < len(moved) < len(columns) and any(k < len(model.loops) for k in tied.members):
+        choices += [choice((), each) for each in others]
+    of_freedom = {k: j for j in tied.path for k in _freedoms(model, [j])}
+    held = {of_freedom[k] for choice in choices for k in choice.moved}
+    loops = len(model.loops)
+    return Closure(
+        tied.top,
+        tuple(k for k in tied.members if k < loops),
+        tuple(k - loops for k in tied.members if k >= loops),
+        tied.path,
+        tied.path if whole else tuple(sorted(held | _must_be_held(model, tied.path))),
+        tuple(rows),
+        tuple(choices),
+    )
+
+
+_Numbers = tuple[int, ...]
+
+
+def _choices(
+    samples: Array, depths: Sequence[int]
+) -> tuple[tuple[_Numbers, _Numbers], list[_Numbers]]:
+    """Return columns that follow with rows that they follow by, and rows for other poses.
+
+    Chosen is what takes least arithmetic among what loses about as few digits. Rows for other poses
+    are those that are farthest from following from each other; where loops can be put together in
+    several ways, there may be several sets, of several ranks.
+    """
+    pattern = np.abs(samples).max(axis=0) > 0.0
+    weights = depths if any(depths) else pattern.sum(axis=0).tolist()
+    offers = [offer for each in samples for offer in (_pivots(each, weights), _pivots(each, ()))]
+    offers = [offer for offer, _ in Counter(offers).most_common(MOST_OFFERS)]
+    sizes = np.array([[_largest(offer, each) for each in samples] for offer in offers])
+    losses = np.log10(np.clip(sizes, 10.0, 1e12)).mean(axis=1)  # beyond ten, digits
+    alike = np.flatnonzero(losses <= losses.min() + ALIKE).tolist()
+    best = min(alike, key=lambda k: (_work(offers[k], pattern), losses[k]))
+    kept = list(dict.fromkeys(rows for _, rows in offers))
+    apart = np.array([[_apart(rows, each) for each in samples] for rows in kept])
+    taken: list[_Numbers] = []
+    so_far = np.zeros(len(samples))
+    while len(taken) < MOST_SETS and (so_far < APART).any():
+        reached = np.minimum(np.maximum(apart, so_far), APART).sum(axis=1)
+        k = int(np.argmax(reached))
+        if taken and float(reached[k]) < float(np.minimum(so_far, APART).sum()) + APART / 2:
+            break
+        taken.append(kept[k])
+        so_far = np.maximum(so_far, apart[k])
+    return offers[best], taken
+
+
+def _apart(rows: _Numbers, matrix: Array) -> float:
+    """How far kept rows are from following from each other; 0 where others do not from them."""
+    _, sizes, right = np.linalg.svd(matrix[list(rows)], full_matrices=False)
+    if not len(sizes) or sizes[-1] < VANISHING:
+        return 0.0 if len(rows) else float(not np.abs(matrix).max(initial=0.0) > VANISHING)
+    rest = matrix - (matrix @ right.T) @ right
+    return 0.0 if float(np.abs(rest).max(initial=0.0)) > 1e-6 else float(sizes[-1])
+
+
+def _work(offer: tuple[_Numbers, _Numbers], pattern: Array) -> int:
+    """How much it is to solve by a choice: the cubes of the sizes of its independent parts."""
+    columns, rows = map(list, offer)
+    parts: list[tuple[set[int], int]] = []
+    for row in pattern[np.ix_(rows, columns)]:
+        touched, count = set(np.flatnonzero(row).tolist()), 1
+        for part in [part for part in parts if part[0] & touched]:
+            parts.remove(part)
+            touched, count = touched | part[0], count + part[1]
+        parts.append((touched, count))
+    return sum(count**3 for _, count in parts)
+
+
+def _largest(offer: tuple[_Numbers, _Numbers], matrix: Array) -> float:
+    """The largest entry of G by a choice; infinity where rows do not follow from those kept."""
+    columns, rows = map(list, offer)
+    others = [c for c in range(matrix.shape[1]) if c not in columns]
+    left = [r for r in range(len(matrix)) if r not in rows]
+    square = matrix[np.ix_(rows, columns)]
+    if len(square) and np.linalg.svd(square, compute_uv=False)[-1] < VANISHING:
+        return np.inf
+    follows = np.linalg.solve(square, matrix[np.ix_(rows, others)])
+    rest = matrix[np.ix_(left, others)] - matrix[np.ix_(left, columns)] @ follows
+    if float(np.abs(rest).max(initial=0.0)) > 1e-6:
+        return np.inf
+    return float(np.abs(follows).max(initial=0.0))
+
+
+def _depths(model: Model, path: Sequence[int]) -> list[int]:
+    """How far from the ground the joint of each freedom is."""
+    return [len(_ways(model, j + 1)) for j in path for _ in range(model.joints[j].kind.nv)]
+
+
+def _must_be_held(model: Model, path: Sequence[int]) -> set[int]:
+    """Joints of a path that cannot be articulated as they are passed: rotors act on them."""
+    rotors = {j for j in path if model.joints[j].passive.rotor_inertia}
+    coupled = {j for coupling in model.couplings for j, _ in coupling.terms}
+    return rotors | coupled.intersection(path)
+
+
+def _pivots(matrix: Array, weights: Sequence[int]) -> tuple[_Numbers, _Numbers]:
+    """Columns and rows of the pivots by which a matrix is eliminated, the largest ones first.
+
+    Args:
+        matrix: J of one state.
+        weights: of columns: of pivots that are about as large, that of least weight is taken; none.
+    """
+    left = matrix.copy()
+    columns: list[int] = []
+    rows: list[int] = []
+    first = float(np.abs(left).max(initial=0.0))
+    while True:
+        sizes = np.abs(left)
+        largest = float(sizes.max(initial=0.0))
+        if largest <= FOLLOWS * first or largest == 0.0:
+            return tuple(sorted(columns)), tuple(sorted(rows))
+        good = np.argwhere(sizes >= largest * (NEAR if weights else 1.0)).tolist()
+        r, c = min(
+            good, key=lambda rc: (weights[rc[1]] if weights else 0, -sizes[rc[0], rc[1]], rc)
+        )
+        columns.append(c)
+        rows.append(r)
+        left = left - np.outer(left[:, c], left[r]) / left[r, c]
+        left[r], left[:, c] = 0.0, 0.0
+
+
+def _check_joints(model: Model) -> None:
+    """Refuse what is not modelled on the way of a loop."""
+    on_paths = set().union(*(path for _, path in _tied(model)))
+    sources = {joint.mimic.source for joint in model.joints if joint.mimic is not None}
+    for j in sorted(on_paths):
+        joint = model.joints[j]
+        if joint.mimic is not None or j in sources:
+            raise InputError(
+                f'joint "{joint.name}" is part of a closed loop and of a mimic: say the mimic as a '
+                "coupling of the scene instead of --mimic"
+            )
+        if joint.prescribed:
+            raise InputError(
+                f'joint "{joint.name}" is part of a closed loop: its acceleration cannot be'
+                " prescribed"
+            )
+
+
+def _why_open(model: Model) -> str:
+    names = [loop.name for loop in model.loops] + [c.name for c in model.couplings]
+    quoted = ", ".join(f'"{name}"' for name in names[:5])
+    more = f" and {len(names) - 5} more" if len(names) > 5 else ""
+    which = (
+        f"loops {quoted}{more} cannot all be closed"
+        if len(names) > 1
+        else (f"loop {quoted} cannot be closed")
+    )
+    return f"{which}: no configuration was found that does; correct the frames of their ends"
+
+
+def _check_inertia(model: Model, q: Array, rows: Array) -> None:
+    """Refuse a motion that the loops allow and nothing resists, whatever the configuration."""
+    worst = []
+    rotors = [joint.passive.rotor_inertia for joint in model.joints for _ in joint.kind.free]
+    for each, matrix in zip(q, rows, strict=True):
+        _, sizes, right = np.linalg.svd(matrix)
+        rank = int((sizes > FOLLOWS * sizes[:1].sum()).sum())
+        free, inertia = right[rank:].T, joint_space_inertia(model, each)
+        rotors = [
+            joint.passive.rotor_inertia for joint in model.joints for _ in range(joint.kind.nv)
+        ]
+        reduced = free.T @ (inertia + np.diag(rotors)) @ free
+        if not len(reduced):
+            return
+        values, vectors = np.linalg.eigh(reduced)
+        if values[0] > STILL * abs(values[-1]):
+            return
+        worst.append((float(values[0]), free @ vectors[:, 0]))
+    _, motion = max(worst, key=lambda pair: pair[0])
+    k = int(np.argmax(np.abs(motion)))
+    j = max(j for j, start in enumerate(model.v_start) if start <= k)
+    raise InputError(
+        f'joint "{model.joints[j].name}" can move with no inertia to resist it, though loops are '
+        "closed: give the links that it moves mass and inertia, or make it fixed"
+    )
+
+
+def freedoms_of(joints: Sequence[PlanJoint], held: Sequence[int]) -> dict[int, int]:
+    """Return the numbers of held freedoms among the unknowns of their closure, by entries of v."""
+    entries = [joints[j].v + k for j in held for k in range(KINDS[joints[j].kind].nv)]
+    return {entry: number for number, entry in enumerate(entries)}

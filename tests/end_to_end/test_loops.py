@@ -1,0 +1,169 @@
+"""Closed loops from the command line: solved, refused by name, checked, simulated."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from adagen.cli.main import main
+from adagen.errors import InputError
+from adagen.executor import interpret
+from adagen.library import read
+from adagen.reference.closed import closed_forward_dynamics, closed_states, constraints
+from tests.emitted import QUICK, Builder, Solver, text_of
+from tests.end_to_end.test_verdict import spoilt
+from tests.executor.test_closures import plan_of
+from tests.mechanisms import MECHANISMS, four_bar
+
+URDF = """<robot name="bars">
+  <link name="base"/>
+  <link name="crank">{body}</link>
+  <link name="coupler">{body}</link>
+  <link name="eye"/>
+  <link name="rocker">{body}</link>
+  <joint name="crank_pin" type="continuous">
+    <parent link="base"/><child link="crank"/><axis xyz="0 1 0"/>
+  </joint>
+  <joint name="coupler_pin" type="continuous">
+    <parent link="crank"/><child link="coupler"/><origin xyz="0.2 0 0"/><axis xyz="0 1 0"/>
+  </joint>
+  <joint name="eye_joint" type="fixed">
+    <parent link="coupler"/><child link="eye"/><origin xyz="0.5 0 0"/>
+  </joint>
+  <joint name="rocker_pin" type="continuous">
+    <parent link="base"/><child link="rocker"/><origin xyz="0.45 0 0"/><axis xyz="0 1 0"/>
+  </joint>
+</robot>
+""".replace(
+    "{body}",
+    '<inertial><origin xyz="0.1 0 0"/><mass value="1"/>'
+    '<inertia ixx="0.01" ixy="0" ixz="0" iyy="0.02" iyz="0" izz="0.02"/></inertial>',
+)
+SCENE = """[[loops]]
+name = "eye pin"
+kind = "revolute"
+link1 = "eye"
+link2 = "rocker"
+origin2 = { xyz = [0.4, 0, 0] }
+axis = [0, 1, 0]
+"""
+
+
+@pytest.fixture
+def bars(tmp_path: Path) -> Path:
+    """A four-bar linkage: bars.urdf, bars.toml and its states in a folder."""
+    (tmp_path / "bars.urdf").write_text(URDF)
+    (tmp_path / "bars.toml").write_text(SCENE)
+    model = read(tmp_path / "bars.urdf", scene=tmp_path / "bars.toml").model
+    q, v = closed_states(model, 3, seed=2)
+    write_states(tmp_path / "states.json", q, v)
+    return tmp_path
+
+
+def write_states(path: Path, q: np.ndarray, v: np.ndarray) -> None:
+    names = ("crank_pin", "coupler_pin", "rocker_pin")
+    joints = {
+        name: {"q": q[:, k].tolist(), "v": v[:, k].tolist(), "tau": [0.5] * len(q)}
+        for k, name in enumerate(names)
+    }
+    path.write_text(json.dumps({"joints": joints}))
+
+
+def solve(folder: Path, *more: str) -> int:
+    words = [str(folder / "bars.urdf"), "--scene", str(folder / "bars.toml")]
+    states = ["--states", str(folder / "states.json"), "--result", str(folder / "result.json")]
+    return main(["solve", *words, *states, *more])
+
+
+@pytest.mark.parametrize("processes", ["1", "2"])
+def test_a_four_bar_is_solved(bars: Path, processes: str) -> None:
+    assert solve(bars, "--procs", processes) == 0
+    model = read(bars / "bars.urdf", scene=bars / "bars.toml").model
+    found = json.loads((bars / "result.json").read_text())["joints"]
+    given = json.loads((bars / "states.json").read_text())["joints"]
+    for s in range(3):
+        q, v, tau = (
+            np.array([given[j.name][key][s] for j in model.joints]) for key in ("q", "v", "tau")
+        )
+        truth = closed_forward_dynamics(model, q, v, tau)
+        answer = [found[joint.name]["qdd"][s] for joint in model.joints]
+        np.testing.assert_allclose(answer, truth, atol=1e-9 * np.abs(truth).max())
+
+
+def test_an_open_loop_is_refused_by_name(bars: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    given = json.loads((bars / "states.json").read_text())
+    given["joints"]["rocker_pin"]["q"][1] += 0.02
+    (bars / "states.json").write_text(json.dumps(given))
+    assert solve(bars) == 1
+    said = capfd.readouterr().err
+    assert 'state 2: loop "eye pin": it is not closed in this configuration' in said
+    given["joints"]["rocker_pin"]["q"][1] -= 0.02
+    given["joints"]["rocker_pin"]["v"][0] += 0.5
+    (bars / "states.json").write_text(json.dumps(given))
+    assert solve(bars) == 1
+    assert 'state 1: loop "eye pin": this velocity tears it open' in capfd.readouterr().err
+
+
+@pytest.mark.parametrize("name", MECHANISMS)
+def test_check_is_right_of_mechanisms_and_wrong_of_spoilt_ones(name: str, builder: Builder) -> None:
+    plan = plan_of(MECHANISMS[name]())
+    solver = builder.solver(plan, QUICK, shape="unrolled", name="closed")
+    told = json.loads(solver.run("--check", "--json").stdout)["check"]
+    assert told["ok"]
+    assert told["backward_error_max"] < 1e-9
+    text = spoilt(text_of(plan, shape="unrolled"), 1, 1 + 1e-5)
+    wrong = Solver(builder.compile(text, "spoilt", QUICK), 1, builder.toolchain).run(
+        "--check", "--json"
+    )
+    assert wrong.status == 1
+    assert not json.loads(wrong.stdout)["check"]["ok"]
+
+
+def test_a_simulation_stays_closed(builder: Builder, tmp_path: Path) -> None:
+    model = four_bar()
+    solver = builder.solver(plan_of(model), QUICK, shape="unrolled", name="closed")
+    path = tmp_path / "motion.npz"
+    solver.run("--simulate", "2", "--step", "0.001", "--trajectory", path)
+    motion = {name: np.asarray(values) for name, values in np.load(path).items()}
+    gaps = [np.abs(constraints(model, q).gaps).max() for q in motion["q"]]
+    rates = [
+        np.abs(constraints(model, q).rows @ v).max()
+        for q, v in zip(motion["q"], motion["v"], strict=True)
+    ]
+    assert len(gaps) == 2001
+    assert max(gaps) < 1e-10
+    assert max(rates) < 1e-10
+    assert np.ptp(motion["q"][:, 0]) > 0.1
+
+
+def test_mechanisms_with_true_answers(shared: Path) -> None:
+    """All mechanisms with known answers, as the executor solves them."""
+    folder = shared / "loops"
+    count = 0
+    for path in sorted(folder.glob("*.scene.toml")):
+        name = path.name.removesuffix(".scene.toml")
+        truth = json.loads((folder / f"{name}.json").read_text())
+        for mode, told in truth["modes"].items():
+            robot = read(folder / f"{name}.urdf", scene=path, floating=mode == "floating")
+            model, joints = robot.model, told.get("joints") or {}
+            try:
+                plan = plan_of(model)
+                answers = []
+                for s in range(len(next(iter(joints.values()))["q"])):
+                    state = (
+                        np.hstack([np.ravel(joints[j.name][key][s]) for j in model.joints])
+                        for key in ("q", "v", "tau")
+                    )
+                    found = interpret(plan, *state, once=True)
+                    qdd = np.hstack([np.ravel(joints[j.name]["qdd"][s]) for j in model.joints])
+                    answers.append(np.abs(found - qdd).max() / max(1.0, np.abs(qdd).max()))
+            except (InputError, FloatingPointError):
+                assert told.get("answer", "qdd") != "qdd", (name, mode)
+            else:
+                assert told.get("answer", "qdd") != "refuse", (name, mode)
+                assert max(answers) <= told["tolerance"], (name, mode)
+            count += 1
+    assert count >= 60

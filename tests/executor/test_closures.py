@@ -1,0 +1,214 @@
+"""Plans of robots with closed loops against dense algebra in the null space."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from adagen.errors import InputError, UsageError
+from adagen.executor import interpret
+from adagen.executor.closed_trial import tried_closed
+from adagen.graph import BALLS
+from adagen.model import LOOP_KINDS, PRISMATIC, REVOLUTE, SPHERICAL, Inertia, Model
+from adagen.plan import Plan, closures, make_plan, plan_from_json, plan_to_json
+from adagen.plan.steps import CarryRows, Eliminate, HoldBack
+from adagen.program import check
+from adagen.program.lower import lower
+from adagen.reference.closed import closed_forward_dynamics
+from adagen.schedule import load_profile
+from adagen.search import best_schedule
+from adagen.states import States
+from tests.emitted import EXACT, QUICK, Builder
+from tests.executor.plans import kinds_of
+from tests.mechanisms import (
+    MECHANISMS,
+    four_bar,
+    geared,
+    looped_tree,
+    planar_chain,
+    states_of,
+    with_loops,
+)
+from tests.models import human_figure
+
+TREES = (REVOLUTE, PRISMATIC, SPHERICAL)
+
+
+def plan_of(model: Model, processes: int = 1, scalar: str = "double") -> Plan:
+    """Return the plan that is taken for a robot."""
+    schedule = best_schedule(model, processes, load_profile("default"))
+    return make_plan(model, schedule, scalar=scalar)
+
+
+def worst(model: Model, plan: Plan, states: States) -> float:
+    """Return the largest error of a plan, relative to the largest acceleration of its state."""
+    errors = []
+    for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+        truth = closed_forward_dynamics(model, q, v, tau)
+        found = interpret(plan, q, v, tau, once=True)
+        errors.append(np.abs(found - truth).max() / max(1.0, np.abs(truth).max()))
+    return float(max(errors))
+
+
+@pytest.mark.parametrize("name", MECHANISMS)
+def test_mechanisms_move_as_dense_algebra_says(name: str) -> None:
+    model = MECHANISMS[name]()
+    plan = plan_of(model)
+    check(lower(plan, "unrolled"))
+    assert worst(model, plan, states_of(model, 6)) < 1e-9
+
+
+@pytest.mark.parametrize("floating", [False, True])
+@pytest.mark.parametrize("kind", LOOP_KINDS)
+def test_loops_of_every_kind(kind: str, floating: bool) -> None:
+    for seed in (3, 4):
+        model = looped_tree(kind, seed, joints=8, floating=floating, kinds=TREES)
+        plan = plan_of(model)
+        check(lower(plan, "unrolled"))
+        assert worst(model, plan, states_of(model, 3)) < 1e-8
+
+
+@pytest.mark.parametrize("kind", ["revolute", "spherical", "cylindrical", "weld"])
+def test_rows_are_carried_through_articulated_joints(
+    kind: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A closure of many freedoms holds back few of them; the answer is the same."""
+    monkeypatch.setattr(closures, "MOST_HELD", 3)
+    model = looped_tree(kind, 3, joints=12, whole=True)
+    plan = plan_of(model)
+    assert {CarryRows, HoldBack, Eliminate} <= kinds_of(plan)
+    check(lower(plan, "unrolled"))
+    assert worst(model, plan, states_of(model, 3)) < 1e-8
+
+
+def test_a_plan_with_loops_is_read_back() -> None:
+    plan = plan_of(looped_tree("universal", 4, joints=8))
+    assert plan_from_json(plan_to_json(plan)) == plan
+
+
+def test_other_choices_are_at_hand_where_one_is_poor() -> None:
+    """All ways agree in a pose in which all are good; some pose needs another than the first."""
+    model = looped_tree("spherical", 7, joints=6, floating=False)
+    plan = plan_of(model)
+    states = states_of(model, 40, seed=3)
+    assert worst(model, plan, states) < 1e-7
+
+
+@pytest.mark.parametrize("processes", [2, 3])
+def test_one_process_has_all_of_a_closed_robot(processes: int) -> None:
+    model = four_bar()
+    plan = plan_of(model, processes)
+    assert [len(process.owns) for process in plan.processes] == [3] + [0] * (processes - 1)
+    assert worst(model, plan, states_of(model, 2)) < 1e-9
+
+
+def test_form_ada_does_not_take_loops() -> None:
+    model = four_bar()
+    schedule = best_schedule(model, 1, load_profile("default"))
+    with pytest.raises(UsageError, match="form ada does not take closed loops"):
+        make_plan(model, schedule, form="ada")
+
+
+def test_an_open_loop_is_refused_by_name() -> None:
+    model = four_bar()
+    plan, states = plan_of(model), states_of(model, 1)
+    q, v, tau = states.q[0], states.v[0], states.tau[0]
+    with pytest.raises(FloatingPointError, match='loop "pin": it is open'):
+        interpret(plan, q + 1e-3, v, tau)
+    with pytest.raises(FloatingPointError, match='loop "pin": its velocity tears it open'):
+        interpret(plan, q, v + 0.1, tau)
+    model = geared()
+    plan, states = plan_of(model), states_of(model, 1)
+    with pytest.raises(FloatingPointError, match='coupling "gear": it is open'):
+        interpret(plan, states.q[0] + 0.01, states.v[0], states.tau[0])
+
+
+def test_a_change_point_is_refused() -> None:
+    """A parallelogram lying flat: its two branches meet, and its rank drops."""
+    model = planar_chain(0.2, 0.5, 0.2)
+    model = _closed_flat(model)
+    plan = plan_of(model)
+    q, none = np.zeros(3), np.zeros(3)
+    q[2] = np.pi
+    with pytest.raises(FloatingPointError, match='loop "pin": singular pose'):
+        interpret(plan, q, none, none)
+
+
+def _closed_flat(model: Model) -> Model:
+    from adagen.model import LoopEnd, NamedLoop
+
+    ends = LoopEnd("p2_link", (0.2, 0.0, 0.0)), LoopEnd("ground", (0.5, 0.0, 0.0))
+    return with_loops(model, (NamedLoop("pin", "revolute", *ends, (0.0, 1.0, 0.0)),))
+
+
+def test_what_cannot_be_solved_is_refused_at_once() -> None:
+    model = four_bar()
+    model.loops[0].frame2.translation[0] = 5.0
+    with pytest.raises(InputError, match='loop "pin" cannot be closed'):
+        plan_of(model)
+    massless = planar_chain(0.2, 0.5, 0.4, 0.3, massless=3)
+    loops = four_bar().loops
+    from dataclasses import replace
+
+    with pytest.raises(InputError, match='joint "p3" can move with no inertia'):
+        plan_of(replace(massless, loops=loops))
+
+
+def test_predicted_digits_are_of_states_that_are_closed() -> None:
+    model = four_bar()
+    found = tried_closed(model, plan_of(model))
+    assert 0.0 < found.error < 1e-13
+    assert tried_closed(model, plan_of(model, scalar="float")).error < 1e-3
+
+
+def test_balls_hold_what_double_finds() -> None:
+    model = looped_tree("revolute", 3, joints=8)
+    plan, states = plan_of(model), states_of(model, 1)
+    state = states.q[0], states.v[0], states.tau[0]
+    exact = np.array([float(x) for x in interpret(plan, *state, BALLS)])
+    np.testing.assert_allclose(interpret(plan, *state), exact, rtol=0, atol=1e-11)
+
+
+@pytest.mark.parametrize("name", ["four-bar on a floating base", "gear"])
+@pytest.mark.parametrize("scalar", ["double", "float"])
+def test_emitted_code_is_the_executor(
+    name: str, scalar: str, builder: Builder, tmp_path: Path
+) -> None:
+    from adagen.graph import DOUBLE, FLOAT
+
+    model = MECHANISMS[name]()
+    plan, states = plan_of(model, scalar=scalar), states_of(model, 3)
+    solver = builder.solver(plan, EXACT, name="closed", shape="unrolled")
+    found = solver.solve(model, states, tmp_path)
+    algebra = {"double": DOUBLE, "float": FLOAT}[scalar]
+    rows = zip(states.q, states.v, states.tau, strict=True)
+    expected = np.array([interpret(plan, *row, algebra, lanes=True) for row in rows])
+    np.testing.assert_array_equal(found.astype(expected.dtype), expected)
+
+
+def test_limbs_beside_loops_share_lanes(builder: Builder, tmp_path: Path) -> None:
+    """A figure holding its own hand: its legs go side by side, and the answer is right."""
+    model = human_figure()
+    plan = plan_of(model)
+    assert not plan.closed
+    names = [joint.name for joint in model.joints]
+    arms = [k for k, name in enumerate(names) if "wrist" in name or "hand" in name][:2]
+    assert len(arms) == 2
+    from adagen.model import LoopEnd, NamedLoop
+
+    ends = (LoopEnd(model.links[arms[0] + 1].name), LoopEnd(model.links[arms[1] + 1].name))
+    held = with_loops(model, (NamedLoop("grasp", "point", *ends),))
+    plan, states = plan_of(held), states_of(held, 3)
+    assert worst(held, plan, states) < 1e-9
+    found = builder.solver(plan, QUICK, shape="unrolled").solve(held, states, tmp_path)
+    rows = zip(states.q, states.v, states.tau, strict=True)
+    truth = np.array([closed_forward_dynamics(held, *row) for row in rows])
+    assert np.abs(found - truth).max() < 1e-9 * np.abs(truth).max()
+
+
+def test_a_body_that_loops_hold_may_have_no_inertia() -> None:
+    model = four_bar(massless=True)
+    assert model.links[2].inertia.mass == Inertia.zero().mass
+    assert worst(model, plan_of(model), states_of(model, 3)) < 1e-9
