@@ -39,9 +39,29 @@ class Notes:
         Raises:
             InputError: the reader is strict.
         """
+        self._refuse_slip(problem, line)
+        self.warn(f"{problem}: {done}", line)
+
+    def slips(self, found: Sequence[tuple[str, str, int | None]], done: str, rest: str) -> None:
+        """Record slips of one kind that change nothing, in one line.
+
+        Args:
+            found: (name, problem, line) of each.
+            done: what was done about them.
+            rest: what the others have in common, for the end of the line.
+
+        Raises:
+            InputError: the reader is strict.
+        """
+        for _, problem, line in found[:1]:
+            self._refuse_slip(problem, line)
+            others = quoted([name for name, _, _ in found[1:]])
+            more = f"; so are {len(found) - 1} more {rest}: {others}" if others else ""
+            self.warn(f"{problem}: {done}{more}", line)
+
+    def _refuse_slip(self, problem: str, line: int | None) -> None:
         if self.strict:
             raise self.error(f"{problem}: correct it, or leave out --strict", line)
-        self.warn(f"{problem}: {done}", line)
 
     def warn(self, message: str, line: int | None = None) -> None:
         """Record a warning."""

@@ -108,6 +108,9 @@ def _decode(data: bytes, notes: Notes) -> str:
             line,
         ) from None
     text = text.removeprefix("\ufeff")
+    if text.endswith("\0") and "\0" not in text.rstrip("\0"):
+        text = text.rstrip("\0")
+        notes.slip("the file ends in a zero byte", "left out", text.count("\n") + 1)
     if "\0" in text:
         raise notes.error("not XML but binary data: give a URDF file", 1)
     return text
