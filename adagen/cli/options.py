@@ -43,6 +43,13 @@ def add_model(parser: Parser, *, gravity: bool = True, several: bool = False) ->
         help="refuse slips of the file that change nothing, instead of warning of them",
     )
     group.add_argument(
+        "--xacro-arg",
+        action="append",
+        type=_argument,
+        metavar="NAME:=VALUE",
+        help="value of an <xacro:arg>, where MODEL's name ends in .xacro; may be repeated",
+    )
+    group.add_argument(
         "--scene",
         metavar="FILE",
         help="model no more than this file asks for (docs/scenes.md)",
@@ -60,6 +67,7 @@ def add_model(parser: Parser, *, gravity: bool = True, several: bool = False) ->
 RARE = frozenset(
     [
         "--strict",
+        "--xacro-arg",
         "--gravity",
         "--profile",
         "--schedule",
@@ -282,6 +290,14 @@ def _tuned(text: str) -> Tuned:
     if shape not in ("unrolled", "kernels", "joints") or not re.fullmatch(r"[\w+.-]*", compiler):
         raise argparse.ArgumentTypeError(f"not SHAPE:N:COMPILER: {text!r}")
     return Tuned(shape, whole(0, 10**9)(chunk), compiler)
+
+
+def _argument(text: str) -> tuple[str, str]:
+    """Return name and value of an argument for xacro."""
+    name, sign, value = text.partition(":=")
+    if not (name and sign):
+        raise argparse.ArgumentTypeError(f"not NAME:=VALUE: {text!r}")
+    return name, value
 
 
 def _processes(text: str) -> int:

@@ -131,6 +131,7 @@ def _made_again(source: Path) -> dict[str, str]:
         strict=origin.strict,
         scene=scene,
         gravity=origin.gravity,
+        arguments=dict(origin.arguments),
     )
     made = compile(robot, **vars(request))
     if f"{made.stem}.cpp" != source.name:

@@ -40,6 +40,7 @@ def _of_robot(origin: Origin, folder: Path) -> Iterator[str]:
     for name in ("floating", "mimic", "strict"):
         if getattr(origin, name):
             yield f"--{name}"
+    yield from (f"--xacro-arg={name}:={value}" for name, value in origin.arguments)
     if origin.scene is not None:
         yield f"--scene={_seen_from(folder, origin.scene)}"
     if origin.gravity is not None:

@@ -30,7 +30,7 @@ def parse(text: str, notes: Notes) -> etree._Element:
     Raises:
         InputError: no well-formed XML, or another kind of document.
     """
-    start = _check_prolog(text, notes)
+    start = check_prolog(text, notes)
     text = mended_declaration(text, notes)
     parser = etree.XMLParser(
         encoding="utf-8",  # the text is decoded already: overrides what the file declares
@@ -57,8 +57,12 @@ def parse(text: str, notes: Notes) -> etree._Element:
     return root
 
 
-def _check_prolog(text: str, notes: Notes) -> int:
-    """Return where the root element begins; refuse a DTD, which can only stand before it."""
+def check_prolog(text: str, notes: Notes) -> int:
+    """Return where the root element begins; refuse a DTD, which can only stand before it.
+
+    Raises:
+        InputError: there is a DTD, or no XML.
+    """
     match = _PROLOG.match(text)
     start = match.end() if match else 0
     line = text.count("\n", 0, start) + 1
@@ -91,7 +95,7 @@ def _check_root(root: etree._Element, notes: Notes) -> None:
         if isinstance(tag, str) and "xacro" in tag and is_xacro(tag):
             raise notes.error(
                 f"<xacro:{tag.replace('}', ':').rpartition(':')[2]}> is not expanded: run xacro "
-                "on the file and give its output",
+                "on the file and give its output, or let its name end in .xacro",
                 line_of(element),
             )
     _warn_xacro_attributes(root, notes)

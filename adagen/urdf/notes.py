@@ -21,17 +21,19 @@ class Notes:
         warnings: ``file:line: warning: ...``, in the order they were found.
         ignored: what was read and is not modelled.
         strict: whether slips are refused that readers of URDF overlook.
+        without_lines: whether lines are those of no file, and not told.
     """
 
     def __init__(self, file: str, *, strict: bool = False) -> None:
         self.file = file
         self.strict = strict
+        self.without_lines = False
         self.warnings: list[str] = []
         self.ignored: list[str] = []
 
     def error(self, message: str, line: int | None = None) -> InputError:
         """Return (not raise) the refusal of this file."""
-        return InputError(shortened(message), self.file, line)
+        return InputError(shortened(message), self.file, None if self.without_lines else line)
 
     def slip(self, problem: str, done: str, line: int | None = None) -> None:
         """Record a slip that changes nothing, with what was done about it.
@@ -65,7 +67,8 @@ class Notes:
 
     def warn(self, message: str, line: int | None = None) -> None:
         """Record a warning."""
-        place = f"{printable(self.file)}:" + ("" if line is None else f"{line}:")
+        shown = "" if line is None or self.without_lines else f"{line}:"
+        place = f"{printable(self.file)}:{shown}"
         self.warnings.append(f"{place} warning: {printable(shortened(message))}")
 
     def warn_each(self, found: Sequence[tuple[str, str, int | None]], rest: str) -> None:

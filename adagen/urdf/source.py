@@ -42,6 +42,11 @@ _OTHER_KINDS = (
 )
 
 
+def model_stem(path: str | Path) -> str:
+    """Return a file's name without its endings: "arm" of "arm.urdf" and of "arm.urdf.xacro"."""
+    return Path(Path(path).name.removesuffix(".xacro")).stem
+
+
 def read_text(path: str | Path, notes: Notes) -> str:
     """Return the text of the file at ``path``.
 
