@@ -27,9 +27,11 @@ _SEARCH = {
 def add_model(parser: Parser, *, gravity: bool = True, several: bool = False) -> None:
     """Add the robot, or several, and how to read it."""
     if several:
-        parser.add_argument("models", nargs="+", metavar="MODEL", help="robot descriptions (URDF)")
+        parser.add_argument(
+            "models", nargs="+", metavar="MODEL", help="robot descriptions (URDF, .xacro, MJCF)"
+        )
     else:
-        parser.add_argument("model", metavar="MODEL", help="robot description (URDF)")
+        parser.add_argument("model", metavar="MODEL", help="robot description (URDF, .xacro, MJCF)")
     group = parser.add_argument_group("robot")
     group.add_argument(
         "--floating", action="store_true", help="put the robot on a floating base (__base__)"

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from adagen.errors import UsageError
+from adagen.mjcf import is_mjcf, read_mjcf
 from adagen.model import Model
 from adagen.scene import Reduction, apply_scene, read_scene
 from adagen.scene.types import Scene
@@ -20,7 +21,7 @@ class Origin:
     """Where a robot comes from, and how it is read.
 
     Attributes:
-        path: of the URDF, or of the file in xacro that it is made of.
+        path: of the URDF, of the file in xacro that it is made of, or of the MJCF.
         floating: whether a floating joint ``__base__`` is put under the root link.
         mimic: whether mimic joints are held in step with the joints that they follow.
         strict: whether slips of the file that change nothing are refused.
@@ -91,7 +92,7 @@ def read(
     gravity: Sequence[float] | None = None,
     arguments: Mapping[str, str] | None = None,
 ) -> Robot:
-    """Read a robot from a URDF, or from a file in xacro (whose name ends so) that makes one.
+    """Read a robot from a URDF, a file in xacro (``.xacro``) or an MJCF (``.xml``, ``.mjcf``).
 
     Args:
         path: of the file.
@@ -106,7 +107,7 @@ def read(
     Raises:
         InputError: the description or the scene is refused; it tells file and line.
         UsageError: the arguments contradict the scene, or are none of the file's.
-        EnvironmentFault: the file is written in xacro, which is not installed.
+        EnvironmentFault: the package that the file needs, xacro or mujoco, is not installed.
     """
     origin = Origin(
         Path(path),
@@ -135,8 +136,9 @@ def read_whole(origin: Origin) -> tuple[Reading, Scene | None]:
         UsageError: what is asked for contradicts the scene.
     """
     path = os.fspath(origin.path)
+    read_description = read_mjcf if is_mjcf(path) else read_robot
     if origin.scene is None:
-        reading = read_robot(
+        reading = read_description(
             path,
             floating=origin.floating,
             mimic=origin.mimic,
@@ -148,7 +150,7 @@ def read_whole(origin: Origin) -> tuple[Reading, Scene | None]:
         return reading, None
     scene = read_scene(os.fspath(origin.scene))
     _check_agreement(scene, origin)
-    reading = read_robot(
+    reading = read_description(
         path,
         floating=origin.floating or scene.floating,
         mimic=origin.mimic or bool(scene.mimic),

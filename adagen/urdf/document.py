@@ -13,8 +13,8 @@ _PROLOG = re.compile(r"(?:\s+|<!--.*?-->|<\?.*?\?>)*", re.DOTALL)
 _FOREIGN = {
     "sdf": "this is SDF, not URDF: convert it first",
     "gazebo": "this is SDF, not URDF: convert it first",
-    "mujoco": "this is MJCF, not URDF: convert it first",
-    "mujocoinclude": "this is MJCF, not URDF: convert it first",
+    "mujoco": "this is MJCF, not URDF: let its name end in .xml to have it read as such",
+    "mujocoinclude": "this is a part of an MJCF: give the file that includes it",
     "html": "this is a web page, perhaps a failed download",
     "svg": "this is a drawing",
     "collada": "this is a mesh",

@@ -106,7 +106,7 @@ def read_robot(
     if not (held or floating):
         warn_held(model, notes)
     if gravity is not None:
-        model = model.with_gravity(_gravity(gravity))
+        model = model.with_gravity(checked_gravity(gravity))
     lines = Lines(None, {}, {}) if notes.without_lines else _lines(description)
     if check:
         check_model(model, lines, notes)
@@ -149,7 +149,14 @@ def _check_base(description: Description, floating: bool, notes: Notes) -> None:
             )
 
 
-def _gravity(values: Sequence[float]) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+def checked_gravity(
+    values: Sequence[float],
+) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+    """Return a gravity that a user gave as an array, shape (3,), m/s^2.
+
+    Raises:
+        UsageError: it is not three finite numbers.
+    """
     numbers = [float(value) for value in values]
     if len(numbers) != 3 or not all(math.isfinite(g) and abs(g) <= LARGEST for g in numbers):
         raise UsageError("gravity needs three finite numbers, in m/s^2")
