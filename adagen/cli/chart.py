@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from adagen.cli.chart_options import parser_of_charts
+from adagen.cli.chart_options import command_parser
 from adagen.cli.console import Stages, note, speaking, warn
 from adagen.cli.parser import parse
 from adagen.cli.tables import table_of
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 def run(argv: Sequence[str]) -> int:
     """Carry out ``adagen chart`` with the arguments after the verb; return the exit status."""
-    parser = parser_of_charts()
+    parser = command_parser()
     options = parse(parser, argv)
     if options.budget is not None and options.simulate is not None:
         parser.error("--budget and --simulate exclude each other")

@@ -86,6 +86,7 @@ RARE = frozenset(
         "--channel",
         "--single-file",
         "--cmake-dir",
+        "--name",
     ]
 )
 """What most users never say: --help-all shows it."""
@@ -178,8 +179,7 @@ def _add_algorithm(parser: Parser) -> None:
         choices=("double", "float", "mixed"),
         default="double",
         metavar="TYPE",
-        help="double (default), float, or mixed: factorized in float, refined to the digits of "
-        "double",
+        help="double (default), float, or mixed: float, refined to double's digits",
     )
 
 
