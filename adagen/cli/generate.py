@@ -29,6 +29,7 @@ other commands (each has a --help of its own):
   adagen bench MODEL ...                time it beside pinocchio, casadi, MuJoCo
   adagen chart MODEL ...                draw its error beside its time
   adagen stability                      where methods fail, and what is kept
+  adagen report MODEL --out DIR         a page to look at, and to pass on
   adagen env                            the compiler, MPI and Eigen in use
   adagen completion SHELL               for bash, zsh or fish
 
@@ -36,7 +37,7 @@ examples:
   adagen robot.urdf --out robot_solver  write the solver
   make -C robot_solver check time       build it, check its answers, time it
 
-exit status: 0 done, 1 the input is at fault, 2 usage, 3 tool or surroundings."""
+exit status: 0 done, 1 the input is at fault, 2 usage, 3 tool or surroundings"""
 
 
 class _CMakeFolder(argparse.Action):

@@ -20,7 +20,7 @@ from adagen.errors import AdagenError, UsageError, printable
 
 VERBS = (
     *("info", "schedule", "solve", "verify", "calibrate", "env", "bench", "stability", "chart"),
-    "completion",
+    *("report", "completion"),
 )
 EMITTING = ("build", "compile", "emit", "generate", "make")
 """What people call what needs no command."""

@@ -179,7 +179,7 @@ def _add_algorithm(parser: Parser) -> None:
         choices=("double", "float", "mixed"),
         default="double",
         metavar="TYPE",
-        help="double (default), float, or mixed: float, refined to double's digits",
+        help="double (default), float, or mixed: float, refined to double",
     )
 
 
