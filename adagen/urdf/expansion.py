@@ -22,6 +22,10 @@ Arguments = Mapping[str, str]
 """Values of <xacro:arg>, by name."""
 
 
+_PLACES = ("when ", "in file:", "included ", "instantiated ")
+"""How lines begin in which xacro says where it was as it warned."""
+
+
 def is_xacro_file(path: str | Path) -> bool:
     """Tell by its name whether a file is to be expanded."""
     return os.fspath(path).endswith(".xacro")
@@ -101,7 +105,8 @@ def _expanded(path: Path, arguments: Arguments, notes: Notes) -> str:
             hint = f" (did you mean {near[0]}?)" if near else ""
             raise UsageError(f"{notes.file} has no <xacro:arg> {printable(name)}{hint}")
     for line in filter(None, map(str.strip, said.getvalue().splitlines())):
-        notes.warn(f"xacro: {line.removeprefix('warning: ')}")
+        if not line.startswith(_PLACES):
+            notes.warn(f"xacro: {line.removeprefix('warning: ')}")
     return text
 
 

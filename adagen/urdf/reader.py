@@ -23,7 +23,7 @@ from adagen.urdf.mimics import resolve
 from adagen.urdf.notes import Notes
 from adagen.urdf.numbers import LARGEST
 from adagen.urdf.peer import agreed
-from adagen.urdf.remarks import remark_ignored, warn_held, warn_inertias, warn_limits
+from adagen.urdf.remarks import remark_ignored, warn_foreign, warn_held, warn_inertias, warn_limits
 from adagen.urdf.source import model_stem
 from adagen.urdf.tree import make_tree, refuse_closed
 
@@ -98,6 +98,7 @@ def read_robot(
     warn_limits(root, notes)
     warn_inertias(description, notes)
     remark_ignored(root, notes)
+    warn_foreign(root, notes)
     warn_dropped(root, lambda effect, joint: effect in effects or decided(effect, joint), notes)
     passive = read_effects(root, effects, notes)
     description = agreed(root, description, notes)

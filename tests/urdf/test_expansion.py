@@ -54,6 +54,13 @@ def test_it_is_the_robot_that_the_urdf_is(arm: Path, tmp_path: Path) -> None:
         assert reading.warnings == ()
 
 
+def test_what_xacro_warns_of_takes_a_line_each(arm: Path) -> None:
+    pytest.importorskip("xacro")
+    arm.write_text(ARM.replace("<xacro:arg", '<xacro:property name="pi" value="3"/><xacro:arg', 1))
+    (warning,) = read_robot(arm).warnings
+    assert warning == f"{arm}: warning: xacro: redefining global symbol: pi"
+
+
 def test_an_argument_that_is_none_of_the_file_s_is_refused(arm: Path, tmp_path: Path) -> None:
     pytest.importorskip("xacro")
     with pytest.raises(UsageError, match=r"has no <xacro:arg> mas \(did you mean mass\?\)"):
