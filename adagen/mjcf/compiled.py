@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 import os
 import re
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -23,6 +24,7 @@ FREE, BALL, SLIDE, HINGE = range(4)
 
 _UNNAMED = "MuJoCo Model"
 _LINE = re.compile(r"\bline (?:number=)?(\d+)", re.IGNORECASE)
+_MISSING = re.compile("opening file|not found|resource", re.IGNORECASE)
 
 
 @dataclass(frozen=True)
@@ -101,12 +103,59 @@ def compiled(path: Path, default_name: str, notes: Notes) -> Compiled:
             f"{printable(notes.file)} is MJCF, and the Python package mujoco is not installed: "
             "pip install mujoco"
         ) from None
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        try:
+            spec = mujoco.MjSpec.from_file(os.fspath(path))
+            model = spec.compile()
+        except Exception as fault:  # any: this is a judgement of the file
+            if not _MISSING.search(str(fault)):
+                raise _refusal(str(fault), notes) from None
+            spec, model = _without_pictures(mujoco, path, fault, notes)
+    for line in dict.fromkeys(_one_line(str(each.message)) for each in said):
+        notes.warn(f"MuJoCo: {line}")
+    return settled(model, spec, default_name)
+
+
+def _without_pictures(mujoco: Any, path: Path, fault: Exception, notes: Notes) -> tuple[Any, Any]:
+    """Compile an MJCF whose meshes are not there, where no inertia is made of them.
+
+    Raises:
+        InputError: an inertia is made of one.
+    """
     try:
         spec = mujoco.MjSpec.from_file(os.fspath(path))
+        for geom in list(spec.geoms):
+            geom.material = ""
+            shown = geom.type in (mujoco.mjtGeom.mjGEOM_MESH, mujoco.mjtGeom.mjGEOM_HFIELD)
+            if shown and not _gives_inertia(mujoco, spec, geom.parent):
+                spec.delete(geom)
+        for each in (*spec.sites, *spec.tendons):
+            each.material = ""
+        used = {geom.meshname for geom in spec.geoms}
+        meshes = [mesh for mesh in spec.meshes if mesh.name not in used]
+        for each in [*spec.skins, *meshes, *spec.hfields, *spec.materials, *spec.textures]:
+            spec.delete(each)
         model = spec.compile()
-    except Exception as fault:  # any: this is a judgement of the file
+    except Exception:
         raise _refusal(str(fault), notes) from None
-    return settled(model, spec, default_name)
+    notes.warn(
+        f"MuJoCo: {_one_line(str(fault))}: read without meshes, as no inertia is made of them"
+    )
+    return spec, model
+
+
+def _gives_inertia(mujoco: Any, spec: Any, body: Any) -> bool:
+    """Whether the inertia of a body that can move is made of its geoms."""
+    if spec.compiler.inertiafromgeom == mujoco.mjtInertiaFromGeom.mjINERTIAFROMGEOM_TRUE:
+        return True
+    if body.explicitinertial:
+        return False
+    while body.name != "world":
+        if body.joints:
+            return True
+        body = body.parent
+    return False
 
 
 def settled(model: Any, spec: Any, default_name: str) -> Compiled:
@@ -164,8 +213,12 @@ def _line(element: Any) -> int | None:
     return int(found[1]) if found else None
 
 
+def _one_line(text: str) -> str:
+    return " ".join(text.split()).removeprefix("XML Error: ").removeprefix("Error: ")
+
+
 def _refusal(text: str, notes: Notes) -> Exception:
     """Return MuJoCo's complaint in one line."""
-    words = " ".join(text.split()).removeprefix("XML Error: ").removeprefix("Error: ")
+    words = _one_line(text)
     found = _LINE.search(words)
     return notes.error(f"MuJoCo: {words}", int(found[1]) if found else None)

@@ -252,3 +252,33 @@ def test_a_solver_is_emitted_and_made_again(tmp_path: Path) -> None:
     assert main([str(path), "--procs", "1", "--out", str(out)]) == 0
     assert (out / "robot_p1.cpp").is_file()
     assert main(["verify", str(out)]) == 0
+
+
+MESHES = """<asset><texture name="t" type="2d" file="no.png"/><material name="m" texture="t"/>
+<mesh name="skin" file="no.obj"/></asset>"""
+BODY = '<inertial pos="0 0 -.2" mass="1" diaginertia="1 1 1"/>'
+
+
+def test_meshes_that_are_not_there_are_needed_for_inertias_alone(reading: Read) -> None:
+    mesh = '<geom type="mesh" mesh="skin" material="m"/>'
+    given = LIMB.replace('<geom size="0.1"/>', BODY + mesh)
+    text = GOOD.replace(LIMB, f"{mesh}<body>{mesh}</body>{given}").replace(
+        "<worldbody>", f"{MESHES}<worldbody>"
+    )
+    found = reading(text)
+    (warning,) = found.warnings
+    assert "no.obj" in warning and "read without meshes" in warning
+    plain = reading(GOOD.replace('<geom size="0.1"/>', BODY))
+    assert repr(found.model.joints) == repr(plain.model.joints)
+    assert repr(found.model.links[1:]) == repr(plain.model.links[1:])
+    with pytest.raises(InputError, match=r"no\.obj"):
+        reading(text.replace(BODY, ""))
+    with pytest.raises(InputError, match=r"none\.xml"):
+        reading(GOOD.replace("<worldbody>", '<include file="none.xml"/><worldbody>'))
+
+
+def test_what_mujoco_warns_of_is_passed_on(reading: Read) -> None:
+    text = GOOD.replace("<option>", '<compiler settotalmass="3"/><option>')
+    found = reading(text)
+    assert sum(link.inertia.mass for link in found.model.links) == pytest.approx(3.0, rel=1e-12)
+    assert all("settotalmass" in line for line in found.warnings)
