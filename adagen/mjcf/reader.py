@@ -14,7 +14,7 @@ import numpy as np
 
 from adagen.errors import InputError, UsageError
 from adagen.mjcf.bodies import model_of
-from adagen.mjcf.compiled import Compiled, compiled
+from adagen.mjcf.compiled import FREE, Compiled, compiled
 from adagen.mjcf.effects import passives
 from adagen.mjcf.remarks import couplings, refuse_closed, remark
 from adagen.model import BASE
@@ -100,6 +100,8 @@ def reading_of(
         InputError: as ``read_mjcf``.
         UsageError: as ``read_mjcf``.
     """
+    if floating:
+        robot = _with_base(robot)
     refuse_closed(robot, notes)
     followed = couplings(robot, mimic, notes)
     remark(robot, notes)
@@ -116,6 +118,17 @@ def reading_of(
         check_model(model, robot.lines, notes)
     lines = replace(robot.lines, joints={}, links={}) if notes.without_lines else robot.lines
     return Reading(model, tuple(notes.warnings), tuple(notes.ignored), notes.file, lines)
+
+
+def _with_base(robot: Compiled) -> Compiled:
+    """Call the one free joint of a file the base, whatever its name."""
+    free = [j for j in range(len(robot.joints)) if robot.model.jnt_type[j] == FREE]
+    if len(free) != 1 or BASE in robot.joints:
+        return robot
+    own = robot.joints[free[0]]
+    names = tuple(BASE if name == own else name for name in robot.joints)
+    lines = {BASE if name == own else name: at for name, at in robot.lines.joints.items()}
+    return replace(robot, joints=names, lines=replace(robot.lines, joints=lines))
 
 
 def _floated(robot: Compiled, notes: Notes) -> int:

@@ -198,6 +198,8 @@ def test_how_the_base_is_held(reading: Read) -> None:
         assert model.joints[0].translation.tolist() == [0.0, 0.0, 0.0]  # q is a place in the world
     named = reading(freed.replace("<freejoint/>", '<freejoint name="root"/>')).model
     assert not named.floating and named.joints[0].name == "root"
+    asked = reading(freed.replace("<freejoint/>", '<freejoint name="root"/>'), floating=True).model
+    assert asked.floating and asked.joints[0].name == "__base__"
     with pytest.raises(InputError, match='"limb" has joint "hip" to the world'):
         reading(GOOD, floating=True)
     another = LIMB.replace('name="', 'name="other_')
