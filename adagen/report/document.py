@@ -86,6 +86,7 @@ def document(
             "form": made.request.form,
             "scalar": made.request.scalar,
             "profile": made.request.profile,
+            "untimed": _untimed(made),
             "colours": [colour(p) for p in range(len(program.processes))],
             "lanes": [{"process": p, "lanes": limbs.lanes} for p, limbs in lanes(program)],
             "timelines": [
@@ -100,6 +101,15 @@ def document(
         "remarks": list(remarks),
         "commands": dict(commands),
     }
+
+
+def _untimed(made: Compiled) -> str | None:
+    """Return why no timeline is predicted; None where one is."""
+    if made.timeline is not None:
+        return None
+    if made.request.batch:
+        return "No timeline is predicted of a batch: processes share its states."
+    return f"No timeline is predicted: the profile {made.request.profile} prices joins alone."
 
 
 def _robot(model: Model, owner: Mapping[str, int]) -> dict[str, Any]:

@@ -92,7 +92,8 @@ function showProgram() {
     details.append(element("summary", "The same as a table"), table);
     byId("timelines").append(figure, details);
   });
-  if (program.timelines.length === 0) byId("timelines").append(element("p", "The cost profile prices joins alone, so that no timeline is predicted.", { class: "note" }));
+  if (program.untimed !== null) byId("timelines").append(element("p", program.untimed, { class: "note" }));
+  byId("legend").hidden = program.timelines.length === 0;
 }
 
 function showRest() {

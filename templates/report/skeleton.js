@@ -74,19 +74,25 @@ function shape(tag, attributes, text) {
   return element;
 }
 
-/** Return the strokes of a robot: from where to where, of what class. */
-function strokes(robot, links) {
+/** Return the links that hang on each link by a joint. */
+function childrenOf(robot) {
+  const found = robot.links.map(() => []);
+  robot.joints.forEach((joint, j) => found[joint.parent].push(j + 1));
+  return found;
+}
+
+/** Return the strokes of a robot: of what class, from where to where. */
+function strokes(robot, children, links) {
   const found = [];
   links.forEach((link, k) => {
-    const children = robot.joints.flatMap((joint, j) => (joint.parent === k ? [j + 1] : []));
-    for (const child of children) {
+    for (const child of children[k]) {
       found.push(["bone", link.origin, links[child].at]);
       if (links[child].at.some((x, i) => x !== links[child].origin[i])) found.push(["bone", links[child].at, links[child].origin]);
     }
     const { mass, com, fixed } = robot.links[k];
     const point = (at) => add(link.origin, times(link.rotation, at));
     if (k > 0 && mass > 0) found.push(["mass", link.origin, point(com)]);
-    if (k > 0 && children.length === 0) fixed.forEach((frame) => found.push(["mass", link.origin, point(frame.at)]));
+    if (k > 0 && children[k].length === 0) fixed.forEach((frame) => found.push(["mass", link.origin, point(frame.at)]));
   });
   return found;
 }
@@ -95,9 +101,9 @@ function strokes(robot, links) {
 function skeleton(svg, robot, colours) {
   const W = 800, H = 600;
   svg.setAttribute("viewBox", `0 0 ${W} ${H}`);
-  const rest = placed(robot, restingPose(robot));
-  const points = strokes(robot, rest).flatMap(([, a, b]) => [a, b]).concat([[0, 0, 0]]);
-  const bounds = [0, 1, 2].map((k) => [Math.min(...points.map((p) => p[k])), Math.max(...points.map((p) => p[k]))]);
+  const children = childrenOf(robot), rest = placed(robot, restingPose(robot));
+  const points = strokes(robot, children, rest).flatMap(([, a, b]) => [a, b]).concat([[0, 0, 0]]);
+  const bounds = [0, 1, 2].map((k) => points.reduce(([low, high], p) => [Math.min(low, p[k]), Math.max(high, p[k])], [Infinity, -Infinity]));
   const centre = bounds.map(([low, high]) => (low + high) / 2);
   const size = Math.hypot(...bounds.map(([low, high]) => high - low)) || 1;
   const scale = (0.92 * Math.min(W, H)) / size;
@@ -113,7 +119,7 @@ function skeleton(svg, robot, colours) {
     };
     const links = placed(robot, pose), g = 0.3 * size;
     const drawn = [line("ground", [-g, 0, 0], [g, 0, 0]), line("ground", [0, -g, 0], [0, g, 0])];
-    strokes(robot, links).forEach(([kind, a, b]) => drawn.push(line(kind, a, b)));
+    strokes(robot, children, links).forEach(([kind, a, b]) => drawn.push(line(kind, a, b)));
     robot.joints.forEach((joint, j) => {
       const { at, axis } = links[j + 1], [cx, cy] = seen(at), half = axis.map((x) => 0.025 * size * x);
       if (["revolute", "prismatic"].includes(joint.kind)) drawn.push(line("axis", add(at, half.map((x) => -x)), add(at, half)));

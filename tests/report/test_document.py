@@ -69,6 +69,14 @@ def test_what_was_measured_stands_beside(tmp_path: Path) -> None:
     assert told["chart"]["points"][0]["time"] == pytest.approx(0.2)
 
 
+def test_why_there_is_no_timeline_is_told(tmp_path: Path) -> None:
+    text = (MODELS / "arm7.urdf").read_text()
+    for words, why in (({"batch": True}, "of a batch"), ({"profile": "paper"}, "prices joins")):
+        program = document(compiled(tmp_path, text, **words), {})["program"]
+        assert program["timelines"] == [] and why in program["untimed"]
+    assert document(compiled(tmp_path, text), {})["program"]["untimed"] is None
+
+
 def test_hostile_names_are_data(tmp_path: Path) -> None:
     html = page(document(compiled(tmp_path, every_kind()), {}))
     assert "<img" not in html
