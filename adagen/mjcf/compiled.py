@@ -9,7 +9,8 @@ import math
 import os
 import re
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,7 @@ from adagen.errors import EnvironmentFault, printable
 from adagen.model import BASE
 from adagen.urdf.checks import Lines
 from adagen.urdf.notes import Notes
+from adagen.urdf.numbers import LARGEST
 
 FREE, BALL, SLIDE, HINGE = range(4)
 """Types of joints, as MuJoCo numbers them."""
@@ -103,8 +105,7 @@ def compiled(path: Path, default_name: str, notes: Notes) -> Compiled:
             f"{printable(notes.file)} is MJCF, and the Python package mujoco is not installed: "
             "pip install mujoco"
         ) from None
-    with warnings.catch_warnings(record=True) as said:
-        warnings.simplefilter("always")
+    with _listening(mujoco, notes):
         try:
             spec = mujoco.MjSpec.from_file(os.fspath(path))
             model = spec.compile()
@@ -112,9 +113,54 @@ def compiled(path: Path, default_name: str, notes: Notes) -> Compiled:
             if not _MISSING.search(str(fault)):
                 raise _refusal(str(fault), notes) from None
             spec, model = _without_pictures(mujoco, path, fault, notes)
-    for line in dict.fromkeys(_one_line(str(each.message)) for each in said):
+    found = settled(model, spec, default_name)
+    _check_numbers(found, notes)
+    return found
+
+
+@contextmanager
+def _listening(mujoco: Any, notes: Notes) -> Iterator[None]:
+    """Pass on what MuJoCo warns of; by itself it would write a log into the working directory."""
+    said: list[str] = []
+    before = mujoco.get_mju_user_warning()
+    mujoco.set_mju_user_warning(said.append)
+    try:
+        with warnings.catch_warnings(record=True) as more:
+            warnings.simplefilter("always")
+            yield
+    finally:
+        mujoco.set_mju_user_warning(before)
+    for line in dict.fromkeys(map(_one_line, [*said, *(str(each.message) for each in more)])):
         notes.warn(f"MuJoCo: {line}")
-    return settled(model, spec, default_name)
+
+
+_OF_BODIES = ("pos", "quat", "mass", "ipos", "iquat", "inertia")
+_OF_JOINTS = ("pos", "axis", "stiffness")
+_UNFIT = "is not finite or too large to compute with"
+_OF_FREEDOMS = ("damping", "frictionloss", "armature")
+
+
+def _check_numbers(robot: Compiled, notes: Notes) -> None:
+    """Refuse numbers that nobody can compute with.
+
+    Raises:
+        InputError: one is not finite or too large; the message names its body or joint.
+    """
+    tables = (
+        *((f"body_{name}", "body", range(len(robot.bodies)), robot.bodies) for name in _OF_BODIES),
+        *((f"jnt_{name}", "joint", range(len(robot.joints)), robot.joints) for name in _OF_JOINTS),
+        *((f"dof_{name}", "joint", robot.model.dof_jntid, robot.joints) for name in _OF_FREEDOMS),
+    )
+    for table, what, owners, names in tables:
+        for row, owner in zip(getattr(robot.model, table), owners, strict=True):
+            if not (abs(row) <= LARGEST).all():  # nan is not either
+                name = table.partition("_")[2]
+                raise notes.error(f'{what} "{names[owner]}": {name} {_UNFIT}')
+    if (
+        not (abs(robot.model.qpos0) <= LARGEST).all()
+        or not (abs(robot.model.opt.gravity) <= LARGEST).all()
+    ):
+        raise notes.error(f"ref or gravity {_UNFIT}")
 
 
 def _without_pictures(mujoco: Any, path: Path, fault: Exception, notes: Notes) -> tuple[Any, Any]:

@@ -49,24 +49,24 @@ def _effects(robot: Compiled, joint: int) -> Iterator[tuple[str, float]]:
     model = robot.model
     dof = int(model.jnt_dofadr[joint])
     found = {
-        "damping": float(model.dof_damping[dof]),
+        "damping": float(model.dof_damping[dof]) + _of_drive(model, joint, "damping"),
         "friction": float(model.dof_frictionloss[dof]),
         "stiffness": _first(model.jnt_stiffness[joint]),
-        "rotor inertia": float(model.dof_armature[dof]) + _of_drive(model, joint),
+        "rotor inertia": float(model.dof_armature[dof]) + _of_drive(model, joint, "armature"),
         "damping of higher order": _largest(model, "dof_dampingpoly", dof),
         "stiffness of higher order": _largest(model, "jnt_stiffnesspoly", joint),
     }
     return ((effect, value) for effect, value in found.items() if value)
 
 
-def _of_drive(model: Any, joint: int) -> float:
-    """Return the rotor inertia that a joint has from its actuator, kg m^2 (kg)."""
+def _of_drive(model: Any, joint: int, what: str) -> float:
+    """Return the "armature" (kg m^2, kg) or "damping" that a joint has from its actuator."""
     drives = getattr(model, "jnt_actuatorid", None)  # from MuJoCo 4 on
     if drives is None or drives[joint] < 0:
         return 0.0
     drive = int(drives[joint])
     gear = float(model.actuator_gear[drive][0])
-    return gear * gear * float(model.actuator_armature[drive])
+    return gear * gear * float(getattr(model, f"actuator_{what}")[drive])
 
 
 def _first(value: Any) -> float:

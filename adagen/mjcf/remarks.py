@@ -30,6 +30,10 @@ def refuse_closed(robot: Compiled, notes: Notes) -> None:
         )
     for which in range(model.ntendon):
         found = [name for name in _TENDON_EFFECTS if _has(model, f"tendon_{name}", which)]
+        drive = _drive(model, which)
+        found += [
+            name for name in ("armature", "damping") if _has(model, f"actuator_{name}", drive)
+        ]
         if found:
             raise notes.error(
                 f"tendon {quoted([robot.named('TENDON', which)])} has {found[0]}: tendons are not "
@@ -101,9 +105,15 @@ def _many(count: int, what: str) -> str:
     return f"{count} {what} is" if count == 1 else f"{count} {what}s are"
 
 
+def _drive(model: Any, tendon: int) -> int:
+    """Return the actuator that gives a tendon armature and damping, or -1."""
+    drives = getattr(model, "tendon_actuatorid", None)  # from MuJoCo 4 on
+    return -1 if drives is None else int(drives[tendon])
+
+
 def _has(model: Any, name: str, which: int) -> bool:
     table = getattr(model, name, None)
-    return table is not None and bool(abs(table[which]).max() > 0.0)
+    return which >= 0 and table is not None and bool(abs(table[which]).max() > 0.0)
 
 
 def couplings(robot: Compiled, slaved: bool, notes: Notes) -> dict[int, tuple[int, float, float]]:
