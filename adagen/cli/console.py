@@ -51,7 +51,12 @@ def warned() -> list[str]:
 def note(message: str) -> None:
     """Print a line for people to stderr."""
     if not _Said.quiet:
-        print(printable(message), file=sys.stderr)
+        say(message)
+
+
+def say(message: str) -> None:
+    """Print a line to stderr that quiet commands say, too: it tells of a failure."""
+    print(printable(message), file=sys.stderr)
 
 
 def tell(reading: Reading, verbose: bool) -> None:

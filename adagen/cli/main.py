@@ -46,6 +46,14 @@ def main(argv: Sequence[str] | None = None) -> int:
     start(quiet=not {"-q", "--quiet"}.isdisjoint(takewhile("--".__ne__, words)))
     gc.set_threshold(ALLOCATIONS)
     try:
+        return _status(words)
+    finally:
+        start(quiet=False)
+
+
+def _status(words: Sequence[str]) -> int:
+    """Carry the words out, and return the exit status; failures are said."""
+    try:
         status = _command(words)(words[1:] if _verb(words) else words)
         sys.stdout.flush()
     except SystemExit as leaving:

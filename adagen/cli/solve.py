@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from adagen.cli.console import Stages, note, progress, warn
+from adagen.cli.console import Stages, note, progress, say, warn
 from adagen.cli.options import add_emission, add_model, add_schedule, check_emission
 from adagen.cli.parser import Parser, make_parser, parse, seconds
 from adagen.errors import EnvironmentFault
@@ -126,7 +126,8 @@ def _run(
         report = _report(done.stdout)
         for line in done.stderr.splitlines():
             if report is None or report["fault"] != "solver" or result.name not in line:
-                note(line.replace(str(given), str(options.states)))
+                tell = note if done.status == 0 else say
+                tell(line.replace(str(given), str(options.states)))
         if report is not None:
             _tell(report, options)
         if done.status != 0 and report is None:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from adagen.cli.console import note, progress
+from adagen.cli.console import note, progress, say
 from adagen.cli.parser import Parser, make_parser, parse
 
 if TYPE_CHECKING:
@@ -75,7 +75,7 @@ def _judge(options: argparse.Namespace, refuse: object) -> int:
         _show(outcomes)
     bad = [outcome.number for outcome in outcomes if not outcome.good]
     if bad:
-        note(f"not as it must be: case {', '.join(map(str, bad))}")
+        say(f"not as it must be: case {', '.join(map(str, bad))}")
     return 1 if bad else 0
 
 
