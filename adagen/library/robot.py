@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from adagen.errors import UsageError
-from adagen.mjcf import is_mjcf, read_mjcf
+from adagen.mjcf import is_mjcf, read_mjcf, whole_bytes
 from adagen.model import Model
 from adagen.scene import Reduction, apply_scene, read_scene
 from adagen.scene.types import Scene
@@ -178,9 +178,13 @@ def _check_agreement(scene: Scene, origin: Origin) -> None:
 
 
 def source_hash(origin: Origin) -> str:
-    """Return the SHA-256 of a robot description (of what xacro makes of it), in hexadecimal.
+    """Return the SHA-256 of a robot description, in hexadecimal.
+
+    It is that of what xacro makes of a file, or of an MJCF with the files that it includes.
 
     Raises:
         InputError: it cannot be read.
     """
-    return hashlib.sha256(expanded_bytes(origin.path, dict(origin.arguments))).hexdigest()
+    mjcf = is_mjcf(origin.path)
+    said = whole_bytes(origin.path) if mjcf else expanded_bytes(origin.path, dict(origin.arguments))
+    return hashlib.sha256(said).hexdigest()

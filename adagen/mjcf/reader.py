@@ -24,6 +24,7 @@ from adagen.urdf.notes import Notes, quoted
 from adagen.urdf.reader import Reading, checked_gravity
 from adagen.urdf.source import model_stem, read_text
 
+_INCLUDED = re.compile(r"<include\s[^>]*?\bfile\s*=\s*[\"']([^\"']+)[\"']")
 _ROOT = re.compile(r"<mujoco[\s>/]")
 
 
@@ -37,6 +38,27 @@ def is_mjcf(path: str | Path) -> bool:
         return _ROOT.match(text, check_prolog(text, notes)) is not None
     except InputError:  # the reader of URDF says it better
         return False
+
+
+def whole_bytes(path: Path) -> bytes:
+    """Return the bytes of an MJCF and of all that it includes, each file once.
+
+    Raises:
+        InputError: the file cannot be read.
+    """
+    found: dict[Path, bytes] = {}
+    waiting = [path]
+    while waiting:
+        each = waiting.pop()
+        if each in found or (each != path and not each.is_file()):
+            continue
+        try:
+            found[each] = each.read_bytes()
+        except OSError as error:
+            raise InputError(f"cannot read it: {error.strerror}", str(each)) from None
+        names = _INCLUDED.findall(found[each].decode("utf-8", errors="replace"))
+        waiting += [path.parent / name for name in reversed(names)]  # as MuJoCo looks for them
+    return b"".join(found.values())
 
 
 def read_mjcf(

@@ -49,8 +49,8 @@ function timelineChart(line, processes, colours, longest) {
   const heights = most.map((lanes) => Math.max(ROW, lanes * LANE));
   const tops = heights.map((_, p) => 8 + heights.slice(0, p).reduce((a, b) => a + b + 8, 0));
   const bottom = tops[processes - 1] + heights[processes - 1] + 8, scale = (WIDTH - LEFT - RIGHT) / longest;
-  const how = line.source === "measured" ? "measured (slower while it is traced)" : line.source;
-  const said = `${how} time of an evaluation: ${line.makespan.toFixed(3)} µs on ${processes} process${processes > 1 ? "es" : ""}`;
+  const longer = line.source === "measured" ? " (longer while it is traced)" : "";
+  const said = `${line.source} time of an evaluation${longer}: ${line.makespan.toFixed(3)} µs on ${processes} process${processes > 1 ? "es" : ""}`;
   const svg = shape("svg", { viewBox: `0 0 ${WIDTH} ${bottom + 26}`, role: "img", "aria-label": said });
   heights.forEach((height, p) => {
     svg.append(shape("rect", { x: 8, y: tops[p] + height / 2 - 6, width: 12, height: 12, fill: colours[p][0] }));

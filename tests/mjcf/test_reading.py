@@ -12,6 +12,7 @@ import pytest
 from adagen.cli import main
 from adagen.errors import EnvironmentFault, InputError, UsageError
 from adagen.library import read
+from adagen.library.robot import source_hash
 from adagen.mjcf import is_mjcf, read_mjcf
 from adagen.urdf import Reading
 
@@ -298,3 +299,13 @@ def test_what_mujoco_warns_of_is_passed_on(
     with pytest.raises(InputError, match=r"not finite|unstable"):
         reading(GOOD.replace('"0 0 -0.4"', '"nan 0 0"'))
     assert [path.name for path in tmp_path.iterdir()] == ["robot.xml"]  # and no log
+
+
+def test_the_hash_is_of_what_is_included_too(tmp_path: Path) -> None:
+    path, part = tmp_path / "robot.xml", tmp_path / "part.xml"
+    path.write_text(GOOD.replace(LIMB, '<include file="part.xml"/>'))
+    part.write_text(f"<mujocoinclude>{LIMB}</mujocoinclude>")
+    before = source_hash(read(path).origin)
+    assert before == source_hash(read(path).origin) == read(path).source_hash
+    part.write_text(f"<mujocoinclude>{LIMB.replace('0.1', '0.2')}</mujocoinclude>")
+    assert source_hash(read(path).origin) != before
