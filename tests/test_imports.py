@@ -30,3 +30,5 @@ def test_packages_have_an_order() -> None:
     assert order.index("schedule") < order.index("paper") < order.index("search")
     assert order.index("emit") < order.index("search") < order.index("library") < order.index("cli")
     assert order.index("search") < order.index("studies")
+    assert order.index("studies") < order.index("report") < order.index("cli")
+    assert order.index("urdf") < order.index("mjcf") < order.index("library")

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import dataclasses
 import json
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -21,22 +20,24 @@ PEERS = ("pinocchio", "casadi", "mujoco")
 QUICK = ("--procs 1", "--procs 2")
 
 _DESCRIPTION = """\
-Time emitted solvers of each MODEL beside pinocchio's, casadi's and MuJoCo's forward dynamics:
-the same robot and states, one process each, by turns, and judge everybody's answers."""
+Time emitted solvers of each MODEL beside pinocchio's, casadi's and MuJoCo's
+forward dynamics: the same robot and states, one process each, by turns, and
+judge everybody's answers."""
 
 _EPILOG = """\
-Peers that are not installed are skipped by name; pip install 'adagen[bench]' installs them all.
-Pinocchio is compiled against its headers, a minute for each compiler the first time.
+Peers that are not installed are skipped by name; pip install 'adagen[bench]'
+installs them all. Pinocchio is compiled against its headers, a minute for each
+compiler the first time.
 
 examples:
-  adagen bench arm.urdf                                 a table on standard output
-  adagen bench humanoid.urdf --floating --out result    tables (Markdown), record (JSON), pictures
+  adagen bench arm.urdf                                 a table
+  adagen bench humanoid.urdf --floating --out result    tables, record, pictures
   adagen bench arm.urdf --variant "--procs 2 --form ada" --peers none"""
 
 
 def run(argv: Sequence[str]) -> int:
     """Carry out ``adagen bench`` with the arguments after the verb; return the exit status."""
-    options = parse(_parser(), argv)
+    options = parse(command_parser(), argv)
     from adagen.cli.contest import VARIANTS, Entry, contest
     from adagen.studies.bench.contest import Rules
 
@@ -55,7 +56,8 @@ def run(argv: Sequence[str]) -> int:
     return 0
 
 
-def _parser() -> Parser:
+def command_parser() -> Parser:
+    """Return the parser of ``adagen bench``."""
     parser = make_parser("adagen bench", _DESCRIPTION, _EPILOG)
     parser.add_argument("models", nargs="+", metavar="MODEL", help="robot descriptions (URDF)")
     parser.add_argument("--floating", action="store_true", help="put the robots on floating bases")
@@ -103,16 +105,20 @@ def _peers(text: str) -> tuple[str, ...]:
     return names
 
 
+_HEADS = ("solver", "median", "least", "× pin.", "predicted", "error", "residual")
+"""Those of ``details``, in few letters."""
+
+
 def _show(record: Record) -> None:
     """Print each robot's table."""
     from rich.console import Console
 
-    from adagen.studies.bench.report import DETAILS, details
+    from adagen.studies.bench.report import details
 
-    console = Console(width=None if sys.stdout.isatty() else 120)
+    console = Console()
     for model in record.models:
-        title = f"{model.name}, {model.dofs} degrees of freedom"
-        console.print(table_of(DETAILS, details(model), title=title, wrap=False))
+        title = f"{model.name}, {model.dofs} degrees of freedom; ns an evaluation"
+        console.print(table_of(_HEADS, details(model), title=title, whole=True))
         for name, reason in model.absent.items():
             note(f"{model.name}: without {name}: {reason}")
 

@@ -14,7 +14,7 @@ from statistics import median
 from typing import TYPE_CHECKING
 
 from adagen.cli.console import note, warn
-from adagen.cli.parser import make_parser, parse
+from adagen.cli.parser import Parser, make_parser, parse
 from adagen.cli.tables import table_of
 from adagen.errors import EnvironmentFault
 
@@ -22,19 +22,20 @@ if TYPE_CHECKING:
     from adagen.calibrate import Calibration, Progress
 
 _EPILOG = """\
-Small solvers are emitted, built and timed, and the costs of their steps are fitted to their times.
-It takes one to five minutes; nothing else should run meanwhile.
+Small solvers are emitted, built and timed, and the costs of their steps are
+fitted to their times. It takes one to five minutes; nothing else should run
+meanwhile.
 
 examples:
-  adagen calibrate                              measure; the profile is stored as "machine"
+  adagen calibrate                      measure, store the profile as "machine"
   adagen robot.urdf --procs 4 --profile machine     use it
-  adagen calibrate --out mine.toml              write it to a file instead"""
+  adagen calibrate --out mine.toml      write it to a file instead"""
 
 _NAME = re.compile(r"[A-Za-z0-9_-][A-Za-z0-9._-]{0,63}")
 
 
-def run(argv: Sequence[str]) -> int:
-    """Carry out ``adagen calibrate`` with the arguments after the verb; return the exit status."""
+def command_parser() -> Parser:
+    """Return the parser of ``adagen calibrate``."""
     parser = make_parser("adagen calibrate", "Measure this machine's cost profile.", _EPILOG)
     parser.add_argument(
         "--name", type=_name, default="machine", help="of the profile (default: machine)"
@@ -46,7 +47,12 @@ def run(argv: Sequence[str]) -> int:
         "--out", type=Path, metavar="FILE", help="write here instead of storing it by name"
     )
     parser.add_argument("--json", action="store_true", help="print how good the fit is as JSON")
-    options = parse(parser, argv)
+    return parser
+
+
+def run(argv: Sequence[str]) -> int:
+    """Carry out ``adagen calibrate`` with the arguments after the verb; return the exit status."""
+    options = parse(command_parser(), argv)
 
     from adagen.build import find_toolchain
     from adagen.calibrate import calibrate, profile_text

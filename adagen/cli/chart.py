@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from adagen.cli.chart_options import parser_of_charts
+from adagen.cli.chart_options import command_parser
 from adagen.cli.console import Stages, note, speaking, warn
 from adagen.cli.parser import parse
 from adagen.cli.tables import table_of
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 def run(argv: Sequence[str]) -> int:
     """Carry out ``adagen chart`` with the arguments after the verb; return the exit status."""
-    parser = parser_of_charts()
+    parser = command_parser()
     options = parse(parser, argv)
     if options.budget is not None and options.simulate is not None:
         parser.error("--budget and --simulate exclude each other")
@@ -132,20 +132,22 @@ def _show(chart: Chart) -> None:
 
 def _answer(point: Point, model: Model, options: argparse.Namespace) -> None:
     """Say which variant keeps the budget, and emit it."""
+    from adagen.cli.pipeline import origin_of
     from adagen.drawing import draw
     from adagen.library.robot import source_hash
     from adagen.schedule import Topology, load_profile
     from adagen.studies.chart import Variant
+    from adagen.urdf import model_stem
     from adagen.wholefile import write_files
 
     assert point.time_ns is not None
     variant = Variant(
         point.algorithm, point.schedule, point.scalar, point.processes, point.refine, point.shape
     )
-    schedule, plan = variant.plan(model, source_hash(Path(options.model)))
+    schedule, plan = variant.plan(model, source_hash(origin_of(options, None)))
     program, profile = variant.program(plan), load_profile("default")
     picture = draw(schedule, Topology.of(model), program, profile, model.name)
-    files = variant.files(plan, Path(options.model).stem, picture)
+    files = variant.files(plan, model_stem(options.model), picture)
     write_files(options.out, files)
     print(f"{point.label}: {point.time_ns / 1e3:.3g} us, error {point.error:.1e}")
     note(f"wrote {', '.join(str(options.out / name) for name in sorted(files))}")

@@ -14,20 +14,30 @@ if TYPE_CHECKING:
     from adagen.studies.chart import Budget
 
 _DESCRIPTION = """\
-Draw each robot's work-precision diagram: the time of an evaluation against the largest forward
-error, from a truth of a hundred digits, of every algorithm, schedule, number type, number of
-processes and refinement. Or, with --simulate, of integrators and steps."""
+Draw each robot's work-precision diagram: the time of an evaluation against the
+largest forward error, from a truth of a hundred digits, of every algorithm,
+schedule, number type, number of processes and refinement. Or, with --simulate,
+of integrators and steps."""
 
 _EPILOG = """\
-For each MODEL it writes chart_NAME.svg, .png, .json and .csv. The first run compiles some dozens of
-programs, which takes minutes; they are kept for the next one.
+For each MODEL it writes chart_NAME.svg, .png, .json and .csv. The first run
+compiles some dozens of programs, which takes minutes; they are kept.
 
 examples:
-  adagen chart arm.urdf                                  pictures and data of one robot
-  adagen chart arm.urdf --budget "error<1e-10"           the fastest that is right enough, emitted
-  adagen chart arm.urdf --budget "time<2us" --out fast   the most accurate in time
+  adagen chart arm.urdf                          pictures, data of one robot
+  adagen chart arm.urdf --budget "error<1e-10"   emit the fastest right enough
+  adagen chart arm.urdf --budget "time<2us"      the most accurate in time
   adagen chart arm.urdf --procs 1 --scalars double --quick
-  adagen chart arm.urdf --simulate 1                     integrators: wall time against error"""
+  adagen chart arm.urdf --simulate 1             integrators: error against time"""
+
+_RARE = frozenset(
+    [
+        *("--strict", "--xacro-arg", "--gravity", "--refine", "--shapes", "--algorithms"),
+        *("--schedules", "--whole", "--peers", "--states", "--rounds", "--step", "--no-picture"),
+        "--mimic",
+    ]
+)
+"""What --help leaves to --help-all."""
 
 _SCALARS = ("double", "float", "mixed")
 _LEAST_STATES = 20
@@ -35,9 +45,10 @@ LARGEST_STEP = 0.008
 """Largest step of a chart of integrators where none is given, s."""
 
 
-def parser_of_charts() -> Parser:
+def command_parser() -> Parser:
     """Return the parser of ``adagen chart``."""
     parser = make_parser("adagen chart", _DESCRIPTION, _EPILOG)
+    parser.rare |= _RARE
     add_model(parser, several=True)
     parser.add_argument(
         "--budget",

@@ -7,7 +7,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from adagen.errors import printable
 
@@ -18,14 +18,44 @@ _PATIENCE_SECONDS = 1.0
 _SILENCE_SECONDS = 10.0  # between two lines that tell how far the same work is
 
 
+class _Said:
+    """What this command has said, and whether it says more than warnings."""
+
+    quiet = False
+    warnings: ClassVar[list[str]] = []
+
+
+def start(*, quiet: bool) -> None:
+    """Begin a command.
+
+    Args:
+        quiet: whether it says warnings and errors alone.
+    """
+    _Said.quiet = quiet
+    _Said.warnings.clear()
+
+
 def warn(message: str) -> None:
     """Print a warning to stderr."""
     text = printable(message)
-    print(text if "warning:" in text else f"warning: {text}", file=sys.stderr)
+    text = text if "warning:" in text else f"warning: {text}"
+    _Said.warnings.append(text)
+    print(text, file=sys.stderr)
+
+
+def warned() -> list[str]:
+    """Return the warnings of this command so far."""
+    return list(_Said.warnings)
 
 
 def note(message: str) -> None:
     """Print a line for people to stderr."""
+    if not _Said.quiet:
+        say(message)
+
+
+def say(message: str) -> None:
+    """Print a line to stderr that quiet commands say, too: it tells of a failure."""
     print(printable(message), file=sys.stderr)
 
 
@@ -41,6 +71,9 @@ def tell(reading: Reading, verbose: bool) -> None:
 @contextmanager
 def progress(doing: str) -> Iterator[None]:
     """Show that something goes on: a spinner on a terminal, else one line after a second."""
+    if _Said.quiet:
+        yield
+        return
     if sys.stderr.isatty():
         from rich.console import Console
 
@@ -59,6 +92,9 @@ def progress(doing: str) -> Iterator[None]:
 @contextmanager
 def speaking(about: str) -> Iterator[Callable[[str], None]]:
     """Show what is being done: one changing line on a terminal, else now and then a line."""
+    if _Said.quiet:
+        yield lambda _text: None
+        return
     if sys.stderr.isatty():
         from rich.console import Console
 

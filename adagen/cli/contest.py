@@ -13,7 +13,7 @@ from pathlib import Path
 
 from adagen.build import find_toolchain
 from adagen.cli import pipeline
-from adagen.cli.console import Stages, note, progress, speaking
+from adagen.cli.console import Stages, note, progress, say, speaking
 from adagen.cli.options import AUTO, add_emission, add_model, add_schedule, check_emission
 from adagen.cli.parser import make_parser, parse
 from adagen.emit.predicted import is_priced, predict
@@ -101,7 +101,7 @@ def contest(
             except AdagenError as error:
                 if not keep_going:
                     raise
-                note(f"{entry.name} is left out: {error}")
+                say(f"{entry.name} is left out: {error}")
                 continue
             note(f"{entry.name}: {len(found.rows)} times in {found.seconds:.0f} s")
         record = dataclasses.replace(record, models=(*record.models, found))

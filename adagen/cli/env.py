@@ -8,19 +8,20 @@ import shlex
 from collections.abc import Sequence
 
 from adagen.build import cache_folder, find_toolchain
-from adagen.cli.parser import make_parser, parse
+from adagen.cli.parser import Parser, make_parser, parse
 
 _EPILOG = """examples:
   adagen env                         what would be used, a line each
   $(adagen env --mpicxx) -O3 ...     for use in a Makefile or script
 
-MPICXX, MPIEXEC, EIGEN and CXX choose another compiler wrapper, launcher, Eigen or
-compiler; CXXFLAGS is appended to the options."""
+MPICXX, MPIEXEC, EIGEN and CXX choose another compiler wrapper, launcher, Eigen
+or compiler; CXXFLAGS is appended to the options."""
 
 
-def run(argv: Sequence[str]) -> int:
-    """Carry out ``adagen env`` with the arguments after the verb; return the exit status."""
+def command_parser() -> Parser:
+    """Return the parser of ``adagen env``."""
     parser = make_parser("adagen env", "Print the toolchain that would be used.", _EPILOG)
+    parser.usage = "adagen env [option]"
     which = parser.add_mutually_exclusive_group()
     for option, help_text in (
         ("--cxx", "only the compiler for one process"),
@@ -34,7 +35,12 @@ def run(argv: Sequence[str]) -> int:
         which.add_argument(
             option, dest="which", action="store_const", const=option[2:], help=help_text
         )
-    options = parse(parser, argv)
+    return parser
+
+
+def run(argv: Sequence[str]) -> int:
+    """Carry out ``adagen env`` with the arguments after the verb; return the exit status."""
+    options = parse(command_parser(), argv)
     toolchain = find_toolchain(os.environ)
     lines = {
         "cxx": shlex.join(toolchain.cxx),

@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 import argparse
+import json
 from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
-from adagen.cli.console import Stages, note
+from adagen.cli.console import Stages, note, warned
 from adagen.cli.options import add_emission, add_model, add_out, add_schedule, check_emission
-from adagen.cli.parser import make_parser, parse
+from adagen.cli.parser import Parser, make_parser, parse
+
+if TYPE_CHECKING:
+    from adagen.library import Compiled
 
 _DESCRIPTION = """\
-Compile a robot description into one C++/MPI source file for P processes that
-computes its forward dynamics: from positions, velocities and joint torques to
-joint accelerations."""
+Compile a robot description into one C++/MPI source file for P processes, which
+computes joint accelerations from positions, velocities and joint torques."""
 
 _EPILOG = """\
 other commands (each has a --help of its own):
@@ -24,14 +29,15 @@ other commands (each has a --help of its own):
   adagen bench MODEL ...                time it beside pinocchio, casadi, MuJoCo
   adagen chart MODEL ...                draw its error beside its time
   adagen stability                      where methods fail, and what is kept
+  adagen report MODEL --out DIR         a page to look at, and to pass on
   adagen env                            the compiler, MPI and Eigen in use
+  adagen completion SHELL               for bash, zsh or fish
 
 examples:
   adagen robot.urdf --out robot_solver  write the solver
   make -C robot_solver check time       build it, check its answers, time it
-  adagen g1.urdf --procs 2 --floating   a robot that stands on nothing
 
-exit status: 0 done, 1 the input is at fault, 2 usage, 3 tool or surroundings."""
+exit status: 0 done, 1 the input is at fault, 2 usage, 3 tool or surroundings"""
 
 
 class _CMakeFolder(argparse.Action):
@@ -44,12 +50,8 @@ class _CMakeFolder(argparse.Action):
         parser.exit()
 
 
-def options_of(argv: Sequence[str]) -> argparse.Namespace:
-    """Return the options of ``adagen MODEL``.
-
-    Raises:
-        UsageError: the words are no such command line.
-    """
+def command_parser() -> Parser:
+    """Return the parser of ``adagen MODEL``."""
     parser = make_parser("adagen", _DESCRIPTION, _EPILOG)
     parser.usage = "adagen MODEL [--procs P] [--out DIR] [option ...]"
     add_model(parser)
@@ -68,6 +70,19 @@ def options_of(argv: Sequence[str]) -> argparse.Namespace:
         nargs=0,
         help="print where CMake's find_package(adagen) finds adagen_add_solver",
     )
+    parser.add_argument(
+        "--json", action="store_true", help="print what was written and predicted as JSON"
+    )
+    return parser
+
+
+def options_of(argv: Sequence[str]) -> argparse.Namespace:
+    """Return the options of ``adagen MODEL``.
+
+    Raises:
+        UsageError: the words are no such command line.
+    """
+    parser = command_parser()
     options = parse(parser, argv)
     check_emission(parser, options)
     return options
@@ -90,5 +105,32 @@ def run(argv: Sequence[str]) -> int:
     finally:
         if options.verbose:
             note(str(stages))
-    note(f"wrote {', '.join(map(str, written))}; {told}")
+    if options.json:
+        print(json.dumps(_report(made, written), indent=1))
+    else:
+        note(f"wrote {', '.join(map(str, written))}; {told}")
     return 0
+
+
+def _report(made: Compiled, written: Sequence[Path]) -> dict[str, Any]:
+    """Return what was written and what is predicted of it, as plain data."""
+    digits = made.digits
+    return {
+        "robot": made.model.name,
+        "floating": made.model.floating,
+        "joints": len(made.model.joints),
+        "nq": made.model.nq,
+        "nv": made.model.nv,
+        "processes": made.request.procs,
+        "batch": made.request.batch,
+        "form": made.request.form,
+        "scalar": made.request.scalar,
+        "shape": made.program.shape,
+        "profile": made.request.profile,
+        "predicted_us": made.predicted,
+        "proven": made.schedule.verdict == "optimal",
+        "digits": None if digits is None else round(digits, 2),
+        "source": next(str(path) for path in written if path.name == f"{made.stem}.cpp"),
+        "files": [str(path) for path in written],
+        "warnings": warned(),
+    }

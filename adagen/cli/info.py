@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 from adagen.cli.console import Stages
 from adagen.cli.options import add_model
-from adagen.cli.parser import make_parser, parse, whole
-from adagen.cli.tables import table_of
+from adagen.cli.parser import Parser, make_parser, parse, whole
+from adagen.cli.tables import table_of, wrapped
+from adagen.errors import printable
 
 if TYPE_CHECKING:
     from adagen.model import Model
@@ -19,13 +20,13 @@ MOST_STATES = 1_000_000
 
 _EPILOG = """\
 examples:
-  adagen info robot.urdf                              joints, their places in q and v, masses
-  adagen info robot.urdf --floating --states 2 > states.json    a states file to fill in
-  adagen info robot.urdf --json                       the same for programs"""
+  adagen info robot.urdf                joints, their places in q and v, masses
+  adagen info robot.urdf --json         the same for programs
+  adagen info robot.urdf --floating --states 2 > states.json    to fill in"""
 
 
-def run(argv: Sequence[str]) -> int:
-    """Carry out ``adagen info`` with the arguments after the verb; return the exit status."""
+def command_parser() -> Parser:
+    """Return the parser of ``adagen info``."""
     parser = make_parser("adagen info", "Show what is read of a robot, and what is not.", _EPILOG)
     add_model(parser)
     what = parser.add_mutually_exclusive_group()
@@ -36,7 +37,12 @@ def run(argv: Sequence[str]) -> int:
         metavar="N",
         help="print a states file instead: N states at rest, without torques, to fill in",
     )
-    options = parse(parser, argv)
+    return parser
+
+
+def run(argv: Sequence[str]) -> int:
+    """Carry out ``adagen info`` with the arguments after the verb; return the exit status."""
+    options = parse(command_parser(), argv)
 
     from adagen.cli import pipeline
 
@@ -99,10 +105,8 @@ def _show(model: Model, ignored: Sequence[str]) -> None:
     data = robot_data(model)
     base = "floating" if model.floating else "fixed"
     gravity = " ".join(f"{g:g}" for g in data["gravity"])
-    print(
-        f"{model.name}: {len(model.joints)} joints, {model.nv} degrees of freedom, {base} base, "
-        f"{data['mass']:.6g} kg, gravity {gravity} m/s^2"
-    )
+    head = f"{model.name}: {len(model.joints)} joints, {model.nv} degrees of freedom, {base} base"
+    print(wrapped(f"{printable(head)}, {data['mass']:.6g} kg, gravity {gravity} m/s^2"))
     rows = (
         (
             each["name"],
@@ -118,9 +122,10 @@ def _show(model: Model, ignored: Sequence[str]) -> None:
     heads = ("joint", "kind", "from link", "to link", "q", "v", "kg")
     Console().print(table_of(heads, rows))
     if data["forces"]:
-        print(f"outer forces on {', '.join(data['forces'])}: six numbers each behind tau")
+        on = ", ".join(map(printable, data["forces"]))
+        print(wrapped(f"outer forces on {on}: six numbers each behind tau"))
     for line in ignored:
-        print(line)
+        print(wrapped(line, 2))
 
 
 def _kind(joint: dict[str, Any]) -> str:

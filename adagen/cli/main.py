@@ -12,11 +12,19 @@ import traceback
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from importlib import import_module
+from itertools import takewhile
 from types import FrameType
 
+from adagen.cli.console import start
 from adagen.errors import AdagenError, UsageError, printable
 
-VERBS = ("info", "schedule", "solve", "verify", "calibrate", "env", "bench", "stability", "chart")
+VERBS = (
+    *("info", "schedule", "solve", "verify", "calibrate", "env", "bench", "stability", "chart"),
+    *("report", "completion"),
+)
+EMITTING = ("build", "compile", "emit", "generate", "make")
+"""What people call what needs no command."""
+
 INTERNAL = 3
 INTERRUPTED = 130
 
@@ -35,7 +43,16 @@ def main(argv: Sequence[str] | None = None) -> int:
     """
     words = list(sys.argv[1:] if argv is None else argv)
     _end_by_exception()
+    start(quiet=not {"-q", "--quiet"}.isdisjoint(takewhile("--".__ne__, words)))
     gc.set_threshold(ALLOCATIONS)
+    try:
+        return _status(words)
+    finally:
+        start(quiet=False)
+
+
+def _status(words: Sequence[str]) -> int:
+    """Carry the words out, and return the exit status; failures are said."""
     try:
         status = _command(words)(words[1:] if _verb(words) else words)
         sys.stdout.flush()
@@ -78,7 +95,7 @@ def _command(words: Sequence[str]) -> Callable[[Sequence[str]], int]:
     """
     first = words[0] if words else ""
     if re.fullmatch("[a-z]+", first) and first not in VERBS and not os.path.lexists(first):
-        near = difflib.get_close_matches(first, VERBS, n=1)
+        near = [] if first in EMITTING else difflib.get_close_matches(first, VERBS, n=1)
         hint = (
             f"did you mean '{near[0]}'?"
             if near

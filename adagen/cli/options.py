@@ -27,9 +27,11 @@ _SEARCH = {
 def add_model(parser: Parser, *, gravity: bool = True, several: bool = False) -> None:
     """Add the robot, or several, and how to read it."""
     if several:
-        parser.add_argument("models", nargs="+", metavar="MODEL", help="robot descriptions (URDF)")
+        parser.add_argument(
+            "models", nargs="+", metavar="MODEL", help="robot descriptions (URDF, .xacro, MJCF)"
+        )
     else:
-        parser.add_argument("model", metavar="MODEL", help="robot description (URDF)")
+        parser.add_argument("model", metavar="MODEL", help="robot description (URDF, .xacro, MJCF)")
     group = parser.add_argument_group("robot")
     group.add_argument(
         "--floating", action="store_true", help="put the robot on a floating base (__base__)"
@@ -41,6 +43,13 @@ def add_model(parser: Parser, *, gravity: bool = True, several: bool = False) ->
         "--strict",
         action="store_true",
         help="refuse slips of the file that change nothing, instead of warning of them",
+    )
+    group.add_argument(
+        "--xacro-arg",
+        action="append",
+        type=_argument,
+        metavar="NAME:=VALUE",
+        help="value of an <xacro:arg>, where MODEL's name ends in .xacro; may be repeated",
     )
     group.add_argument(
         "--scene",
@@ -60,6 +69,7 @@ def add_model(parser: Parser, *, gravity: bool = True, several: bool = False) ->
 RARE = frozenset(
     [
         "--strict",
+        "--xacro-arg",
         "--gravity",
         "--profile",
         "--schedule",
@@ -76,6 +86,7 @@ RARE = frozenset(
         "--channel",
         "--single-file",
         "--cmake-dir",
+        "--name",
     ]
 )
 """What most users never say: --help-all shows it."""
@@ -168,8 +179,7 @@ def _add_algorithm(parser: Parser) -> None:
         choices=("double", "float", "mixed"),
         default="double",
         metavar="TYPE",
-        help="double (default), float, or mixed: factorized in float, refined to the digits of "
-        "double",
+        help="double (default), float, or mixed: float, refined to double",
     )
 
 
@@ -282,6 +292,14 @@ def _tuned(text: str) -> Tuned:
     if shape not in ("unrolled", "kernels", "joints") or not re.fullmatch(r"[\w+.-]*", compiler):
         raise argparse.ArgumentTypeError(f"not SHAPE:N:COMPILER: {text!r}")
     return Tuned(shape, whole(0, 10**9)(chunk), compiler)
+
+
+def _argument(text: str) -> tuple[str, str]:
+    """Return name and value of an argument for xacro."""
+    name, sign, value = text.partition(":=")
+    if not (name and sign):
+        raise argparse.ArgumentTypeError(f"not NAME:=VALUE: {text!r}")
+    return name, value
 
 
 def _processes(text: str) -> int:

@@ -102,13 +102,15 @@ def make_parser(prog: str, description: str, epilog: str) -> Parser:
         "--help-all", action=_HelpAll, nargs=0, help="show all options, the rare ones too"
     )
     parser.add_argument("--version", action="version", version=f"adagen {__version__}")
-    parser.add_argument(
+    words = parser.add_mutually_exclusive_group()
+    words.add_argument(
         "-v",
         dest="verbose",
         action="count",
         default=0,
         help="say what was ignored, and what took how long",
     )
+    words.add_argument("-q", "--quiet", action="store_true", help="say warnings and errors alone")
     return parser
 
 

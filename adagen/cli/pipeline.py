@@ -65,6 +65,7 @@ def origin_of(options: argparse.Namespace, gravity: Sequence[float] | None) -> O
         options.strict,
         None if options.scene is None else Path(options.scene),
         None if gravity is None else tuple(gravity),
+        tuple(options.xacro_arg or ()),
     )
 
 
@@ -140,7 +141,7 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Compi
         from adagen.library.compiled import planned
         from adagen.library.robot import source_hash
 
-        plan = planned(model, schedule, request, source_hash(Path(options.model)))
+        plan = planned(model, schedule, request, source_hash(origin_of(options, None)))
     _warn_of_idle(plan, options)
     if options.verbose and options.scene is not None:
         from adagen.cli.scenes import tell_savings

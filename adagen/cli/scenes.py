@@ -43,6 +43,22 @@ def in_scene(reading: Reading, scene: Scene, options: argparse.Namespace) -> Mod
 
 def tell_savings(plan: Plan, schedule: Schedule, options: argparse.Namespace) -> None:
     """Print what is left of the robot and what that saves, as predicted and as measured here."""
+    line, whole = predicted_savings(plan, schedule, options)
+    note(line)
+    if whole is not None:
+        _tell_measured(whole, plan)
+
+
+def predicted_savings(
+    plan: Plan, schedule: Schedule, options: argparse.Namespace
+) -> tuple[str, Plan | None]:
+    """Return a line on what a scene leaves and saves, and how the whole robot would be solved.
+
+    Args:
+        plan: of what is left.
+        schedule: of what is left.
+        options: the command line, with the reduction.
+    """
     from adagen.schedule import load_profile
 
     profile = load_profile(options.profile)
@@ -50,10 +66,8 @@ def tell_savings(plan: Plan, schedule: Schedule, options: argparse.Namespace) ->
     after = _cost(reduction.model, plan, schedule, profile)
     whole = _whole(reduction, options, profile)
     if whole is None:
-        note(saved(reduction, None, after))
-        return
-    note(saved(reduction, _cost(reduction.full, *whole, profile), after))
-    _tell_measured(whole[0], plan)
+        return saved(reduction, None, after), None
+    return saved(reduction, _cost(reduction.full, *whole, profile), after), whole[0]
 
 
 def _tell_measured(whole: Plan, plan: Plan) -> None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from adagen.cli.console import Stages, note
 from adagen.cli.options import add_model, add_schedule, check_search
-from adagen.cli.parser import make_parser, parse
+from adagen.cli.parser import Parser, make_parser, parse
 from adagen.cli.predicted import (
     accuracy_line,
     predicted_accuracy,
@@ -18,7 +18,7 @@ from adagen.cli.predicted import (
     timeline_of,
     with_accuracy,
 )
-from adagen.cli.tables import table_of
+from adagen.cli.tables import table_of, wrapped
 
 if TYPE_CHECKING:
     import argparse
@@ -33,11 +33,11 @@ examples:
   adagen schedule robot.urdf --procs 4                    a summary for people
   adagen schedule robot.urdf --procs 4 --svg tree.svg     a drawing
   adagen schedule robot.urdf --procs 4 --json             the tree, for programs
-  adagen schedule robot.urdf --procs 4 --profile paper --tie lex    as in the paper's Table I"""
+  adagen schedule robot.urdf --procs 4 --profile paper --tie lex    the paper's"""
 
 
-def run(argv: Sequence[str]) -> int:
-    """Carry out ``adagen schedule`` with the arguments after the verb; return the exit status."""
+def command_parser() -> Parser:
+    """Return the parser of ``adagen schedule``."""
     parser = make_parser("adagen schedule", "Find and show the schedule of a robot.", _EPILOG)
     add_model(parser, gravity=False)
     add_schedule(parser)
@@ -48,6 +48,12 @@ def run(argv: Sequence[str]) -> int:
         metavar="FILE",
         help="with --svg: draw what a run measured (its --trace) under what is predicted",
     )
+    return parser
+
+
+def run(argv: Sequence[str]) -> int:
+    """Carry out ``adagen schedule`` with the arguments after the verb; return the exit status."""
+    parser = command_parser()
     options = parse(parser, argv)
     check_search(parser, options)
     if options.trace is not None and options.svg is None:
@@ -75,7 +81,7 @@ def run(argv: Sequence[str]) -> int:
         print(with_accuracy(document, digits))
         return 0
     _show(found)
-    print(accuracy_line(digits))
+    print(wrapped(accuracy_line(digits), 2))
     return 0
 
 
@@ -102,14 +108,14 @@ def _show(found: _Found) -> None:
     from adagen.program.summary import meeting, program_text
     from adagen.schedule import Topology, schedule_tree
 
-    print(program_text(found.program))
+    print(wrapped(program_text(found.program), 2) + "\n")
     if meeting(found.program) == "joined":  # there the tree says what is joined when, and by whom
         print(schedule_tree(found.schedule, Topology.of(found.model)))
     if found.timeline is None:
         _show_loads(found.schedule)
     else:
         _show_machine(found.program, found.timeline)
-    print(prediction(found.schedule, found.timeline))
+    print(wrapped(prediction(found.schedule, found.timeline)))
 
 
 def _drawing(found: _Found, options: argparse.Namespace) -> str:

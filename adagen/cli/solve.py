@@ -9,9 +9,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from adagen.cli.console import Stages, note, progress, warn
+from adagen.cli.console import Stages, note, progress, say, warn
 from adagen.cli.options import add_emission, add_model, add_schedule, check_emission
-from adagen.cli.parser import make_parser, parse, seconds
+from adagen.cli.parser import Parser, make_parser, parse, seconds
 from adagen.errors import EnvironmentFault
 
 if TYPE_CHECKING:
@@ -21,17 +21,17 @@ if TYPE_CHECKING:
 
 _EPILOG = """\
 The states file is JSON: {"floating": false, "gravity": [0, 0, -9.81],
-"joints": {NAME: {"q": [...], "v": [...], "tau": [...]}}}, one entry per state in each list (a
-number for one degree of freedom, a list for more; the floating base is called "__base__"). The
-result is {"joints": {NAME: {"qdd": [...]}}}.
+"joints": {NAME: {"q": [...], "v": [...], "tau": [...]}}}, one entry per state
+in each list (a number for one degree of freedom, a list for more; the floating
+base is called "__base__"). The result is {"joints": {NAME: {"qdd": [...]}}}.
 
 examples:
   adagen solve robot.urdf --procs 2 --states states.json --result result.json
   adagen solve robot.urdf --procs 4 --states states.json | python -m json.tool"""
 
 
-def run(argv: Sequence[str]) -> int:
-    """Carry out ``adagen solve`` with the arguments after the verb; return the exit status."""
+def command_parser() -> Parser:
+    """Return the parser of ``adagen solve``."""
     parser = make_parser(
         "adagen solve", "Compute joint accelerations for the states in a file.", _EPILOG
     )
@@ -51,6 +51,12 @@ def run(argv: Sequence[str]) -> int:
         metavar="S",
         help="end a run that takes longer (default: 600 s)",
     )
+    return parser
+
+
+def run(argv: Sequence[str]) -> int:
+    """Carry out ``adagen solve`` with the arguments after the verb; return the exit status."""
+    parser = command_parser()
     options = parse(parser, argv)
     check_emission(parser, options)
     options.name = None
@@ -120,7 +126,8 @@ def _run(
         report = _report(done.stdout)
         for line in done.stderr.splitlines():
             if report is None or report["fault"] != "solver" or result.name not in line:
-                note(line.replace(str(given), str(options.states)))
+                tell = note if done.status == 0 else say
+                tell(line.replace(str(given), str(options.states)))
         if report is not None:
             _tell(report, options)
         if done.status != 0 and report is None:

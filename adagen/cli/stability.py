@@ -9,34 +9,35 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from adagen.cli.console import note, progress
+from adagen.cli.console import note, progress, say
 from adagen.cli.parser import Parser, make_parser, parse
 
 if TYPE_CHECKING:
     from adagen.studies.stability import Outcome
 
 _EPILOG = """\
-Every case shows a weak method failing as it is expected to, and the shipped one keeping its digits
-or refusing with a reason. The exit status is 1 where a figure is not what it must be.
+Every case shows a weak method failing as it is expected to, and the shipped one
+keeping its digits or refusing with a reason. The exit status is 1 where a
+figure is not what it must be.
 
 examples:
-  adagen stability                              all cases (about a minute)
-  adagen stability --quick --case 1 --case 3    two of them, shorter chains
-  adagen stability --map docs/pictures          a map for each family of robots, and all errors
-                                                against the condition of H
-  adagen stability --map . --family light       one map"""
+  adagen stability                             all cases (about a minute)
+  adagen stability --quick --case 1 --case 3   two of them, shorter chains
+  adagen stability --map docs/pictures         a map for each family of robots,
+                                               errors against the condition of H
+  adagen stability --map . --family light      one map"""
 
 
 def run(argv: Sequence[str]) -> int:
     """Carry out ``adagen stability`` with the arguments after the verb; return the exit status."""
-    parser = parser_of_stability()
+    parser = command_parser()
     options = parse(parser, argv)
     if options.family and options.map is None:
         parser.error("--family needs --map DIR")
     return _draw(options, parser.error) if options.map else _judge(options, parser.error)
 
 
-def parser_of_stability() -> Parser:
+def command_parser() -> Parser:
     """Return the parser of ``adagen stability``."""
     parser = make_parser("adagen stability", "Show where methods fail and what is kept.", _EPILOG)
     parser.add_argument(
@@ -74,7 +75,7 @@ def _judge(options: argparse.Namespace, refuse: object) -> int:
         _show(outcomes)
     bad = [outcome.number for outcome in outcomes if not outcome.good]
     if bad:
-        note(f"not as it must be: case {', '.join(map(str, bad))}")
+        say(f"not as it must be: case {', '.join(map(str, bad))}")
     return 1 if bad else 0
 
 
@@ -114,7 +115,7 @@ def _show(outcomes: Sequence[Outcome]) -> None:
             words = (title, name, finding.said, finding.must, "ok" if finding.good else "NOT OK")
             table.add_row(*(escape(word) for word in words))
         table.add_section()
-    Console(width=140).print(table)
+    Console().print(table)
 
 
 def _draw(options: argparse.Namespace, refuse: object) -> int:

@@ -9,22 +9,22 @@ from dataclasses import replace
 from pathlib import Path
 
 from adagen.cli.console import note, progress
-from adagen.cli.parser import make_parser, parse
+from adagen.cli.parser import Parser, make_parser, parse
 from adagen.errors import InputError, UsageError, printable
 from adagen.wholefile import write_whole
 
 _EPILOG = """\
-The head of an emitted source holds the command that made it; robots, scenes, schedules
-and profiles are looked for where it names them. Prints what is missing, stale or
-different, with diffs; exit status 1 if anything is.
+The head of an emitted source holds the command that made it; robots, scenes,
+schedules and profiles are looked for where it names them. Prints what is
+missing, stale or different, with diffs; exit status 1 if anything is.
 
 examples:
   adagen verify solvers                 in continuous integration
-  adagen verify --update solvers        after a new adagen: write, and review the change"""
+  adagen verify --update solvers        after a new adagen: write, then review"""
 
 
-def run(argv: Sequence[str]) -> int:
-    """Carry out ``adagen verify`` with the arguments after the verb; return the exit status."""
+def command_parser() -> Parser:
+    """Return the parser of ``adagen verify``."""
     parser = make_parser("adagen verify", "Emit again and compare.", _EPILOG)
     parser.add_argument(
         "folders", nargs="+", type=Path, metavar="DIR", help="folder with emitted files below it"
@@ -34,7 +34,12 @@ def run(argv: Sequence[str]) -> int:
         action="store_true",
         help="write what is missing or different, remove what is stale",
     )
-    options = parse(parser, argv)
+    return parser
+
+
+def run(argv: Sequence[str]) -> int:
+    """Carry out ``adagen verify`` with the arguments after the verb; return the exit status."""
+    options = parse(command_parser(), argv)
 
     from adagen.library.comparison import differences
 
@@ -131,6 +136,7 @@ def _made_again(source: Path) -> dict[str, str]:
         strict=origin.strict,
         scene=scene,
         gravity=origin.gravity,
+        arguments=dict(origin.arguments),
     )
     made = compile(robot, **vars(request))
     if f"{made.stem}.cpp" != source.name:

@@ -31,15 +31,17 @@ def command_of(origin: Origin, request: Request, folder: Path) -> list[str]:
         request: what was asked for, with what was left to be chosen.
         folder: where the source is written.
     """
-    return ["adagen", *_of_robot(origin, folder), *_of_request(request, folder)]
+    return ["adagen", *robot_words(origin, folder), *_of_request(request, folder)]
 
 
-def _of_robot(origin: Origin, folder: Path) -> Iterator[str]:
+def robot_words(origin: Origin, folder: Path) -> Iterator[str]:
+    """Yield the words of a command that name a robot, and how it is read; paths from a folder."""
     model = _seen_from(folder, origin.path)
     yield model if not model.startswith("-") else f"./{model}"
     for name in ("floating", "mimic", "strict"):
         if getattr(origin, name):
             yield f"--{name}"
+    yield from (f"--xacro-arg={name}:={value}" for name, value in origin.arguments)
     if origin.scene is not None:
         yield f"--scene={_seen_from(folder, origin.scene)}"
     if origin.gravity is not None:

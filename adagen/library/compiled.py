@@ -22,6 +22,7 @@ from adagen.plan import Plan, make_plan
 from adagen.program import Program
 from adagen.schedule import Schedule, Topology, load_profile
 from adagen.search.objective import predicted_digits, suited_shape
+from adagen.urdf import model_stem
 from adagen.wholefile import write_files
 
 if TYPE_CHECKING:
@@ -199,7 +200,7 @@ def emitted(
     priced = not request.batch and profile.steps is not None
     files = emit(
         plan,
-        name=origin.path.stem if request.name is None else request.name,
+        name=model_stem(origin.path) if request.name is None else request.name,
         svg=draw(schedule, Topology.of(model), program, profile, model.name),
         shape=shape,
         refine=request.refine,

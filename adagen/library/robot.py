@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import hashlib
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from adagen.errors import InputError, UsageError
+from adagen.errors import UsageError
+from adagen.mjcf import is_mjcf, read_mjcf, whole_bytes
 from adagen.model import Model
 from adagen.scene import Reduction, apply_scene, read_scene
 from adagen.scene.types import Scene
-from adagen.urdf import Reading, check_reduced, read_robot
+from adagen.urdf import Reading, check_reduced, expanded_bytes, read_robot
 
 
 @dataclass(frozen=True)
@@ -20,12 +21,13 @@ class Origin:
     """Where a robot comes from, and how it is read.
 
     Attributes:
-        path: of the URDF.
+        path: of the URDF, of the file in xacro that it is made of, or of the MJCF.
         floating: whether a floating joint ``__base__`` is put under the root link.
         mimic: whether mimic joints are held in step with the joints that they follow.
         strict: whether slips of the file that change nothing are refused.
         scene: path of a scene file, or None.
         gravity: in ground axes, m/s^2; None: as the scene says, else (0, 0, -9.81).
+        arguments: names and values of <xacro:arg>.
     """
 
     path: Path
@@ -34,6 +36,7 @@ class Origin:
     strict: bool = False
     scene: Path | None = None
     gravity: tuple[float, ...] | None = None
+    arguments: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -87,8 +90,9 @@ def read(
     strict: bool = False,
     scene: str | os.PathLike[str] | None = None,
     gravity: Sequence[float] | None = None,
+    arguments: Mapping[str, str] | None = None,
 ) -> Robot:
-    """Read a robot from a URDF.
+    """Read a robot from a URDF, a file in xacro (``.xacro``) or an MJCF (``.xml``, ``.mjcf``).
 
     Args:
         path: of the file.
@@ -98,10 +102,12 @@ def read(
         scene: path of a scene file: no more is modelled than what it asks for.
         gravity: acceleration of free fall in ground axes, three numbers, m/s^2; by default what the
             scene says, else (0, 0, -9.81).
+        arguments: values of <xacro:arg>.
 
     Raises:
         InputError: the description or the scene is refused; it tells file and line.
-        UsageError: the arguments contradict the scene.
+        UsageError: the arguments contradict the scene, or are none of the file's.
+        EnvironmentFault: the package that the file needs, xacro or mujoco, is not installed.
     """
     origin = Origin(
         Path(path),
@@ -110,6 +116,7 @@ def read(
         strict,
         None if scene is None else Path(scene),
         None if gravity is None else tuple(float(x) for x in gravity),
+        tuple((arguments or {}).items()),
     )
     reading, wanted = read_whole(origin)
     model, warnings, reduction = reading.model, list(reading.warnings), None
@@ -117,7 +124,7 @@ def read(
         reduction = apply_scene(reading.model, wanted)
         model = reduction.model
         warnings += check_reduced(reading, model)
-    known = source_hash(origin.path)
+    known = source_hash(origin)
     return Robot(model, origin, tuple(warnings), reading.ignored, known, reading, reduction)
 
 
@@ -129,19 +136,21 @@ def read_whole(origin: Origin) -> tuple[Reading, Scene | None]:
         UsageError: what is asked for contradicts the scene.
     """
     path = os.fspath(origin.path)
+    read_description = read_mjcf if is_mjcf(path) else read_robot
     if origin.scene is None:
-        reading = read_robot(
+        reading = read_description(
             path,
             floating=origin.floating,
             mimic=origin.mimic,
             gravity=origin.gravity,
             strict=origin.strict,
             held=False,
+            arguments=dict(origin.arguments),
         )
         return reading, None
     scene = read_scene(os.fspath(origin.scene))
     _check_agreement(scene, origin)
-    reading = read_robot(
+    reading = read_description(
         path,
         floating=origin.floating or scene.floating,
         mimic=origin.mimic or bool(scene.mimic),
@@ -151,6 +160,7 @@ def read_whole(origin: Origin) -> tuple[Reading, Scene | None]:
         check=False,
         strict=origin.strict,
         held=scene.base is not None,
+        arguments=dict(origin.arguments),
     )
     return reading, scene
 
@@ -167,13 +177,14 @@ def _check_agreement(scene: Scene, origin: Origin) -> None:
         raise scene.error(message, "gravity")
 
 
-def source_hash(path: Path) -> str:
+def source_hash(origin: Origin) -> str:
     """Return the SHA-256 of a robot description, in hexadecimal.
+
+    It is that of what xacro makes of a file, or of an MJCF with the files that it includes.
 
     Raises:
         InputError: it cannot be read.
     """
-    try:
-        return hashlib.sha256(path.read_bytes()).hexdigest()
-    except OSError as error:
-        raise InputError(f"cannot read it: {error.strerror}", str(path)) from None
+    mjcf = is_mjcf(origin.path)
+    said = whole_bytes(origin.path) if mjcf else expanded_bytes(origin.path, dict(origin.arguments))
+    return hashlib.sha256(said).hexdigest()

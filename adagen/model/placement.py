@@ -28,21 +28,21 @@ def _motion(joint: Joint, q: list[arb]) -> tuple[Exact, Exact]:
     """Return rotation and origin of the child frame in the joint frame."""
     kind, still = joint.kind, exact([0.0, 0.0, 0.0])
     if kind.quaternion is not None:
-        turn = _rotation_of_quaternion(q[kind.quaternion :])
+        turn = rotation_of_quaternion(q[kind.quaternion :])
         return turn, still + q[:3] if kind.quaternion else still
     axis = exact(joint.axis)
     axis = axis / axis.dot(axis).sqrt()
     if kind.name == "prismatic":
         return identity(3), axis * q[0]
     if kind.name == "revolute":
-        return _rotation_about(axis, q[0]), still
+        return rotation_about(axis, q[0]), still
     if kind.name == "planar":
         frame = rotation_taking_z_to(joint.axis)
-        return _rotation_about(axis, q[2]), frame[:, 0] * q[0] + frame[:, 1] * q[1]
+        return rotation_about(axis, q[2]), frame[:, 0] * q[0] + frame[:, 1] * q[1]
     raise AssertionError(f"unknown kind {kind.name}")
 
 
-def _rotation_about(axis: Exact, angle: arb) -> Exact:
+def rotation_about(axis: Exact, angle: arb) -> Exact:
     """Return Rodrigues' rotation about a unit axis."""
     sine, cosine = angle.sin_cos()
     k = skew(axis)
@@ -50,7 +50,8 @@ def _rotation_about(axis: Exact, angle: arb) -> Exact:
     return turn
 
 
-def _rotation_of_quaternion(xyzw: list[arb]) -> Exact:
+def rotation_of_quaternion(xyzw: list[arb]) -> Exact:
+    """Return the rotation that a quaternion of any length but zero stands for."""
     square = sum((x * x for x in xyzw), arb(0))
     k = skew(exact(xyzw[:3]))
     turn: Exact = identity(3) + (k * xyzw[3] + k.dot(k)) * (2 / square)

@@ -98,7 +98,8 @@ def title(program: Program) -> str:
             how = "joined at cuts"
         case "gathered":
             found = gathering(program)
-            how = f"gathered at {named(_links(program, found.roots))}"
+            where = named(_links(program, found.roots))
+            how = f"gathered at {where}" if where else "each with limbs of its own"
             if found.core:
                 how += f", core {named(_joints(program, found.core))}"
     return f"{count} processes, {how}"

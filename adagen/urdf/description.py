@@ -110,6 +110,7 @@ def describe(root: Element, default_name: str, notes: Notes) -> Description:
         raise notes.error(f"more than {LIMIT} links: the limit of this reader", line_of(root))
     links = tuple(_link(part, notes) for part in parts if part.tag == "link")
     joints = tuple(_joint(part, notes) for part in parts if part.tag == "joint")
+    _tell_turned_axes(parts, notes)
     if not links:
         raise notes.error("<robot> has no <link>: give a robot with links", line_of(root))
     _check_unique("link", links, notes)
@@ -219,7 +220,7 @@ def _joint(element: Element, notes: Notes) -> JointElement:
         end("parent"),
         end("child"),
         _origin(only(found, "origin", where, notes), where, notes),
-        _axis(only(found, "axis", where, notes), kind, where, notes),
+        _axis(_one_axis(found, where, notes), kind, where, notes),
         _mimic(only(found, "mimic", where, notes), where, notes),
         line_of(element),
     )
@@ -235,13 +236,20 @@ def _type(element: Element, where: str, notes: Notes) -> str:
     return kind
 
 
+def _one_axis(found: list[Element], where: str, notes: Notes) -> Element | None:
+    """Return the <axis> of a joint; several that say the same are one, told twice."""
+    axes = [element for element in found if element.tag == "axis"]
+    if len(axes) < 2 or len({tuple(sorted(axis.attrib.items())) for axis in axes}) > 1:
+        return only(found, "axis", where, notes)
+    notes.slip(f"{where} has {len(axes)} <axis>", "read as one, as they agree", line_of(axes[1]))
+    return axes[0]
+
+
 def _axis(element: Element | None, kind: str, where: str, notes: Notes) -> Triple:
     if element is None:
         return (1.0, 0.0, 0.0)
     if any(vector(element, "rpy", 3, where, notes) or ()):
         check_attributes(element, ("xyz",), where, notes)  # whoever wrote it meant to turn the axis
-    elif "rpy" in element.attrib:
-        notes.slip(f"{where}: an <axis> has no rpy", "left out, as it is zero", line_of(element))
     check_attributes(element, ("xyz", "rpy"), where, notes)
     xyz = vector(element, "xyz", 3, where, notes)
     if xyz is None:
@@ -251,6 +259,17 @@ def _axis(element: Element | None, kind: str, where: str, notes: Notes) -> Tripl
             f"{where}: the axis has length zero: give it a direction", line_of(element)
         )
     return (xyz[0], xyz[1], xyz[2])
+
+
+def _tell_turned_axes(parts: list[Element], notes: Notes) -> None:
+    """Axes have no rpy, and many a tool writes a zero one."""
+    found: list[tuple[str, str, int | None]] = []
+    for part in parts:
+        axis = part.find("axis") if part.tag == "joint" else None
+        if axis is not None and "rpy" in axis.attrib:
+            name = part.get("name", "")
+            found.append((name, f'joint "{name}": an <axis> has no rpy', line_of(axis)))
+    notes.slips(found, "left out, as it is zero", "axes")
 
 
 def _mimic(element: Element | None, where: str, notes: Notes) -> MimicElement | None:

@@ -13,8 +13,8 @@ _PROLOG = re.compile(r"(?:\s+|<!--.*?-->|<\?.*?\?>)*", re.DOTALL)
 _FOREIGN = {
     "sdf": "this is SDF, not URDF: convert it first",
     "gazebo": "this is SDF, not URDF: convert it first",
-    "mujoco": "this is MJCF, not URDF: convert it first",
-    "mujocoinclude": "this is MJCF, not URDF: convert it first",
+    "mujoco": "this is MJCF, not URDF: let its name end in .xml to have it read as such",
+    "mujocoinclude": "this is a part of an MJCF: give the file that includes it",
     "html": "this is a web page, perhaps a failed download",
     "svg": "this is a drawing",
     "collada": "this is a mesh",
@@ -30,7 +30,7 @@ def parse(text: str, notes: Notes) -> etree._Element:
     Raises:
         InputError: no well-formed XML, or another kind of document.
     """
-    start = _check_prolog(text, notes)
+    start = check_prolog(text, notes)
     text = mended_declaration(text, notes)
     parser = etree.XMLParser(
         encoding="utf-8",  # the text is decoded already: overrides what the file declares
@@ -57,8 +57,12 @@ def parse(text: str, notes: Notes) -> etree._Element:
     return root
 
 
-def _check_prolog(text: str, notes: Notes) -> int:
-    """Return where the root element begins; refuse a DTD, which can only stand before it."""
+def check_prolog(text: str, notes: Notes) -> int:
+    """Return where the root element begins; refuse a DTD, which can only stand before it.
+
+    Raises:
+        InputError: there is a DTD, or no XML.
+    """
     match = _PROLOG.match(text)
     start = match.end() if match else 0
     line = text.count("\n", 0, start) + 1
@@ -91,7 +95,7 @@ def _check_root(root: etree._Element, notes: Notes) -> None:
         if isinstance(tag, str) and "xacro" in tag and is_xacro(tag):
             raise notes.error(
                 f"<xacro:{tag.replace('}', ':').rpartition(':')[2]}> is not expanded: run xacro "
-                "on the file and give its output",
+                "on the file and give its output, or let its name end in .xacro",
                 line_of(element),
             )
     _warn_xacro_attributes(root, notes)

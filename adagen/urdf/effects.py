@@ -13,6 +13,13 @@ from adagen.urdf.numbers import number
 EFFECTS = ("damping", "friction")
 """Attributes of <dynamics>: N m s/rad and N m, or N s/m and N."""
 
+_WAYS = {
+    "damping": 'damping = "urdf"',
+    "friction": 'friction = "urdf"',
+    "stiffness": "stiffness in [joints.NAME]",
+}
+"""What a scene says to model an effect."""
+
 SHOWN = 3  # joints that a warning names
 
 Effects = Mapping[str, Mapping[str, float]]
@@ -64,15 +71,26 @@ def warn_dropped(root: Element, decided: Callable[[str, str], bool], notes: Note
             for key in map(str, element.attrib):
                 if not _is_zero(element.get(key, "")) and not decided(key, name):
                     found.setdefault(key, {}).setdefault(name, line_of(element))
+    tell_dropped(found, notes)
+
+
+def tell_dropped(found: Mapping[str, Mapping[str, int | None]], notes: Notes) -> None:
+    """Warn of what joints have by themselves and the model does not hold.
+
+    Args:
+        found: for each effect, a member of ``EFFECTS`` or another, the joints that have it, with
+            their lines.
+        notes: takes the warnings, one for all effects of the same joints.
+    """
     alike: dict[tuple[tuple[str, ...], bool], list[str]] = {}
     for key, joints in found.items():
-        alike.setdefault((tuple(joints), key in EFFECTS), []).append(key)
+        alike.setdefault((tuple(joints), key in _WAYS), []).append(key)
     for (names, known), keys in alike.items():
         those = f"joint {quoted(names)}" if len(names) == 1 else f"{len(names)} joints"
         how = f" ({quoted(names, SHOWN)})" if len(names) > 1 else ""
         are, them = ("is", "it") if len(keys) == 1 else ("are", "them")
         if known:
-            said = " and ".join(f'{key} = "urdf"' for key in keys)
+            said = " and ".join(_WAYS[key] for key in keys)
             how += f": a scene with {said} models {them}"
         line = found[keys[0]][names[0]]
         what = " and ".join([", ".join(keys[:-1]), keys[-1]] if len(keys) > 1 else keys)

@@ -26,8 +26,7 @@ def resolve(description: Description, slaved: bool, notes: Notes) -> Followed:
     """
     joints = {joint.name: joint for joint in description.joints}
     mimics = [joint for joint in description.joints if joint.mimic is not None]
-    for joint in mimics:
-        _check_source(joint, joints, slaved, notes)
+    _check_sources(mimics, joints, slaved, notes)
     mimics = [joint for joint in mimics if joint.mimic and joint.mimic.joint in joints]
     _refuse_circles(mimics, joints, notes)
     if not slaved:
@@ -42,22 +41,24 @@ def _source(joint: JointElement, joints: dict[str, JointElement]) -> JointElemen
     return None if joint.mimic is None else joints.get(joint.mimic.joint)
 
 
-def _check_source(
-    joint: JointElement, joints: dict[str, JointElement], slaved: bool, notes: Notes
+def _check_sources(
+    mimics: list[JointElement], joints: dict[str, JointElement], slaved: bool, notes: Notes
 ) -> None:
-    assert joint.mimic is not None
-    if joint.mimic.joint == joint.name:
-        raise notes.error(
-            f'joint "{joint.name}" mimics itself: remove its <mimic> or name another joint',
-            joint.mimic.line,
-        )
-    if joint.mimic.joint not in joints:
-        nothing = f'joint "{joint.name}" mimics joint "{joint.mimic.joint}", which does not exist'
-        if slaved:
+    dangling: list[tuple[str, str, int | None]] = []
+    for joint in mimics:
+        assert joint.mimic is not None
+        source, line = joint.mimic.joint, joint.mimic.line
+        if source == joint.name:
             raise notes.error(
-                f"{nothing}: correct the name or remove its <mimic>", joint.mimic.line
+                f'joint "{joint.name}" mimics itself: remove its <mimic> or name another joint',
+                line,
             )
-        notes.slip(nothing, "taken as independent", joint.mimic.line)
+        if source not in joints:
+            nothing = f'joint "{joint.name}" mimics joint "{source}", which does not exist'
+            if slaved:
+                raise notes.error(f"{nothing}: correct the name or remove its <mimic>", line)
+            dangling.append((joint.name, nothing, line))
+    notes.slips(dangling, "taken as independent", "that mimic nothing")
 
 
 def _refuse_circles(

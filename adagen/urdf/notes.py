@@ -21,17 +21,19 @@ class Notes:
         warnings: ``file:line: warning: ...``, in the order they were found.
         ignored: what was read and is not modelled.
         strict: whether slips are refused that readers of URDF overlook.
+        without_lines: whether lines are those of no file, and not told.
     """
 
     def __init__(self, file: str, *, strict: bool = False) -> None:
         self.file = file
         self.strict = strict
+        self.without_lines = False
         self.warnings: list[str] = []
         self.ignored: list[str] = []
 
     def error(self, message: str, line: int | None = None) -> InputError:
         """Return (not raise) the refusal of this file."""
-        return InputError(shortened(message), self.file, line)
+        return InputError(shortened(message), self.file, None if self.without_lines else line)
 
     def slip(self, problem: str, done: str, line: int | None = None) -> None:
         """Record a slip that changes nothing, with what was done about it.
@@ -39,13 +41,34 @@ class Notes:
         Raises:
             InputError: the reader is strict.
         """
+        self._refuse_slip(problem, line)
+        self.warn(f"{problem}: {done}", line)
+
+    def slips(self, found: Sequence[tuple[str, str, int | None]], done: str, rest: str) -> None:
+        """Record slips of one kind that change nothing, in one line.
+
+        Args:
+            found: (name, problem, line) of each.
+            done: what was done about them.
+            rest: what the others have in common, for the end of the line.
+
+        Raises:
+            InputError: the reader is strict.
+        """
+        for _, problem, line in found[:1]:
+            self._refuse_slip(problem, line)
+            others = quoted([name for name, _, _ in found[1:]])
+            more = f"; so are {len(found) - 1} more {rest}: {others}" if others else ""
+            self.warn(f"{problem}: {done}{more}", line)
+
+    def _refuse_slip(self, problem: str, line: int | None) -> None:
         if self.strict:
             raise self.error(f"{problem}: correct it, or leave out --strict", line)
-        self.warn(f"{problem}: {done}", line)
 
     def warn(self, message: str, line: int | None = None) -> None:
         """Record a warning."""
-        place = f"{printable(self.file)}:" + ("" if line is None else f"{line}:")
+        shown = "" if line is None or self.without_lines else f"{line}:"
+        place = f"{printable(self.file)}:{shown}"
         self.warnings.append(f"{place} warning: {printable(shortened(message))}")
 
     def warn_each(self, found: Sequence[tuple[str, str, int | None]], rest: str) -> None:

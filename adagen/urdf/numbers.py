@@ -52,6 +52,8 @@ def numbers(text: str, count: int) -> tuple[float, ...]:
     """
     words = _WORD.findall(text)
     if len(words) != count:
+        if "${" in text or "$(" in text:
+            number(text)  # whose complaint is to the point
         needed = {1: "one number", 3: "three numbers"}.get(count, f"{count} numbers")
         raise ValueError(f"has {len(words)} numbers: it needs {needed}, separated by spaces")
     return tuple(number(word) for word in words)

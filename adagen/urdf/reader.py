@@ -7,6 +7,7 @@ import os
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 
 import numpy as np
 
@@ -17,12 +18,13 @@ from adagen.urdf.checks import Lines, check_model
 from adagen.urdf.description import Description, describe
 from adagen.urdf.document import parse
 from adagen.urdf.effects import read_effects, warn_dropped, with_effects
+from adagen.urdf.expansion import Arguments, description_text
 from adagen.urdf.mimics import resolve
 from adagen.urdf.notes import Notes
 from adagen.urdf.numbers import LARGEST
 from adagen.urdf.peer import agreed
-from adagen.urdf.remarks import remark_ignored, warn_held, warn_inertias, warn_limits
-from adagen.urdf.source import read_text
+from adagen.urdf.remarks import remark_ignored, warn_foreign, warn_held, warn_inertias, warn_limits
+from adagen.urdf.source import model_stem
 from adagen.urdf.tree import make_tree, refuse_closed
 
 
@@ -56,6 +58,7 @@ def read_robot(
     check: bool = True,
     strict: bool = False,
     held: bool = True,
+    arguments: Arguments = MappingProxyType({}),
 ) -> Reading:
     """Read a URDF; nothing that could change the dynamics is guessed.
 
@@ -74,6 +77,7 @@ def read_robot(
         strict: refuse slips that readers of URDF overlook, too (mending.py), instead of warning.
         held: whether a fixed base was asked for; if not, of a root link that looks as if it should
             float a warning says that it is held.
+        arguments: values of <xacro:arg>, for a file whose name ends in ".xacro" (expansion.py).
 
     Returns:
         The model, in which fixed joints are lumped, axes are normalised and every number is
@@ -81,11 +85,12 @@ def read_robot(
 
     Raises:
         InputError: the file is not a URDF of an open chain whose forward dynamics has an answer.
-        UsageError: gravity is not three finite numbers.
+        UsageError: gravity is not three finite numbers, or there is no such argument.
+        EnvironmentFault: the file is written in xacro, which is not installed.
     """
     notes = Notes(os.fspath(path), strict=strict)
-    root = parse(read_text(path, notes), notes)
-    description = describe(root, Path(path).stem, notes)
+    root = parse(description_text(path, arguments, notes), notes)
+    description = describe(root, model_stem(path), notes)
     refuse_closed(root, notes)
     _check_base(description, floating, notes)
     tree = make_tree(description, notes)
@@ -93,6 +98,7 @@ def read_robot(
     warn_limits(root, notes)
     warn_inertias(description, notes)
     remark_ignored(root, notes)
+    warn_foreign(root, notes)
     warn_dropped(root, lambda effect, joint: effect in effects or decided(effect, joint), notes)
     passive = read_effects(root, effects, notes)
     description = agreed(root, description, notes)
@@ -101,8 +107,8 @@ def read_robot(
     if not (held or floating):
         warn_held(model, notes)
     if gravity is not None:
-        model = model.with_gravity(_gravity(gravity))
-    lines = _lines(description)
+        model = model.with_gravity(checked_gravity(gravity))
+    lines = Lines(None, {}, {}) if notes.without_lines else _lines(description)
     if check:
         check_model(model, lines, notes)
     return Reading(model, tuple(notes.warnings), tuple(notes.ignored), notes.file, lines)
@@ -144,7 +150,14 @@ def _check_base(description: Description, floating: bool, notes: Notes) -> None:
             )
 
 
-def _gravity(values: Sequence[float]) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+def checked_gravity(
+    values: Sequence[float],
+) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+    """Return a gravity that a user gave as an array, shape (3,), m/s^2.
+
+    Raises:
+        UsageError: it is not three finite numbers.
+    """
     numbers = [float(value) for value in values]
     if len(numbers) != 3 or not all(math.isfinite(g) and abs(g) <= LARGEST for g in numbers):
         raise UsageError("gravity needs three finite numbers, in m/s^2")

@@ -57,6 +57,42 @@ def remark_ignored(root: Element, notes: Notes) -> None:
         notes.ignore(f"elements with {len(others)} other names: {count}, not modelled")
 
 
+_FOREIGN = {
+    "inertia_scaling": ("inertia scaling", "Bullet", "1"),
+    "rotor_inertia": ("rotor inertia", "Drake", "0"),
+    "rotorInertia": ("rotor inertia", "Pinocchio", "0"),
+    "springStiffness": ("springs", "Gazebo", "0"),
+    "turnGravityOff": ("gravity switched off", "Gazebo", "0"),
+}
+"""Elements of one reader alone that change the dynamics: what, whose, and the value that does not.
+
+In a scene, [joints.NAME] has rotor_inertia and stiffness.
+"""
+
+
+def warn_foreign(root: Element, notes: Notes) -> None:
+    """Warn of what single readers would model beside the elements of a URDF, one line for each."""
+    found: dict[str, list[int | None]] = {}
+    for element in root.iter():
+        tag = str(element.tag).rpartition("}")[2].rpartition(":")[2]
+        if tag in _FOREIGN and _changes(element, _FOREIGN[tag][2]):
+            found.setdefault(tag, []).append(line_of(element))
+    for tag, lines in found.items():
+        what, whose, _ = _FOREIGN[tag]
+        places = f"{len(lines)} place{'s' * (len(lines) > 1)}"
+        notes.warn(f"{what} ({whose}'s <{tag}>) in {places} is not modelled", lines[0])
+
+
+def _changes(element: Element, nothing: str) -> bool:
+    """Whether an element's value, an attribute or text, is another one than ``nothing``."""
+    text = (element.get("value") or element.text or "").strip().lower()
+    text = {"true": "1", "false": "0"}.get(text, text)
+    try:
+        return number(text) != number(nothing)
+    except ValueError:
+        return bool(text)
+
+
 LIMB = 3
 """Joints that a limb has at least."""
 

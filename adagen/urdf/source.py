@@ -42,6 +42,11 @@ _OTHER_KINDS = (
 )
 
 
+def model_stem(path: str | Path) -> str:
+    """Return a file's name without its endings: "arm" of "arm.urdf" and of "arm.urdf.xacro"."""
+    return Path(Path(path).name.removesuffix(".xacro")).stem
+
+
 def read_text(path: str | Path, notes: Notes) -> str:
     """Return the text of the file at ``path``.
 
@@ -108,6 +113,9 @@ def _decode(data: bytes, notes: Notes) -> str:
             line,
         ) from None
     text = text.removeprefix("\ufeff")
+    if text.endswith("\0") and "\0" not in text.rstrip("\0"):
+        text = text.rstrip("\0")
+        notes.slip("the file ends in a zero byte", "left out", text.count("\n") + 1)
     if "\0" in text:
         raise notes.error("not XML but binary data: give a URDF file", 1)
     return text

@@ -6,7 +6,7 @@ import time
 
 import pytest
 
-from adagen.cli.console import Stages, note, progress, warn
+from adagen.cli.console import Stages, note, progress, speaking, start, warn, warned
 
 Captured = pytest.CaptureFixture[str]
 
@@ -42,3 +42,23 @@ def test_stages_are_told_in_their_order_also_after_a_failure() -> None:
         raise ValueError
     words = str(stages).replace(",", "").split()
     assert words[1::3] == ["read", "plan", "total"]
+
+
+def test_a_quiet_command_says_its_warnings_alone(
+    capsys: Captured, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("adagen.cli.console._PATIENCE_SECONDS", 0.0)
+    start(quiet=True)
+    try:
+        note("wrote")
+        with progress("compiling"), speaking("timing") as said:
+            said("round 1")
+            time.sleep(0.1)
+        warn("odd")
+        assert tuple(capsys.readouterr()) == ("", "warning: odd\n")
+        assert warned() == ["warning: odd"]
+    finally:
+        start(quiet=False)
+    assert warned() == []
+    note("wrote")
+    assert capsys.readouterr().err == "wrote\n"

@@ -264,6 +264,18 @@ class TestGenerate:
         assert "form ada treats all links of this robot as one" in said()[1]
         assert main(words) == 0
 
+    def test_as_json(self, arm: Path, tmp_path: Path, said: Said) -> None:
+        folder = tmp_path / "out"
+        assert main([str(arm), "--procs", "2", "--out", str(folder), "--json", "--quiet"]) == 0
+        out, err = said()
+        told = json.loads(out)
+        assert "wrote" not in err
+        assert (told["robot"], told["processes"]) == (read_robot(arm).model.name, 2)
+        assert sorted(told["files"]) == sorted(map(str, folder.iterdir()))
+        assert told["source"] in told["files"] and told["source"].endswith("_p2.cpp")
+        assert told["predicted_us"] > 0.0 and told["digits"] > 9.0
+        assert told["warnings"] == err.splitlines()
+
     def test_the_stages_are_timed_for_who_asks(self, arm: Path, tmp_path: Path, said: Said) -> None:
         assert main([str(arm), "--procs", "2", "--out", str(tmp_path / "o"), "-v"]) == 0
         (line,) = [row for row in said()[1].splitlines() if row.startswith("stages: ")]

@@ -118,12 +118,17 @@ class TestUsage:
 
     @pytest.mark.parametrize("verb", [[], *([verb] for verb in VERBS)], ids=str)
     def test_help_and_version_are_data(
-        self, verb: list[str], capsys: pytest.CaptureFixture[str]
+        self,
+        verb: list[str],
+        capsys: pytest.CaptureFixture[str],
+        monkeypatch: pytest.MonkeyPatch,
     ) -> None:
+        monkeypatch.setenv("COLUMNS", "80")
         assert main([*verb, "--help"]) == 0
         text = capsys.readouterr().out
         assert "examples:" in text
-        assert max(len(line) for line in text.splitlines()) <= 100
+        assert max(len(line) for line in text.splitlines()) <= 80
+        assert len(text.splitlines()) <= 50
         assert main([*verb, "--version"]) == 0
         assert capsys.readouterr().out == f"adagen {adagen.__version__}\n"
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import re
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from adagen.library import Origin
 from adagen.library.robot import read_whole
 from adagen.states import random_states, write_states
 from tests.cli.test_generate import BALL
+from tests.urdf.texts import joint, link, robot
 
 
 def solved(shape: str, folder: Path) -> tuple[int, Path]:
@@ -41,3 +43,24 @@ def test_answers_without_sure_digits_are_told(
     assert "digits of the accelerations" not in capsys.readouterr().err
     line = json.loads(result.read_text())["joints"]["along"]["qdd"]
     assert 1e-9 < np.abs(np.subtract(loops, line)).max() / np.abs(line).max() < 1e-1
+
+
+def test_a_quiet_command_says_why_it_fails(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, states = tmp_path / "gimbal.urdf", tmp_path / "s.json"
+    links = [link("a"), link("b", ""), link("c", ""), link("d")]
+    axes = ("1 0 0", "0 1 0", "0 0 1")
+    joints = [
+        joint(f"j{k}", "abc"[k], "bcd"[k], inside=f'<axis xyz="{axis}"/>', origin="")
+        for k, axis in enumerate(axes)
+    ]
+    path.write_text(robot(*links, *joints))
+    rest = {"v": [0.0], "tau": [0.0]}
+    locked = {f"j{k}": {"q": [q], **rest} for k, q in enumerate((0.0, math.pi / 2, 0.0))}
+    states.write_text(json.dumps({"joints": locked}))
+    said = []
+    for words in ([], ["--quiet"]):
+        assert main(["solve", str(path), "--procs", "1", "--states", str(states), *words]) == 1
+        said.append(capsys.readouterr().err)
+    assert 'state 1: joint "j0": factorization failed' in said[1] and said[1] in said[0]

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from adagen.cli.tables import table_of
+import pytest
+
+from adagen.cli.tables import table_of, wrapped
 
 
 def printed(width: int, *rows: tuple[str, ...], wrap: bool = True, named: bool = True) -> list[str]:
@@ -32,3 +34,15 @@ def test_what_is_too_long_is_cut_where_lines_do_not_wrap() -> None:
     assert len(printed(30, ("a name " * 9, "1"))) > len(
         printed(30, ("a name " * 9, "1"), wrap=False)
     )
+
+
+def test_lines_go_on_where_the_terminal_ends(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "40")
+    name = "a_name_that_is_longer_than_a_terminal_is_wide"
+    text = wrapped(f"process 0\n  left-hip, left_knee, left_ankle, left_toe\n{name}", 2)
+    assert text.splitlines() == [
+        "process 0",
+        "  left-hip, left_knee, left_ankle,",
+        "    left_toe",
+        name,
+    ]

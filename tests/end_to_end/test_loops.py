@@ -153,11 +153,11 @@ def test_mechanisms_with_true_answers(shared: Path) -> None:
                 plan = plan_of(model)
                 answers = []
                 for s in range(len(next(iter(joints.values()))["q"])):
-                    state = (
+                    q, v, tau = (
                         np.hstack([np.ravel(joints[j.name][key][s]) for j in model.joints])
                         for key in ("q", "v", "tau")
                     )
-                    found = interpret(plan, *state, once=True)
+                    found = interpret(plan, q, v, tau, once=True)
                     qdd = np.hstack([np.ravel(joints[j.name]["qdd"][s]) for j in model.joints])
                     answers.append(np.abs(found - qdd).max() / max(1.0, np.abs(qdd).max()))
             except (InputError, FloatingPointError):

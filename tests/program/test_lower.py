@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import json
 from collections import Counter
+from dataclasses import replace
 
 import pytest
 
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.steps import Articulate, Kinematics
+from adagen.plan.steps import Articulate, Kinematics, SolveMobility, SolveRoot
+from adagen.plan.types import Process
 from adagen.program import Program, program_to_json
 from adagen.program.runs import Run
 from adagen.program.summary import groups, meeting, owners, title
@@ -79,11 +81,18 @@ def test_what_is_said_of_a_program_is_read_off_it() -> None:
     gathered, joined = example("gather"), example("join")
     assert (meeting(gathered), meeting(joined)) == ("gathered", "joined")
     assert "gathered at " in title(gathered) and title(joined) == "2 processes, joined at cuts"
+    apart = replace(gathered.plan, processes=tuple(map(_without_roots, gathered.plan.processes)))
+    assert title(replace(gathered, plan=apart)) == "2 processes, each with limbs of its own"
     for program in (gathered, joined):
         _owners_agree(program)
     (limbs, *_) = gathered.slots.limbs[1] or gathered.slots.limbs[0]
     words = [word for p in (0, 1) for word in groups(gathered, p)]
     assert any(f"in {limbs.lanes} lanes" in word for word in words)
+
+
+def _without_roots(process: Process) -> Process:
+    kept = [step for step in process.steps if not isinstance(step, SolveRoot | SolveMobility)]
+    return replace(process, steps=tuple(kept), shares=())
 
 
 def _owners_agree(program: Program) -> None:

@@ -110,3 +110,20 @@ def test_a_joint_that_moves_no_mass_may_move_a_rotor(tmp_path: Path) -> None:
 
     assert check_reduced(reading, changed(passive=Passive(rotor_inertia=0.1))) == ()
     assert check_reduced(reading, changed(prescribed=True)) == ()
+
+
+def test_what_single_readers_would_model_is_told_once(tmp_path: Path) -> None:
+    scaled = '<contact><inertia_scaling value="{}"/></contact>'
+    gazebo = '<gazebo reference="b"><turnGravityOff>{}</turnGravityOff></gazebo>\n'
+    drake = '<transmission><d:rotor_inertia xmlns:d="http://drake" value="1e-4"/></transmission>\n'
+    links = link("a", BODY + scaled.format("3.0")), link("b", BODY + scaled.format("3"))
+    text = robot(*links, joint("j1", "a", "b"), gazebo.format("true"), drake)
+    said = [line.partition("warning: ")[2] for line in read(tmp_path, text).warnings]
+    assert said == [
+        "inertia scaling (Bullet's <inertia_scaling>) in 2 places is not modelled",
+        "gravity switched off (Gazebo's <turnGravityOff>) in 1 place is not modelled",
+        "rotor inertia (Drake's <rotor_inertia>) in 1 place is not modelled",
+    ]
+    plain = robot(link("a", BODY + scaled.format("1.0")), link("b"), joint("j1", "a", "b"))
+    harmless = plain.replace("</robot>", gazebo.format("false") + "</robot>")
+    assert read(tmp_path, harmless).warnings == ()

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 
 from adagen.urdf import Reading
-from tests.urdf.texts import Y, pair
+from tests.urdf.texts import Y, joint, link, pair, robot
 
 Read = Callable[..., Reading]
 GOOD = pair()
@@ -33,6 +33,8 @@ CASES = {
         5,
         "does not exist: taken as independent",
     ),
+    "an axis told twice": (pair(j=Y + Y), 5, "has 2 <axis>: read as one, as they agree"),
+    "a zero byte at the end": (GOOD + "\0", 7, "ends in a zero byte: left out"),
 }
 
 
@@ -52,6 +54,19 @@ def test_slips_are_read_with_one_warning(
     assert refused.endswith(": correct it, or leave out --strict")
 
 
+def test_many_slips_of_one_kind_take_one_line(read: Read, refusal: Callable[..., str]) -> None:
+    turned = '<axis xyz="0 1 0" rpy="0 0 0"/>'
+    loose = [turned + f'<mimic joint="x{k}"/>' for k in range(9)]
+    links = "".join(link(f"l{k}") for k in range(10))
+    joints = [joint(f"j{k}", f"l{k}", f"l{k + 1}", inside=loose[k]) for k in range(9)]
+    text = robot(links, *joints)
+    axes, mimics = read(text).warnings
+    assert 'joint "j0": an <axis> has no rpy: left out, as it is zero; so are 8 more axes' in axes
+    assert '"x0", which does not exist: taken as independent; so are 8 more that' in mimics
+    assert mimics.endswith('"j1", "j2", "j3", "j4", "j5", "j6" and 2 more')
+    assert 'joint "j0": an <axis> has no rpy: correct it' in refusal(text, strict=True)
+
+
 def test_what_could_change_the_dynamics_is_refused(refusal: Callable[..., str]) -> None:
     turned = GOOD.replace("<axis", '<axis rpy="0 0 1"')
     assert 'unknown attribute "rpy"' in refusal(turned)
@@ -63,6 +78,8 @@ def test_what_could_change_the_dynamics_is_refused(refusal: Callable[..., str]) 
     assert "<xacro:include> is not expanded" in refusal(element)
     late = "\n" + GOOD.replace('"1.0"', '"1.0" encoding="iso-8859-1"', 1)
     assert "not well formed" in refusal(late)
+    assert "has 2 <axis>: keep one" in refusal(pair(j=Y + '<axis xyz="0 1 0.0"/>'))
+    assert "binary data" in refusal(GOOD.replace("robot", "rob\0t", 1) + "\0")
     follows = pair(j=Y + '<mimic joint="jx"/>')
     assert "does not exist: correct the name" in refusal(follows, mimic=True)
 

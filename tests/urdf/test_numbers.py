@@ -66,3 +66,8 @@ def test_three_numbers_between_white_space(values: list[float], space: str) -> N
 def test_no_three_numbers(text: str) -> None:
     with pytest.raises(ValueError):
         numbers(text, 3)
+
+
+def test_an_expression_in_several_words_is_told_as_one() -> None:
+    with pytest.raises(ValueError, match="unexpanded xacro expression"):
+        numbers("$(optenv HUSKY_IMU_XYZ 0.19 0 0.149)", 3)

@@ -1,0 +1,240 @@
+"""What the page of a report shows, as one document of plain data.
+
+All of it is read off what was compiled: the model, the program and its timeline. The page draws it
+and computes nothing but where joints are as they move.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import fsum
+from typing import Any
+
+from adagen.cost import Timeline
+from adagen.drawing.program import operation_name
+from adagen.drawing.svg import colour
+from adagen.exact import rotation_taking_z_to, rounded
+from adagen.library import Compiled
+from adagen.model import Joint, Model
+from adagen.plan.simd_groups import Limbs
+from adagen.program import Operation, Program
+from adagen.program.summary import lanes, owners, title
+from adagen.studies.chart import Chart
+
+VERSION = 1
+
+
+@dataclass(frozen=True)
+class Measured:
+    """What a run of the built program says.
+
+    Attributes:
+        median: of an evaluation, microseconds.
+        least: of an evaluation, microseconds.
+        source: "clock", or "stretches" of computing, played through.
+        error: largest forward error of the answers that were checked, or None.
+        digits: of the accelerations that are sure, or None.
+        right: whether the check was passed.
+        timeline: what each process did when; None where the program tells none.
+    """
+
+    median: float
+    least: float
+    source: str
+    error: float | None
+    digits: float | None
+    right: bool
+    timeline: Timeline | None
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What a scene removed and saved: its file, and lines for people."""
+
+    file: str
+    lines: tuple[str, ...]
+
+
+def document(
+    made: Compiled,
+    commands: Mapping[str, str],
+    *,
+    measured: Measured | None = None,
+    scene: Scene | None = None,
+    chart: Chart | None = None,
+    remarks: Sequence[str] = (),
+) -> dict[str, Any]:
+    """Return the document of a report: JSON types alone, every number finite.
+
+    Args:
+        made: what was compiled.
+        commands: the command behind each part: "page", "robot", "program", "measured", "scene",
+            "chart".
+        measured: what a run says, if there was one.
+        scene: what a scene did, if there was one.
+        chart: error against time of variants of this robot, if there is a record.
+        remarks: warnings, and what is not modelled.
+    """
+    program = made.program
+    return {
+        "version": VERSION,
+        "robot": _robot(made.model, owners(program)),
+        "program": {
+            "title": title(program),
+            "shape": program.shape,
+            "form": made.request.form,
+            "scalar": made.request.scalar,
+            "profile": made.request.profile,
+            "untimed": _untimed(made),
+            "colours": [colour(p) for p in range(len(program.processes))],
+            "lanes": [{"process": p, "lanes": limbs.lanes} for p, limbs in lanes(program)],
+            "timelines": [
+                _timeline(program, line)
+                for line in (made.timeline, None if measured is None else measured.timeline)
+                if line is not None
+            ],
+        },
+        "figures": _figures(made, measured),
+        "scene": None if scene is None else {"file": scene.file, "lines": list(scene.lines)},
+        "chart": None if chart is None else _chart(chart),
+        "remarks": list(remarks),
+        "commands": dict(commands),
+    }
+
+
+def _untimed(made: Compiled) -> str | None:
+    """Return why no timeline is predicted; None where one is."""
+    if made.timeline is not None:
+        return None
+    if made.request.batch:
+        return "No timeline is predicted of a batch: processes share its states."
+    return f"No timeline is predicted: the profile {made.request.profile} prices joins alone."
+
+
+def _robot(model: Model, owner: Mapping[str, int]) -> dict[str, Any]:
+    return {
+        "name": model.name,
+        "floating": model.floating,
+        "gravity": model.gravity.tolist(),
+        "nv": model.nv,
+        "mass": fsum(link.inertia.mass for link in model.links[1:]),
+        "links": [
+            {
+                "name": link.name,
+                "mass": link.inertia.mass,
+                "com": link.inertia.com.tolist(),
+                "fixed": [
+                    {"name": frame.name, "at": frame.translation.tolist()} for frame in link.frames
+                ],
+            }
+            for link in model.links
+        ],
+        "joints": [_joint(joint, owner[joint.name]) for joint in model.joints],
+    }
+
+
+def _joint(joint: Joint, owner: int) -> dict[str, Any]:
+    mimic, across = joint.mimic, None
+    if joint.kind.name == "planar":  # the directions in which it shifts
+        across = rounded(rotation_taking_z_to(joint.axis))[:, :2].T.tolist()
+    return {
+        "name": joint.name,
+        "kind": joint.kind.name,
+        "parent": joint.parent,
+        "rotation": joint.rotation.tolist(),
+        "translation": joint.translation.tolist(),
+        "axis": joint.axis.tolist(),
+        "across": across,
+        "owner": owner,
+        "mimic": None if mimic is None else [mimic.source, mimic.multiplier, mimic.offset],
+    }
+
+
+def _timeline(program: Program, line: Timeline) -> dict[str, Any]:
+    return {
+        "source": line.source,
+        "makespan": line.makespan,
+        "busy": [line.busy(p) for p in range(len(program.processes))],
+        "waiting": [line.waiting(p) for p in range(len(program.processes))],
+        "intervals": [
+            {
+                "process": each.process,
+                "what": each.what,
+                "start": each.start,
+                "end": each.end,
+                **_words(program, each.process, each.operation, each.joint),
+            }
+            for each in line.intervals
+        ],
+        "exchanges": [
+            {"from": each.sender, "to": each.receiver, "sent": each.sent, "used": each.used}
+            for each in line.exchanges
+        ],
+    }
+
+
+def _words(program: Program, process: int, place: int | None, joint: int | None) -> dict[str, Any]:
+    """Return what an interval is called, and what lies in each SIMD lane of it."""
+    if place is None:
+        return {"name": "" if joint is None else program.plan.joints[joint].name, "lanes": []}
+    operation = program.processes[process].operations[place]
+    return {"name": operation_name(program, operation), "lanes": _lanes(program, operation)}
+
+
+def _lanes(program: Program, operation: Operation) -> list[str]:
+    """Return the limb in each lane of an operation, by its first and last joint."""
+    if not isinstance(operation.block, Limbs):
+        return []
+    joints, rows = program.plan.joints, operation.block.rows
+    ends = zip(rows[0], rows[-1], strict=True)
+    return [" .. ".join(joints[j].name for j in dict.fromkeys(pair)) for pair in ends]
+
+
+def _figures(made: Compiled, measured: Measured | None) -> list[dict[str, Any]]:
+    """Return rows of a table: what, as predicted, as measured, its unit."""
+    digits = None if made.digits is None else round(made.digits, 1)
+    median, least, sure, error = (
+        (None, None, None, None)
+        if measured is None
+        else (measured.median, measured.least, measured.digits, measured.error)
+    )
+    rows: list[tuple[str, float | None, float | None, str]] = [
+        ("time of an evaluation", made.predicted, median, "µs"),
+        ("least time", None, least, "µs"),
+        ("right digits of an acceleration", digits, sure, ""),
+        ("largest error", None, error, "relative"),
+    ]
+    return [
+        {"what": what, "predicted": one, "measured": two, "unit": unit}
+        for what, one, two, unit in rows
+        if one is not None or two is not None
+    ] + _verdict(measured)
+
+
+def _verdict(measured: Measured | None) -> list[dict[str, Any]]:
+    if measured is None:
+        return []
+    said = "right" if measured.right else "wrong"
+    if measured.source != "clock":
+        said += "; times from stretches of computing, played through"
+    return [{"what": "answers", "predicted": None, "measured": said, "unit": ""}]
+
+
+def _chart(chart: Chart) -> dict[str, Any]:
+    return {
+        "model": chart.model,
+        "machine": chart.machine,
+        "states": chart.states,
+        "points": [
+            {
+                "label": point.label,
+                "team": point.team,
+                "time": point.time_ns / 1e3,
+                "error": point.error,
+                "front": point.front,
+            }
+            for point in chart.points
+            if point.time_ns is not None and point.error is not None
+        ],
+    }

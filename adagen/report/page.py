@@ -1,0 +1,40 @@
+"""The page itself: the template with its style, its script and the document."""
+
+from __future__ import annotations
+
+import json
+from html import escape
+from typing import Any
+
+from adagen import __version__
+from adagen.emit.templates import environment, verbatim
+from adagen.errors import printable
+
+_STYLE = "report/style.css"
+_SCRIPTS = ("report/skeleton.js", "report/timeline.js", "report/chart.js", "report/page.js")
+
+
+def page(document: dict[str, Any]) -> str:
+    """Return a report as one HTML page that needs no other file.
+
+    Args:
+        document: of ``adagen.report.document``.
+    """
+    robot, program = document["robot"]["name"], document["program"]["title"]
+    return (
+        environment()
+        .get_template("report/page.html.j2")
+        .render(
+            title=escape(printable(f"{robot}: {program}")),
+            version=escape(__version__),
+            style=verbatim(_STYLE),
+            script="\n".join(map(verbatim, _SCRIPTS)),
+            data=_embedded(document),
+        )
+    )
+
+
+def _embedded(document: dict[str, Any]) -> str:
+    """Return JSON that cannot end the element it stands in: names are hostile data."""
+    text = json.dumps(document, allow_nan=False, ensure_ascii=True, separators=(",", ":"))
+    return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")

@@ -1,0 +1,196 @@
+"""The page in a real browser: no errors, all by the keyboard, dark and light, on paper.
+
+Needs Chromium (Debian: chromium) and the package playwright: pip install 'adagen[browser]'.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from adagen.model import Model, Pose
+from adagen.model.placement import placed
+from adagen.report import Measured, Scene, document, page
+from tests.report.robots import chart, compiled, every_kind
+
+playwright = pytest.importorskip(
+    "playwright.sync_api", reason="playwright is not installed: pip install 'adagen[browser]'"
+)
+NAMES = ("chromium", "chromium-browser", "google-chrome")
+PATH = next(filter(None, map(shutil.which, NAMES)), None)
+if PATH is None:
+    pytest.skip(f"no browser is installed ({', '.join(NAMES)})", allow_module_level=True)
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    with playwright.sync_playwright() as play:
+        found = play.chromium.launch(executable_path=PATH, args=["--no-sandbox"])
+        yield found
+        found.close()
+
+
+@pytest.fixture(scope="module")
+def report(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Model]:
+    folder = tmp_path_factory.mktemp("report")
+    made = compiled(folder, every_kind(), procs=1)
+    run = Measured(0.5, 0.4, "clock", 1e-15, 14.5, True, made.timeline)
+    scene = Scene("s.toml", ("two joints locked",))
+    commands = dict.fromkeys(("page", "robot", "program", "measured", "scene", "chart"), "adagen x")
+    told = document(
+        made, commands, measured=run, scene=scene, chart=chart("robot"), remarks=["<b>odd</b>"]
+    )
+    path = folder / "report.html"
+    path.write_text(page(told), encoding="utf-8")
+    return path, made.model
+
+
+def opened(browser: Any, path: Path, **options: Any) -> tuple[Any, list[str]]:
+    """A tab with the page, and all that it complains of or asks the network for."""
+    tab = browser.new_page(**options)
+    said: list[str] = []
+
+    def refused(dialog: Any) -> None:
+        said.append(dialog.message)
+        dialog.dismiss()
+
+    tab.on("console", lambda message: said.append(message.text))
+    tab.on("pageerror", lambda error: said.append(str(error)))
+    tab.on("dialog", refused)
+    tab.on("request", lambda asked: said.append(asked.url) if asked.url != path.as_uri() else None)
+    tab.goto(path.as_uri())
+    return tab, said
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("width", [1200, 390])
+def test_it_is_shown_without_a_complaint(
+    scheme: str, width: int, browser: Any, report: tuple[Path, Model]
+) -> None:
+    tab, said = opened(
+        browser, report[0], color_scheme=scheme, viewport={"width": width, "height": 800}
+    )
+    for part in ("robot", "program", "figures", "chart", "scene", "remarks"):
+        assert tab.locator(f"#{part}").is_visible()
+    assert tab.locator("#skeleton circle").count() == len(report[1].joints)
+    assert tab.locator("#timelines figure").count() == 2
+    assert tab.locator("#chart-d circle").count() == 6 + 2  # and two in the legend
+    assert tab.locator("#remarks-l li").inner_text() == "<b>odd</b>"
+    assert tab.evaluate("document.documentElement.scrollWidth <= innerWidth")
+    ink, paper = tab.evaluate(
+        "(s => [s.color, s.backgroundColor])(getComputedStyle(document.body))"
+    )
+    assert contrast(ink, paper) >= 7.0
+    assert (luminance(paper) > 0.5) == (scheme == "light")
+    muted = tab.evaluate("getComputedStyle(document.querySelector('figcaption')).color")
+    assert contrast(muted, paper) >= 4.5
+    assert said == []
+    tab.close()
+
+
+def luminance(colour: str) -> float:
+    parts = [int(x) / 255 for x in re.findall(r"\d+", colour)[:3]]
+    linear = [x / 12.92 if x <= 0.04045 else ((x + 0.055) / 1.055) ** 2.4 for x in parts]
+    return float(np.dot(linear, [0.2126, 0.7152, 0.0722]))
+
+
+def contrast(one: str, other: str) -> float:
+    low, high = sorted(map(luminance, (one, other)))
+    return (high + 0.05) / (low + 0.05)
+
+
+def test_everything_is_reached_by_the_keyboard(browser: Any, report: tuple[Path, Model]) -> None:
+    tab, said = opened(browser, report[0])
+    wanted = tab.evaluate("document.querySelectorAll('a, input, button, summary').length")
+    seen = set()
+    for _ in range(wanted):
+        tab.keyboard.press("Tab")
+        seen.add(
+            tab.evaluate(
+                "[...document.querySelectorAll('a, input, button, summary')]"
+                ".indexOf(document.activeElement)"
+            )
+        )
+        outline = tab.evaluate("getComputedStyle(document.activeElement).outlineStyle")
+        assert outline != "none"
+    assert seen - {-1} == set(range(wanted))
+    unnamed = "[...document.querySelectorAll('input')].filter(i => !i.labels.length).length"
+    assert tab.evaluate(unnamed) == 0
+    assert said == []
+    tab.close()
+
+
+def test_a_slider_moves_the_robot_and_a_button_brings_it_back(
+    browser: Any, report: tuple[Path, Model]
+) -> None:
+    tab, said = opened(browser, report[0])
+    drawn = "document.getElementById('skeleton').innerHTML"
+    before = tab.evaluate(drawn)
+    slider = tab.locator("#joint-0-0")
+    slider.focus()
+    for _ in range(20):
+        tab.keyboard.press("ArrowRight")
+    assert tab.locator("output[for=joint-0-0]").inner_text() == "0.31 rad"
+    assert tab.evaluate(drawn) != before
+    tab.locator("#home").press("Enter")
+    assert tab.evaluate(drawn) == before
+    box = tab.locator("#skeleton").bounding_box()
+    tab.mouse.move(box["x"] + 50, box["y"] + 50)
+    tab.mouse.down()
+    tab.mouse.move(box["x"] + 120, box["y"] + 80)
+    tab.mouse.up()
+    assert tab.evaluate(drawn) != before
+    assert said == []
+    tab.close()
+
+
+def test_links_are_where_the_model_has_them(browser: Any, report: tuple[Path, Model]) -> None:
+    path, model = report
+    tab, said = opened(browser, path)
+    rng = np.random.default_rng(3)
+    sizes = tab.evaluate("data.robot.joints.map((joint) => SLIDERS[joint.kind].length)")
+    pose = [rng.uniform(-1, 1, size).tolist() for size in sizes]
+    found = tab.evaluate("(pose) => placed(data.robot, pose)", pose)
+    at = [Pose.home()]
+    for j, joint in enumerate(model.joints):
+        q = pose[j]
+        if joint.mimic is not None:
+            q = [joint.mimic.multiplier * pose[joint.mimic.source][0] + joint.mimic.offset]
+        elif joint.kind.quaternion is not None:
+            q = [*q[:-3], *quaternion(q[-3:])]
+        moved = placed(joint, q)
+        at.append(at[joint.parent].then(moved.rotation, moved.translation))
+    for pose_of_link, link in zip(at, found, strict=True):
+        expected = pose_of_link.frame("")
+        assert np.abs(np.array(link["rotation"]) - expected.rotation).max() < 1e-12
+        assert np.abs(np.array(link["origin"]) - expected.translation).max() < 1e-12
+    assert said == []
+    tab.close()
+
+
+def quaternion(vector: list[float]) -> list[float]:
+    angle = math.hypot(*vector)
+    return [*(x / angle * math.sin(angle / 2) for x in vector), math.cos(angle / 2)]
+
+
+def test_it_is_printed_on_a4(browser: Any, report: tuple[Path, Model]) -> None:
+    tab, said = opened(browser, report[0], color_scheme="dark")
+    paper = tab.pdf(prefer_css_page_size=True)
+    boxes = re.findall(rb"/MediaBox \[0 0 ([\d.]+) ([\d.]+)\]", paper)
+    assert 1 <= len(boxes) <= 4
+    for width, height in boxes:
+        assert (round(float(width)), round(float(height))) == (595, 842)
+    tab.emulate_media(media="print")
+    assert not tab.locator("#pose").is_visible() and not tab.locator("nav").is_visible()
+    assert tab.locator("#skeleton").is_visible()
+    background = tab.evaluate("getComputedStyle(document.body).backgroundColor")
+    assert background == "rgb(255, 255, 255)"
+    assert said == []
+    tab.close()

@@ -1,0 +1,136 @@
+"""What a report holds: plain data that is read off what was compiled, and a page around it."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from adagen.cli import main
+from adagen.report import Measured, Scene, document, page
+from adagen.studies.chart import write_json
+from tests.report.robots import chart, compiled, every_kind
+
+MODELS = Path(__file__).resolve().parents[2] / "generated_examples" / "models"
+
+
+def data_of(html: str) -> dict[str, Any]:
+    found = re.search(r'<script type="application/json" id="data">(.*?)</script>', html)
+    assert found is not None
+    data = json.loads(found[1])
+    assert isinstance(data, dict)
+    return data
+
+
+def numbers(data: Any) -> Iterator[float]:
+    if isinstance(data, float):
+        yield data
+    for each in data.values() if isinstance(data, dict) else data if isinstance(data, list) else ():
+        yield from numbers(each)
+
+
+def test_the_document_is_what_was_compiled(tmp_path: Path) -> None:
+    made = compiled(tmp_path, (MODELS / "humanoid.urdf").read_text(), procs=2, shape="kernels")
+    told = document(made, {"page": "adagen report x"}, remarks=["odd"])
+    assert json.loads(json.dumps(told, allow_nan=False)) == json.loads(json.dumps(told))
+    robot, program = told["robot"], told["program"]
+    assert [joint["name"] for joint in robot["joints"]] == [j.name for j in made.model.joints]
+    assert len(robot["links"]) == len(robot["joints"]) + 1
+    (line,) = program["timelines"]
+    assert made.timeline is not None
+    assert line["source"] == "predicted" and line["makespan"] == made.predicted
+    assert len(line["intervals"]) == len(made.timeline.intervals)
+    assert len(program["colours"]) == 2 and len(line["busy"]) == 2
+    side_by_side = [each["lanes"] for each in line["intervals"] if each["lanes"]]
+    assert any("left_shoulder" in lane for lanes in side_by_side for lane in lanes)
+    (time, digits) = told["figures"]
+    assert (time["what"], time["measured"]) == ("time of an evaluation", None)
+    assert digits["predicted"] == round(made.digits or 0.0, 1)
+    assert told["scene"] is None and told["chart"] is None and told["remarks"] == ["odd"]
+    assert all(map(math.isfinite, numbers(told)))
+
+
+def test_what_was_measured_stands_beside(tmp_path: Path) -> None:
+    made = compiled(tmp_path, (MODELS / "arm7.urdf").read_text())
+    run = Measured(0.5, 0.4, "stretches", 1e-15, 14.5, True, made.timeline)
+    told = document(made, {}, measured=run, scene=Scene("s.toml", ("less",)), chart=chart("arm7"))
+    rows = {row["what"]: (row["predicted"], row["measured"]) for row in told["figures"]}
+    assert rows["time of an evaluation"] == (made.predicted, 0.5)
+    assert rows["least time"] == (None, 0.4) and rows["largest error"] == (None, 1e-15)
+    assert "stretches" in rows["answers"][1]
+    assert len(told["program"]["timelines"]) == 2
+    assert told["scene"] == {"file": "s.toml", "lines": ["less"]}
+    assert len(told["chart"]["points"]) == 6  # the one that failed has no place
+    assert told["chart"]["points"][0]["time"] == pytest.approx(0.2)
+
+
+def test_why_there_is_no_timeline_is_told(tmp_path: Path) -> None:
+    text = (MODELS / "arm7.urdf").read_text()
+    for words, why in (({"batch": True}, "of a batch"), ({"profile": "paper"}, "prices joins")):
+        program = document(compiled(tmp_path, text, **words), {})["program"]
+        assert program["timelines"] == [] and why in program["untimed"]
+    assert document(compiled(tmp_path, text), {})["program"]["untimed"] is None
+
+
+def test_hostile_names_are_data(tmp_path: Path) -> None:
+    html = page(document(compiled(tmp_path, every_kind()), {}))
+    assert "<img" not in html
+    assert html.count("</script>") == 2
+    assert data_of(html)["robot"]["joints"][0]["name"].startswith("</script>")
+
+
+def test_the_page_needs_nothing_else(tmp_path: Path) -> None:
+    html = page(document(compiled(tmp_path, (MODELS / "arm7.urdf").read_text()), {}))
+    assert not re.search(r'(src|href)="(?!#)', html)
+    assert "default-src 'none'" in html
+    addresses = set(re.findall(r"https?://[^\s\"']+", html))
+    assert addresses == {"http://www.w3.org/2000/svg"}  # a name, which nobody fetches
+    assert html == page(document(compiled(tmp_path, (MODELS / "arm7.urdf").read_text()), {}))
+
+
+def test_the_command_writes_one_page(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    record, out, scene = tmp_path / "chart_arm7.json", tmp_path / "out", tmp_path / "s.toml"
+    write_json(chart("arm7"), record)
+    scene.write_text("gravity = [0, 0, 0]\n")
+    words = [str(MODELS / "arm7.urdf"), "--procs", "1", "--record", str(record)]
+    words += ["--scene", str(scene), "--out", str(out)]
+    assert main(["report", *words]) == 0
+    assert [path.name for path in out.iterdir()] == ["arm7_p1_report.html"]
+    data = data_of((out / "arm7_p1_report.html").read_text())
+    assert data["commands"]["page"].startswith("adagen report ")
+    assert "no gravity" in data["scene"]["lines"]
+    assert data["chart"]["model"] == "arm7"
+    assert any("mimics" in line for line in data["remarks"])
+    assert "measured" not in data["commands"]
+    assert "arm7_p1_report.html" in capsys.readouterr().err
+    assert main(["report", *words]) == 0  # its own page is written anew
+    (out / "arm7_p1_report.html").write_text("mine")
+    assert main(["report", *words]) == 2
+
+
+def test_a_record_of_another_robot_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    record = tmp_path / "other.json"
+    write_json(chart("talos"), record)
+    words = [str(MODELS / "arm7.urdf"), "--record", str(record), "--out", str(tmp_path / "out")]
+    assert main(["report", *words]) == 1
+    assert "a chart of talos, not of arm7" in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_run_is_measured(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ADAGEN_CACHE", str(tmp_path / "cache"))
+    words = [str(MODELS / "arm7.urdf"), "--procs", "1", "--run", "--out", str(tmp_path / "out")]
+    assert main(["report", *words]) == 0
+    data = data_of((tmp_path / "out" / "arm7_p1_report.html").read_text())
+    rows = {row["what"]: row["measured"] for row in data["figures"]}
+    assert rows["time of an evaluation"] > 0.0 and rows["answers"].startswith("right")
+    assert data["program"]["timelines"][1]["source"] == "measured"
+    assert "--check" in data["commands"]["measured"]
+    assert main(["report", str(MODELS / "arm7.urdf"), "--run", "--batch"]) == 2
