@@ -47,6 +47,10 @@ _ADA = (
     "(its child link's side) to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, "
     "Eq. (8)-(10), comes down."
 )
+_CLOSED = (
+    "Where loops are closed, accelerations of their joints and the constraint forces are held back "
+    "as unknowns, and eliminated at the last link that the joints have in common (docs/loops.md)."
+)
 _BATCH = "Each SIMD lane holds a state; the processes share the states of a batch, not the robot."
 
 
@@ -61,6 +65,7 @@ def algorithm(program: Program) -> list[str]:
             parts = [_GATHERED]
         case _:
             parts = [_SEGMENTS, _JOINED]
+    parts += [_CLOSED] * program.plan.closed
     parts.append(_FRAMES.get(program.shape, _FRAMES["other"]))
     parts += [_BATCH] * program.batch
     return textwrap.wrap(" ".join(parts), _WIDTH)

@@ -37,5 +37,9 @@ FAILURES = (
     FailureRow("GIMBAL_LOCK", 8, "joints that are joined as one do not move in as many directions"),
     FailureRow("GROWTH", 9, "a link beside a joint is too light for its neighbours"),
     FailureRow("TOO_FEW_STEPS", 11, "refinement converges too slowly"),
+    FailureRow("LOOP_OPEN", 12, "a loop or coupling is not closed in this configuration"),
+    FailureRow("LOOP_TORN", 13, "this velocity tears a loop or coupling open"),
+    FailureRow("LOOP_SINGULAR", 14, "what a loop holds changes in this pose"),
+    FailureRow("LOOP_FREE", 15, "loops leave a joint a motion that no inertia resists"),
 )
 """What a status may say, as the header names it."""

@@ -228,7 +228,13 @@ def _choices(
     """
     pattern = np.abs(samples).max(axis=0) > 0.0
     weights = depths if any(depths) else pattern.sum(axis=0).tolist()
-    offers = [offer for each in samples for offer in (_pivots(each, weights), _pivots(each, ()))]
+    sizes = np.abs(samples).max(axis=(0, 1), initial=0.0)
+    alike_columns = samples / np.where(sizes > 0.0, sizes, 1.0)  # metres beside radians
+    offers = [
+        offer
+        for each, scaled in zip(samples, alike_columns, strict=True)
+        for offer in (_pivots(scaled, weights), _pivots(each, weights), _pivots(each, ()))
+    ]
     offers = [offer for offer, _ in Counter(offers).most_common(MOST_OFFERS)]
     sizes = np.array([[_largest(offer, each) for each in samples] for offer in offers])
     losses = np.log10(np.clip(sizes, 10.0, 1e12)).mean(axis=1)  # beyond ten, digits

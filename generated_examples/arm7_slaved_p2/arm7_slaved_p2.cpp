@@ -75,7 +75,11 @@ enum {
   ARM7_SLAVED_P2_NOT_REFINED = 7,  // refinement does not converge
   ARM7_SLAVED_P2_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   ARM7_SLAVED_P2_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  ARM7_SLAVED_P2_TOO_FEW_STEPS = 11  // refinement converges too slowly
+  ARM7_SLAVED_P2_TOO_FEW_STEPS = 11,  // refinement converges too slowly
+  ARM7_SLAVED_P2_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
+  ARM7_SLAVED_P2_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
+  ARM7_SLAVED_P2_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
+  ARM7_SLAVED_P2_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
 };
 
 #ifdef __cplusplus
@@ -2122,6 +2126,10 @@ static_assert(int(ARM7_SLAVED_P2_NOT_REFINED) == int(kNotRefined));
 static_assert(int(ARM7_SLAVED_P2_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(ARM7_SLAVED_P2_GROWTH) == int(kGrowth));
 static_assert(int(ARM7_SLAVED_P2_TOO_FEW_STEPS) == int(kTooFewSteps));
+static_assert(int(ARM7_SLAVED_P2_LOOP_OPEN) == int(kLoopOpen));
+static_assert(int(ARM7_SLAVED_P2_LOOP_TORN) == int(kLoopTorn));
+static_assert(int(ARM7_SLAVED_P2_LOOP_SINGULAR) == int(kLoopSingular));
+static_assert(int(ARM7_SLAVED_P2_LOOP_FREE) == int(kLoopFree));
 
 struct arm7_slaved_p2_solver : Solver {};
 

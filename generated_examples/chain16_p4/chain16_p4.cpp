@@ -91,7 +91,11 @@ enum {
   CHAIN16_P4_NOT_REFINED = 7,  // refinement does not converge
   CHAIN16_P4_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   CHAIN16_P4_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  CHAIN16_P4_TOO_FEW_STEPS = 11  // refinement converges too slowly
+  CHAIN16_P4_TOO_FEW_STEPS = 11,  // refinement converges too slowly
+  CHAIN16_P4_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
+  CHAIN16_P4_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
+  CHAIN16_P4_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
+  CHAIN16_P4_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
 };
 
 #ifdef __cplusplus
@@ -2697,6 +2701,10 @@ static_assert(int(CHAIN16_P4_NOT_REFINED) == int(kNotRefined));
 static_assert(int(CHAIN16_P4_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(CHAIN16_P4_GROWTH) == int(kGrowth));
 static_assert(int(CHAIN16_P4_TOO_FEW_STEPS) == int(kTooFewSteps));
+static_assert(int(CHAIN16_P4_LOOP_OPEN) == int(kLoopOpen));
+static_assert(int(CHAIN16_P4_LOOP_TORN) == int(kLoopTorn));
+static_assert(int(CHAIN16_P4_LOOP_SINGULAR) == int(kLoopSingular));
+static_assert(int(CHAIN16_P4_LOOP_FREE) == int(kLoopFree));
 
 struct chain16_p4_solver : Solver {};
 

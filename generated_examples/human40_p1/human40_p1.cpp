@@ -83,7 +83,11 @@ enum {
   HUMAN40_P1_NOT_REFINED = 7,  // refinement does not converge
   HUMAN40_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   HUMAN40_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  HUMAN40_P1_TOO_FEW_STEPS = 11  // refinement converges too slowly
+  HUMAN40_P1_TOO_FEW_STEPS = 11,  // refinement converges too slowly
+  HUMAN40_P1_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
+  HUMAN40_P1_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
+  HUMAN40_P1_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
+  HUMAN40_P1_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
 };
 
 #ifdef __cplusplus
@@ -1950,6 +1954,10 @@ static_assert(int(HUMAN40_P1_NOT_REFINED) == int(kNotRefined));
 static_assert(int(HUMAN40_P1_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(HUMAN40_P1_GROWTH) == int(kGrowth));
 static_assert(int(HUMAN40_P1_TOO_FEW_STEPS) == int(kTooFewSteps));
+static_assert(int(HUMAN40_P1_LOOP_OPEN) == int(kLoopOpen));
+static_assert(int(HUMAN40_P1_LOOP_TORN) == int(kLoopTorn));
+static_assert(int(HUMAN40_P1_LOOP_SINGULAR) == int(kLoopSingular));
+static_assert(int(HUMAN40_P1_LOOP_FREE) == int(kLoopFree));
 
 struct human40_p1_solver : Solver {};
 

@@ -138,8 +138,9 @@ inline Constraints constraints(const Number* q) {
   return found;
 }
 
-// x = W J^T y with (J W J^T + damping) y = r: for a small damping the x of least size that moves
-// the gaps by r, as far as it can be had. W: weights, or 1.
+// x = W J^T y with (J W J^T + damping) y = r, the damping beside rows brought to one size: for a
+// small one the x of least size that moves the gaps by r, as far as it can be had. W: weights,
+// or 1.
 inline std::vector<Real> least(const Constraints& at, const std::vector<Real>& r, Real damping,
                                const std::vector<Real>* weights, std::vector<Real>* forces) {
   const int m = at.count(), n = about.nv;
@@ -149,13 +150,15 @@ inline std::vector<Real> least(const Constraints& at, const std::vector<Real>& r
   const auto entry = [&square, m](int i, int k) -> Real& {
     return square[static_cast<std::size_t>(i * m + k)];
   };
-  Real trace = 0;
+  std::vector<Real> scale(rows);  // rows in metres and radians, light and heavy, come to one size
   for (int i = 0; i < m; ++i) {
     for (int k = 0; k <= i; ++k)
       for (int j = 0; j < n; ++j) entry(i, k) += at.row(i)[j] * weight(j) * at.row(k)[j];
-    trace += entry(i, i);
+    scale[std::size_t(i)] = entry(i, i) > 0 ? 1 / std::sqrt(entry(i, i)) : 0;
+    for (int k = 0; k <= i; ++k) entry(i, k) *= scale[std::size_t(i)] * scale[std::size_t(k)];
+    entry(i, i) += damping;
+    y[std::size_t(i)] *= scale[std::size_t(i)];
   }
-  for (int i = 0; i < m; ++i) entry(i, i) += damping * trace;
   for (int i = 0; i < m; ++i) {  // L L^T
     for (int k = 0; k <= i; ++k) {
       for (int j = 0; j < k; ++j) entry(i, k) -= entry(i, j) * entry(k, j);
@@ -176,6 +179,7 @@ inline std::vector<Real> least(const Constraints& at, const std::vector<Real>& r
     for (int k = i + 1; k < m; ++k) y[std::size_t(i)] -= entry(k, i) * y[std::size_t(k)];
     y[std::size_t(i)] = divided(y[std::size_t(i)], i);
   }
+  for (int i = 0; i < m; ++i) y[std::size_t(i)] *= scale[std::size_t(i)];
   for (int i = 0; i < m; ++i)
     for (int j = 0; j < n; ++j) x[std::size_t(j)] += weight(j) * at.row(i)[j] * y[std::size_t(i)];
   if (forces != nullptr) *forces = y;
@@ -295,22 +299,30 @@ inline Parting parting(const Frames& frames, const std::vector<Pose>& pose,
 inline void account(const Number* q, const Number* v, const Number* qdd, check::Left& left) {
   const Constraints now = constraints(q);
   const std::size_t nv = left.over.size();
-  std::vector<Real> weights(nv), right(now.gaps.size()), forces;
+  std::vector<Real> weights(nv), held(nv);
   for (std::size_t k = 0; k < nv; ++k)
     weights[k] = left.size[k] > 0 ? 1 / (left.size[k] * left.size[k]) : 0;
-  for (int i = 0; i < now.count(); ++i)
+  const auto squares = [&left] {
+    Real sum = 0;
+    for (const Real x : left.over) sum += x * x;
+    return sum;
+  };
+  const Real before = squares();
+  for (int again = 0; again < 4; ++again) {  // the damping's share is left to the next
+    std::vector<Real> right(now.gaps.size()), forces;
+    for (int i = 0; i < now.count(); ++i)
+      for (std::size_t k = 0; k < nv; ++k)
+        right[static_cast<std::size_t>(i)] += now.row(i)[k] * weights[k] * left.over[k];
+    least(now, right, kLittle, &weights, &forces);
     for (std::size_t k = 0; k < nv; ++k)
-      right[static_cast<std::size_t>(i)] += now.row(i)[k] * weights[k] * left.over[k];
-  least(now, right, kLittle, &weights, &forces);
-  Real before = 0, after = 0;
-  for (std::size_t k = 0; k < nv; ++k) {
-    before += left.over[k] * left.over[k];
-    for (int i = 0; i < now.count(); ++i) {
-      const Real part = now.row(i)[k] * forces[static_cast<std::size_t>(i)];
-      left.over[k] -= part, left.size[k] += std::abs(part);
-    }
-    after += left.over[k] * left.over[k];
+      for (int i = 0; i < now.count(); ++i) {
+        const Real part = now.row(i)[k] * forces[static_cast<std::size_t>(i)];
+        left.over[k] -= part;
+        if (again == 0) held[k] += std::abs(part);
+      }
   }
+  for (std::size_t k = 0; k < nv; ++k) left.size[k] += held[k];
+  const Real after = squares();
   left.residual *= before > 0 ? double(std::sqrt(after / before)) : 1;
   left.backward = 0;
   const auto note = [&left](Real value, Real size, int joint) {

@@ -17,6 +17,7 @@ AT_TORSO = "humanoid_at_torso.json"
 KEPT = (
     *("Makefile", "README.md", f"models/{AT_TORSO}"),
     *("models/arm7_payload.toml", "models/humanoid_legs.toml"),
+    *("models/ankle.toml", "models/fourbar.toml"),
 )
 """Files of the folder that are written by hand."""
 
@@ -35,6 +36,7 @@ class Example:
     channel: str = "auto"
     shape: str = "auto"
     batch: bool = False
+    closed: bool = False  # by the scene of its name
     schedule: str = "auto"  # another one where the best leaves processes idle; a file of models/
 
     @property
@@ -49,7 +51,11 @@ class Example:
 
     def model(self) -> Model:
         """Read the robot."""
-        return _robot(self.urdf, self.floating, self.mimic).model
+        return self.read().model
+
+    def read(self) -> Robot:
+        """Read the robot, with all that was found."""
+        return _robot(self.urdf, self.floating, self.mimic, closed=self.closed)
 
 
 EXAMPLES = (
@@ -70,14 +76,17 @@ EXAMPLES = (
     Example("human40", "human40", 4, shape="kernels", schedule="balanced"),
     Example("chain16", "chain16", 3, shape="kernels", schedule="balanced"),
     Example("chain16", "chain16", 4, form="ada", channel="message"),
+    Example("fourbar", "fourbar", 1, closed=True),
+    Example("ankle", "ankle", 1, closed=True),
     Example("mobile", "mobile", 1),
     Example("mobile", "mobile", 3, form="ada"),
 )
 
 
 @cache
-def _robot(urdf: Path, floating: bool, mimic: bool) -> Robot:
-    return read(urdf, floating=floating, mimic=mimic)
+def _robot(urdf: Path, floating: bool, mimic: bool, *, closed: bool) -> Robot:
+    scene = urdf.with_suffix(".toml") if closed else None
+    return read(urdf, floating=floating, mimic=mimic, scene=scene)
 
 
 def _named_or_file(schedule: str) -> str:
@@ -87,7 +96,7 @@ def _named_or_file(schedule: str) -> str:
 def compiled(example: Example) -> Compiled:
     """Return what is made of an example."""
     return compile(
-        _robot(example.urdf, example.floating, example.mimic),
+        example.read(),
         procs=example.processes,
         form=example.form,
         scalar=example.scalar,

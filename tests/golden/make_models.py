@@ -275,9 +275,59 @@ def mobile() -> str:
     return w.text()
 
 
+def fourbar() -> str:
+    """A crank, a coupler and a rocker; fourbar.toml closes the loop."""
+    w = Writer("fourbar", "crank-rocker linkage, cut open at the coupler; fourbar.toml closes it")
+    w.link("ground")
+    bars = (("crank", 0.2, 0.4), ("coupler", 0.5, 1.0), ("rocker", 0.4, 0.8))
+    for name, length, mass in bars:
+        w.link(name, box(mass, (length, 0.03, 0.03), (length / 2, 0, 0)))
+    w.joint("crank_pin", "continuous", ("ground", "crank"), axis=Y)
+    w.joint("coupler_pin", "continuous", ("crank", "coupler"), (0.2, 0, 0), axis=Y)
+    w.joint("rocker_pin", "continuous", ("ground", "rocker"), (0.45, 0, 0), axis=Y)
+    return w.text()
+
+
+def ankle() -> str:
+    """A leg whose ankle is moved by two motors in the shank, by cranks and rods on balls."""
+    w = Writer("ankle", "a leg with a parallel ankle; ankle.toml closes both of its rods")
+    w.link("pelvis")
+    w.link("thigh", cylinder(6.0, 0.07, 0.4, (0, 0, -0.2)))
+    w.link("shank", cylinder(3.5, 0.05, 0.4, (0, 0, -0.2)))
+    w.link("ankle_cross", ball(0.15, 0.02, (0, 0, 0)))
+    w.link("foot", box(1.0, (0.22, 0.09, 0.04), (0.04, 0, -0.05)))
+    w.joint("hip", "revolute", ("pelvis", "thigh"), axis=Y, limit=(-1.5, 1.5, 90, 10))
+    w.joint("knee", "revolute", ("thigh", "shank"), (0, 0, -0.4), axis=Y, limit=(0, 2.4, 120, 10))
+    w.joint(
+        "ankle_pitch",
+        "revolute",
+        ("shank", "ankle_cross"),
+        (0, 0, -0.4),
+        axis=Y,
+        limit=(-0.8, 0.8, 0, 10),
+    )
+    w.joint("ankle_roll", "revolute", ("ankle_cross", "foot"), axis=X, limit=(-0.5, 0.5, 0, 10))
+    for side, y, above in (("left", 0.05, 0.25), ("right", -0.05, 0.17)):
+        w.link(f"{side}_crank", box(0.2, (0.06, 0.01, 0.02), (-0.03, 0, 0)))
+        length = 0.4 - above
+        w.link(f"{side}_rod", cylinder(0.15, 0.006, length, (0, 0, -length / 2)))
+        w.joint(
+            f"{side}_motor",
+            "revolute",
+            ("shank", f"{side}_crank"),
+            (0, y, -above),
+            axis=Y,
+            limit=(-1, 1, 60, 10),
+        )
+        w.joint(f"{side}_ball", "spherical", (f"{side}_crank", f"{side}_rod"), (-0.06, 0, 0))
+    return w.text()
+
+
 ROBOTS = {
+    "ankle": ankle,
     "arm7": arm7,
     "chain16": chain16,
+    "fourbar": fourbar,
     "human40": human40,
     "humanoid": humanoid,
     "mobile": mobile,

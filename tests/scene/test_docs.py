@@ -27,4 +27,4 @@ def test_the_documented_scene_is_read_and_complete(tmp_path: Path) -> None:
 def test_the_example_scenes_are_read() -> None:
     scenes = sorted((ROOT / "generated_examples" / "models").glob("*.toml"))
     assert [read_scene(path).source.file for path in scenes] == [str(path) for path in scenes]
-    assert len(scenes) == 2
+    assert len(scenes) == 4

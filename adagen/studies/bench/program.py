@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import subprocess
 import tempfile
@@ -32,7 +33,11 @@ TIMEOUT = 120.0
 def source(name: str) -> str:
     """Return the text of one of this package's programs, with what each has in common before it."""
     texts = ("measure.hpp", name)
-    return "".join((SOURCES / text).read_text(encoding="utf-8") for text in texts)
+    whole = "".join((SOURCES / text).read_text(encoding="utf-8") for text in texts)
+    for header in re.findall(r'^#include "(\w+\.hpp)"\n', whole, re.MULTILINE):
+        text = (SOURCES / header).read_text(encoding="utf-8")
+        whole = whole.replace(f'#include "{header}"\n', text)
+    return whole
 
 
 def build(

@@ -31,7 +31,7 @@ def contestants(model: Model, states: States, folder: Path) -> Sequence[Contesta
             compiles them.
     """
     file, given = folder / "pinocchio.txt", folder / "pinocchio.states"
-    file.write_text(_description(model), encoding="utf-8")
+    file.write_text(described(model), encoding="utf-8")
     coordinates(model, states).write(given)
     built = _builds()
     found = []
@@ -58,7 +58,7 @@ def contestants(model: Model, states: States, folder: Path) -> Sequence[Contesta
 
 def _builds() -> dict[tuple[str, str], Path]:
     """Return the executables by compiler and flags; each takes a minute to compile, once."""
-    headers = _headers()
+    folder = headers()
     text = f"// pinocchio {package('pin')}\n{source('pinocchio.cpp')}"
     kinds = [(c, f) for c in COMPILERS if compiler_version(c) for f in FLAGS]
     if not kinds:
@@ -66,14 +66,14 @@ def _builds() -> dict[tuple[str, str], Path]:
 
     def made(kind: tuple[str, str]) -> Path:
         compiler, flags = kind
-        folders = (headers, headers / "eigen3")
+        folders = (folder, folder / "eigen3")
         return build(text, "bench_pinocchio", compiler, FLAGS[flags], folders)
 
     with ThreadPoolExecutor(2) as pool:
         return dict(zip(kinds, pool.map(made, kinds), strict=True))
 
 
-def _headers() -> Path:
+def headers() -> Path:
     """Return the folder that holds pinocchio's, Eigen's and Boost's headers."""
     for name in ("libpinocchio", "pin"):
         try:
@@ -97,8 +97,8 @@ def coordinates(model: Model, states: States) -> Coordinates:
     return Coordinates(np.hstack(columns), states.v, states.tau)
 
 
-def _description(model: Model) -> str:
-    """Return the robot as the program reads it, every number to the last bit."""
+def described(model: Model) -> str:
+    """Return the robot as programs read it, every number to the last bit."""
     lines = [_numbers(model.gravity)]
     for joint, link in zip(model.joints, model.links[1:], strict=True):
         inertia = link.inertia
