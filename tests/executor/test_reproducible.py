@@ -19,6 +19,7 @@ from tests.emit.limbs import alike
 from tests.emitted import ROUNDING, forward_error, truth_of
 from tests.executor.test_lane_bits import affected, limbs, slaved
 from tests.gathered import dealt, reproducible_plan
+from tests.mechanisms import four_bar
 from tests.models import Array, human_figure, random_tree, serial_chain
 from tests.scene.effects import with_effects, with_wrenches
 
@@ -123,6 +124,8 @@ def test_what_depends_on_the_processes_is_refused() -> None:
         make_plan(model, schedule, meeting="gather", reproducible=True)
     with pytest.raises(UsageError, match="only form segment in one number type"):
         make_plan(model, schedule, form="ada", reproducible=True)
+    with pytest.raises(UsageError, match="loops and couplings are solved in loops of code"):
+        reproducible_plan(four_bar())
 
 
 def test_constants_are_rounded_as_a_processor_rounds_them() -> None:
