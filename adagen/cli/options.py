@@ -84,6 +84,7 @@ RARE = frozenset(
         "--tune",
         "--tuned",
         "--channel",
+        "--reproducible",
         "--single-file",
         "--cmake-dir",
         "--name",
@@ -181,6 +182,12 @@ def _add_algorithm(parser: Parser) -> None:
         metavar="TYPE",
         help="double (default), float, or mixed: float, refined to double",
     )
+    group.add_argument(
+        "--reproducible",
+        action="store_true",
+        help="the same answers to the last bit on every number of processes, by every compiler and "
+        "on every x86-64 processor (docs/reproducible.md)",
+    )
 
 
 def add_emission(parser: Parser) -> None:
@@ -262,11 +269,13 @@ def check_emission(parser: Parser, options: argparse.Namespace) -> None:
     Raises:
         UsageError: options exclude each other.
     """
-    from adagen.emit import check_batch
+    from adagen.emit import check_batch, check_reproducible
     from adagen.emit.refine import checked_shape
 
     check_search(parser, options)
     steps = refinement(options)
+    if options.reproducible:
+        check_reproducible(options.form, options.scalar, steps, options.shape)
     checked_shape(steps, options.shape)
     if options.batch:
         check_batch(options.shape, steps, options.channel)

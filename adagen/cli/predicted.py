@@ -40,9 +40,11 @@ def scheduled(
     from adagen.search import choose_processes, predicted_time
     from adagen.search.choose import margin
 
-    profile, shape = _profile(options), priced_shape(options)
+    profile, shape, same = _profile(options), priced_shape(options), options.reproducible
     if options.procs == AUTO:
-        found = choose_processes(model, profile, options.form, cores(), schedule, shape)
+        found = choose_processes(
+            model, profile, options.form, cores(), schedule, shape, reproducible=same
+        )
         best = found[0]
         options.procs = best.processes
         times = ", ".join(
@@ -52,8 +54,10 @@ def scheduled(
         return best.schedule
     chosen = schedule(options.procs)
     if options.procs > 1 and profile.steps is not None:
-        many = predicted_time(model, chosen, profile, options.form, shape)
-        one = predicted_time(model, schedule(1), profile, options.form, shape)
+        many, one = (
+            predicted_time(model, each, profile, options.form, shape, reproducible=same)
+            for each in (chosen, schedule(1))
+        )
         if many > (1 - margin(profile)) * one:
             warn(
                 f"{options.model}: warning: {options.procs} processes do not pay: predicted "
@@ -72,6 +76,8 @@ def cores() -> int:
 
 def priced_shape(options: argparse.Namespace) -> str:
     """Return the shape that a prediction is of: what is asked for, or comes with other wishes."""
+    if options.reproducible:
+        return "unrolled"
     if getattr(options, "batch", False):
         return "kernels"
     if refinement(options):
@@ -125,7 +131,13 @@ def predicted_accuracy(
     from adagen.plan import make_plan
     from adagen.search.objective import predicted_digits
 
-    plan = make_plan(model, schedule, form=options.form, scalar=options.scalar)
+    plan = make_plan(
+        model,
+        schedule,
+        form=options.form,
+        scalar=options.scalar,
+        reproducible=options.reproducible,
+    )
     try:
         return predicted_digits(options.objective, model, plan, program.shape)
     except FloatingPointError:

@@ -98,7 +98,13 @@ class _Found:
 def _found(model: Model, schedule: Schedule, options: argparse.Namespace) -> _Found:
     from adagen.plan import make_plan
 
-    plan = make_plan(model, schedule, form=options.form, scalar=options.scalar)
+    plan = make_plan(
+        model,
+        schedule,
+        form=options.form,
+        scalar=options.scalar,
+        reproducible=options.reproducible,
+    )
     program = program_for(plan, options)
     return _Found(model, schedule, program, timeline_of(program, options))
 

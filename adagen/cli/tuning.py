@@ -22,12 +22,13 @@ def tuned(plan: Plan, options: argparse.Namespace, stages: Stages) -> Candidate:
     from adagen.build import find_toolchain
     from adagen.emit import emit, stem_of
     from adagen.emit.refine import refinement_steps
-    from adagen.emit.shapes import SHAPES, chosen_shape, stepwise
+    from adagen.emit.shapes import SHAPES, chosen_shape, offered, stepwise
     from adagen.run.tune import candidates, compilers, table, tune
     from adagen.schedule import load_profile
 
     if options.shape == "auto":
         shapes = [name for name, shape in SHAPES.items() if shape.why_not(plan) is None]
+        shapes = list(offered(plan)) if plan.reproducible else shapes
     else:
         shapes = [chosen_shape(plan, options.shape)]
     if refinement_steps(options.refine, plan.scalar):

@@ -31,6 +31,8 @@ def schedule_document(
     if not schedule.families:
         told["families"] = ["alone" if schedule.processes == 1 else schedule.strategy]
     told["shape"] = program.shape
+    if program.plan.reproducible:
+        told["reproducible"] = True
     told["at_work"] = meeting(program)
     told["owners"] = owners(program)
     told["lanes"] = [

@@ -30,7 +30,15 @@ from adagen.schedule import CostProfile, load_profile, step_costs
 # margin (adagen/plan/cuts.py, docs/accuracy.md).
 TOLERANCE = {"double": 1e-9, "float": 1e-3, "mixed": 1e-9}
 
-__all__ = ["check_batch", "emit", "file_stem", "program_of", "stem_of", "templates_folder"]
+__all__ = [
+    "check_batch",
+    "check_reproducible",
+    "emit",
+    "file_stem",
+    "program_of",
+    "stem_of",
+    "templates_folder",
+]
 
 
 def stem_of(plan: Plan, name: str | None = None, batch: int = 0) -> str:
@@ -187,6 +195,7 @@ def _texts(
         "mpi": mpi,
         "threads": plan.threads,
         "batch": bool(batch),
+        "reproducible": plan.reproducible,
         "alone": _alone(program) and (not batch or processes == 1),
         "processes": process_rows(words) * (batch or 1),
         "run_list": ", ".join(
@@ -199,7 +208,7 @@ def _texts(
         "program_file": PROGRAM_FILE,
         "program_options": options_of(mpi, words.number),
         "comm": "MPI_Comm" if mpi else "adagen::OneProcess",
-        "headers": headers.of_solver(mpi, plan.threads),
+        "headers": headers.of_solver(mpi, plan.threads, plan.reproducible),
         "failures": FAILURES,
         **_head(program, stem, chunk, compiler),
         "algorithm": algorithm(program),
@@ -262,6 +271,30 @@ def check_batch(shape: str, refine: int, channel: str) -> None:
         raise UsageError("batches are not refined; leave out --batch, --refine or --scalar mixed")
     if shape not in ("auto", "kernels", "unrolled"):
         raise UsageError(f"batches are emitted in shapes kernels and unrolled, not {shape}")
+
+
+def check_reproducible(form: str, scalar: str, refine: int, shape: str) -> None:
+    """Refuse what is not reproducible, whatever the robot.
+
+    Raises:
+        UsageError: the form, scalar, refinement or shape has other digits on each number of
+            processes, or by each compiler.
+    """
+    if form != "segment":
+        raise UsageError(
+            f"form {form} joins in an order that depends on the number of processes, and so do "
+            f"its last digits: leave out --reproducible or --form {form}"
+        )
+    if scalar == "mixed" or refine:
+        raise UsageError(
+            "answers are refined in loops, which are not reproducible: leave out --reproducible, "
+            "or --refine and --scalar mixed"
+        )
+    if shape not in ("auto", "unrolled"):
+        raise UsageError(
+            f"shape {shape} has other digits for each number of lanes: only straight lines are "
+            f"reproducible; leave out --reproducible or --shape {shape}"
+        )
 
 
 def _channel_messages(words: Words) -> list[dict[str, object]]:

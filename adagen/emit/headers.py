@@ -47,6 +47,17 @@ PROGRAM = (
 """Of the program around them, besides."""
 
 
-def of_solver(mpi: bool, threads: bool) -> list[str]:
-    """Return what a solver includes, one that exchanges messages or shares out to threads."""
-    return sorted({*SOLVER, *(MPI if mpi else ()), *(THREADS if threads else ())})
+REPRODUCIBLE = ("cfloat",)
+"""Of solvers whose answers are the same everywhere."""
+
+
+def of_solver(mpi: bool, threads: bool, reproducible: bool) -> list[str]:
+    """Return what a solver includes.
+
+    Args:
+        mpi: whether it exchanges messages.
+        threads: whether its processes are threads.
+        reproducible: whether its answers are the same everywhere.
+    """
+    more = zip((MPI, THREADS, REPRODUCIBLE), (mpi, threads, reproducible), strict=True)
+    return sorted({*SOLVER, *(name for names, wanted in more if wanted for name in names)})

@@ -8,6 +8,7 @@ from adagen.emit import effects
 from adagen.emit.entries import Range, entries_of, ranges, read_joints
 from adagen.emit.stages import stage_rows
 from adagen.emit.words import Words
+from adagen.executor import simulate
 from adagen.plan.steps import LinkBias, StartLink
 from adagen.plan.types import Message, Process
 
@@ -56,7 +57,10 @@ def describe_message(words: Words, message: Message) -> str:
 
 
 def message_size(words: Words, message: Message) -> int:
-    """Return the numbers in a message."""
+    """Return the numbers in a message, at least one."""
+    if words.plan.reproducible:
+        source = simulate(words.plan, words.program.slots.limbs)[message.source]
+        return max(1, len(source.machine.sent[words.plan.messages.index(message)]))
     whole = message.joint is None  # of slaved joints: all right-hand sides together
     return message.numbers(words.plan.right_hand_sides if whole else words.columns)
 

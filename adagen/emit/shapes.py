@@ -85,6 +85,8 @@ def chosen_shape(
     Raises:
         UsageError: the plan cannot be emitted in the shape asked for.
     """
+    if plan.reproducible:
+        return _reproducible(plan, shape)
     if shape == "auto":
         if not batch:
             return _cheapest(plan, profile)
@@ -95,6 +97,20 @@ def chosen_shape(
     if reason is not None:
         raise UsageError(f"shape {shape} cannot be emitted: {reason}")
     return shape
+
+
+def _reproducible(plan: Plan, shape: str) -> str:
+    """The shape of a reproducible plan, whose loops would have other digits."""
+    freedoms = sum(KINDS[joint.kind].nv for joint in plan.joints)
+    if shape not in ("auto", "unrolled"):
+        raise UsageError(f"shape {shape} cannot be emitted: only straight lines are reproducible")
+    if freedoms > MOST_FREEDOMS_IN_BATCHES:
+        raise UsageError(
+            f"this robot has {freedoms} degrees of freedom: only straight lines are reproducible, "
+            f"and beyond {MOST_FREEDOMS_IN_BATCHES} they take compilers minutes; leave out "
+            "--reproducible"
+        )
+    return "unrolled"
 
 
 def _of_batch(plan: Plan, profile: CostProfile | None) -> str:
@@ -114,6 +130,8 @@ def offered(plan: Plan) -> tuple[str, ...]:
     Form `ada` is read joint by joint on several processes. Loops sweep ball joints in axes of the
     base, where links that are slender beyond them lose digits: those are straight lines.
     """
+    if plan.reproducible:
+        return ("unrolled",)
     loops = (stepwise(plan),)
     if plan.closed:
         return loops

@@ -7,11 +7,12 @@ text or counts takes them from the graphs.
 from __future__ import annotations
 
 from adagen.executor.checks import SINGULAR, Check
-from adagen.executor.grouping import chosen_grouping, grouping_of, groupings, straight_line
+from adagen.executor.grouping import grouping_of
 from adagen.executor.lanes import Grouping
 from adagen.executor.machine import RECEIVED, Machine
-from adagen.executor.run import PlanError, Simulated, simulate
+from adagen.executor.run import PlanError, Simulated
 from adagen.executor.solve import Run, interpret
+from adagen.executor.straight import chosen_grouping, groupings, simulate, straight_line
 from adagen.executor.stretches import Stretch, stretches
 
 __all__ = [

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 from adagen.executor.align import unlike
 from adagen.executor.lanes import Grouping, fit_for_lanes
-from adagen.executor.run import Simulated, simulate
+from adagen.executor.run import Simulated, each_for_itself
 from adagen.executor.stretches import stretches
 from adagen.plan import Plan
 from adagen.plan.simd_groups import COUNTS, OFFERED, Limbs, more_alike, nearly_fewest, simd_groups
@@ -37,44 +37,33 @@ def spared(kinds: Sequence[str], count: int) -> float:
     return len(kinds) * (count - 1)
 
 
-def straight_line(
-    plan: Plan, *, lanes: bool = True, costs: StepCosts | None = None
-) -> tuple[Simulated, ...]:
-    """Return the plan's processes as a straight line is emitted: in lanes where that takes less.
-
-    Args:
-        plan: the plan.
-        lanes: whether limbs may share code at all.
-        costs: prices statements; the shipped ones if not given.
-
-    Raises:
-        PlanError: the plan deadlocks, or a step reads what its process does not have.
-    """
-    return _simulated(plan, chosen_grouping(plan, costs)) if lanes else simulate(plan)
+Simulating = Callable[[Plan, Grouping | None], tuple[Simulated, ...]]
+"""Returns the processes of a plan in a grouping, each after all its steps."""
 
 
-def _simulated(plan: Plan, grouping: Grouping) -> tuple[Simulated, ...]:
-    """The plan's processes in a grouping; without limbs they are those that everybody asks for."""
-    return simulate(plan, grouping) if any(grouping) else simulate(plan)
-
-
-def groupings(plan: Plan) -> list[Grouping]:
-    """Return the groupings of a plan's straight lines that are compared; none comes first."""
+def offered_groupings(plan: Plan) -> list[Grouping]:
+    """Return groupings in which straight lines may be shared; none comes first."""
     none: Grouping = tuple(() for _ in plan.processes)
     return list(dict.fromkeys([none, *(grouping_of(plan, counts) for counts in OFFERED)]))
 
 
-def chosen_grouping(plan: Plan, costs: StepCosts | None = None) -> Grouping:
+def least_of(
+    plan: Plan,
+    offers: Sequence[Grouping],
+    costs: StepCosts | None = None,
+    simulating: Simulating = each_for_itself,
+) -> Grouping:
     """Return the limbs that share a straight line: for each process the grouping of least price.
 
     Args:
         plan: the plan.
+        offers: groupings, none first.
         costs: prices statements; the shipped ones if not given.
+        simulating: has the processes do their steps.
 
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.
     """
-    offers = groupings(plan)
     options = [
         nearly_fewest(process, own)
         for process, own in zip(plan.processes, zip(*offers, strict=True), strict=True)
@@ -84,16 +73,17 @@ def chosen_grouping(plan: Plan, costs: StepCosts | None = None) -> Grouping:
         return tuple(own for (own,) in options)
     prices = step_costs(None) if costs is None else costs
     offers = [tuple(own[min(k, len(own) - 1)] for own in options) for k in range(most)]
-    times = [_times(plan, offer, prices) for offer in offers]
+    times = [_times(plan, offer, prices, simulating) for offer in offers]
     return tuple(
         offers[min(range(most), key=lambda k: times[k][p])][p] for p in range(len(options))
     )
 
 
-def _times(plan: Plan, grouping: Grouping, costs: StepCosts) -> list[float]:
+def _times(plan: Plan, grouping: Grouping, costs: StepCosts, simulating: Simulating) -> list[float]:
     """What each process takes in a grouping, microseconds."""
     held = costs["unrolled.held"]
+    line = simulating(plan, grouping if any(grouping) else None)
     return [
         sum(costs.total(part.features) for part in stretches(simulated, process.steps, held))
-        for simulated, process in zip(_simulated(plan, grouping), plan.processes, strict=True)
+        for simulated, process in zip(line, plan.processes, strict=True)
     ]

@@ -129,6 +129,7 @@ class Rows:
     def hand_on(self, name: str, j: int, value: Array) -> None:
         """Add what joint j hands inwards to what is kept of the links on its near side."""
         near, memory = self.near_links(j), self.state.memory
+        self.state.handed[name, j] = value
         if self.follows(j):
             memory[name, near[0]] = memory[name, near[0]] + value
             return
@@ -138,10 +139,10 @@ class Rows:
             self._add(name, link, self._summed(value, lanes, len(near)))
 
     def _summed(self, value: Array, lanes: Sequence[int], count: int) -> Array:
-        """The sum of some lanes of the first ones."""
+        """The sum of some lanes of the first ones; a reproducible one is the same without lanes."""
         if count == 1:
             return value
-        if len(lanes) == count:
+        if len(lanes) == count and not self.state.plan.reproducible:
             return _each(value, lambda x: x.graph.across(x, count))
         first, *others = (self.lane(value, k) for k in lanes)
         for each in others:

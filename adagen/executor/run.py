@@ -48,10 +48,10 @@ def _done(machine: Machine, step: Step) -> bool:
 
 
 @lru_cache(maxsize=12)  # a plan is judged, priced and emitted one after the other, in lanes or not
-def simulate(
+def each_for_itself(
     plan: Plan, grouping: Grouping | None = None, refining: Refining = None
 ) -> tuple[Simulated, ...]:
-    """Return the plan's processes, each after all its steps; nobody may change them.
+    """Return the plan's processes, each after all its steps, with a straight line of its own.
 
     Args:
         plan: the plan.

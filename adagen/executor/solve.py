@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.checks import SINGULAR, Check
-from adagen.executor.grouping import straight_line
 from adagen.executor.lanes import Grouping
 from adagen.executor.machine import RECEIVED, Machine
-from adagen.executor.run import Simulated, after_all_steps, simulate
+from adagen.executor.run import Simulated, after_all_steps
 from adagen.executor.state import Refining
+from adagen.executor.straight import simulate, straight_line
 from adagen.graph import DOUBLE, Algebra, Evaluation, Numbers
 from adagen.graph.evaluate import in_lanes
 from adagen.model.kinds import KINDS

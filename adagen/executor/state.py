@@ -42,6 +42,7 @@ class State:
         results: accelerations by joints, known after the last step; of a row wide.
         limbs: those that share code, one in each lane.
         rows: joints that are treated as one.
+        handed: what joints hand inwards, "IA" or "pA", by name and joint.
         refining: whether joint forces are kept, in the frames of the child links, and whether links
             feel what is left over of their equations of motion, and nothing else.
     """
@@ -64,6 +65,7 @@ class State:
         self.lengths: list[tuple[Expression, int]] = []
         self.results: dict[int, Array] = {}
         self.limbs = tuple(all_limbs)
+        self.handed: dict[tuple[str, int], Array] = {}
         self.rows = Rows(self, rows_of(all_limbs))
         self._exact = losing_joints(plan)
 

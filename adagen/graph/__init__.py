@@ -17,6 +17,7 @@ from adagen.graph.linear import (
 )
 from adagen.graph.nodes import Expression, Graph, Node
 from adagen.graph.numbers import Number, Numbers
+from adagen.graph.rounded import RoundedGraph
 
 __all__ = [
     "BALLS",
@@ -31,6 +32,7 @@ __all__ = [
     "Number",
     "Numbers",
     "Operations",
+    "RoundedGraph",
     "count_operations",
     "cross",
     "dot",

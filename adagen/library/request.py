@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from adagen.emit import check_batch
+from adagen.emit import check_batch, check_reproducible
 from adagen.emit.refine import checked_shape, refinement_steps
 from adagen.errors import UsageError
 
@@ -37,6 +37,8 @@ class Request:
         compiler: that the source is meant for; "" for any.
         tuned: whether shape, chunk and compiler were found by trying; processes do not gather then.
         single_file: whether the source holds the program around the solver, too.
+        reproducible: whether answers are the same to the last bit on every number of processes, in
+            whatever lanes, by every compiler and on every machine with numbers of IEEE 754.
     """
 
     procs: int = 1
@@ -59,6 +61,7 @@ class Request:
     compiler: str = ""
     tuned: bool = False
     single_file: bool = False
+    reproducible: bool = False
 
     def __post_init__(self) -> None:
         """Refuse what cannot be had, whatever the robot.
@@ -80,6 +83,8 @@ class Request:
         checked_shape(self.refinement, self.shape)
         if self.batch:
             check_batch(self.shape, self.refinement, self.channel)
+        if self.reproducible:
+            check_reproducible(self.form, self.scalar, self.refinement, self.shape)
 
     @property
     def refinement(self) -> int:
@@ -104,6 +109,8 @@ class Request:
     @property
     def priced_shape(self) -> str:
         """The shape that a prediction is of: what is asked for, or comes with other wishes."""
+        if self.reproducible:
+            return "unrolled"
         if self.batch:
             return "kernels"
         if self.tuned:  # it was not known yet

@@ -14,6 +14,7 @@ from adagen.schedule import CostProfile, Schedule, Topology, load_profile
 from adagen.schedule.tree import Named
 from adagen.search import named_schedule, schedule_from_json
 from adagen.search.objective import schedule_for
+from adagen.search.reproducible import reproducible_schedule
 
 KNOWN = ("auto", *get_args(Named))
 """Schedules that are asked for by name."""
@@ -46,6 +47,8 @@ def searched(model: Model, request: Request) -> Schedule:
         UsageError: there is no such profile.
     """
     profile = load_profile(request.profile)
+    if request.reproducible and request.schedule == "auto":
+        return reproducible_schedule(model, request.sharing, profile, request.scalar)
     if request.schedule != "auto":
         return _named(model, request, profile.joins_only() if request.form == "ada" else profile)
     return schedule_for(

@@ -14,6 +14,7 @@ from adagen.plan.clusters import ClusterPlanner, clusters_of
 from adagen.plan.constants import couplings_of, joints_of, links_of, loops_of, wrenches_of
 from adagen.plan.gather import GatherPlanner, why_not_gather
 from adagen.plan.segment import SegmentPlanner
+from adagen.plan.serial import check_reproducible
 from adagen.plan.serialise import plan_from_json, plan_to_json
 from adagen.plan.steps import LinkBias
 from adagen.plan.types import FACTORS, THREADS, Plan
@@ -48,6 +49,7 @@ def make_plan(
     channel: str = "auto",
     source_hash: str = "",
     meeting: str = "auto",
+    reproducible: bool = False,
 ) -> Plan:
     """Return what each process of a schedule does.
 
@@ -60,10 +62,11 @@ def make_plan(
         source_hash: hash of the robot description, for the emitted header.
         meeting: how segments meet, one of ``MEETINGS``: joined at the cuts by Eq. (3)-(10), or
             gathered at a small core, in one exchange; "auto": as the schedule says.
+        reproducible: whether answers are the same to the last bit on any number of processes.
 
     Raises:
         InputError: a link's inertia cannot be inverted where the form needs it.
-        UsageError: an unknown form, scalar or channel.
+        UsageError: an unknown form, scalar or channel, or a schedule that is not reproducible.
     """
     for word, known, what in (
         (form, tuple(FORMS), "form"),
@@ -79,7 +82,7 @@ def make_plan(
     if planner.fusions.fused:
         model = settled(model, planner.fusions.fused)
     bare = {step.link for p in processes for step in p.steps if isinstance(step, LinkBias)}
-    return Plan(
+    plan = Plan(
         name=model.name,
         source_hash=source_hash,
         form=form,
@@ -96,7 +99,12 @@ def make_plan(
         wrenches=wrenches_of(model),
         loops=loops_of(model),
         couplings=couplings_of(model),
+        reproducible=reproducible,
     )
+    if reproducible:
+        gathered = planner.gathered() if isinstance(planner, GatherPlanner) else None
+        check_reproducible(plan, gathered)
+    return plan
 
 
 def _line(planner: AdaPlanner, schedule: Schedule, topology: Topology) -> str:

@@ -233,6 +233,8 @@ class Plan:
         profile: name of the cost profile by which its program was chosen.
         loops: joints that close loops.
         couplings: joints whose coordinates are tied.
+        reproducible: whether its processes share out the straight line of one, so that answers are
+            the same to the last bit on any number of them (adagen/plan/serial.py).
     """
 
     name: str
@@ -252,6 +254,7 @@ class Plan:
     profile: str = field(default="default", metadata=OPTIONAL)
     loops: tuple[PlanLoop, ...] = field(default=(), metadata=OPTIONAL)
     couplings: tuple[PlanCoupling, ...] = field(default=(), metadata=OPTIONAL)
+    reproducible: bool = field(default=False, metadata=OPTIONAL)
 
     def place(self, number: int) -> str:
         """Return what can fail by number in words: joints, then loops, then couplings."""

@@ -24,7 +24,13 @@ class Candidate:
 
 
 def predicted_time(
-    model: Model, schedule: Schedule, profile: CostProfile, form: str, shape: str = "auto"
+    model: Model,
+    schedule: Schedule,
+    profile: CostProfile,
+    form: str,
+    shape: str = "auto",
+    *,
+    reproducible: bool = False,
 ) -> float:
     """Return what a schedule is predicted to take, microseconds.
 
@@ -36,10 +42,12 @@ def predicted_time(
         profile: the costs.
         form: of the algorithm.
         shape: of the code.
+        reproducible: whether answers are the same on every number of processes.
     """
     if profile.steps is None:
         return schedule.makespan
-    return predict(make_plan(model, schedule, form=form), profile, shape).makespan
+    plan = make_plan(model, schedule, form=form, reproducible=reproducible)
+    return predict(plan, profile, shape).makespan
 
 
 def margin(profile: CostProfile) -> float:
@@ -58,6 +66,8 @@ def choose_processes(
     most: int,
     schedule: Callable[[int], Schedule],
     shape: str = "auto",
+    *,
+    reproducible: bool = False,
 ) -> list[Candidate]:
     """Return candidates for 1 process and more, the best one first.
 
@@ -68,11 +78,13 @@ def choose_processes(
         most: processes to consider at most, such as the number of cores.
         schedule: finds a schedule for a number of processes.
         shape: of the code.
+        reproducible: whether answers are the same on every number of processes.
     """
 
     def candidate(processes: int) -> Candidate:
         found = schedule(processes)
-        return Candidate(processes, found, predicted_time(model, found, profile, form, shape))
+        time = predicted_time(model, found, profile, form, shape, reproducible=reproducible)
+        return Candidate(processes, found, time)
 
     best = candidate(1)
     seen = [best]

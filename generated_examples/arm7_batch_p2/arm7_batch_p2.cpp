@@ -487,6 +487,11 @@ Text describe(int status) {
   return text;
 }
 
+// Sine and cosine of an angle far from zero.
+[[maybe_unused]] inline void far_sine_and_cosine(Real angle, Real& sine, Real& cosine) {
+  sine = std::sin(angle), cosine = std::cos(angle);
+}
+
 // Numbers side by side, as many as the widest registers hold; narrower machines take them in parts.
 constexpr int kLanes = 64 / static_cast<int>(sizeof(Real));
 typedef Real Lanes __attribute__((vector_size(64)));
@@ -550,7 +555,7 @@ ADAGEN_INLINE Lanes hyperbolic_tangent(const Lanes& x) {
 
 // Sines and cosines, with an error of about one unit in the last place: the angle less n pi/2 by
 // three parts of pi/2 (Cody and Waite), then polynomials (Cephes). The parts are exact up to
-// kLargestAngle; beyond, each lane is left to the C library.
+// kLargestAngle; beyond, each lane is taken by itself.
 template <class R>
 struct Trigonometry;
 
@@ -587,10 +592,14 @@ ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
   return result;
 }
 
-ADAGEN_COLD inline void leave_to_library(const Lanes& angle, const LaneBits& lanes, Lanes& sine,
-                                         Lanes& cosine) {
-  for (int k = 0; k < kLanes; ++k)
-    if (lanes[k]) sine[k] = std::sin(angle[k]), cosine[k] = std::cos(angle[k]);
+ADAGEN_COLD inline void take_far_ones(const Lanes& angle, const LaneBits& lanes, Lanes& sine,
+                                      Lanes& cosine) {
+  for (int k = 0; k < kLanes; ++k) {
+    if (!lanes[k]) continue;
+    Real s, c;
+    far_sine_and_cosine(angle[k], s, c);
+    sine[k] = s, cosine[k] = c;
+  }
 }
 
 // Of angles that are not too large.
@@ -623,7 +632,7 @@ ADAGEN_INLINE LaneBits too_large(const Lanes& angle) {
 ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
   near_sine_and_cosine(angle, sine, cosine);
   const LaneBits beyond = too_large(angle);
-  if (__builtin_expect(any_of(beyond), 0)) leave_to_library(angle, beyond, sine, cosine);
+  if (__builtin_expect(any_of(beyond), 0)) take_far_ones(angle, beyond, sine, cosine);
 }
 
 constexpr std::array<MessageInfo, 0> kMessages{ {

@@ -247,6 +247,12 @@ PyObject* make(PyTypeObject* type, PyObject*, PyObject*) {
     Py_DECREF(self);
     return PyErr_NoMemory();
   }
+#ifdef ADAGEN_REPRODUCIBLE
+  if (const char* const why = why_not_reproducible()) {
+    Py_DECREF(self);
+    return PyErr_Format(PyExc_OSError, "%s", why);
+  }
+#endif
   const Text wrong = start(self->held->solver, 0);
   if (wrong.empty()) return reinterpret_cast<PyObject*>(self);
   Py_DECREF(self);

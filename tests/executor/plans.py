@@ -35,7 +35,7 @@ class Case:
     def plan(self, scalar: str) -> Plan:
         if any(link.inertia.mass == 0.0 for link in self.model.links[1:]):
             schedule = balanced(self.model, self.processes, self.options["form"])
-            return make_plan(self.model, schedule, scalar=scalar, **self.options)
+            return make_plan(self.model, schedule, scalar=scalar, form=self.options["form"])
         return plan_of(self.model, self.processes, scalar=scalar, **self.options)
 
 

@@ -26,6 +26,7 @@ from adagen.program.turned import turned_in_loops
 RUNTIME = (
     "status.hpp",
     "failures.hpp",
+    "far_angles.hpp",
     "kernels/lanes.hpp",
     "kernels/algebra.hpp",
 )

@@ -48,22 +48,33 @@ def values(words: Words, chunk: int = 0) -> dict[str, object]:
     ]
     processes = [process for each in plans for process in each.processes]
     wide = any(simulated.machine.rows.rows for simulated in line)
+    sines_in_lanes = wide or (plan.reproducible and not words.batch)
     rows = [
-        _ProcessText(words, p, process, simulated, chunk, wide=wide)
+        _ProcessText(words, p, process, simulated, chunk, wide=sines_in_lanes)
         for p, (process, simulated) in enumerate(zip(processes, line, strict=True))
     ]
     angles = max(len(row.machine.angles) for row in rows)
     told = [row.values() for row in rows]
     functions = any(row.calls_functions() for row in rows)
+    own = plan.reproducible  # sines and tangents, not those of the C library
+    lanes = ["far_angles_reduced.hpp" if own else "far_angles.hpp", "kernels/lanes.hpp"]
     return {
-        "runtime": ["status.hpp", "failures.hpp", *["kernels/lanes.hpp"] * (words.batch or wide)],
-        "functions": ["unrolled_functions.hpp"] * functions
+        "runtime": [
+            *["reproducible.hpp"] * own,
+            *("status.hpp", "failures.hpp"),
+            *lanes * (words.batch or sines_in_lanes),
+        ],
+        "functions": ["tanh_own.hpp" if own else "tanh_library.hpp", "unrolled_functions.hpp"]
+        * functions
         + ["unrolled_lane_functions.hpp"] * (functions and words.batch),
         "unrolled": told[: len(plan.processes)],
         "recovery": told[len(plan.processes) :],
         "places": max((row.layout.places for row in rows), default=0),
-        "angle_count": -(-angles // _ANGLES_AT_ONCE) * _ANGLES_AT_ONCE if wide else angles,
+        "angle_count": -(-angles // _ANGLES_AT_ONCE) * _ANGLES_AT_ONCE
+        if sines_in_lanes
+        else angles,
         "wide": wide,
+        "sines_in_lanes": sines_in_lanes,
         "near_lock": not words.batch and any(c.near for s in line for c in s.machine.checks),
         "wide_results": max((row.count_of_lanes for row in rows), default=0),
     }
@@ -147,17 +158,19 @@ class _ProcessText:
         for number, content in self.machine.sent.items():
             for k, x in enumerate(content):
                 lines[x.index].append(f"w.to[{number}][{k}] = {self.text.name(x.index)};")
+        # A reproducible zero has no sign: whether one does depends on what is known beforehand.
+        zero = " + Real(0)" if self.words.plan.reproducible else ""
         for joint, values in self.machine.results.items():
             v = self.words.plan.joints[joint].v
             for k, x in enumerate(values):
                 place = self.wide_results.get((joint, k))
                 if place is None:
-                    lines[x.index].append(f"w.result[{v + k}] = {self._value(x.index)};")
+                    lines[x.index].append(f"w.result[{v + k}] = {self._value(x.index)}{zero};")
                 else:
                     value = self.text.name(x.index)
                     if x.node.width == 1:  # the same in all lanes
                         value = f"{TYPES[self._width(joint)]}{{}} + {value}"
-                    lines[x.index].append(f"put({value}, w.lanes.data() + {place});")
+                    lines[x.index].append(f"put({value}{zero}, w.lanes.data() + {place});")
         return lines
 
     def _width(self, joint: int) -> int:

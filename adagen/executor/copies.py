@@ -1,0 +1,243 @@
+"""Copies what a process needs of the straight line of one into a graph of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+
+import numpy as np
+
+from adagen.executor.checks import Check
+from adagen.executor.line import Looked, Pair
+from adagen.executor.machine import RECEIVED, Machine
+from adagen.executor.run import Simulated
+from adagen.executor.together import lanes_together
+from adagen.executor.wants import Want
+from adagen.graph import Expression, RoundedGraph
+from adagen.plan.simd_groups import Limbs
+from adagen.plan.steps import Receive, StartEmpty, StartLink, Step
+
+
+def copied(want: Want, limbs: tuple[Limbs, ...]) -> Simulated:
+    """Return a process after all its steps.
+
+    Args:
+        want: what it needs of the line.
+        limbs: those of its limbs that share code, one in each lane.
+    """
+    return _Copy(want, limbs).simulated()
+
+
+class _Copy:
+    def __init__(self, want: Want, limbs: tuple[Limbs, ...]) -> None:
+        self.want, self.line = want, want.line
+        self.graph = RoundedGraph(want.plan.scalar)
+        self.machine = Machine(self.line.machine.plan, {}, None, self.graph, limbs)
+        self.pairs, self.looked = want.all_of_it()
+        self.lanes: dict[int, list[int]] = {}
+        if limbs:
+            self.pairs, self.lanes = lanes_together(self.line, self.pairs, want.missing)
+        self._wide: dict[int, Expression] = {}
+        self._single: dict[Pair, Expression] = {}
+        self._places = {_key(step): k for k, step in reversed(list(enumerate(want.own.steps)))}
+
+    def simulated(self) -> Simulated:
+        """Copy it all: first what waits for no message, and last what waits for one."""
+        late = self._late()
+        self._copy(self.pairs - late, 0)
+        self._send()
+        ends = [len(self.graph.nodes)] * len(self.want.own.steps)
+        received = self._receive(ends)
+        self._copy(late - self.want.missing.keys(), received)
+        self._results()
+        self._looked_at()
+        ends[received:] = [len(self.graph.nodes)] * len(ends[received:])
+        return Simulated(self.machine, tuple(ends))
+
+    def _late(self) -> set[Pair]:
+        """What waits for a message."""
+        late: set[Pair] = set(self.want.missing)
+        indices: set[int] = set()
+        for pair in sorted(self.pairs):
+            if pair in late:
+                continue
+            if pair[0] in indices or not late.isdisjoint(self.line.operands(pair)):
+                late.add(pair)
+                if pair[0] in self.lanes:
+                    indices.add(pair[0])
+        return late | {pair for pair in self.pairs if pair[0] in indices}
+
+    # -- values -----------------------------------------------------------------------------------
+
+    def _copy(self, pairs: Iterable[Pair], earliest: int) -> None:
+        """Copy numbers, in their order; their steps are this one or later."""
+        for pair in sorted(pairs):
+            index, lane = pair
+            self.graph.mark = max(self._place(index, lane), earliest)
+            if index not in self.lanes:
+                self._single[pair] = self._one(pair)
+            elif index not in self._wide:
+                self._wide[index] = self._several(index)
+
+    def _place(self, index: int, lane: int) -> int:
+        """Where among its steps a number is computed: in that of its own joint, if it is single."""
+        node = self.line.nodes[index]
+        step = self.line.plan.processes[0].steps[node.mark]
+        what, joint = _key(step)
+        row = self.line.machine.rows.lanes(joint)
+        own = row[lane : lane + 1] if index not in self.lanes else ()
+        known = (self._places.get((what, j)) for j in (*own, *row))
+        return next((place for place in known if place is not None), 0)
+
+    def _one(self, pair: Pair) -> Expression:
+        node = self.line.nodes[pair[0]]
+        operands = [self.number(operand) for operand in self.line.operands(pair)]
+        if node.op == "input":
+            return self._given(str(node.value), operands)
+        if node.op in ("pack", "lane"):
+            return operands[0]
+        return self._operation(node.op)(*operands)
+
+    def _several(self, index: int) -> Expression:
+        node, lanes = self.line.nodes[index], self._filled(index)
+        if node.op in ("pack", "input"):
+            each = [self.number(self.line.operands((index, lane))[0]) for lane in lanes]
+            packed = self.graph.pack(each)
+            return packed if node.op == "pack" else self._given(str(node.value), [packed])
+        return self._operation(node.op)(*(self._value(k, lanes) for k in node.args))
+
+    def _given(self, name: str, angle: Sequence[Expression]) -> Expression:
+        """An input by its name in the line; of a sine or cosine, what it is taken of."""
+        if not angle:
+            return self.graph.input(name)
+        cosine, sine = self.machine.circular(angle[0])
+        return cosine if name.startswith("cosine") else sine
+
+    def _operation(self, op: str) -> Callable[..., Expression]:
+        found: Callable[..., Expression] = getattr(self.graph, "larger" if op == "max" else op)
+        return found
+
+    def _filled(self, index: int) -> list[int]:
+        """The lanes of a wide value, the last one repeated where registers have more."""
+        lanes = self.lanes[index]
+        width = 1 << (len(lanes) - 1).bit_length()
+        return [*lanes, *[lanes[-1]] * (width - len(lanes))]
+
+    def _value(self, index: int, lanes: Sequence[int]) -> Expression:
+        """A value of the line in some lanes."""
+        node = self.line.nodes[index]
+        if node.width == 1:
+            return self.number((index, 0))
+        if node.op == "constant":
+            return self.graph.constant(tuple(node.value[lane] for lane in lanes))
+        return self._wide[index]
+
+    def number(self, pair: Pair) -> Expression:
+        """Return a number of the line."""
+        index, lane = pair
+        node = self.line.nodes[index]
+        if node.op == "constant":
+            return self.graph.constant(node.value if node.width == 1 else node.value[lane])
+        if pair in self._single:
+            return self._single[pair]
+        return self.graph.lane(self._wide[index], self.lanes[index].index(lane))
+
+    # -- messages ---------------------------------------------------------------------------------
+
+    def _send(self) -> None:
+        for number, message in enumerate(self.want.plan.messages):
+            if message.source == self.want.process:
+                told = self.want.sends.get(message.target, {})
+                self.machine.sent[number] = [
+                    self.number(pair)
+                    for pair, teller in told.items()
+                    if teller.link in message.inertias
+                ]
+
+    def _receive(self, ends: list[int]) -> int:
+        """Take what messages bring; return the place of the last one that does."""
+        missing, last = self.want.missing, 0
+        for place, step in enumerate(self.want.own.steps):
+            if not isinstance(step, Receive):
+                continue
+            self.graph.mark = last = place
+            message = self.want.plan.messages[step.message]
+            told = (
+                pair
+                for pair, teller in missing.items()
+                if teller.process == message.source and teller.link in message.inertias
+            )
+            for k, pair in enumerate(told):
+                self._single[pair] = self.graph.input(f"{RECEIVED}[{step.message}][{k}]")
+            ends[place:] = [len(self.graph.nodes)] * len(ends[place:])
+        assert missing.keys() <= self._single.keys()  # all is told
+        return last
+
+    # -- what is wanted ---------------------------------------------------------------------------
+
+    def _results(self) -> None:
+        line, machine = self.line.machine, self.machine
+        for lead, values in line.results.items():
+            own = line.lanes_of_result(lead)[: len(line.rows.own(lead))]
+            mine = [(k, j) for k, j in enumerate(own) if j in self.want.own.owns]
+            lanes = [k for k, _ in mine]
+            if len(mine) > 1 and mine[0][1] in machine.rows:
+                wide = [self._result(x, lanes) for x in values]
+                machine.results[mine[0][1]] = np.array(wide, dtype=object)
+                continue
+            for k, j in mine:
+                numbers = [self.number(self.line.pair(x, k)) for x in values]
+                machine.results[j] = np.array(numbers, dtype=object)
+
+    def _result(self, x: Expression, lanes: list[int]) -> Expression:
+        """An acceleration of a row."""
+        assert x.index not in self.lanes or self.lanes[x.index] == lanes
+        return self._value(x.index, [*lanes, *lanes[len(lanes) :]])
+
+    def _looked_at(self) -> None:
+        checks = self.line.machine.checks
+        for place, own in _by_place(self.looked):
+            check, index = checks[place], own[0].pivot[0]
+            joints = [each.joint for each in own]
+            if index in self.lanes and len(own) > 1:
+                lanes = self._filled(index)
+                pivot, least = (self._value(x.index, lanes) for x in (check.pivot, check.least))
+                assert self.machine.rows.own(joints[0]) == tuple(joints)
+                found = [Check(pivot, least, joints[0], check.failure, check.near)]
+            else:
+                found = [
+                    Check(
+                        self.number(each.pivot),
+                        self.number(each.least),
+                        each.joint,
+                        check.failure,
+                        check.near,
+                    )
+                    for each in own
+                ]
+            self.machine.checks += found
+        for length, joint in self.line.machine.lengths:
+            self._length(length, joint)
+
+    def _length(self, length: Expression, joint: int) -> None:
+        """The squared length of a quaternion, where it is computed."""
+        own = self.line.machine.rows.own(joint)
+        joints = [(k, j) for k, j in enumerate(own) if self.line.pair(length, k) in self.pairs]
+        if length.index in self.lanes and joints:
+            self.machine.lengths.append((self._wide[length.index], joints[0][1]))
+            return
+        for k, j in joints:
+            self.machine.lengths.append((self.number(self.line.pair(length, k)), j))
+
+
+def _by_place(looked: Iterable[Looked]) -> Iterator[tuple[int, list[Looked]]]:
+    """Numbers that are looked at, check by check."""
+    found: dict[int, list[Looked]] = {}
+    for each in looked:
+        found.setdefault(each.place, []).append(each)
+    yield from found.items()
+
+
+def _key(step: Step) -> tuple[type, int]:
+    """What a step does, and for which joint, or the one above which link."""
+    what = StartLink if isinstance(step, StartEmpty) else type(step)
+    return what, getattr(step, "joint", getattr(step, "link", 0) - 1)

@@ -1,0 +1,165 @@
+"""The straight line of one process, number by number: what each of them is made of.
+
+A number is a *pair*: a value of the graph and a lane of it, 0 where it is a single number.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+
+from adagen.executor.align import aligned
+from adagen.executor.grouping import least_of, offered_groupings
+from adagen.executor.machine import Machine
+from adagen.executor.run import Simulated, after_all_steps
+from adagen.graph import Expression
+from adagen.plan.types import Plan
+
+Pair = tuple[int, int]
+
+
+@dataclass(frozen=True)
+class Looked:
+    """One number that is looked at.
+
+    Attributes:
+        place: of its check in the machine.
+        joint: what fails.
+        pivot: the number.
+        least: what it must exceed.
+    """
+
+    place: int
+    joint: int
+    pivot: Pair
+    least: Pair
+
+
+class Line:
+    """The straight line of one process.
+
+    Args:
+        plan: of one process.
+        simulated: the process after all its steps.
+
+    Attributes:
+        plan: as given.
+        machine: the process's.
+    """
+
+    def __init__(self, plan: Plan, simulated: Simulated) -> None:
+        self.plan, self.machine = plan, simulated.machine
+        self.nodes = simulated.machine.graph.nodes
+
+    @cached_property
+    def results(self) -> dict[int, list[Pair]]:
+        """The accelerations of each joint."""
+        return {
+            each: [self.pair(x, k) for x in values]
+            for j, values in self.machine.results.items()
+            for k, each in self._members(j, self.machine.lanes_of_result(j))
+        }
+
+    def _members(self, j: int, lanes: Sequence[int]) -> list[tuple[int, int]]:
+        """The joints of a row by lane, without those that idle lanes repeat."""
+        return list(enumerate(lanes))[: len(self.machine.rows.own(j))]
+
+    @cached_property
+    def checks(self) -> list[Looked]:
+        """What is looked at, in order."""
+        return [
+            Looked(place, joint, self.pair(check.pivot, k), self.pair(check.least, k))
+            for place, check in enumerate(self.machine.checks)
+            for k, joint in enumerate(self.machine.rows.own(check.joint))
+        ]
+
+    @cached_property
+    def handed(self) -> dict[int, list[Pair]]:
+        """What each joint hands inwards, but for what is known beforehand."""
+        found: dict[int, list[Pair]] = {}
+        for (_, lead), value in self.machine.handed.items():
+            for k, j in enumerate(self.machine.rows.own(lead)):
+                own = found.setdefault(j, [])
+                own += [self.told(x, k) for x in value.flat if x.constant is None]
+        return found
+
+    def pair(self, x: Expression, k: int) -> Pair:
+        """Return the number that a value has in a lane; a single one has it in all."""
+        return (x.index, k if x.node.width > 1 else 0)
+
+    def told(self, x: Expression, k: int) -> Pair:
+        """Return the number that is told where one has to be: itself, or what it is minus."""
+        pair = self.unpacked(self.pair(x, k))
+        while self.nodes[pair[0]].op == "neg":
+            pair = self.unpacked(self.operands(pair)[0])
+        return pair
+
+    def unpacked(self, pair: Pair) -> Pair:
+        """Return the number itself where one is moved into a lane or out of it."""
+        while self.nodes[pair[0]].op in ("lane", "pack"):
+            (pair,) = self.operands(pair)
+        return pair
+
+    def operands(self, pair: Pair) -> list[Pair]:
+        """Return the numbers that a number is computed of."""
+        index, lane = pair
+        node = self.nodes[index]
+        if node.op == "pack":
+            return [(node.args[lane], 0)]
+        if node.op == "lane":
+            return [(node.args[0], int(node.value))]
+        if node.op == "input":
+            return self._angle(pair)
+        return [(k, lane if self.nodes[k].width > 1 else 0) for k in node.args]
+
+    def _angle(self, pair: Pair) -> list[Pair]:
+        """The angle of a sine or cosine."""
+        word, place = str(self.nodes[pair[0]].value).removesuffix("]").split("[")
+        if word not in ("sine", "cosine"):
+            return []
+        return [(self.machine.angles[int(place) + pair[1]].index, 0)]
+
+    def sums(self) -> Iterator[Pair]:
+        """Yield the sums of single numbers, in the order in which they are computed."""
+        for index, node in enumerate(self.nodes):
+            if node.op == "add" and node.width == 1:
+                yield index, 0
+
+    def torques(self) -> Iterator[tuple[Pair, int]]:
+        """Yield the inputs in tau, and their places there."""
+        for index, node in enumerate(self.nodes):
+            if node.op == "input" and str(node.value).startswith("tau["):
+                yield (index, 0), int(str(node.value)[4:-1])
+
+    def needs(self, roots: Iterable[Pair], known: Collection[Pair]) -> set[Pair]:
+        """Return what some numbers are computed of, themselves among it.
+
+        Args:
+            roots: these numbers.
+            known: numbers behind which nothing is looked for.
+        """
+        found: set[Pair] = set()
+        waiting = list(roots)
+        while waiting:
+            pair = waiting.pop()
+            if pair in found or self.nodes[pair[0]].op == "constant":
+                continue
+            found.add(pair)
+            if pair not in known:
+                waiting += self.operands(pair)
+        return found
+
+
+@lru_cache(maxsize=4)
+def line_of(plan: Plan) -> Line:
+    """Return the line of a reproducible plan of one process, which nobody may change.
+
+    Which limbs share it is chosen by the shipped costs, whatever the machine's are: frames are
+    turned, and numbers added up, as suits these limbs.
+    """
+    free = replace(plan, reproducible=False)
+    limbs = least_of(free, offered_groupings(free))
+    robot = aligned(plan, limbs[0]) if limbs[0] else plan
+    (simulated,) = after_all_steps(plan, [Machine(robot, {}, all_limbs=limbs[0])])
+    return Line(plan, simulated)

@@ -1,0 +1,74 @@
+"""A plan's straight lines: each process's own, or for all processes shares of one."""
+
+from __future__ import annotations
+
+from adagen.executor.grouping import least_of, offered_groupings
+from adagen.executor.lanes import Grouping
+from adagen.executor.run import Simulated, each_for_itself
+from adagen.executor.shares import own_limbs, shared_line
+from adagen.executor.state import Refining
+from adagen.plan import Plan
+from adagen.schedule.costs import StepCosts
+
+
+def simulate(
+    plan: Plan, grouping: Grouping | None = None, refining: Refining = None
+) -> tuple[Simulated, ...]:
+    """Return the plan's processes, each after all its steps; nobody may change them.
+
+    Args:
+        plan: the plan.
+        grouping: which limbs share code, one in each lane; None for none. Link frames are then
+            turned as these agree best (align.py).
+        refining: what of iterative refinement is computed, if any.
+
+    Raises:
+        PlanError: the plan deadlocks, or a step reads what its process does not have.
+    """
+    if plan.reproducible and refining is None:
+        return shared_line(plan, grouping)
+    return each_for_itself(plan, grouping, refining)
+
+
+def straight_line(
+    plan: Plan, *, lanes: bool = True, costs: StepCosts | None = None
+) -> tuple[Simulated, ...]:
+    """Return the plan's processes as a straight line is emitted: in lanes where that takes less.
+
+    Args:
+        plan: the plan.
+        lanes: whether limbs may share code at all.
+        costs: prices statements; the shipped ones if not given.
+
+    Raises:
+        PlanError: the plan deadlocks, or a step reads what its process does not have.
+    """
+    return _simulated(plan, chosen_grouping(plan, costs)) if lanes else simulate(plan)
+
+
+def _simulated(plan: Plan, grouping: Grouping | None) -> tuple[Simulated, ...]:
+    """The plan's processes in a grouping; without limbs they are those that everybody asks for."""
+    return simulate(plan, grouping) if grouping is not None and any(grouping) else simulate(plan)
+
+
+def groupings(plan: Plan) -> list[Grouping]:
+    """Return the groupings of a plan's straight lines that are compared; none comes first."""
+    offers = offered_groupings(plan) if not plan.reproducible else [_none(plan), own_limbs(plan)]
+    return list(dict.fromkeys(offers))
+
+
+def _none(plan: Plan) -> Grouping:
+    return tuple(() for _ in plan.processes)
+
+
+def chosen_grouping(plan: Plan, costs: StepCosts | None = None) -> Grouping:
+    """Return the limbs that share a straight line: for each process the grouping of least price.
+
+    Args:
+        plan: the plan.
+        costs: prices statements; the shipped ones if not given.
+
+    Raises:
+        PlanError: the plan deadlocks, or a step reads what its process does not have.
+    """
+    return least_of(plan, groupings(plan), costs, _simulated)

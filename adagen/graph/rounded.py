@@ -1,0 +1,39 @@
+"""Expressions whose constants are rounded as soon as they are made, as a processor rounds them."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from flint import fmpq
+
+from adagen.graph.nodes import Expression, Graph
+
+
+class RoundedGraph(Graph):
+    """A graph that has the same values to the last bit, whatever of them is known beforehand.
+
+    Each constant is a number of the scalar, so that what is folded is rounded operation by
+    operation, as it is where the same operation is done at run time.
+
+    Args:
+        scalar: "double" or "float".
+    """
+
+    def __init__(self, scalar: str) -> None:
+        super().__init__()
+        self.number = np.float32 if scalar == "float" else np.float64
+
+    def _constant(self, lanes: tuple[Any, ...]) -> Expression:
+        return super()._constant(tuple(self._rounded(x) for x in lanes))
+
+    def _rounded(self, value: Any) -> Any:
+        """A rational number as one of the scalar; as it is where that has no such number."""
+        p, q = int(value.p), int(value.q)
+        try:
+            with np.errstate(over="ignore"):
+                rounded = float(self.number(p / q))
+        except OverflowError:
+            return value
+        return fmpq(*rounded.as_integer_ratio()) if math.isfinite(rounded) else value

@@ -1,0 +1,90 @@
+"""What one process does of a robot, whose straight line all processes of a reproducible plan share.
+
+Answers are the same to the last bit for every number of processes if each number is computed by the
+same operations wherever that is done. So there is one straight line, that of one process; more
+processes share it out (adagen/executor/shares.py). They can where they gather at a core around the
+base or the ground: there every limb is swept towards where one process sweeps it, too.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from adagen.errors import UsageError
+from adagen.plan.gather import why_not_gather
+from adagen.plan.gather_steps import ProcessSteps
+from adagen.plan.gather_trees import Tree, given_trees, moving_trees
+from adagen.plan.steps import (
+    Accelerate,
+    Articulate,
+    FreeAcceleration,
+    FreeBase,
+    SolveRoot,
+    StartLink,
+)
+from adagen.plan.types import Plan
+from adagen.schedule.tree import Gathered
+
+
+def serial_plan(plan: Plan) -> Plan:
+    """Return a reproducible plan as one process carries it out.
+
+    Where processes of the robot can gather, its steps are told by the joints alone, so that they
+    are the same whatever the plan's processes are.
+    """
+    if why_not_gather(plan.joints) is None:
+        of_one = ProcessSteps(plan.joints, _of_one(plan), 0)
+        evaluation = sorted(of_one.evaluation([], []), key=lambda step: _SWEEPS.index(type(step)))
+        process = of_one.process_of(evaluation)
+    else:
+        (process,) = (process for process in plan.processes if process.steps)
+    return replace(
+        plan, processes=(process,), messages=(), schedule="", channel="auto", profile="default"
+    )
+
+
+_SWEEPS = (StartLink, FreeBase, Articulate, SolveRoot, Accelerate, FreeAcceleration)
+"""The steps of one process in their order, so that limbs of several trees are swept together."""
+
+
+def _of_one(plan: Plan) -> list[Tree]:
+    roots = [0 if tree.base is None else tree.base + 1 for tree in moving_trees(plan.joints)]
+    bases = {root - 1 for root in roots}
+    owners = [None if j in bases else 0 for j in range(len(plan.joints))]
+    return given_trees(plan.joints, roots, owners)
+
+
+def check_reproducible(plan: Plan, gathered: Gathered | None) -> None:
+    """Refuse a plan whose answers depend on how many processes carry it out.
+
+    Args:
+        plan: the plan.
+        gathered: where its processes gather; None where they do not.
+
+    Raises:
+        UsageError: it does; the message says why.
+    """
+    if plan.form != "segment" or plan.scalar == "mixed":
+        raise UsageError("only form segment in one number type is reproducible")
+    if plan.closed:
+        raise UsageError(
+            "loops and couplings are solved in loops of code, which are not reproducible: leave "
+            "out --reproducible"
+        )
+    if sum(bool(process.steps) for process in plan.processes) < 2:
+        return
+    if gathered is None:
+        raise UsageError(
+            "processes that are joined at a cut have other digits than one process: reproducible "
+            "ones gather at the base or the ground; leave out --schedule or --reproducible"
+        )
+    for tree, root in zip(moving_trees(plan.joints), gathered.roots, strict=True):
+        base = 0 if tree.base is None else tree.base + 1
+        owners = {gathered.owners[j] for j in tree.joints}
+        if root != base and len(owners) > 1:
+            where = "the base" if base else "the ground"
+            raise UsageError(
+                f"processes that gather at link {plan.links[root].name!r} have other digits than "
+                f"one process: reproducible ones gather at {where}; leave out --schedule or "
+                "--reproducible"
+            )

@@ -1,0 +1,142 @@
+"""Processes of a reproducible plan compute the same to the last bit, however many they are."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from adagen.errors import UsageError
+from adagen.executor import groupings, interpret, simulate, straight_line
+from adagen.graph import DOUBLE, FLOAT, RoundedGraph
+from adagen.model import PRISMATIC, REVOLUTE, SPHERICAL, Model
+from adagen.plan import Plan, make_plan, plan_from_json, plan_to_json
+from adagen.schedule import Topology, load_profile
+from adagen.search import named_schedule
+from adagen.states import random_states
+from tests.emit.limbs import alike
+from tests.emitted import ROUNDING, forward_error, truth_of
+from tests.executor.test_lane_bits import affected, limbs, slaved
+from tests.gathered import dealt, reproducible_plan
+from tests.mechanisms import four_bar
+from tests.models import Array, human_figure, random_tree, serial_chain
+from tests.scene.effects import with_effects, with_wrenches
+
+ALGEBRAS = {"double": DOUBLE, "float": FLOAT}
+
+
+def answers(plan: Plan, model: Model, **lanes: object) -> Array:
+    """Return the accelerations of two states."""
+    states = random_states(model, 2, seed=4)
+    rows = zip(states.q, states.v, states.tau, strict=True)
+    algebra = ALGEBRAS[plan.scalar]
+    return np.array([interpret(plan, *row, algebra, **lanes) for row in rows])  # type: ignore[arg-type]
+
+
+def any_robot(seed: int) -> Model:
+    """Return a tree, or a trunk with limbs that are alike, with effects and outer forces or not."""
+    rng = np.random.default_rng(seed)
+    if seed % 2:
+        model = random_tree(rng, 12, branching=0.5, floating=bool(seed % 4 < 2))
+    else:
+        kinds = [(REVOLUTE, PRISMATIC, SPHERICAL)[k] for k in rng.integers(0, 3, size=2)]
+        model = alike(rng, 5, kinds, floating=bool(seed % 4), beside=2, oblique=seed < 6).model
+    if seed % 3:
+        model = with_wrenches(with_effects(model, rng, "drp"[: seed % 3 + 1]), rng)
+    return model
+
+
+@pytest.mark.parametrize("scalar", ["double", "float"])
+@pytest.mark.parametrize("seed", range(8))
+def test_any_number_of_processes_in_lanes_or_not(seed: int, scalar: str) -> None:
+    model = any_robot(seed)
+    alone = reproducible_plan(model, scalar=scalar)
+    expected = answers(alone, model)
+    rng = np.random.default_rng(seed)
+    plans = [
+        alone,
+        *(reproducible_plan(model, dealt(model, p, rng), scalar=scalar) for p in (2, 3)),
+    ]
+    for plan in plans:
+        for grouping in groupings(plan):
+            np.testing.assert_array_equal(answers(plan, model, lanes=grouping), expected)
+
+
+@pytest.mark.parametrize("seed", [2, 3])
+def test_what_is_the_same_is_true(seed: int) -> None:
+    model = any_robot(seed)
+    truth = truth_of(model, random_states(model, 2, seed=4))
+    assert forward_error(answers(reproducible_plan(model), model), truth) < ROUNDING["double"]
+
+
+def test_lanes_and_messages_are_looked_at_above() -> None:
+    """Some plan has lanes on several processes that tell each other something."""
+    model = limbs(8, REVOLUTE, REVOLUTE, REVOLUTE, trunk=1, beside=0)
+    plan = reproducible_plan(model, dealt(model, 2, np.random.default_rng(0), core=0.0))
+    line = simulate(plan, groupings(plan)[-1])
+    assert all(one.machine.rows.rows for one in line)
+    assert all(any(one.machine.sent.values()) for one in line)
+    assert len(groupings(plan)) == 2
+    expected = answers(reproducible_plan(model), model)
+    np.testing.assert_array_equal(answers(plan, model, lanes=True), expected)
+
+
+def test_others_are_not_the_same() -> None:
+    """What is promised does not come by itself."""
+    model = limbs(8, REVOLUTE, REVOLUTE, REVOLUTE, trunk=1, beside=0)
+    gathered = dealt(model, 2, np.random.default_rng(0), core=0.0)
+    alone, shared = reproducible_plan(model), reproducible_plan(model, gathered)
+    of_one, of_two = (answers(replace(p, reproducible=False), model) for p in (alone, shared))
+    assert not np.array_equal(of_one, of_two)
+
+
+def test_slaved_joints_are_solved_by_one_process_in_lanes_or_not() -> None:
+    model = slaved(limbs(4, REVOLUTE, REVOLUTE, REVOLUTE, trunk=4, beside=0))
+    plan = reproducible_plan(model)
+    none, some = groupings(plan)
+    np.testing.assert_array_equal(
+        answers(plan, model, lanes=some), answers(plan, model, lanes=none)
+    )
+
+
+def test_effects_of_limbs_are_the_same() -> None:
+    model = affected(limbs(3, REVOLUTE, PRISMATIC, REVOLUTE))
+    rng = np.random.default_rng(1)
+    expected = answers(reproducible_plan(model), model)
+    plan = reproducible_plan(model, dealt(model, 3, rng))
+    np.testing.assert_array_equal(answers(plan, model, lanes=True), expected)
+
+
+def test_a_plan_is_read_as_it_was_written() -> None:
+    plan = reproducible_plan(human_figure())
+    assert '"reproducible": true' in plan_to_json(plan)
+    assert plan_from_json(plan_to_json(plan)) == plan
+
+
+def test_what_depends_on_the_processes_is_refused() -> None:
+    model = serial_chain(8, axes="xyz")
+    profile, topology = load_profile("default"), Topology.of(model)
+    schedule = named_schedule("balanced", topology, 2, profile=profile)
+    with pytest.raises(UsageError, match="joined at a cut have other digits"):
+        make_plan(model, schedule, meeting="join", reproducible=True)
+    with pytest.raises(UsageError, match="reproducible ones gather at the ground"):
+        make_plan(model, schedule, meeting="gather", reproducible=True)
+    with pytest.raises(UsageError, match="only form segment in one number type"):
+        make_plan(model, schedule, form="ada", reproducible=True)
+    with pytest.raises(UsageError, match="loops and couplings are solved in loops of code"):
+        reproducible_plan(four_bar())
+
+
+def test_constants_are_rounded_as_a_processor_rounds_them() -> None:
+    for scalar, number in (("double", np.float64), ("float", np.float32)):
+        graph = RoundedGraph(scalar)
+        tenth, third = graph.constant(0.1), graph.reciprocal(graph.constant(3))
+        expected = number(0.1) * number(0.1) + number(1) / number(3)
+        assert float((tenth * tenth + third).constant) == float(expected)
+
+
+def test_without_lanes_is_without_lanes() -> None:
+    plan = reproducible_plan(limbs(4, REVOLUTE, REVOLUTE, REVOLUTE))
+    (one,) = straight_line(plan, lanes=False)
+    assert all(node.width == 1 for node in one.machine.graph.nodes)

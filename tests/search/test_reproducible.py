@@ -1,0 +1,39 @@
+"""Schedules of reproducible programs."""
+
+from __future__ import annotations
+
+from adagen.emit.predicted import predict
+from adagen.plan import make_plan
+from adagen.schedule import load_profile
+from adagen.search.reproducible import reproducible_schedule
+from tests.models import binary, human_figure, serial_chain
+
+DEFAULT = load_profile("default")
+
+
+def test_limbs_are_shared_where_that_pays() -> None:
+    model = binary(6, floating=True)
+    alone = reproducible_schedule(model, 1, DEFAULT)
+    both = reproducible_schedule(model, 2, DEFAULT)
+    assert both.meeting == "gather"
+    assert both.gathered is not None
+    assert {p for p in both.gathered.owners if p is not None} == {0, 1}
+    plan = make_plan(model, both, reproducible=True)
+    assert predict(plan, DEFAULT, "unrolled").makespan == both.makespan
+    one = make_plan(model, alone, reproducible=True)
+    assert both.makespan < 0.8 * predict(one, DEFAULT, "unrolled").makespan
+
+
+def test_a_chain_is_done_by_one_process() -> None:
+    found = reproducible_schedule(serial_chain(12, axes="xyz"), 3, DEFAULT)
+    plan = make_plan(serial_chain(12, axes="xyz"), found, reproducible=True)
+    assert [bool(process.owns) for process in plan.processes] == [True, False, False]
+
+
+def test_nothing_slower_than_one_process_is_taken() -> None:
+    model = human_figure()
+    for processes in (2, 3, 4):
+        found = reproducible_schedule(model, processes, DEFAULT)
+        alone = make_plan(model, reproducible_schedule(model, 1, DEFAULT), reproducible=True)
+        assert found.makespan <= predict(alone, DEFAULT, "unrolled").makespan
+        assert found.lower_bound <= found.makespan
