@@ -60,6 +60,12 @@ def command_parser() -> Parser:
     add_out(parser)
     parser.add_argument("--name", help="name of the files (default: MODEL's)")
     parser.add_argument(
+        "--runtime",
+        default="",
+        metavar="WORDS",
+        help="what can be set at run time, with commas between: gravity (docs/library.md)",
+    )
+    parser.add_argument(
         "--single-file",
         action="store_true",
         help="write a source that holds the program around the solver, too, and stands alone",

@@ -84,6 +84,7 @@ RARE = frozenset(
         "--tune",
         "--tuned",
         "--channel",
+        "--runtime",
         "--single-file",
         "--cmake-dir",
         "--name",

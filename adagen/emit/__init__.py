@@ -277,6 +277,7 @@ def _channel_messages(words: Words) -> list[dict[str, object]]:
     ]
     for p, process in enumerate(words.plan.processes[1:], start=1):
         state, result = table_sizes(words, process)
+        state += len(words.plan.parameter_values)
         rows.append({"source": 0, "target": p, "size": state, "comment": "state"})
         rows.append({"source": p, "target": 0, "size": result, "comment": "accelerations"})
     return rows + refinement_messages(words)

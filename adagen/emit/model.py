@@ -16,6 +16,8 @@ def model_values(words: Words) -> dict[str, object]:
     nv = sum(KINDS[joint.kind].nv for joint in plan.joints)
     return {
         "gravity": ", ".join(repr(g) for g in plan.gravity),
+        "parameters": [repr(x) for x in plan.parameter_values],
+        "gravity_entry": plan.entry_of_parameter("gravity"),
         "nq": sum(KINDS[joint.kind].nq for joint in plan.joints),
         "nv": nv,
         "ntau": nv + 6 * len(plan.wrenches),

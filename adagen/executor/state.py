@@ -130,7 +130,10 @@ class State:
         """Return the ground's acceleration relative to free fall, shape (3,)."""
         if self.refining == "correction":
             return self.zeros(3)
-        return self.constants([-g for g in self.plan.gravity])
+        first = self.plan.entry_of_parameter("gravity")
+        if first is None:
+            return self.constants([-g for g in self.plan.gravity])
+        return -np.array([self.graph.input(f"parameter[{first + k}]") for k in range(3)], object)
 
     def circular(self, angle: Expression) -> tuple[Expression, Expression]:
         """Cosine and sine; they are taken of all angles of the process at once."""

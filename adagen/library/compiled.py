@@ -169,6 +169,7 @@ def planned(model: Model, schedule: Schedule, request: Request, source_hash: str
         scalar=request.scalar,
         channel=request.channel,
         source_hash=source_hash,
+        runtime=request.runtime,
     )
 
 

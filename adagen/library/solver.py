@@ -40,6 +40,7 @@ class Solver:
     """
 
     compiled: Compiled
+    _parameters: NDArray[np.float64]
 
     if TYPE_CHECKING:  # the extension has it
 
@@ -64,6 +65,39 @@ class Solver:
                 ValueError: a shape is wrong.
                 TypeError: what is given holds no real numbers.
             """
+
+        def _set(self, first: int, numbers: ArrayLike) -> None:
+            """Set numbers of what can be set at run time, from the one numbered first on."""
+
+    @property
+    def gravity(self) -> NDArray[Any]:
+        """Acceleration of free fall in ground axes, shape (3,), m/s^2.
+
+        It can be set where the robot was compiled with ``runtime="gravity"``: for all calls to
+        come, and of copies and pickles made from then on.
+
+        Raises:
+            UsageError: it is set, and was compiled in.
+            ValueError: it is set to something else than three finite numbers.
+        """
+        plan = self.compiled.plan
+        first = plan.entry_of_parameter("gravity")
+        return np.array(plan.gravity if first is None else self._parameters[first : first + 3])
+
+    @gravity.setter
+    def gravity(self, value: ArrayLike) -> None:
+        given = np.asarray(value, np.float64)
+        if given.shape != (3,):
+            raise ValueError(f"gravity has shape (3,), not {given.shape}")
+        self._put("gravity", given)
+
+    def _put(self, what: str, numbers: NDArray[Any]) -> None:
+        """Set what can be set at run time."""
+        first = self.compiled.plan.entry_of_parameter(what)
+        if first is None:
+            raise UsageError(f'{what} is compiled in: compile with runtime="{what}" to set it')
+        self._set(first, numbers)
+        self._parameters[first : first + len(numbers)] = numbers
 
     @property
     def joints(self) -> tuple[str, ...]:
@@ -149,13 +183,13 @@ class Solver:
         return model.v_start[j], model.joints[j].kind.nv
 
     def __copy__(self) -> Solver:
-        return built(self.compiled)
+        return _again(self.compiled, self._parameters)
 
     def __deepcopy__(self, _: object) -> Solver:
-        return built(self.compiled)
+        return _again(self.compiled, self._parameters)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return built, (self.compiled,)
+        return _again, (self.compiled, self._parameters)
 
     def __repr__(self) -> str:
         return f"<adagen.Solver {self.compiled.stem}: {self.nq} in q, {self.nv} in v>"
@@ -184,6 +218,16 @@ def built(compiled: Compiled, toolchain: Toolchain | None = None) -> Solver:
     name = f"{compiled.stem}.so"
     solver = _type_of(build_executable(source, name, toolchain))()
     solver.compiled = compiled
+    solver._parameters = np.array(compiled.plan.parameter_values)
+    return solver
+
+
+def _again(compiled: Compiled, parameters: NDArray[np.float64]) -> Solver:
+    """Return another solver of what was compiled, with the same set at run time."""
+    solver = built(compiled)
+    if len(parameters):
+        solver._set(0, parameters)
+    solver._parameters = parameters.copy()
     return solver
 
 

@@ -13,6 +13,7 @@ from adagen.plan.closures import closures_of
 from adagen.plan.clusters import ClusterPlanner, clusters_of
 from adagen.plan.constants import couplings_of, joints_of, links_of, loops_of, wrenches_of
 from adagen.plan.gather import GatherPlanner, why_not_gather
+from adagen.plan.parameters import parameters_of
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.serialise import plan_from_json, plan_to_json
 from adagen.plan.steps import LinkBias
@@ -48,6 +49,7 @@ def make_plan(
     channel: str = "auto",
     source_hash: str = "",
     meeting: str = "auto",
+    runtime: str = "",
 ) -> Plan:
     """Return what each process of a schedule does.
 
@@ -60,10 +62,11 @@ def make_plan(
         source_hash: hash of the robot description, for the emitted header.
         meeting: how segments meet, one of ``MEETINGS``: joined at the cuts by Eq. (3)-(10), or
             gathered at a small core, in one exchange; "auto": as the schedule says.
+        runtime: what can be set at run time (see ``parameters_of``).
 
     Raises:
         InputError: a link's inertia cannot be inverted where the form needs it.
-        UsageError: an unknown form, scalar or channel.
+        UsageError: an unknown form, scalar, channel or run-time parameter.
     """
     for word, known, what in (
         (form, tuple(FORMS), "form"),
@@ -73,7 +76,7 @@ def make_plan(
     ):
         if word not in known:
             raise UsageError(f'unknown {what} "{word}"; known: {", ".join(known)}')
-    joints = joints_of(model)
+    joints, parameters = joints_of(model), parameters_of(model, runtime)
     planner = planner_of(model, schedule, form, meeting)
     processes, messages = planner.plan()
     if planner.fusions.fused:
@@ -96,6 +99,7 @@ def make_plan(
         wrenches=wrenches_of(model),
         loops=loops_of(model),
         couplings=couplings_of(model),
+        parameters=parameters,
     )
 
 

@@ -184,6 +184,19 @@ class PlanCoupling:
 
 
 @dataclass(frozen=True)
+class PlanParameter:
+    """A constant that can be set at run time.
+
+    Attributes:
+        what: "gravity".
+        values: what it is until then, SI units; gravity in ground axes.
+    """
+
+    what: str
+    values: tuple[float, ...]
+
+
+@dataclass(frozen=True)
 class Process:
     """What one process does.
 
@@ -233,6 +246,7 @@ class Plan:
         profile: name of the cost profile by which its program was chosen.
         loops: joints that close loops.
         couplings: joints whose coordinates are tied.
+        parameters: constants that can be set at run time.
     """
 
     name: str
@@ -252,6 +266,7 @@ class Plan:
     profile: str = field(default="default", metadata=OPTIONAL)
     loops: tuple[PlanLoop, ...] = field(default=(), metadata=OPTIONAL)
     couplings: tuple[PlanCoupling, ...] = field(default=(), metadata=OPTIONAL)
+    parameters: tuple[PlanParameter, ...] = field(default=(), metadata=OPTIONAL)
 
     def place(self, number: int) -> str:
         """Return what can fail by number in words: joints, then loops, then couplings."""
@@ -321,6 +336,20 @@ class Plan:
     def entry_of_wrench(self, k: int) -> int:
         """Return where the six numbers of outer force ``k`` start in tau."""
         return sum(KINDS[joint.kind].nv for joint in self.joints) + 6 * k
+
+    @property
+    def parameter_values(self) -> tuple[float, ...]:
+        """The numbers of all parameters, one parameter after the other."""
+        return tuple(x for parameter in self.parameters for x in parameter.values)
+
+    def entry_of_parameter(self, what: str) -> int | None:
+        """Return where a parameter starts among the numbers of all; None where it is constant."""
+        first = 0
+        for parameter in self.parameters:
+            if parameter.what == what:
+                return first
+            first += len(parameter.values)
+        return None
 
     def paths(self, joints: Iterable[int]) -> set[int]:
         """Return the joints from the ground down to some joints, these included."""

@@ -70,6 +70,7 @@ enum {
   ARM7_P1_NOT_REFINED = 7,  // refinement does not converge
   ARM7_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   ARM7_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  ARM7_P1_NOT_SET = 16,  // what is to be set at run time is not a finite number
   ARM7_P1_TOO_FEW_STEPS = 11  // refinement converges too slowly
 };
 
@@ -406,6 +407,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
+  kNotSet = 16,         // what is to be set at run time is not a finite number
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -516,6 +518,8 @@ constexpr FailureWords words_of(Failure kind) {
       return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
+    case kNotSet:
+      return {false, "what is to be set at run time is not a finite number"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
@@ -1265,6 +1269,7 @@ struct Workspace {
   Number* qdd = nullptr;
   int status = kFine;
   int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
+  Columns6 ground;  // its acceleration
   Joint_base_yaw j_base_yaw;
   Joint_shoulder_pitch j_shoulder_pitch;
   Joint_upper_arm_roll j_upper_arm_roll;
@@ -1277,6 +1282,8 @@ struct Workspace {
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
+
+inline double gravity(const Workspace&, int k) { return kGravity[static_cast<std::size_t>(k)]; }
 
 inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
@@ -1317,11 +1324,11 @@ void store_acceleration(Workspace& w, int joint, int v,
 const Mat6 kZero = Mat6::Zero();
 
 // The ground accelerates against gravity: all accelerations are relative to free fall.
-const Columns6 kGround = [] {
+[[maybe_unused]] inline Columns6 ground(const Workspace& w) {
   Columns6 result = Columns6::Zero();
-  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(kGravity[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(gravity(w, k));
   return result;
-}();
+}
 
 // Accelerations of all right-hand sides, added up with the coupling torques.
 template <std::size_t n, std::size_t m>
@@ -1401,7 +1408,7 @@ void articulate_base_yaw(Workspace& w) {
 
 void accelerate_base_yaw(Workspace& w) {
   auto& i = w.j_base_yaw;
-  Columns6 a = i.X * kGround;
+  Columns6 a = i.X * w.ground;
   const auto qdd = accelerate(i.body, a);
   i.a = a;
   store_acceleration(w, 0, 0, qdd);
@@ -1706,6 +1713,7 @@ void accelerate_right_finger_slide(Workspace& w) {
 
 // Process 0: 9 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll", "wrist_pitch", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_base_yaw(w);
   kinematics_shoulder_pitch(w);
@@ -1760,12 +1768,21 @@ constexpr std::array<Range, 1> kTorque_0{ {{0, 9}} };
     {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
 } };
 
+// All constants are as they were emitted.
+constexpr int kParameterCount = 0;
+inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
+inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
+[[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
+
 // One process, or thread, of a solver: state and result in place.
 class InPlace {
  public:
   Workspace w;
   Channel channel;
   Text text;  // of the last failure
+
+  static constexpr int kWorkspaces = 1;
+  Workspace& workspace(int) { return w; }
 
   // Reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -1827,6 +1844,7 @@ static_assert(int(ARM7_P1_ENDED) == int(kEnded));
 static_assert(int(ARM7_P1_NOT_REFINED) == int(kNotRefined));
 static_assert(int(ARM7_P1_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(ARM7_P1_GROWTH) == int(kGrowth));
+static_assert(int(ARM7_P1_NOT_SET) == int(kNotSet));
 static_assert(int(ARM7_P1_TOO_FEW_STEPS) == int(kTooFewSteps));
 
 struct arm7_p1_solver : Solver {};

@@ -77,6 +77,7 @@ enum {
   ARM7_P2_NOT_REFINED = 7,  // refinement does not converge
   ARM7_P2_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   ARM7_P2_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  ARM7_P2_NOT_SET = 16,  // what is to be set at run time is not a finite number
   ARM7_P2_TOO_FEW_STEPS = 11  // refinement converges too slowly
 };
 
@@ -333,6 +334,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
+  kNotSet = 16,         // what is to be set at run time is not a finite number
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -443,6 +445,8 @@ constexpr FailureWords words_of(Failure kind) {
       return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
+    case kNotSet:
+      return {false, "what is to be set at run time is not a finite number"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
@@ -1845,6 +1849,8 @@ inline void give(Workspace& w, int first, int count) {
   return true;
 }
 
+inline double gravity(const Workspace&, int k) { return kGravity[static_cast<std::size_t>(k)]; }
+
 // What cannot be solved is refused, with the joint at fault.
 
 // D beside the trace of what it is found in: less than this is rounding and nothing else.
@@ -2148,12 +2154,12 @@ ADAGEN_INLINE void keep(Workspace& w, int slot, const Frame<T>& frame) {
 }
 
 // The ground accelerates against gravity: accelerations are relative to free fall.
-ADAGEN_INLINE Frame<Value> ground() {
+ADAGEN_INLINE Frame<Value> ground(const Workspace& w) {
   const Value one = Value{} + 1, none{};
   return {{{one, none, none}, {none, one, none}, {none, none, one}},
           {none, none, none},
           {none, none, none},
-          {none - Real(kGravity[0]), none - Real(kGravity[1]), none - Real(kGravity[2])}};
+          {none - Real(gravity(w, 0)), none - Real(gravity(w, 1)), none - Real(gravity(w, 2))}};
 }
 
 // The axes of a floating base are the link's own: only gravity is turned.
@@ -2163,11 +2169,11 @@ void free_base_frame(Workspace& w) {
   const Value* q = w.q + joint.q + 3;
   Matrix<Value> turn;
   require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
-  Frame<Value> frame = ground();
-  const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
+  Frame<Value> frame = ground(w);
+  const Vector<Real> down{Real(gravity(w, 0)), Real(gravity(w, 1)), Real(gravity(w, 2))};
   const Number* const P = joint.rotation;
   const auto along = [&](int k) {
-    return Real(P[k] * gravity.x + P[3 + k] * gravity.y + P[6 + k] * gravity.z);
+    return Real(P[k] * down.x + P[3 + k] * down.y + P[6 + k] * down.z);
   };
   const Vector<Real> fixed{along(0), along(1), along(2)};
   const Value none{};
@@ -2256,7 +2262,7 @@ ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind
 template <int j>
 ADAGEN_INLINE Frame<Value> frame_near(Workspace& w) {
   constexpr int parent = kJoints[j].parent - 1;
-  return parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  return parent < 0 ? ground(w) : frame_of(w, parent < 0 ? 0 : parent);
 }
 
 // Joints first .. last, each on the link of the one before.
@@ -3963,12 +3969,21 @@ constexpr std::array<Range, 1> kTorque_1{ {{5, 4}} };
     {{1, kReadQ_1.data()}, {1, kReadV_1.data()}, {1, kOwn_1.data()}, {1, kTorque_1.data()}},
 } };
 
+// All constants are as they were emitted.
+constexpr int kParameterCount = 0;
+inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
+inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
+[[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
+
 // One process, or thread, of a solver: state and result in place.
 class InPlace {
  public:
   Workspace w;
   Channel channel;
   Text text;  // of the last failure
+
+  static constexpr int kWorkspaces = 1;
+  Workspace& workspace(int) { return w; }
 
   // Reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -4079,7 +4094,8 @@ class Solver : public InPlace {
     const Number* content = channel.receive(state_message(rank), status, patient);
     content = unpack(content, own.q, q_.data());
     content = unpack(content, own.v, v_.data());
-    unpack(content, own.tau, tau_.data());
+    content = unpack(content, own.tau, tau_.data());
+    unpack_parameters(content, w);
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     run();
@@ -4097,7 +4113,8 @@ class Solver : public InPlace {
       Number* content = channel.outgoing(state_message(p), status);
       content = pack(content, other.q, q);
       content = pack(content, other.v, v);
-      pack(content, other.tau, tau);
+      content = pack(content, other.tau, tau);
+      pack_parameters(content, w);
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -4134,6 +4151,7 @@ static_assert(int(ARM7_P2_ENDED) == int(kEnded));
 static_assert(int(ARM7_P2_NOT_REFINED) == int(kNotRefined));
 static_assert(int(ARM7_P2_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(ARM7_P2_GROWTH) == int(kGrowth));
+static_assert(int(ARM7_P2_NOT_SET) == int(kNotSet));
 static_assert(int(ARM7_P2_TOO_FEW_STEPS) == int(kTooFewSteps));
 
 struct arm7_p2_solver : Solver {};

@@ -75,6 +75,7 @@ enum {
   ARM7_SLAVED_P2_NOT_REFINED = 7,  // refinement does not converge
   ARM7_SLAVED_P2_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   ARM7_SLAVED_P2_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  ARM7_SLAVED_P2_NOT_SET = 16,  // what is to be set at run time is not a finite number
   ARM7_SLAVED_P2_TOO_FEW_STEPS = 11  // refinement converges too slowly
 };
 
@@ -429,6 +430,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
+  kNotSet = 16,         // what is to be set at run time is not a finite number
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -539,6 +541,8 @@ constexpr FailureWords words_of(Failure kind) {
       return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
+    case kNotSet:
+      return {false, "what is to be set at run time is not a finite number"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
@@ -1293,6 +1297,7 @@ struct Workspace {
   int status = kFine;
   int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
   std::array<Real, kColumns - 1> coupling{};  // torques that keep slaved joints in step
+  Columns6 ground;  // its acceleration
   Joint_base_yaw j_base_yaw;
   Joint_shoulder_pitch j_shoulder_pitch;
   Joint_upper_arm_roll j_upper_arm_roll;
@@ -1305,6 +1310,8 @@ struct Workspace {
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
+
+inline double gravity(const Workspace&, int k) { return kGravity[static_cast<std::size_t>(k)]; }
 
 inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
@@ -1345,11 +1352,11 @@ void store_acceleration(Workspace& w, int joint, int v,
 const Mat6 kZero = Mat6::Zero();
 
 // The ground accelerates against gravity: all accelerations are relative to free fall.
-const Columns6 kGround = [] {
+[[maybe_unused]] inline Columns6 ground(const Workspace& w) {
   Columns6 result = Columns6::Zero();
-  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(kGravity[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(gravity(w, k));
   return result;
-}();
+}
 
 // Accelerations of all right-hand sides, added up with the coupling torques.
 template <std::size_t n, std::size_t m>
@@ -1448,7 +1455,7 @@ void assemble_base_yaw(Workspace& w) {
   constexpr std::array<Real, 6> least{8.659874902621574e-13, 8.659874902621574e-13, 1.611208017596599e-12, 1.2607334545733242e-14, 1.2607334545733242e-14, 3.947459643111668e-15};
   if (!keeps_digits<Revolute>(kZero, kPhi_turret, least))
     fail(w, kGrowth, 0);
-  if (!join(i.joined, kZero, kPhi_turret, i.X * kGround, w.j_base_yaw.b, c))
+  if (!join(i.joined, kZero, kPhi_turret, i.X * w.ground, w.j_base_yaw.b, c))
     fail(w, kFactorization, 0);
   couple(i.joined, kPhi_turret, i.at_turret);
   i.Phi_turret = kPhi_turret - product(i.at_turret, i.at_turret);  // Eq. (4)
@@ -1810,6 +1817,7 @@ void disassemble_right_finger_slide(Workspace& w) {
 
 // Process 0: 6 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll", "wrist_pitch"
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_base_yaw(w);
   kinematics_shoulder_pitch(w);
@@ -1880,6 +1888,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // Process 1: 3 of 9 joints: "flange_roll", "left_finger_slide", "right_finger_slide"; kinematics of 6 more on the way to the ground
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_base_yaw(w);
   kinematics_shoulder_pitch(w);
@@ -1950,12 +1959,21 @@ constexpr std::array<Range, 1> kTorque_1{ {{6, 3}} };
     {{1, kReadQ_1.data()}, {1, kReadV_1.data()}, {1, kOwn_1.data()}, {1, kTorque_1.data()}},
 } };
 
+// All constants are as they were emitted.
+constexpr int kParameterCount = 0;
+inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
+inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
+[[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
+
 // One process, or thread, of a solver: state and result in place.
 class InPlace {
  public:
   Workspace w;
   Channel channel;
   Text text;  // of the last failure
+
+  static constexpr int kWorkspaces = 1;
+  Workspace& workspace(int) { return w; }
 
   // Reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -2066,7 +2084,8 @@ class Solver : public InPlace {
     const Number* content = channel.receive(state_message(rank), status, patient);
     content = unpack(content, own.q, q_.data());
     content = unpack(content, own.v, v_.data());
-    unpack(content, own.tau, tau_.data());
+    content = unpack(content, own.tau, tau_.data());
+    unpack_parameters(content, w);
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     run();
@@ -2084,7 +2103,8 @@ class Solver : public InPlace {
       Number* content = channel.outgoing(state_message(p), status);
       content = pack(content, other.q, q);
       content = pack(content, other.v, v);
-      pack(content, other.tau, tau);
+      content = pack(content, other.tau, tau);
+      pack_parameters(content, w);
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -2121,6 +2141,7 @@ static_assert(int(ARM7_SLAVED_P2_ENDED) == int(kEnded));
 static_assert(int(ARM7_SLAVED_P2_NOT_REFINED) == int(kNotRefined));
 static_assert(int(ARM7_SLAVED_P2_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(ARM7_SLAVED_P2_GROWTH) == int(kGrowth));
+static_assert(int(ARM7_SLAVED_P2_NOT_SET) == int(kNotSet));
 static_assert(int(ARM7_SLAVED_P2_TOO_FEW_STEPS) == int(kTooFewSteps));
 
 struct arm7_slaved_p2_solver : Solver {};

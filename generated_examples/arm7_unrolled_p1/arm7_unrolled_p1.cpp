@@ -70,6 +70,7 @@ enum {
   ARM7_UNROLLED_P1_NOT_REFINED = 7,  // refinement does not converge
   ARM7_UNROLLED_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   ARM7_UNROLLED_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  ARM7_UNROLLED_P1_NOT_SET = 16,  // what is to be set at run time is not a finite number
   ARM7_UNROLLED_P1_TOO_FEW_STEPS = 11  // refinement converges too slowly
 };
 
@@ -304,6 +305,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
+  kNotSet = 16,         // what is to be set at run time is not a finite number
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -414,6 +416,8 @@ constexpr FailureWords words_of(Failure kind) {
       return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
+    case kNotSet:
+      return {false, "what is to be set at run time is not a finite number"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
@@ -2001,12 +2005,21 @@ constexpr std::array<Range, 1> kTorque_0{ {{0, 9}} };
     {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
 } };
 
+// All constants are as they were emitted.
+constexpr int kParameterCount = 0;
+inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
+inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
+[[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
+
 // One process, or thread, of a solver: state and result in place.
 class InPlace {
  public:
   Workspace w;
   Channel channel;
   Text text;  // of the last failure
+
+  static constexpr int kWorkspaces = 1;
+  Workspace& workspace(int) { return w; }
 
   // Reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -2068,6 +2081,7 @@ static_assert(int(ARM7_UNROLLED_P1_ENDED) == int(kEnded));
 static_assert(int(ARM7_UNROLLED_P1_NOT_REFINED) == int(kNotRefined));
 static_assert(int(ARM7_UNROLLED_P1_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(ARM7_UNROLLED_P1_GROWTH) == int(kGrowth));
+static_assert(int(ARM7_UNROLLED_P1_NOT_SET) == int(kNotSet));
 static_assert(int(ARM7_UNROLLED_P1_TOO_FEW_STEPS) == int(kTooFewSteps));
 
 struct arm7_unrolled_p1_solver : Solver {};

@@ -75,6 +75,7 @@ enum {
   ARM7_UNROLLED_P2_NOT_REFINED = 7,  // refinement does not converge
   ARM7_UNROLLED_P2_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   ARM7_UNROLLED_P2_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  ARM7_UNROLLED_P2_NOT_SET = 16,  // what is to be set at run time is not a finite number
   ARM7_UNROLLED_P2_TOO_FEW_STEPS = 11  // refinement converges too slowly
 };
 
@@ -327,6 +328,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
+  kNotSet = 16,         // what is to be set at run time is not a finite number
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -437,6 +439,8 @@ constexpr FailureWords words_of(Failure kind) {
       return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
+    case kNotSet:
+      return {false, "what is to be set at run time is not a finite number"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
@@ -4478,12 +4482,21 @@ constexpr std::array<Range, 1> kTorque_1{ {{6, 3}} };
     {{1, kReadQ_1.data()}, {1, kReadV_1.data()}, {1, kOwn_1.data()}, {1, kTorque_1.data()}},
 } };
 
+// All constants are as they were emitted.
+constexpr int kParameterCount = 0;
+inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
+inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
+[[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
+
 // One process, or thread, of a solver: state and result in place.
 class InPlace {
  public:
   Workspace w;
   Channel channel;
   Text text;  // of the last failure
+
+  static constexpr int kWorkspaces = 1;
+  Workspace& workspace(int) { return w; }
 
   // Reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -4594,7 +4607,8 @@ class Solver : public InPlace {
     const Number* content = channel.receive(state_message(rank), status, patient);
     content = unpack(content, own.q, q_.data());
     content = unpack(content, own.v, v_.data());
-    unpack(content, own.tau, tau_.data());
+    content = unpack(content, own.tau, tau_.data());
+    unpack_parameters(content, w);
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     run();
@@ -4612,7 +4626,8 @@ class Solver : public InPlace {
       Number* content = channel.outgoing(state_message(p), status);
       content = pack(content, other.q, q);
       content = pack(content, other.v, v);
-      pack(content, other.tau, tau);
+      content = pack(content, other.tau, tau);
+      pack_parameters(content, w);
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -4649,6 +4664,7 @@ static_assert(int(ARM7_UNROLLED_P2_ENDED) == int(kEnded));
 static_assert(int(ARM7_UNROLLED_P2_NOT_REFINED) == int(kNotRefined));
 static_assert(int(ARM7_UNROLLED_P2_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(ARM7_UNROLLED_P2_GROWTH) == int(kGrowth));
+static_assert(int(ARM7_UNROLLED_P2_NOT_SET) == int(kNotSet));
 static_assert(int(ARM7_UNROLLED_P2_TOO_FEW_STEPS) == int(kTooFewSteps));
 
 struct arm7_unrolled_p2_solver : Solver {};

@@ -91,6 +91,7 @@ enum {
   CHAIN16_P4_NOT_REFINED = 7,  // refinement does not converge
   CHAIN16_P4_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   CHAIN16_P4_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  CHAIN16_P4_NOT_SET = 16,  // what is to be set at run time is not a finite number
   CHAIN16_P4_TOO_FEW_STEPS = 11  // refinement converges too slowly
 };
 
@@ -487,6 +488,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
+  kNotSet = 16,         // what is to be set at run time is not a finite number
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -597,6 +599,8 @@ constexpr FailureWords words_of(Failure kind) {
       return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
+    case kNotSet:
+      return {false, "what is to be set at run time is not a finite number"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
@@ -1448,6 +1452,7 @@ struct Workspace {
   Number* qdd = nullptr;
   int status = kFine;
   int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
+  Columns6 ground;  // its acceleration
   Joint_joint01 j_joint01;
   Joint_joint02 j_joint02;
   Joint_joint03 j_joint03;
@@ -1467,6 +1472,8 @@ struct Workspace {
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
+
+inline double gravity(const Workspace&, int k) { return kGravity[static_cast<std::size_t>(k)]; }
 
 inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
@@ -1507,11 +1514,11 @@ void store_acceleration(Workspace& w, int joint, int v,
 const Mat6 kZero = Mat6::Zero();
 
 // The ground accelerates against gravity: all accelerations are relative to free fall.
-const Columns6 kGround = [] {
+[[maybe_unused]] inline Columns6 ground(const Workspace& w) {
   Columns6 result = Columns6::Zero();
-  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(kGravity[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(gravity(w, k));
   return result;
-}();
+}
 
 // Accelerations of all right-hand sides, added up with the coupling torques.
 template <std::size_t n, std::size_t m>
@@ -1594,7 +1601,7 @@ void assemble_joint01(Workspace& w) {
   constexpr std::array<Real, 6> least{1.0578826286319819e-12, 7.105427357601002e-11, 1.0578826286319819e-12, 5.652615986048129e-14, 1.4210854715202004e-14, 5.652615986048129e-14};
   if (!keeps_digits<Revolute>(kZero, kPhi_rod01, least))
     fail(w, kGrowth, 0);
-  if (!join(i.joined, kZero, kPhi_rod01, i.X * kGround, w.j_joint01.b, c))
+  if (!join(i.joined, kZero, kPhi_rod01, i.X * w.ground, w.j_joint01.b, c))
     fail(w, kFactorization, 0);
   couple(i.joined, kPhi_rod01, i.at_rod01);
   i.Phi_rod01 = kPhi_rod01 - product(i.at_rod01, i.at_rod01);  // Eq. (4)
@@ -2285,6 +2292,7 @@ void disassemble_joint16(Workspace& w) {
 
 // Process 0: 7 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint05", "joint06", ...; kinematics of 3 more on the way to the ground
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_joint01(w);
   kinematics_joint02(w);
@@ -2354,6 +2362,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // Process 1: 3 of 16 joints: "joint07", "joint08", "joint09"; kinematics of 6 more on the way to the ground
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_joint01(w);
   kinematics_joint02(w);
@@ -2397,6 +2406,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // Process 2: 4 of 16 joints: "joint11", "joint12", "joint13", "joint14"; kinematics of 10 more on the way to the ground
 void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_joint01(w);
   kinematics_joint02(w);
@@ -2457,6 +2467,7 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // Process 3: 2 of 16 joints: "joint15", "joint16"; kinematics of 14 more on the way to the ground
 void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_joint01(w);
   kinematics_joint02(w);
@@ -2525,12 +2536,21 @@ constexpr std::array<Range, 1> kTorque_3{ {{14, 2}} };
     {{1, kReadQ_3.data()}, {1, kReadV_3.data()}, {1, kOwn_3.data()}, {1, kTorque_3.data()}},
 } };
 
+// All constants are as they were emitted.
+constexpr int kParameterCount = 0;
+inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
+inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
+[[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
+
 // One process, or thread, of a solver: state and result in place.
 class InPlace {
  public:
   Workspace w;
   Channel channel;
   Text text;  // of the last failure
+
+  static constexpr int kWorkspaces = 1;
+  Workspace& workspace(int) { return w; }
 
   // Reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -2641,7 +2661,8 @@ class Solver : public InPlace {
     const Number* content = channel.receive(state_message(rank), status, patient);
     content = unpack(content, own.q, q_.data());
     content = unpack(content, own.v, v_.data());
-    unpack(content, own.tau, tau_.data());
+    content = unpack(content, own.tau, tau_.data());
+    unpack_parameters(content, w);
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     run();
@@ -2659,7 +2680,8 @@ class Solver : public InPlace {
       Number* content = channel.outgoing(state_message(p), status);
       content = pack(content, other.q, q);
       content = pack(content, other.v, v);
-      pack(content, other.tau, tau);
+      content = pack(content, other.tau, tau);
+      pack_parameters(content, w);
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -2696,6 +2718,7 @@ static_assert(int(CHAIN16_P4_ENDED) == int(kEnded));
 static_assert(int(CHAIN16_P4_NOT_REFINED) == int(kNotRefined));
 static_assert(int(CHAIN16_P4_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(CHAIN16_P4_GROWTH) == int(kGrowth));
+static_assert(int(CHAIN16_P4_NOT_SET) == int(kNotSet));
 static_assert(int(CHAIN16_P4_TOO_FEW_STEPS) == int(kTooFewSteps));
 
 struct chain16_p4_solver : Solver {};

@@ -83,6 +83,7 @@ enum {
   HUMAN40_P1_NOT_REFINED = 7,  // refinement does not converge
   HUMAN40_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   HUMAN40_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  HUMAN40_P1_NOT_SET = 16,  // what is to be set at run time is not a finite number
   HUMAN40_P1_TOO_FEW_STEPS = 11  // refinement converges too slowly
 };
 
@@ -455,6 +456,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
+  kNotSet = 16,         // what is to be set at run time is not a finite number
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -565,6 +567,8 @@ constexpr FailureWords words_of(Failure kind) {
       return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
+    case kNotSet:
+      return {false, "what is to be set at run time is not a finite number"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
@@ -1059,6 +1063,7 @@ struct Workspace {
   Number* qdd = nullptr;
   int status = kFine;
   int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
+  Columns6 ground;  // its acceleration
   Joint_root j_root;
   Joint_left_hip j_left_hip;
   Joint_left_knee j_left_knee;
@@ -1077,6 +1082,8 @@ struct Workspace {
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
+
+inline double gravity(const Workspace&, int k) { return kGravity[static_cast<std::size_t>(k)]; }
 
 inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
@@ -1117,11 +1124,11 @@ void store_acceleration(Workspace& w, int joint, int v,
 const Mat6 kZero = Mat6::Zero();
 
 // The ground accelerates against gravity: all accelerations are relative to free fall.
-const Columns6 kGround = [] {
+[[maybe_unused]] inline Columns6 ground(const Workspace& w) {
   Columns6 result = Columns6::Zero();
-  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(kGravity[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(gravity(w, k));
   return result;
-}();
+}
 
 // Accelerations of all right-hand sides, added up with the coupling torques.
 template <std::size_t n, std::size_t m>
@@ -1200,7 +1207,7 @@ void assemble_root(Workspace& w) {
   constexpr std::array<Real, 6> least{1.3664283380001926e-13, 2.7078610356711135e-13, 1.5366408645330884e-13, 1.7240048593772757e-15, 1.6032759165868928e-15, 1.4802973661668755e-15};
   if (!keeps_digits<Floating>(kZero, w.j_left_hip.Phi_pelvis, least))
     fail(w, kGrowth, 0);
-  if (!join(i.joined, kZero, w.j_left_hip.Phi_pelvis, i.X * kGround, w.j_left_hip.b_pelvis, c))
+  if (!join(i.joined, kZero, w.j_left_hip.Phi_pelvis, i.X * w.ground, w.j_left_hip.b_pelvis, c))
     fail(w, kFactorization, 0);
 }
 
@@ -1804,6 +1811,7 @@ void disassemble_right_wrist(Workspace& w) {
 
 // Process 0: 15 of 15 joints: "root", "left_hip", "left_knee", "left_ankle", "right_hip", "right_knee", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_root(w);
   kinematics_left_hip(w);
@@ -1882,12 +1890,21 @@ constexpr std::array<Range, 1> kTorque_0{ {{0, 40}} };
     {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
 } };
 
+// All constants are as they were emitted.
+constexpr int kParameterCount = 0;
+inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
+inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
+[[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
+
 // One process, or thread, of a solver: state and result in place.
 class InPlace {
  public:
   Workspace w;
   Channel channel;
   Text text;  // of the last failure
+
+  static constexpr int kWorkspaces = 1;
+  Workspace& workspace(int) { return w; }
 
   // Reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -1949,6 +1966,7 @@ static_assert(int(HUMAN40_P1_ENDED) == int(kEnded));
 static_assert(int(HUMAN40_P1_NOT_REFINED) == int(kNotRefined));
 static_assert(int(HUMAN40_P1_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(HUMAN40_P1_GROWTH) == int(kGrowth));
+static_assert(int(HUMAN40_P1_NOT_SET) == int(kNotSet));
 static_assert(int(HUMAN40_P1_TOO_FEW_STEPS) == int(kTooFewSteps));
 
 struct human40_p1_solver : Solver {};

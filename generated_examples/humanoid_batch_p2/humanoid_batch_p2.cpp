@@ -115,6 +115,7 @@ enum {
   HUMANOID_BATCH_P2_NOT_REFINED = 7,  // refinement does not converge
   HUMANOID_BATCH_P2_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   HUMANOID_BATCH_P2_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  HUMANOID_BATCH_P2_NOT_SET = 16,  // what is to be set at run time is not a finite number
   HUMANOID_BATCH_P2_TOO_FEW_STEPS = 11  // refinement converges too slowly
 };
 
@@ -500,6 +501,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
+  kNotSet = 16,         // what is to be set at run time is not a finite number
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -610,6 +612,8 @@ constexpr FailureWords words_of(Failure kind) {
       return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
+    case kNotSet:
+      return {false, "what is to be set at run time is not a finite number"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
@@ -1684,6 +1688,8 @@ inline void give(Workspace& w, int first, int count) {
   return true;
 }
 
+inline double gravity(const Workspace&, int k) { return kGravity[static_cast<std::size_t>(k)]; }
+
 // What cannot be solved is refused, with the joint at fault.
 
 // D beside the trace of what it is found in: less than this is rounding and nothing else.
@@ -1987,12 +1993,12 @@ ADAGEN_INLINE void keep(Workspace& w, int slot, const Frame<T>& frame) {
 }
 
 // The ground accelerates against gravity: accelerations are relative to free fall.
-ADAGEN_INLINE Frame<Value> ground() {
+ADAGEN_INLINE Frame<Value> ground(const Workspace& w) {
   const Value one = Value{} + 1, none{};
   return {{{one, none, none}, {none, one, none}, {none, none, one}},
           {none, none, none},
           {none, none, none},
-          {none - Real(kGravity[0]), none - Real(kGravity[1]), none - Real(kGravity[2])}};
+          {none - Real(gravity(w, 0)), none - Real(gravity(w, 1)), none - Real(gravity(w, 2))}};
 }
 
 // The axes of a floating base are the link's own: only gravity is turned.
@@ -2002,11 +2008,11 @@ void free_base_frame(Workspace& w) {
   const Value* q = w.q + joint.q + 3;
   Matrix<Value> turn;
   require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
-  Frame<Value> frame = ground();
-  const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
+  Frame<Value> frame = ground(w);
+  const Vector<Real> down{Real(gravity(w, 0)), Real(gravity(w, 1)), Real(gravity(w, 2))};
   const Number* const P = joint.rotation;
   const auto along = [&](int k) {
-    return Real(P[k] * gravity.x + P[3 + k] * gravity.y + P[6 + k] * gravity.z);
+    return Real(P[k] * down.x + P[3 + k] * down.y + P[6 + k] * down.z);
   };
   const Vector<Real> fixed{along(0), along(1), along(2)};
   const Value none{};
@@ -2095,7 +2101,7 @@ ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind
 template <int j>
 ADAGEN_INLINE Frame<Value> frame_near(Workspace& w) {
   constexpr int parent = kJoints[j].parent - 1;
-  return parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  return parent < 0 ? ground(w) : frame_of(w, parent < 0 ? 0 : parent);
 }
 
 // Joints first .. last, each on the link of the one before.
@@ -2923,6 +2929,12 @@ constexpr std::array<Range, 1> kTorque_0{ {{0, 35}} };
     {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
 } };
 
+// All constants are as they were emitted.
+constexpr int kParameterCount = 0;
+inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
+inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
+[[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
+
 // States of process 0, one after the other, and where their accelerations go.
 struct Batch {
   int count;
@@ -2933,14 +2945,16 @@ struct Batch {
 // Process 0 hands pieces of a batch to the others as they finish earlier ones, and solves pieces in
 // between itself: faster processes get more, wherever they are. A process has two pieces, so that
 // one is on its way while the other is solved. A piece is one message, all q, then all v, then all
-// tau; an empty one is the end. The answer is the accelerations.
+// tau, then what is set at run time; an empty one is the end. The answer is the accelerations.
 class Handout {
  public:
   // At process 0. Returns whether all states could be solved; that a process is gone joins the
   // status.
   template <class Solve>
-  bool hand_out(Channel& channel, int helpers, const Batch& batch, Solve solve, int& status) {
+  bool hand_out(Channel& channel, int helpers, const Batch& batch, const Workspace& w, Solve solve,
+                int& status) {
     bool good = true;
+    pack_parameters(parameters_.data(), w);
     int next = 0;
     const auto take = [&] {
       const int first = next;
@@ -2988,8 +3002,8 @@ class Handout {
 
   // At the others, until process 0 has nothing more; patient: however long it takes. That process
   // 0 has ended it all joins the status.
-  template <class Solve>
-  void help(Channel& channel, Solve solve, int& status, bool patient) {
+  template <class Solve, class Take>
+  void help(Channel& channel, Solve solve, Take take_parameters, int& status, bool patient) {
     for (Taken& piece : taken_) ask(channel, piece);
     int ends = 0;
     for (std::size_t k = 0; ends < 2 && status == kFine; k ^= 1) {
@@ -3004,8 +3018,9 @@ class Handout {
         if (numbers == 0) ++ends;
         continue;
       }
-      const int count = numbers / kNumbers;
+      const int count = (numbers - kParameterCount) / kNumbers;
       const Number* const v = piece.states.data() + count * kNq;
+      take_parameters(piece.states.data() + count * kNumbers);
       const bool good = solve(count, piece.states.data(), v, v + count * kNv, piece.qdd.data());
       MPI_Isend(piece.qdd.data(), count * kNv, kMpiNumber, 0, good ? kSolved : kFailed,
                 channel.comm(), &piece.answered);
@@ -3026,7 +3041,7 @@ class Handout {
     MPI_Request sent = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
   };
   struct Taken {
-    std::array<Number, static_cast<std::size_t>(kMost) * kNumbers> states;
+    std::array<Number, static_cast<std::size_t>(kMost) * kNumbers + kParameterCount> states;
     std::array<Number, static_cast<std::size_t>(kMost) * kNv> qdd;
     MPI_Request asked = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
   };
@@ -3059,16 +3074,16 @@ class Handout {
     return done != 0;
   }
 
-  static void give(Channel& channel, Given& given, int p, const Batch& batch, int first, int count,
-                   int& status) {
+  void give(Channel& channel, Given& given, int p, const Batch& batch, int first, int count,
+            int& status) {
     const long row = first;
-    const std::array<const Number*, 3> from{batch.q + row * kNq, batch.v + row * kNv,
-                                            batch.tau + row * kNtau};
-    const std::array<int, 3> lengths{count * kNq, count * kNv, count * kNtau};
-    std::array<MPI_Aint, 3> places;
-    for (std::size_t k = 0; k < 3; ++k) MPI_Get_address(from[k], &places[k]);
+    const std::array<const Number*, 4> from{batch.q + row * kNq, batch.v + row * kNv,
+                                            batch.tau + row * kNtau, parameters_.data()};
+    const std::array<int, 4> lengths{count * kNq, count * kNv, count * kNtau, kParameterCount};
+    std::array<MPI_Aint, 4> places;
+    for (std::size_t k = 0; k < 4; ++k) MPI_Get_address(from[k], &places[k]);
     MPI_Datatype rows;
-    MPI_Type_create_hindexed(3, lengths.data(), places.data(), kMpiNumber, &rows);
+    MPI_Type_create_hindexed(4, lengths.data(), places.data(), kMpiNumber, &rows);
     MPI_Type_commit(&rows);
     channel.wait(given.sent, p, status);
     MPI_Isend(MPI_BOTTOM, 1, rows, p, kStates, channel.comm(), &given.sent);
@@ -3089,6 +3104,7 @@ class Handout {
               channel.comm(), &piece.asked);
   }
 
+  std::array<Number, kParameterCount> parameters_{};
   std::array<Helper, kProcesses> helpers_;
   std::array<Taken, 2> taken_;
 };
@@ -3184,9 +3200,19 @@ void to_rows(int states, const std::array<Value, width>& lanes, Number* rows) {
 // Solves many states at once, one in each lane of a register. Each process solves states of its
 // own; where process 0 has them all, it hands them out (handout.hpp).
 class Solver {
+  // What takes those parameters that come with states.
+  auto take_parameters() {
+    return [this](const Number* x) {
+      for (Group& group : groups_) unpack_parameters(x, group.w);
+    };
+  }
+
  public:
   Channel channel;
   Text text;  // of the last failure
+
+  static constexpr int kWorkspaces = kGroups;
+  Workspace& workspace(int k) { return groups_[size(k)].w; }
 
   void close() { channel.close(); }
 
@@ -3210,9 +3236,9 @@ class Solver {
     const auto solve = [this](auto... rows) { return solve_rows(rows...); };
     int status = channel.broken() ? failure(kNoAnswer, 0) : kFine;
     if (status == kFine && channel.rank() > 0)
-      handout_.help(channel, solve, status, false);
-    else if (status == kFine &&
-             !handout_.hand_out(channel, helpers, {count, q, v, tau, qdd}, solve, status))
+      handout_.help(channel, solve, take_parameters(), status, false);
+    else if (status == kFine && !handout_.hand_out(channel, helpers, {count, q, v, tau, qdd},
+                                                   workspace(0), solve, status))
       return name_failures(count, q, v, tau, qdd);
     if (status != kFine) text = describe(status);
     return status;
@@ -3223,7 +3249,7 @@ class Solver {
     if (channel.rank() == 0) return kFine;
     const auto solve = [this](auto... rows) { return solve_rows(rows...); };
     int status = channel.broken() ? failure(kNoAnswer, 0) : kFine;
-    while (status == kFine) handout_.help(channel, solve, status, true);
+    while (status == kFine) handout_.help(channel, solve, take_parameters(), status, true);
     if (failure_kind(status) == kEnded) return kFine;
     text = describe(status);
     return status;
@@ -3384,6 +3410,7 @@ static_assert(int(HUMANOID_BATCH_P2_ENDED) == int(kEnded));
 static_assert(int(HUMANOID_BATCH_P2_NOT_REFINED) == int(kNotRefined));
 static_assert(int(HUMANOID_BATCH_P2_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(HUMANOID_BATCH_P2_GROWTH) == int(kGrowth));
+static_assert(int(HUMANOID_BATCH_P2_NOT_SET) == int(kNotSet));
 static_assert(int(HUMANOID_BATCH_P2_TOO_FEW_STEPS) == int(kTooFewSteps));
 
 struct humanoid_batch_p2_solver : Solver {};

@@ -114,6 +114,7 @@ enum {
   HUMANOID_P1_NOT_REFINED = 7,  // refinement does not converge
   HUMANOID_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   HUMANOID_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  HUMANOID_P1_NOT_SET = 16,  // what is to be set at run time is not a finite number
   HUMANOID_P1_TOO_FEW_STEPS = 11  // refinement converges too slowly
 };
 
@@ -474,6 +475,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
+  kNotSet = 16,         // what is to be set at run time is not a finite number
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -584,6 +586,8 @@ constexpr FailureWords words_of(Failure kind) {
       return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
+    case kNotSet:
+      return {false, "what is to be set at run time is not a finite number"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
@@ -1348,6 +1352,8 @@ inline void give(Workspace& w, int first, int count) {
   return true;
 }
 
+inline double gravity(const Workspace&, int k) { return kGravity[static_cast<std::size_t>(k)]; }
+
 // What cannot be solved is refused, with the joint at fault.
 
 // D beside the trace of what it is found in: less than this is rounding and nothing else.
@@ -1651,12 +1657,12 @@ ADAGEN_INLINE void keep(Workspace& w, int slot, const Frame<T>& frame) {
 }
 
 // The ground accelerates against gravity: accelerations are relative to free fall.
-ADAGEN_INLINE Frame<Value> ground() {
+ADAGEN_INLINE Frame<Value> ground(const Workspace& w) {
   const Value one = Value{} + 1, none{};
   return {{{one, none, none}, {none, one, none}, {none, none, one}},
           {none, none, none},
           {none, none, none},
-          {none - Real(kGravity[0]), none - Real(kGravity[1]), none - Real(kGravity[2])}};
+          {none - Real(gravity(w, 0)), none - Real(gravity(w, 1)), none - Real(gravity(w, 2))}};
 }
 
 // The axes of a floating base are the link's own: only gravity is turned.
@@ -1666,11 +1672,11 @@ void free_base_frame(Workspace& w) {
   const Value* q = w.q + joint.q + 3;
   Matrix<Value> turn;
   require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
-  Frame<Value> frame = ground();
-  const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
+  Frame<Value> frame = ground(w);
+  const Vector<Real> down{Real(gravity(w, 0)), Real(gravity(w, 1)), Real(gravity(w, 2))};
   const Number* const P = joint.rotation;
   const auto along = [&](int k) {
-    return Real(P[k] * gravity.x + P[3 + k] * gravity.y + P[6 + k] * gravity.z);
+    return Real(P[k] * down.x + P[3 + k] * down.y + P[6 + k] * down.z);
   };
   const Vector<Real> fixed{along(0), along(1), along(2)};
   const Value none{};
@@ -1759,7 +1765,7 @@ ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind
 template <int j>
 ADAGEN_INLINE Frame<Value> frame_near(Workspace& w) {
   constexpr int parent = kJoints[j].parent - 1;
-  return parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  return parent < 0 ? ground(w) : frame_of(w, parent < 0 ? 0 : parent);
 }
 
 // Joints first .. last, each on the link of the one before.
@@ -2941,7 +2947,7 @@ void outward_group(Workspace& w) {
   const Frame<Value>* sides[kWidth<T>];
   ADAGEN_FOR (lane, 0, kWidth<T>) {
     const int near = limbs.near(lane);
-    frames[lane] = near == 0 ? ground() : frame_of(w, near == 0 ? 0 : near - 1);
+    frames[lane] = near == 0 ? ground(w) : frame_of(w, near == 0 ? 0 : near - 1);
     sides[lane] = &frames[lane];
   }
   Frame<T> at = side_by_side<T, Frame>(sides);
@@ -3091,12 +3097,21 @@ constexpr std::array<Range, 1> kTorque_0{ {{0, 35}} };
     {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
 } };
 
+// All constants are as they were emitted.
+constexpr int kParameterCount = 0;
+inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
+inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
+[[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
+
 // One process, or thread, of a solver: state and result in place.
 class InPlace {
  public:
   Workspace w;
   Channel channel;
   Text text;  // of the last failure
+
+  static constexpr int kWorkspaces = 1;
+  Workspace& workspace(int) { return w; }
 
   // Reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -3158,6 +3173,7 @@ static_assert(int(HUMANOID_P1_ENDED) == int(kEnded));
 static_assert(int(HUMANOID_P1_NOT_REFINED) == int(kNotRefined));
 static_assert(int(HUMANOID_P1_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(HUMANOID_P1_GROWTH) == int(kGrowth));
+static_assert(int(HUMANOID_P1_NOT_SET) == int(kNotSet));
 static_assert(int(HUMANOID_P1_TOO_FEW_STEPS) == int(kTooFewSteps));
 
 struct humanoid_p1_solver : Solver {};

@@ -118,6 +118,7 @@ enum {
   HUMANOID_P3_NOT_REFINED = 7,  // refinement does not converge
   HUMANOID_P3_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   HUMANOID_P3_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  HUMANOID_P3_NOT_SET = 16,  // what is to be set at run time is not a finite number
   HUMANOID_P3_TOO_FEW_STEPS = 11  // refinement converges too slowly
 };
 
@@ -598,6 +599,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
+  kNotSet = 16,         // what is to be set at run time is not a finite number
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -708,6 +710,8 @@ constexpr FailureWords words_of(Failure kind) {
       return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
+    case kNotSet:
+      return {false, "what is to be set at run time is not a finite number"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
@@ -1685,6 +1689,7 @@ struct Workspace {
   Number* qdd = nullptr;
   int status = kFine;
   int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
+  Columns6 ground;  // its acceleration
   Joint_base j_base;
   Joint_left_hip_pitch j_left_hip_pitch;
   Joint_left_hip_roll j_left_hip_roll;
@@ -1718,6 +1723,8 @@ struct Workspace {
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
+
+inline double gravity(const Workspace&, int k) { return kGravity[static_cast<std::size_t>(k)]; }
 
 inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
@@ -1758,11 +1765,11 @@ void store_acceleration(Workspace& w, int joint, int v,
 const Mat6 kZero = Mat6::Zero();
 
 // The ground accelerates against gravity: all accelerations are relative to free fall.
-const Columns6 kGround = [] {
+[[maybe_unused]] inline Columns6 ground(const Workspace& w) {
   Columns6 result = Columns6::Zero();
-  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(kGravity[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(gravity(w, k));
   return result;
-}();
+}
 
 // Accelerations of all right-hand sides, added up with the coupling torques.
 template <std::size_t n, std::size_t m>
@@ -1856,7 +1863,7 @@ void assemble_base(Workspace& w) {
   constexpr std::array<Real, 6> least{4.379753477303394e-13, 8.089655265475019e-13, 4.0448391455405566e-13, 2.615659551780614e-15, 2.4672634802537493e-15, 2.2920733411616134e-15};
   if (!keeps_digits<Floating>(kZero, w.j_left_hip_pitch.Phi_pelvis, least))
     fail(w, kGrowth, 0);
-  if (!join(i.joined, kZero, w.j_left_hip_pitch.Phi_pelvis, i.X * kGround, w.j_left_hip_pitch.b_pelvis, c))
+  if (!join(i.joined, kZero, w.j_left_hip_pitch.Phi_pelvis, i.X * w.ground, w.j_left_hip_pitch.b_pelvis, c))
     fail(w, kFactorization, 0);
   couple(i.joined, w.j_left_hip_pitch.Phi_pelvis, i.at_pelvis);
   i.Phi_pelvis = w.j_left_hip_pitch.Phi_pelvis - product(i.at_pelvis, i.at_pelvis);  // Eq. (4)
@@ -3119,6 +3126,7 @@ void disassemble_right_wrist_pitch(Workspace& w) {
 
 // Process 0: 14 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_base(w);
   kinematics_left_hip_pitch(w);
@@ -3196,6 +3204,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // Process 1: 11 of 30 joints: "waist_roll", "waist_pitch", "left_shoulder_pitch", "neck_yaw", "neck_pitch", "right_shoulder_pitch", ...; kinematics of 2 more on the way to the ground
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_base(w);
   kinematics_waist_yaw(w);
@@ -3276,6 +3285,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // Process 2: 5 of 30 joints: "left_shoulder_roll", "left_shoulder_yaw", "left_elbow", "left_wrist_roll", "left_wrist_pitch"; kinematics of 5 more on the way to the ground
 void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_base(w);
   kinematics_waist_yaw(w);
@@ -3342,12 +3352,21 @@ constexpr std::array<Range, 1> kTorque_2{ {{22, 5}} };
     {{2, kReadQ_2.data()}, {2, kReadV_2.data()}, {1, kOwn_2.data()}, {1, kTorque_2.data()}},
 } };
 
+// All constants are as they were emitted.
+constexpr int kParameterCount = 0;
+inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
+inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
+[[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
+
 // One process, or thread, of a solver: state and result in place.
 class InPlace {
  public:
   Workspace w;
   Channel channel;
   Text text;  // of the last failure
+
+  static constexpr int kWorkspaces = 1;
+  Workspace& workspace(int) { return w; }
 
   // Reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -3458,7 +3477,8 @@ class Solver : public InPlace {
     const Number* content = channel.receive(state_message(rank), status, patient);
     content = unpack(content, own.q, q_.data());
     content = unpack(content, own.v, v_.data());
-    unpack(content, own.tau, tau_.data());
+    content = unpack(content, own.tau, tau_.data());
+    unpack_parameters(content, w);
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     run();
@@ -3476,7 +3496,8 @@ class Solver : public InPlace {
       Number* content = channel.outgoing(state_message(p), status);
       content = pack(content, other.q, q);
       content = pack(content, other.v, v);
-      pack(content, other.tau, tau);
+      content = pack(content, other.tau, tau);
+      pack_parameters(content, w);
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -3513,6 +3534,7 @@ static_assert(int(HUMANOID_P3_ENDED) == int(kEnded));
 static_assert(int(HUMANOID_P3_NOT_REFINED) == int(kNotRefined));
 static_assert(int(HUMANOID_P3_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(HUMANOID_P3_GROWTH) == int(kGrowth));
+static_assert(int(HUMANOID_P3_NOT_SET) == int(kNotSet));
 static_assert(int(HUMANOID_P3_TOO_FEW_STEPS) == int(kTooFewSteps));
 
 struct humanoid_p3_solver : Solver {};

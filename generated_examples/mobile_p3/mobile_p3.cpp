@@ -70,6 +70,7 @@ enum {
   MOBILE_P3_NOT_REFINED = 7,  // refinement does not converge
   MOBILE_P3_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   MOBILE_P3_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  MOBILE_P3_NOT_SET = 16,  // what is to be set at run time is not a finite number
   MOBILE_P3_TOO_FEW_STEPS = 11  // refinement converges too slowly
 };
 
@@ -406,6 +407,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
+  kNotSet = 16,         // what is to be set at run time is not a finite number
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -516,6 +518,8 @@ constexpr FailureWords words_of(Failure kind) {
       return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
+    case kNotSet:
+      return {false, "what is to be set at run time is not a finite number"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
@@ -1227,6 +1231,7 @@ struct Workspace {
   Number* qdd = nullptr;
   int status = kFine;
   int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
+  Columns6 ground;  // its acceleration
   Joint_drive j_drive;
   Joint_laser_spin j_laser_spin;
   Joint_lift j_lift;
@@ -1236,6 +1241,8 @@ struct Workspace {
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
+
+inline double gravity(const Workspace&, int k) { return kGravity[static_cast<std::size_t>(k)]; }
 
 inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
@@ -1276,11 +1283,11 @@ void store_acceleration(Workspace& w, int joint, int v,
 const Mat6 kZero = Mat6::Zero();
 
 // The ground accelerates against gravity: all accelerations are relative to free fall.
-const Columns6 kGround = [] {
+[[maybe_unused]] inline Columns6 ground(const Workspace& w) {
   Columns6 result = Columns6::Zero();
-  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(kGravity[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(gravity(w, k));
   return result;
-}();
+}
 
 // Accelerations of all right-hand sides, added up with the coupling torques.
 template <std::size_t n, std::size_t m>
@@ -1353,7 +1360,7 @@ void assemble_drive(Workspace& w) {
   constexpr std::array<Real, 6> least{7.091631212051937e-15, 5.577240971695595e-15, 1.024275719968536e-14, 6.580610018265472e-16, 7.160970978205855e-16, 4.0467660531582285e-16};
   if (!keeps_digits<Planar>(kZero, w.j_laser_spin.Phi_cart, least))
     fail(w, kGrowth, 0);
-  if (!join(i.joined, kZero, w.j_laser_spin.Phi_cart, i.X * kGround, w.j_laser_spin.b_cart, c))
+  if (!join(i.joined, kZero, w.j_laser_spin.Phi_cart, i.X * w.ground, w.j_laser_spin.b_cart, c))
     fail(w, kFactorization, 0);
   couple(i.joined, w.j_laser_spin.Phi_cart, i.at_cart);
   i.Phi_cart = w.j_laser_spin.Phi_cart - product(i.at_cart, i.at_cart);  // Eq. (4)
@@ -1584,6 +1591,7 @@ void disassemble_loose(Workspace& w) {
 
 // Process 0: 4 of 6 joints: "drive", "laser_spin", "lift", "shoulder"
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_drive(w);
   kinematics_laser_spin(w);
@@ -1621,6 +1629,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // Process 1: 2 of 6 joints: "wrist", "loose"; kinematics of 3 more on the way to the ground
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_drive(w);
   kinematics_lift(w);
@@ -1653,6 +1662,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // Process 2: has nothing to do
 void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
 }
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2};
@@ -1673,12 +1683,21 @@ constexpr std::array<Range, 1> kTorque_1{ {{6, 7}} };
     {{0, nullptr}, {0, nullptr}, {0, nullptr}, {0, nullptr}},
 } };
 
+// All constants are as they were emitted.
+constexpr int kParameterCount = 0;
+inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
+inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
+[[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
+
 // One process, or thread, of a solver: state and result in place.
 class InPlace {
  public:
   Workspace w;
   Channel channel;
   Text text;  // of the last failure
+
+  static constexpr int kWorkspaces = 1;
+  Workspace& workspace(int) { return w; }
 
   // Reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -1789,7 +1808,8 @@ class Solver : public InPlace {
     const Number* content = channel.receive(state_message(rank), status, patient);
     content = unpack(content, own.q, q_.data());
     content = unpack(content, own.v, v_.data());
-    unpack(content, own.tau, tau_.data());
+    content = unpack(content, own.tau, tau_.data());
+    unpack_parameters(content, w);
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     run();
@@ -1807,7 +1827,8 @@ class Solver : public InPlace {
       Number* content = channel.outgoing(state_message(p), status);
       content = pack(content, other.q, q);
       content = pack(content, other.v, v);
-      pack(content, other.tau, tau);
+      content = pack(content, other.tau, tau);
+      pack_parameters(content, w);
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -1844,6 +1865,7 @@ static_assert(int(MOBILE_P3_ENDED) == int(kEnded));
 static_assert(int(MOBILE_P3_NOT_REFINED) == int(kNotRefined));
 static_assert(int(MOBILE_P3_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(MOBILE_P3_GROWTH) == int(kGrowth));
+static_assert(int(MOBILE_P3_NOT_SET) == int(kNotSet));
 static_assert(int(MOBILE_P3_TOO_FEW_STEPS) == int(kTooFewSteps));
 
 struct mobile_p3_solver : Solver {};

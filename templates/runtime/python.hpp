@@ -238,6 +238,39 @@ PyObject* call(PyObject* self, PyObject* const* given, std::size_t flags, PyObje
   return failed.count == 0 ? out.release() : raise(failed, q, out.get());
 }
 
+// Sets the numbers from the one numbered first on that can be set at run time.
+template <class AnySolver>
+auto set_numbers(AnySolver& solver, int first, int count, const Number* x, int)
+    -> decltype(set_parameters(solver, first, count, x)) {
+  return set_parameters(solver, first, count, x);
+}
+template <class AnySolver>
+int set_numbers(AnySolver&, int, int, const Number*, long) {
+  return failure(kNotSet, 0);
+}
+
+// set(first, numbers): of what can be set at run time.
+PyObject* set(PyObject* self, PyObject* arguments) {
+  int first = 0;
+  PyObject* given = nullptr;
+  if (!PyArg_ParseTuple(arguments, "iO", &first, &given)) return nullptr;
+  Owned any(converted(given));
+  if (any.get() == nullptr) return nullptr;
+  const npy_intp count = PyArray_SIZE(any.array());
+  if (first < 0 || first + count > kParameterCount)
+    return PyErr_Format(PyExc_ValueError, "there are no such numbers to be set at run time");
+  Held& held = *reinterpret_cast<Object*>(self)->held;
+  int status = kFine;
+  Py_BEGIN_ALLOW_THREADS held.mutex.lock();
+  status = set_numbers(held.solver, first, static_cast<int>(count),
+                       static_cast<const Number*>(PyArray_DATA(any.array())), 0);
+  held.mutex.unlock();
+  Py_END_ALLOW_THREADS if (status == kFine) Py_RETURN_NONE;
+  return PyErr_Format(PyExc_ValueError, "%s", describe(status).c_str());
+}
+
+PyMethodDef methods[] = {{"_set", set, METH_VARARGS, nullptr}, {nullptr, nullptr, 0, nullptr}};
+
 PyObject* make(PyTypeObject* type, PyObject*, PyObject*) {
   auto* const self = reinterpret_cast<Object*>(type->tp_alloc(type, 0));
   if (self == nullptr) return nullptr;
@@ -268,6 +301,7 @@ PyType_Slot slots[] = {{Py_tp_new, reinterpret_cast<void*>(make)},
                        {Py_tp_dealloc, reinterpret_cast<void*>(drop)},
                        {Py_tp_call, reinterpret_cast<void*>(PyVectorcall_Call)},
                        {Py_tp_members, members},
+                       {Py_tp_methods, methods},
                        {0, nullptr}};
 
 PyType_Spec spec = {"adagen_solver.Core", sizeof(Object), 0,

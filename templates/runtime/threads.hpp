@@ -141,6 +141,7 @@ class Solver : public InPlace {
     for (std::uint64_t number = 2;; ++number) {
       await(number);
       if (ending_) return;
+      copy_parameters(w, own->w);
       member.status = own->solve(q_, v_, tau_, qdd_.data());
       member.done.store(number, std::memory_order_release);
     }
