@@ -311,7 +311,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
-  kNotSet = 16,         // what is to be set at run time is not a finite number
+  kNotSet = 16,         // what is to be set at run time is not finite, or is no mass
 };
 
 constexpr int kFailureBase = 1 << 20;

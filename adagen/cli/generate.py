@@ -63,7 +63,8 @@ def command_parser() -> Parser:
         "--runtime",
         default="",
         metavar="WORDS",
-        help="what can be set at run time, with commas between: gravity (docs/library.md)",
+        help="what can be set at run time, with commas between: gravity, mass:LINK, "
+        "center:LINK (docs/library.md)",
     )
     parser.add_argument(
         "--single-file",

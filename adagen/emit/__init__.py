@@ -139,6 +139,8 @@ def program_of(
         if len(plan.processes) > 1:
             raise UsageError("a batch is solved by the plan of one process")
         check_batch(shape, refine, plan.channel)
+    if refine and plan.sets_inertias:
+        raise UsageError("masses cannot be set where answers are refined: leave one of both out")
     if refine and checked_shape(refine, shape) == "auto":
         shape = stepwise(plan)
     shape = chosen_shape(plan, shape, batch=batch, profile=profile)

@@ -35,7 +35,8 @@ class Request:
         name: of the files; None: the robot description's.
         chunk: values that one function of shape unrolled computes; 0 for its default.
         compiler: that the source is meant for; "" for any.
-        runtime: what can be set at run time, words with commas between them: "gravity".
+        runtime: what can be set at run time, words with commas between them: "gravity",
+            "mass:LINK", "center:LINK".
         tuned: whether shape, chunk and compiler were found by trying; processes do not gather then.
         single_file: whether the source holds the program around the solver, too.
     """

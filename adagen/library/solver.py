@@ -91,13 +91,54 @@ class Solver:
             raise ValueError(f"gravity has shape (3,), not {given.shape}")
         self._put("gravity", given)
 
-    def _put(self, what: str, numbers: NDArray[Any]) -> None:
+    def set_mass(self, link: str, mass: float) -> None:
+        """Set the mass of a link with all that is fixed to it, for all calls to come.
+
+        The robot was compiled with ``runtime="mass:LINK"``. Copies and pickles have what is set.
+
+        Args:
+            link: its name in the description.
+            mass: kg, more than 0.
+
+        Raises:
+            UsageError: it is compiled in.
+            ValueError: it is no mass.
+        """
+        if not mass > 0:
+            raise ValueError(f"a mass is more than 0 kg, not {mass}")
+        self._put("mass", np.array([mass], np.float64), link)
+
+    def set_center(self, link: str, center: ArrayLike) -> None:
+        """Set where a link's centre of mass is; its rotational inertia about that stays.
+
+        The robot was compiled with ``runtime="center:LINK"``. Copies and pickles have what is set.
+
+        Args:
+            link: its name in the description.
+            center: of all that is fixed to the link, too, in the link's frame, shape (3,), m.
+
+        Raises:
+            UsageError: it is compiled in.
+            ValueError: it is something else than three finite numbers.
+        """
+        given = np.asarray(center, np.float64)
+        if given.shape != (3,):
+            raise ValueError(f"a centre of mass has shape (3,), not {given.shape}")
+        self._put("center", given, link)
+
+    def _put(self, what: str, numbers: NDArray[Any], link: str = "") -> None:
         """Set what can be set at run time."""
-        first = self.compiled.plan.entry_of_parameter(what)
-        if first is None:
-            raise UsageError(f'{what} is compiled in: compile with runtime="{what}" to set it')
-        self._set(first, numbers)
-        self._parameters[first : first + len(numbers)] = numbers
+        plan = self.compiled.plan
+        for parameter in plan.parameters:
+            if (parameter.what, parameter.name) == (what, link):
+                break
+        else:
+            word = printable(f"{what}:{link}" if link else what)
+            raise UsageError(f'{word} is compiled in: compile with runtime="{word}" to set it')
+        first = plan.entry_of_parameter(what, parameter.link) or 0
+        own = np.array(parameter.rotation) @ numbers if parameter.rotation else numbers
+        self._set(first, own)
+        self._parameters[first : first + len(own)] = own
 
     @property
     def joints(self) -> tuple[str, ...]:

@@ -13,7 +13,7 @@ from adagen.plan.closures import closures_of
 from adagen.plan.clusters import ClusterPlanner, clusters_of
 from adagen.plan.constants import couplings_of, joints_of, links_of, loops_of, wrenches_of
 from adagen.plan.gather import GatherPlanner, why_not_gather
-from adagen.plan.parameters import parameters_of
+from adagen.plan.parameters import parameters_of, refuse_inverted
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.serialise import plan_from_json, plan_to_json
 from adagen.plan.steps import LinkBias
@@ -82,6 +82,7 @@ def make_plan(
     if planner.fusions.fused:
         model = settled(model, planner.fusions.fused)
     bare = {step.link for p in processes for step in p.steps if isinstance(step, LinkBias)}
+    refuse_inverted(parameters, bare)
     return Plan(
         name=model.name,
         source_hash=source_hash,

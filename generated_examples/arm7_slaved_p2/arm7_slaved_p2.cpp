@@ -75,7 +75,7 @@ enum {
   ARM7_SLAVED_P2_NOT_REFINED = 7,  // refinement does not converge
   ARM7_SLAVED_P2_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   ARM7_SLAVED_P2_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  ARM7_SLAVED_P2_NOT_SET = 16,  // what is to be set at run time is not a finite number
+  ARM7_SLAVED_P2_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
   ARM7_SLAVED_P2_TOO_FEW_STEPS = 11  // refinement converges too slowly
 };
 
@@ -430,7 +430,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
-  kNotSet = 16,         // what is to be set at run time is not a finite number
+  kNotSet = 16,         // what is to be set at run time is not finite, or is no mass
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -542,7 +542,7 @@ constexpr FailureWords words_of(Failure kind) {
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
     case kNotSet:
-      return {false, "what is to be set at run time is not a finite number"};
+      return {false, "what is to be set at run time is not finite, or is no mass"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }

@@ -92,7 +92,7 @@ enum {
   CHAIN16_P3_NOT_REFINED = 7,  // refinement does not converge
   CHAIN16_P3_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   CHAIN16_P3_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  CHAIN16_P3_NOT_SET = 16,  // what is to be set at run time is not a finite number
+  CHAIN16_P3_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
   CHAIN16_P3_TOO_FEW_STEPS = 11  // refinement converges too slowly
 };
 
@@ -391,7 +391,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
-  kNotSet = 16,         // what is to be set at run time is not a finite number
+  kNotSet = 16,         // what is to be set at run time is not finite, or is no mass
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -503,7 +503,7 @@ constexpr FailureWords words_of(Failure kind) {
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
     case kNotSet:
-      return {false, "what is to be set at run time is not a finite number"};
+      return {false, "what is to be set at run time is not finite, or is no mass"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
@@ -1688,9 +1688,55 @@ struct Cuts {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-// The memory of a process. What is set up for many links at once lies in blocks, side by side.
+// Constants of the model. What is set up for many links at once lies in blocks, side by side.
 constexpr int kPerBlock = static_cast<int>(sizeof(Lanes) / sizeof(Value));  // links in a block
 constexpr int kBlockCount = (kSlotCount + kPerBlock - 1) / kPerBlock;
+
+constexpr int slot_of(int j) { return kReordered ? kSlots[j] : j; }
+
+// A number of each joint of a block, as constants of the model are kept.
+using PerJoint = std::array<Real, sizeof(Value) == sizeof(Real) ? kPerBlock : 1>;
+
+struct alignas(64) BlockConstants {
+  PerJoint rotation[6];  // joint frame to parent link's axes, columns x and y
+  PerJoint x, y, z;      // of the joint's origin in the parent link's frame
+  PerJoint mass, moments[3], tensor[6];
+};
+
+const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
+  std::array<BlockConstants, kBlockCount> result{};
+  for (BlockConstants& block : result) {  // slots that are not filled do not turn, but weigh
+    for (const int k : {0, 4}) block.rotation[k].fill(1);
+    block.mass.fill(1);
+    for (const int k : {0, 3, 5}) block.tensor[k].fill(1);
+  }
+  for (int j = 0; j < kJointCount; ++j) {
+    BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
+    const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);
+    const LinkInertia& link = kInertias[static_cast<std::size_t>(j)];
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    for (int k = 0; k < 6; ++k) block.rotation[k][lane] = joint.rotation[k % 3 * 3 + k / 3];
+    block.x[lane] = joint.translation[0];
+    block.y[lane] = joint.translation[1];
+    block.z[lane] = joint.translation[2];
+    block.mass[lane] = link.mass;
+    for (int k = 0; k < 3; ++k) block.moments[k][lane] = link.moments[k];
+    for (int k = 0; k < 6; ++k) block.tensor[k][lane] = link.tensor[k];
+  }
+  return result;
+}();
+
+// Inertias of links are constants.
+struct Inertias {
+  static const LinkInertia& inertia_of(int joint) {
+    return kInertias[static_cast<std::size_t>(joint)];
+  }
+  static const BlockConstants& constants_of(int block) {
+    return kBlockConstants[static_cast<std::size_t>(block)];
+  }
+};
+
+// The memory of a process.
 
 // Joints that are treated together, one in each lane of T; their slots follow each other.
 template <class T>
@@ -1704,7 +1750,6 @@ struct Joints {
     return kJoints[static_cast<std::size_t>(joint[0])];
   }
 };
-constexpr int slot_of(int j) { return kReordered ? kSlots[j] : j; }
 ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
 
 // The lanes of limbs side by side.
@@ -1810,7 +1855,7 @@ struct Frame {
   Vector<T> omega, alpha, a;
 };
 
-struct Workspace : State, Cuts {
+struct Workspace : State, Cuts, Inertias {
   int status = kFine;
   bool lost = false;   // whether a sweep in axes of the base found too few digits left
   bool again = false;  // whether links feel the forces in their blocks, and no motion's
@@ -2090,38 +2135,6 @@ ADAGEN_INLINE void each_row(const Step& step) {
 
 // What needs no recursion, for as many links at once as a register holds.
 
-// A number of each joint of a block, as constants of the model are kept.
-using PerJoint = std::array<Real, sizeof(Value) == sizeof(Real) ? kPerBlock : 1>;
-
-struct alignas(64) BlockConstants {
-  PerJoint rotation[6];  // joint frame to parent link's axes, columns x and y
-  PerJoint x, y, z;      // of the joint's origin in the parent link's frame
-  PerJoint mass, moments[3], tensor[6];
-};
-
-const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
-  std::array<BlockConstants, kBlockCount> result{};
-  for (BlockConstants& block : result) {  // slots that are not filled do not turn, but weigh
-    for (const int k : {0, 4}) block.rotation[k].fill(1);
-    block.mass.fill(1);
-    for (const int k : {0, 3, 5}) block.tensor[k].fill(1);
-  }
-  for (int j = 0; j < kJointCount; ++j) {
-    BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
-    const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);
-    const LinkInertia& link = kInertias[static_cast<std::size_t>(j)];
-    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    for (int k = 0; k < 6; ++k) block.rotation[k][lane] = joint.rotation[k % 3 * 3 + k / 3];
-    block.x[lane] = joint.translation[0];
-    block.y[lane] = joint.translation[1];
-    block.z[lane] = joint.translation[2];
-    block.mass[lane] = link.mass;
-    for (int k = 0; k < 3; ++k) block.moments[k][lane] = link.moments[k];
-    for (int k = 0; k < 6; ++k) block.tensor[k][lane] = link.tensor[k];
-  }
-  return result;
-}();
-
 // Constants of each of the joints.
 template <class T>
 ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
@@ -2129,11 +2142,12 @@ ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* mem
   return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);
 }
 template <class T>
-ADAGEN_INLINE auto mass_of(const Joints<T>& joints) {
+ADAGEN_INLINE auto mass_of(const Workspace& w, const Joints<T>& joints) {
   if constexpr (kWidth<T> == 1)
-    return kInertias[static_cast<std::size_t>(joints.joint[0])].mass;
+    return w.inertia_of(joints.joint[0]).mass;
   else
-    return constant(joints, &BlockConstants::mass);
+    return number_at<T>(&w.constants_of(joints.slot / kPerBlock)
+                             .mass[static_cast<std::size_t>(joints.slot % kPerBlock)]);
 }
 template <class T>
 ADAGEN_INLINE auto origin_of(const Joints<T>& joints) {
@@ -2216,7 +2230,7 @@ template <int first, int last>
 void set_up_links(Workspace& w) {
   for (int b = first; b < last; ++b) {
     Block& block = w.blocks[static_cast<std::size_t>(b)];
-    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = w.constants_of(b);
     const auto& entries = block.entries;
     const Matrix<Lanes> R{wide_vector(entries + kAxes), wide_vector(entries + kAxes + 3),
                           wide_vector(entries + kAxes + 6)};
@@ -2578,16 +2592,17 @@ ADAGEN_INLINE void from_base(Workspace& w, int link, Body<Value>& X) {
 
 // Mass, its moments and the pseudo-inertia of the links beyond joints.
 template <class T>
-ADAGEN_INLINE void own_inertia(const Joints<T>& joints, T& mass, Vector<T>& c, Symmetric<T>& J) {
+ADAGEN_INLINE void own_inertia(const Workspace& w, const Joints<T>& joints, T& mass, Vector<T>& c,
+                               Symmetric<T>& J) {
   if constexpr (kWidth<T> == 1) {
-    const LinkInertia& link = kInertias[static_cast<std::size_t>(joints.joint[0])];
+    const LinkInertia& link = w.inertia_of(joints.joint[0]);
     const auto x = [](Real number) { return T{} + number; };
     mass = x(link.mass);
     c = {x(link.moments[0]), x(link.moments[1]), x(link.moments[2])};
     J = {x(link.tensor[0]), x(link.tensor[1]), x(link.tensor[2]),
          x(link.tensor[3]), x(link.tensor[4]), x(link.tensor[5])};
   } else {
-    const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
+    const auto& block = w.constants_of(joints.slot / kPerBlock);
     const auto x = [&](const PerJoint& numbers) {
       return number_at<T>(&numbers[static_cast<std::size_t>(joints.slot % kPerBlock)]);
     };
@@ -2606,7 +2621,7 @@ ADAGEN_INLINE void add_own_link(Workspace& w, const Joints<T>& joints, Body<T>& 
   T mass;
   Vector<T> c;
   Symmetric<T> J;
-  own_inertia(joints, mass, c, J);
+  own_inertia(w, joints, mass, c, J);
   Vector<T> n, f;
   if (kAgain && w.again) {
     n = told(kTorque), f = told(kForce);
@@ -2626,14 +2641,14 @@ ADAGEN_INLINE void add_own_link(Workspace& w, const Joints<T>& joints, Body<T>& 
 // but noise where links without inertia come near gimbal lock. Of a reversed joint the whole body
 // was turned and shifted.
 template <bool along, bool reversed, class T>
-ADAGEN_INLINE T left_of(const Joints<T>& joints, const Body<T>& X, const T& D) {
+ADAGEN_INLINE T left_of(const Workspace& w, const Joints<T>& joints, const Body<T>& X, const T& D) {
   const Symmetric<T>& whole = along ? X.C : X.A;
   T brought = whole.xx + whole.yy + whole.zz;
   if constexpr (!reversed) {
     T mass;
     Vector<T> c;
     Symmetric<T> J;
-    own_inertia(joints, mass, c, J);
+    own_inertia(w, joints, mass, c, J);
     brought -= along ? 3 * mass : 2 * (J.xx + J.yy + J.zz);
   }
   return D - kLeast * brought;
@@ -2654,7 +2669,7 @@ ADAGEN_INLINE void eliminate_own(Workspace& w, const Joints<T>& joints, Body<T>&
     rotor = each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
     D += rotor;
   }
-  const T left = left_of<along, reversed>(joints, X, D);
+  const T left = left_of<along, reversed>(w, joints, X, D);
   if (__builtin_expect(!all_positive(left), 0)) fail_one(w, joints, left);
   const T inverse = 1 / D, u = (tau - (along ? X.f.z : X.n.z)) * inverse, kept = rotor * inverse;
   const Vector<T> e_n = n * inverse, e_f = f * inverse;
@@ -2687,7 +2702,7 @@ ADAGEN_INLINE void eliminate_own(Workspace& w, const Joints<T>& joints, Body<T>&
 template <class T>
 ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>& X) {
   const Value* const A = w.at(joints.slot, kRotational);
-  const auto mass = mass_of(joints);
+  const auto mass = mass_of(w, joints);
   const Vector<T> c = vector_at<T>(w.at(joints.slot, kMoments));
   const Vector<T> Ax = vector_at<T>(A), Ay = vector_at<T>(A + 3 * kPerBlock);
   X.A += Symmetric<T>{Ax.x, Ax.y, Ax.z, Ay.x, Ay.y, Ay.z};  // xx xy xz yy yz zz
@@ -3169,7 +3184,7 @@ void set_up_columns(Workspace& w) {
         std::memcpy(link.*place, &found[k], sizeof found[k]);
       }
     };
-    const auto& all = kBlockConstants[static_cast<std::size_t>(slot / kPerBlock)];
+    const auto& all = w.constants_of(slot / kPerBlock);
     const Column mass = number_at<Column>(&all.mass[static_cast<std::size_t>(slot % kPerBlock)]);
     const Column x = row(kMoments), y = row(kMoments + 1), z = row(kMoments + 2);
     const Column none = mass - mass;  // a zero unknown to gcc 12, which errs in shuffles with it

@@ -59,7 +59,7 @@ enum {
   HUMAN40_P4_NOT_REFINED = 7,  // refinement does not converge
   HUMAN40_P4_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   HUMAN40_P4_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  HUMAN40_P4_NOT_SET = 16,  // what is to be set at run time is not a finite number
+  HUMAN40_P4_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
   HUMAN40_P4_TOO_FEW_STEPS = 11  // refinement converges too slowly
 };
 

@@ -114,7 +114,7 @@ enum {
   HUMANOID_LANES_P1_NOT_REFINED = 7,  // refinement does not converge
   HUMANOID_LANES_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   HUMANOID_LANES_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  HUMANOID_LANES_P1_NOT_SET = 16,  // what is to be set at run time is not a finite number
+  HUMANOID_LANES_P1_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
   HUMANOID_LANES_P1_TOO_FEW_STEPS = 11  // refinement converges too slowly
 };
 
@@ -475,7 +475,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
-  kNotSet = 16,         // what is to be set at run time is not a finite number
+  kNotSet = 16,         // what is to be set at run time is not finite, or is no mass
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -587,7 +587,7 @@ constexpr FailureWords words_of(Failure kind) {
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
     case kNotSet:
-      return {false, "what is to be set at run time is not a finite number"};
+      return {false, "what is to be set at run time is not finite, or is no mass"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }

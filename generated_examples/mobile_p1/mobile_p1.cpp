@@ -64,7 +64,7 @@ enum {
   MOBILE_P1_NOT_REFINED = 7,  // refinement does not converge
   MOBILE_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   MOBILE_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  MOBILE_P1_NOT_SET = 16,  // what is to be set at run time is not a finite number
+  MOBILE_P1_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
   MOBILE_P1_TOO_FEW_STEPS = 11  // refinement converges too slowly
 };
 
@@ -281,7 +281,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
-  kNotSet = 16,         // what is to be set at run time is not a finite number
+  kNotSet = 16,         // what is to be set at run time is not finite, or is no mass
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -393,7 +393,7 @@ constexpr FailureWords words_of(Failure kind) {
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
     case kNotSet:
-      return {false, "what is to be set at run time is not a finite number"};
+      return {false, "what is to be set at run time is not finite, or is no mass"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }

@@ -39,7 +39,7 @@ enum {
   MOBILE_P1_NOT_REFINED = 7,  // refinement does not converge
   MOBILE_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   MOBILE_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  MOBILE_P1_NOT_SET = 16,  // what is to be set at run time is not a finite number
+  MOBILE_P1_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
   MOBILE_P1_TOO_FEW_STEPS = 11  // refinement converges too slowly
 };
 

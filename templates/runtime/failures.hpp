@@ -53,7 +53,7 @@ constexpr FailureWords words_of(Failure kind) {
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
     case kNotSet:
-      return {false, "what is to be set at run time is not a finite number"};
+      return {false, "what is to be set at run time is not finite, or is no mass"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }

@@ -12,10 +12,12 @@ inline Number* pack_parameters(Number* to, const Workspace& w) {
 }
 inline const Number* unpack_parameters(const Number* from, Workspace& w) {
   for (auto& parameter : w.parameters) parameter = std::decay_t<decltype(parameter)>{} + *from++;
+  apply_parameters(w);
   return from;
 }
 [[maybe_unused]] inline void copy_parameters(const Workspace& from, Workspace& to) {
   to.parameters = from.parameters;
+  apply_parameters(to);
 }
 
 // Sets count numbers from the one numbered first on, if they are finite; returns a status.

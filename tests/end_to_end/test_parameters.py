@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 import pickle
-import re
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +14,7 @@ import pytest
 import adagen
 from adagen.emit import emit, stem_of
 from adagen.errors import UsageError
-from adagen.model import Model
+from adagen.model import Inertia, Model
 from adagen.plan import plan_from_json, plan_to_json
 from adagen.run import launch
 from adagen.states import States, random_states
@@ -87,7 +87,7 @@ def test_gravity_goes_with_copies_and_pickles() -> None:
 
 def test_what_cannot_be_set_is_told() -> None:
     solver = build(ARM, runtime="gravity", shape="kernels")
-    with pytest.raises(ValueError, match="what is to be set at run time is not a finite number"):
+    with pytest.raises(ValueError, match="what is to be set at run time is not finite"):
         solver.gravity = [0, np.nan, 0]
     with pytest.raises(ValueError, match=r"gravity has shape \(3,\), not \(2,\)"):
         solver.gravity = [0, 0]
@@ -108,35 +108,107 @@ def test_the_command_in_the_head_says_so(tmp_path: Path) -> None:
     assert plan_from_json(plan_to_json(compiled.plan)) == compiled.plan
 
 
-def on_processes(model: Model, batch: bool, builder: Builder, tmp_path: Path) -> list[str]:
-    """Return what a program of two processes prints that sets gravity."""
-    plan = plan_of(model, 1 if batch else 2, runtime="gravity")
-    options = {"batch": 2 * batch, "shape": "auto"}
-    files = emit(plan, name="falling", **options)  # type: ignore[arg-type]
+def loaded(model: Model, link: str, mass: float, center: Any) -> Model:
+    """Return a robot of which a link has another mass and centre of mass."""
+    (k,) = (k for k, each in enumerate(model.links) if each.name == link)
+    inertia = Inertia(mass, np.array(center), model.links[k].inertia.tensor)
+    links = list(model.links)
+    links[k] = replace(links[k], inertia=inertia)
+    return replace(model, links=tuple(links))
+
+
+MASSES: dict[str, tuple[Path, bool, dict[str, Any]]] = {
+    name: CASES[name]
+    for name in ("straight line", "loops", "in lanes", "floating loops", "planar joint",
+                 "batch of lines", "batch of loops", "float", "threads")
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", MASSES)
+def test_masses_and_their_centres_are_set_at_run_time(case: str) -> None:
+    path, floating, asked = MASSES[case]
+    model = adagen.read(path, floating=floating).model
+    names = [link.name for k, link in enumerate(model.links) if k and link.inertia.mass > 0]
+    first, last = names[len(names) // 2], names[-1]
+    words = f"mass:{first},gravity,center:{last},mass:{last}"
+    solver = build(path, floating, runtime=words, **asked)
+    states = random_states(model, 3, seed=4)
+    enough = 4 * ROUNDING["float" if asked.get("scalar") == "float" else "double"]
+
+    def error(expected: Model) -> float:
+        found = solver(states.q, states.v, states.tau)
+        return forward_error(found, truth_of(expected, states))
+
+    assert error(model) < enough
+    (mass, center), (other, at) = (
+        (link.inertia.mass, link.inertia.com)
+        for name in (first, last)
+        for link in model.links
+        if link.name == name
+    )
+    solver.set_mass(first, 1.5 * mass)
+    model = loaded(model, first, 1.5 * mass, center)
+    assert error(model) < enough
+    moved = at + np.array([0.02, 0.01, -0.03])
+    solver.set_center(last, moved)
+    model = loaded(model, last, other, moved)
+    assert error(model) < enough
+    solver.set_mass(last, 0.7 * other)
+    solver.gravity = MOON
+    model = loaded(model, last, 0.7 * other, moved).with_gravity(MOON)
+    assert error(model) < enough
+    assert np.array_equal(
+        copy.copy(solver)(states.q, states.v, states.tau), solver(states.q, states.v, states.tau)
+    )
+
+
+@pytest.mark.parametrize(
+    ("runtime", "asked", "said"),
+    [
+        ("mass:forarm", {}, "mass:forarm: no moving link of this name; did you mean 'forearm'"),
+        ("mass:camera", {}, "camera is fixed to hand: say mass:hand"),
+        ("mass:pedestal", {}, "no moving link of this name"),
+        ("mass:hand", {"shape": "joints"}, "in it masses are constants"),
+        ("mass:hand", {"refine": 1}, "masses cannot be set where answers are refined"),
+        ("mass:hand", {"form": "ada"}, "say --form segment, or --procs 1"),
+        ("center:", {}, "no moving link"),
+    ],
+)
+def test_masses_that_cannot_be_set_are_told(runtime: str, asked: dict[str, Any], said: str) -> None:
+    with pytest.raises(UsageError, match=said):
+        adagen.compile(adagen.read(ARM), runtime=runtime, **asked)
+
+
+def on_processes(model: Model, batch: bool, builder: Builder) -> list[str]:
+    """Return what a program of two processes prints that sets gravity, a mass and its centre."""
+    runtime = "gravity,center:hand,mass:hand"
+    plan = plan_of(model, 1 if batch else 2, meeting="gather", runtime=runtime)
+    files = emit(plan, name="falling", batch=2 * batch)
     stem = stem_of(plan, "falling", 2 * batch)
-    (tmp_path / f"{stem}.h").write_text(files[f"{stem}.h"])
     solve, count = ("solve_batch", "1,") if batch else ("solve", "")
-    words = {"SOLVER_SOLVE": f"{stem}_{solve}", "COUNT": count}
-    text = filled("gravity.cpp", stem, **words)
-    source = f"#define ADAGEN_NO_MAIN\n{files[f'{stem}.cpp']}"
-    both = source + re.sub(r'#include "falling_p2.h"', "", text)
-    program = builder.compile(both, stem, QUICK)
-    done = launch(program, 2, ["auto"], builder.toolchain, 60)
+    text = filled("parameters.cpp", stem, SOLVER_SOLVE=f"{stem}_{solve}", COUNT=count)
+    text = text.replace(f'#include "{stem}.h"\n', "")  # the source has it
+    source = f"#define ADAGEN_NO_MAIN\n{files[f'{stem}.cpp']}{text}"
+    done = launch(builder.compile(source, stem, QUICK), 2, [], builder.toolchain, 60)
     assert (done.status, done.stderr) == (0, "")
     return done.stdout.splitlines()
 
 
 @pytest.mark.parametrize("batch", [False, True])
-def test_processes_agree_on_gravity(batch: bool, builder: Builder, tmp_path: Path) -> None:
+def test_processes_go_by_what_process_0_has_set(batch: bool, builder: Builder) -> None:
     model = BY_STEM["arm7_p1"].model()
-    earth, wrong, *others = on_processes(model, batch, builder, tmp_path)
-    assert wrong == "1 what is to be set at run time is not a finite number"
+    earth, wrong, moon, told, heavy, each = on_processes(model, batch, builder)
+    assert wrong == "1 what is to be set at run time is not finite, or is no mass"
+    assert told == "0 0 16 16 16"
     sizes = (model.nq, model.nv, model.ntau)
     state = States(*(np.full((1, n), x) for n, x in zip(sizes, (0.3, 0.2, 0.1), strict=True)))
-    sideways = [9.81, 0, 0]
-    shares = 2 if batch else 1  # each process has solved the state of the batch
-    expected = [(earth, model.gravity, 1), *((line, MOON, 1) for line in others[:2])]
-    for line, gravity, share in [*expected, (others[2], sideways, shares)]:
-        truth = truth_of(model.with_gravity(np.array(gravity)), state)
-        found = np.array([line.split()], dtype=float) / share
-        assert forward_error(found, truth) < ROUNDING["double"]
+    light, hand = model.with_gravity(MOON), (2.5, [0.1, -0.02, 0.03])
+    sideways = model.with_gravity(np.array([9.81, 0, 0]))
+    expected = [(earth, model), (moon, light), (heavy, loaded(light, "hand", *hand))]
+    for line, robot in expected:
+        found = np.array([line.split()], dtype=float)
+        assert forward_error(found, truth_of(robot, state)) < ROUNDING["double"]
+    # Each process has set gravity, but process 0 alone the hand, and process 1 has its from there.
+    found = np.array([each.split()], dtype=float) / (2 if batch else 1)
+    truth = truth_of(loaded(sideways, "hand", *hand), state)
+    assert forward_error(found, truth) < ROUNDING["double"]

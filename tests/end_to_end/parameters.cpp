@@ -11,7 +11,7 @@ int main(int count, char** words) {
   MPI_Init(&count, &words);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  SOLVER_solver* const solver = SOLVER_open(MPI_COMM_WORLD, words[1], 20);
+  SOLVER_solver* const solver = SOLVER_open(MPI_COMM_WORLD, "auto", 20);
   double q[UPPER_NQ], v[UPPER_NV], tau[UPPER_NTAU], qdd[UPPER_NV], all[UPPER_NV];
   for (double& x : q) x = 0.3;
   for (double& x : v) x = 0.2;
@@ -28,10 +28,16 @@ int main(int count, char** words) {
     SOLVER_set_gravity(solver, moon);
     const int status = SOLVER_set_gravity(solver, wrong);
     std::printf("%d %s\n", SOLVER_reason(status) == UPPER_NOT_SET, SOLVER_failure(solver));
-    for (int k = 0; k < 2; ++k) {
-      SOLVER_SOLVE_at_root(solver, COUNT q, v, tau, qdd);
-      print(qdd);
-    }
+    SOLVER_SOLVE_at_root(solver, COUNT q, v, tau, qdd);
+    print(qdd);
+    const double center[3] = {0.1, -0.02, 0.03}, nowhere[3] = {NAN, 0, 0};
+    std::printf("%d ", SOLVER_set_mass(solver, UPPER_LINK_hand, 2.5));
+    std::printf("%d ", SOLVER_set_center(solver, UPPER_LINK_hand, center));
+    std::printf("%d ", SOLVER_reason(SOLVER_set_center(solver, UPPER_LINK_hand, nowhere)));
+    std::printf("%d ", SOLVER_reason(SOLVER_set_mass(solver, UPPER_LINK_hand, -1)));
+    std::printf("%d\n", SOLVER_reason(SOLVER_set_mass(solver, 1, 2.5)));
+    SOLVER_SOLVE_at_root(solver, COUNT q, v, tau, qdd);
+    print(qdd);
     SOLVER_end(solver);
   } else {
     SOLVER_serve(solver);
