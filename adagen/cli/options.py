@@ -85,6 +85,7 @@ RARE = frozenset(
         "--tuned",
         "--channel",
         "--runtime",
+        "--target",
         "--single-file",
         "--cmake-dir",
         "--name",

@@ -47,6 +47,12 @@ PROGRAM = (
 """Of the program around them, besides."""
 
 
-def of_solver(mpi: bool, threads: bool) -> list[str]:
+HOSTED = ("chrono", "cstdio")
+"""Of these, what an embedded solver does without."""
+
+
+def of_solver(mpi: bool, threads: bool, *, embedded: bool = False) -> list[str]:
     """Return what a solver includes, one that exchanges messages or shares out to threads."""
+    if embedded:
+        return sorted({*SOLVER} - {*HOSTED})
     return sorted({*SOLVER, *(MPI if mpi else ()), *(THREADS if threads else ())})

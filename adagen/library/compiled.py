@@ -210,6 +210,7 @@ def emitted(
         compiler=request.compiler,
         profile=profile,
         single_file=request.single_file,
+        target=request.target,
     )
     line = timeline(program, profile) if priced else None
     return Compiled(model, origin, request, schedule, plan, program, line, files)

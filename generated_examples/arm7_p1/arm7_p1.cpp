@@ -146,7 +146,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
 [[maybe_unused]] constexpr int kPlanMessages = 0;
-constexpr std::size_t kCacheLine = 64;
+constexpr std::size_t kCacheLine = 64, kTextSize = 1000;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
 
 // ---- 2. model -----------------------------------------------------------------------------------
@@ -431,9 +431,11 @@ class Text {
     return *this;
   }
   Text& operator+=(int number) {
-    char digits[16];
-    std::snprintf(digits, sizeof digits, "%d", number);
-    return *this += digits;
+    if (number < 0) *this += '-';
+    long rest = number < 0 ? -static_cast<long>(number) : number, unit = 1;
+    while (rest / unit > 9) unit *= 10;
+    for (; unit > 0; unit /= 10) *this += static_cast<char>('0' + rest / unit % 10);
+    return *this;
   }
   const char* c_str() const { return data_; }
   bool empty() const { return size_ == 0; }
@@ -441,7 +443,7 @@ class Text {
 
  private:
   std::size_t size_ = 0;
-  char data_[1000] = "";
+  char data_[kTextSize] = "";
 };
 
 // Adds text as a JSON string, in one line.
@@ -454,9 +456,10 @@ void add_quoted(Words& to, const char* text) {
       to += '\\';
       to += *text;
     } else if (c < 0x20 || c == 0x7F) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", c);
-      to += escape;
+      const char* const digits = "0123456789abcdef";
+      to += "\\u00";
+      to += digits[c / 16];
+      to += digits[c % 16];
     } else {
       to += *text;
     }

@@ -186,7 +186,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
 [[maybe_unused]] constexpr int kPlanMessages = 0;
-constexpr std::size_t kCacheLine = 64;
+constexpr std::size_t kCacheLine = 64, kTextSize = 1000;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
 
 // ---- 2. model -----------------------------------------------------------------------------------
@@ -499,9 +499,11 @@ class Text {
     return *this;
   }
   Text& operator+=(int number) {
-    char digits[16];
-    std::snprintf(digits, sizeof digits, "%d", number);
-    return *this += digits;
+    if (number < 0) *this += '-';
+    long rest = number < 0 ? -static_cast<long>(number) : number, unit = 1;
+    while (rest / unit > 9) unit *= 10;
+    for (; unit > 0; unit /= 10) *this += static_cast<char>('0' + rest / unit % 10);
+    return *this;
   }
   const char* c_str() const { return data_; }
   bool empty() const { return size_ == 0; }
@@ -509,7 +511,7 @@ class Text {
 
  private:
   std::size_t size_ = 0;
-  char data_[1000] = "";
+  char data_[kTextSize] = "";
 };
 
 // Adds text as a JSON string, in one line.
@@ -522,9 +524,10 @@ void add_quoted(Words& to, const char* text) {
       to += '\\';
       to += *text;
     } else if (c < 0x20 || c == 0x7F) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", c);
-      to += escape;
+      const char* const digits = "0123456789abcdef";
+      to += "\\u00";
+      to += digits[c / 16];
+      to += digits[c % 16];
     } else {
       to += *text;
     }
@@ -1100,12 +1103,15 @@ struct alignas(64) BlockConstants {
   PerJoint mass, moments[3], tensor[6];
 };
 
-const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
+constexpr void fill(PerJoint& numbers, Real x) {
+  for (Real& number : numbers) number = x;
+}
+constexpr std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
   std::array<BlockConstants, kBlockCount> result{};
   for (BlockConstants& block : result) {  // slots that are not filled do not turn, but weigh
-    for (const int k : {0, 4}) block.rotation[k].fill(1);
-    block.mass.fill(1);
-    for (const int k : {0, 3, 5}) block.tensor[k].fill(1);
+    for (const int k : {0, 4}) fill(block.rotation[k], 1);
+    fill(block.mass, 1);
+    for (const int k : {0, 3, 5}) fill(block.tensor[k], 1);
   }
   for (int j = 0; j < kJointCount; ++j) {
     BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
@@ -2559,9 +2565,9 @@ ADAGEN_INLINE Body<Real> settled(Columns X, Due due) {
 // lies beside; where no register holds a column, such runs are taken number by number.
 
 // The joint that fills a slot.
-const std::array<std::size_t, kBlockCount * kPerBlock> kJointAt = [] {
-  std::array<std::size_t, kBlockCount * kPerBlock> result;
-  result.fill(kJointCount);
+constexpr std::array<std::size_t, kBlockCount * kPerBlock> kJointAt = [] {
+  std::array<std::size_t, kBlockCount * kPerBlock> result{};
+  for (std::size_t& joint : result) joint = kJointCount;
   for (int j = 0; j < kJointCount; ++j)
     result[static_cast<std::size_t>(slot_of(j))] = static_cast<std::size_t>(j);
   return result;

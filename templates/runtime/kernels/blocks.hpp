@@ -13,12 +13,15 @@ struct alignas(64) BlockConstants {
   PerJoint mass, moments[3], tensor[6];
 };
 
-const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
+constexpr void fill(PerJoint& numbers, Real x) {
+  for (Real& number : numbers) number = x;
+}
+constexpr std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
   std::array<BlockConstants, kBlockCount> result{};
   for (BlockConstants& block : result) {  // slots that are not filled do not turn, but weigh
-    for (const int k : {0, 4}) block.rotation[k].fill(1);
-    block.mass.fill(1);
-    for (const int k : {0, 3, 5}) block.tensor[k].fill(1);
+    for (const int k : {0, 4}) fill(block.rotation[k], 1);
+    fill(block.mass, 1);
+    for (const int k : {0, 3, 5}) fill(block.tensor[k], 1);
   }
   for (int j = 0; j < kJointCount; ++j) {
     BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];

@@ -2,9 +2,9 @@
 // lies beside; where no register holds a column, such runs are taken number by number.
 
 // The joint that fills a slot.
-const std::array<std::size_t, kBlockCount * kPerBlock> kJointAt = [] {
-  std::array<std::size_t, kBlockCount * kPerBlock> result;
-  result.fill(kJointCount);
+constexpr std::array<std::size_t, kBlockCount * kPerBlock> kJointAt = [] {
+  std::array<std::size_t, kBlockCount * kPerBlock> result{};
+  for (std::size_t& joint : result) joint = kJointCount;
   for (int j = 0; j < kJointCount; ++j)
     result[static_cast<std::size_t>(slot_of(j))] = static_cast<std::size_t>(j);
   return result;
