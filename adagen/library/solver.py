@@ -31,8 +31,9 @@ class Solver:
     those of shape (S, nv). SI units; how joints lie in q and v stands in docs/command_line.md:
     quaternions x y z w, floating joints [linear; angular] in the body's frame.
 
-    Threads take turns with one solver; copies (``copy.copy``) work side by side: other threads of
-    Python run while many states are solved. Solvers can be pickled, and are built anew, or found in
+    Many states are shared out to the machine's cores. Threads of Python take turns with one solver;
+    copies (``copy.copy``) work side by side: other threads of Python run while many states are
+    solved. Solvers can be pickled, and are built anew, or found in
     the cache, where they arrive.
 
     Attributes:
@@ -45,7 +46,12 @@ class Solver:
     if TYPE_CHECKING:  # the extension has it
 
         def __call__(
-            self, q: ArrayLike, v: ArrayLike, tau: ArrayLike, out: NDArray[Any] | None = None
+            self,
+            q: ArrayLike,
+            v: ArrayLike,
+            tau: ArrayLike,
+            out: NDArray[Any] | None = None,
+            threads: int | None = None,
         ) -> NDArray[Any]:
             """Return the accelerations of one state or of many.
 
@@ -55,6 +61,9 @@ class Solver:
                 tau: forces and torques, shape (ntau,) or (S, ntau); N, N m.
                 out: where accelerations go, an array of ``dtype`` in the shape of v, written row
                     behind row; a new one if not given. It is none of the others.
+                threads: that share the states, 1 to 1024; None: as many as pay, at most one for
+                    each core, and one alone for fewer than some 100,000 accelerations. Answers are
+                    the same to the last bit.
 
             Returns:
                 Accelerations, shape (nv,) or (S, nv); m/s^2, rad/s^2.
@@ -62,7 +71,7 @@ class Solver:
             Raises:
                 SolveError: a state cannot be solved; it names the joint. Of one state nothing is
                     written, of many those that fail become NaN.
-                ValueError: a shape is wrong.
+                ValueError: a shape or a number of threads is wrong.
                 TypeError: what is given holds no real numbers.
             """
 
@@ -282,7 +291,9 @@ def _with_python(toolchain: Toolchain) -> Toolchain:
         )
     numpy = f'-DADAGEN_BUILT_FOR="{sysconfig.get_config_var("SOABI")}-{np.__version__}"'
     folders = ("-isystem", str(python), "-isystem", np.get_include())
-    return replace(toolchain, flags=(*toolchain.flags, "-shared", "-fPIC", numpy, *folders))
+    return replace(
+        toolchain, flags=(*toolchain.flags, "-shared", "-fPIC", "-pthread", numpy, *folders)
+    )
 
 
 @cache

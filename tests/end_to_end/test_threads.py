@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -98,6 +99,15 @@ def test_a_program_calls_threads(case: str, flags: tuple[str, ...], builder: Bui
     state = States(*(np.full((1, n), x) for n, x in zip(sizes, (0.3, 0.2, 0.1), strict=True)))
     assert forward_error(found, truth_of(model, state)) < ROUNDING["double"]
     assert len(plan.processes) > 1
+
+
+def test_a_late_thread_leaves_the_callers_memory_alone(builder: Builder) -> None:
+    source = solver_and("late.cpp", "gathered")
+    source = source.replace("\nnamespace {\n", "\n#define private public\nnamespace {\n", 1)
+    fine, late, *rest = run(builder.compile(source, "late", (*FLAGS, "-pthread"))).splitlines()
+    assert fine == "fine 1"
+    assert re.fullmatch("late 1, no answer 1: process [12] did not answer within the .*", late)
+    assert rest == ["later 1", "closed"]
 
 
 def test_threads_take_nothing_from_the_heap_once_they_are_open(builder: Builder) -> None:
