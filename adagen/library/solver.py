@@ -51,6 +51,7 @@ class Solver:
             v: ArrayLike,
             tau: ArrayLike,
             out: NDArray[Any] | None = None,
+            *,
             threads: int | None = None,
         ) -> NDArray[Any]:
             """Return the accelerations of one state or of many.

@@ -253,8 +253,8 @@ constexpr int kArguments = 5;
 
 // Puts arguments in order; those that are not given stay null.
 bool arrange(PyObject* const* given, Py_ssize_t count, PyObject* names, PyObject** placed) {
-  if (count > kArguments) {
-    PyErr_Format(PyExc_TypeError, "a solver takes q, v, tau, out and threads, not %zd arguments",
+  if (count >= kArguments) {
+    PyErr_Format(PyExc_TypeError, "a solver takes q, v, tau, out and threads=, not %zd arguments",
                  count);
     return false;
   }

@@ -190,7 +190,7 @@ class TestSolve:
             (lambda x: (x.q, x.v[None], x.tau), ValueError, "v holds 1 states in 2 dimensions"),
             (lambda x: (x.q[None, None], x.v, x.tau), ValueError, r"q has shape \(1, 1, 9\)"),
             (lambda x: (x.q, x.v), TypeError, "tau is missing"),
-            (lambda x: (x.q, x.v, x.tau, None, 1, 1), TypeError, "not 6 arguments"),
+            (lambda x: (x.q, x.v, x.tau, None, 1), TypeError, "not 5 arguments"),
             (lambda x: (x.q, x.v, x.tau, x.v), ValueError, "out is also what is read"),
             (lambda x: (x.q, x.v, x.tau, x.q[:3].copy()), ValueError, "out must be an array"),
             (lambda x: (x.q, x.v, x.tau, [0.0] * 9), ValueError, "out must be an array"),
