@@ -152,6 +152,15 @@ struct Description {
   Hop window_hop, message_hop;
 };
 
+// How a solver is opened: its channel, s that processes wait for each other, hosts to play, and
+// whether threads of its own are to stay on a core each.
+struct Opening {
+  const char* channel;
+  double time_limit;
+  int hosts;
+  bool pin;
+};
+
 // How long an evaluation took, ns, and its status: state and result in place, and everything
 // through process 0.
 struct Elapsed {
@@ -168,7 +177,7 @@ class AnySolver {
   virtual ~AnySolver() = default;
 
   // Collective. Returns what is wrong, or an empty string.
-  virtual const char* open(Comm comm, const char* channel, double time_limit, int hosts) = 0;
+  virtual const char* open(Comm comm, const Opening& how) = 0;
   virtual void close() = 0;
   virtual Comm comm() const = 0;
   virtual const char* channel_name() const = 0;
@@ -3525,8 +3534,8 @@ class Program {
   int run() {
     const Options& options = session_.options;
     session_.watch.start(session_.rank, options.time_limit);
-    const std::string wrong = session_.solver.open(MPI_COMM_WORLD, options.channel.c_str(),
-                                                   options.time_limit, options.hosts);
+    const Opening how{options.channel.c_str(), options.time_limit, options.hosts, options.pin};
+    const std::string wrong = session_.solver.open(MPI_COMM_WORLD, how);
     if (!wrong.empty()) return session_.complain(kFault, wrong);
     int status = options.simulation.seconds > 0 ? simulation_.run() : answer();
     const auto also = [&status](bool asked, auto task) {

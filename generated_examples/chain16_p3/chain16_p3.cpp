@@ -4570,6 +4570,15 @@ struct Description {
   Hop window_hop, message_hop;
 };
 
+// How a solver is opened: its channel, s that processes wait for each other, hosts to play, and
+// whether threads of its own are to stay on a core each.
+struct Opening {
+  const char* channel;
+  double time_limit;
+  int hosts;
+  bool pin;
+};
+
 // How long an evaluation took, ns, and its status: state and result in place, and everything
 // through process 0.
 struct Elapsed {
@@ -4586,7 +4595,7 @@ class AnySolver {
   virtual ~AnySolver() = default;
 
   // Collective. Returns what is wrong, or an empty string.
-  virtual const char* open(Comm comm, const char* channel, double time_limit, int hosts) = 0;
+  virtual const char* open(Comm comm, const Opening& how) = 0;
   virtual void close() = 0;
   virtual Comm comm() const = 0;
   virtual const char* channel_name() const = 0;
@@ -4649,9 +4658,10 @@ namespace {
 // What is measured (--time, --stretches), of several processes.
 using Clock = std::chrono::steady_clock;
 
-Text open_solver(Solver& solver, MPI_Comm comm, const std::string& kind, double time_limit,
-                 int hosts) {
-  return Text(solver.channel.open(comm, mode_of(kind), time_limit, hosts).c_str());
+Text open_solver(Solver& solver, MPI_Comm comm, const adagen::Opening& how) {
+  const std::string wrong =
+      solver.channel.open(comm, mode_of(how.channel), how.time_limit, how.hosts);
+  return Text(wrong.c_str());
 }
 
 // All processes that take part in an evaluation start it at the same instant of their common clock;
@@ -4756,8 +4766,8 @@ int near_lock_of(const S&, long) {
 
 class ThisSolver final : public adagen::AnySolver<Number, MPI_Comm> {
  public:
-  const char* open(MPI_Comm comm, const char* channel, double time_limit, int hosts) override {
-    words_ = open_solver(solver_, comm, channel, time_limit, hosts);
+  const char* open(MPI_Comm comm, const adagen::Opening& how) override {
+    words_ = open_solver(solver_, comm, how);
     return words_.c_str();
   }
   void close() override { solver_.close(); }

@@ -3354,6 +3354,15 @@ struct Description {
   Hop window_hop, message_hop;
 };
 
+// How a solver is opened: its channel, s that processes wait for each other, hosts to play, and
+// whether threads of its own are to stay on a core each.
+struct Opening {
+  const char* channel;
+  double time_limit;
+  int hosts;
+  bool pin;
+};
+
 // How long an evaluation took, ns, and its status: state and result in place, and everything
 // through process 0.
 struct Elapsed {
@@ -3370,7 +3379,7 @@ class AnySolver {
   virtual ~AnySolver() = default;
 
   // Collective. Returns what is wrong, or an empty string.
-  virtual const char* open(Comm comm, const char* channel, double time_limit, int hosts) = 0;
+  virtual const char* open(Comm comm, const Opening& how) = 0;
   virtual void close() = 0;
   virtual Comm comm() const = 0;
   virtual const char* channel_name() const = 0;
@@ -3434,7 +3443,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 template <class AnySolver>
-Text open_solver(AnySolver&, adagen::OneProcess, const char*, double, int) {
+Text open_solver(AnySolver&, adagen::OneProcess, const adagen::Opening&) {
   return {};
 }
 Clock::time_point start_together(const Channel&) { return Clock::now(); }
@@ -3498,8 +3507,8 @@ int near_lock_of(const S&, long) {
 
 class ThisSolver final : public adagen::AnySolver<Number, adagen::OneProcess> {
  public:
-  const char* open(adagen::OneProcess comm, const char* channel, double time_limit, int hosts) override {
-    words_ = open_solver(solver_, comm, channel, time_limit, hosts);
+  const char* open(adagen::OneProcess comm, const adagen::Opening& how) override {
+    words_ = open_solver(solver_, comm, how);
     return words_.c_str();
   }
   void close() override { solver_.close(); }

@@ -102,6 +102,15 @@ struct Description {
   Hop window_hop, message_hop;
 };
 
+// How a solver is opened: its channel, s that processes wait for each other, hosts to play, and
+// whether threads of its own are to stay on a core each.
+struct Opening {
+  const char* channel;
+  double time_limit;
+  int hosts;
+  bool pin;
+};
+
 // How long an evaluation took, ns, and its status: state and result in place, and everything
 // through process 0.
 struct Elapsed {
@@ -118,7 +127,7 @@ class AnySolver {
   virtual ~AnySolver() = default;
 
   // Collective. Returns what is wrong, or an empty string.
-  virtual const char* open(Comm comm, const char* channel, double time_limit, int hosts) = 0;
+  virtual const char* open(Comm comm, const Opening& how) = 0;
   virtual void close() = 0;
   virtual Comm comm() const = 0;
   virtual const char* channel_name() const = 0;
