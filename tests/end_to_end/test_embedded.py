@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+import shutil
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -162,3 +164,28 @@ def test_the_command_line_writes_one_and_verifies_it(tmp_path: Path) -> None:
     assert written == {f"arm7_p1.{end}" for end in ("cpp", "h", "plan.json", "svg")}
     assert main(["verify", str(tmp_path)]) == 0
     assert main([*asked, "--procs", "2"]) == 2
+
+
+def test_cmake_makes_a_library_and_make_leaves_it_alone(tmp_path: Path) -> None:
+    shutil.copy(MODELS / "chain16.urdf", tmp_path)
+    (tmp_path / "main.c").write_text(filled("embedded.c", "arm_p1", NUMBER="double"))
+    (tmp_path / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.16)\nproject(controller LANGUAGES C CXX)\n"
+        "find_package(adagen REQUIRED)\n"
+        "adagen_add_solver(arm MODEL chain16.urdf OPTIONS --target embedded)\n"
+        "add_executable(controller main.c)\ntarget_link_libraries(controller PRIVATE arm m)\n"
+    )
+    command = Path(sys.executable).with_name("adagen")
+    folder, build = run(command, "--cmake-dir").strip(), tmp_path / "build"
+    words = ("-DADAGEN_FLAGS=-O1;-fno-exceptions", f"-DADAGEN_PROGRAM={command}")
+    run("cmake", "-S", tmp_path, "-B", build, f"-Dadagen_DIR={folder}", *words)
+    run("cmake", "--build", build)
+    (tmp_path / "states").write_text("0 " * 48)
+    told, found = run(build / "controller", tmp_path / "states").splitlines()
+    assert told == "the memory is too small for a solver"
+    assert len(found.split()) == 16
+
+    assert main([str(MODELS / "mobile.urdf"), "--procs", "1", "--out", str(build / "arm")]) == 0
+    said = run("make", "-C", build / "arm", "-n", "all")
+    assert "mobile_p1" in said
+    assert "arm_p1" not in said
