@@ -19,6 +19,10 @@ def model_values(words: Words) -> dict[str, object]:
         "parameters": [repr(x) for x in plan.parameter_values],
         "gravity_entry": plan.entry_of_parameter("gravity"),
         "settable_links": _settable_links(words),
+        "settable": sorted({parameter.what for parameter in plan.parameters}),
+        "at_run_time": [
+            f"{p.what} of {quoted(p.name)}" if p.link else p.what for p in plan.parameters
+        ],
         "nq": sum(KINDS[joint.kind].nq for joint in plan.joints),
         "nv": nv,
         "ntau": nv + 6 * len(plan.wrenches),

@@ -24,10 +24,26 @@ constexpr npy_intp kOfThread = kBatch ? 200'000 : 50'000;
 // States that a thread takes at once, at least: as many as fill a batch's registers.
 constexpr npy_intp kPiece = 64;
 
+// What could not be solved: how many states, and the first of them.
+struct Failed {
+  npy_intp count = 0, first = 0;
+  int status = kFine;
+  void note(npy_intp state, int what, npy_intp states = 1) {
+    if (count == 0 || state < first) first = state, status = what;
+    count += states;
+  }
+  void note(const Failed& other) {
+    if (other.count > 0) note(other.first, other.status, other.count);
+  }
+};
+
 struct Held {
   Solver solver;
-  std::vector<std::unique_ptr<Solver>> others;  // of further threads, which share out many states
-  std::mutex mutex;                             // threads of Python take turns
+  // Of further threads, which share many states; what each could not solve.
+  std::vector<std::unique_ptr<Solver>> others;
+  std::vector<std::thread> team;
+  std::vector<Failed> failed;
+  std::mutex mutex;  // threads of Python take turns
 };
 constexpr int kMostThreads = 1024;
 constexpr bool kSharesThreads = kProcesses > 1;  // whether threads share each state already
@@ -130,19 +146,6 @@ PyObject* output(PyObject* given, const Rows& q) {
   return given;
 }
 
-// What could not be solved: how many states, and the first of them.
-struct Failed {
-  npy_intp count = 0, first = 0;
-  int status = kFine;
-  void note(npy_intp state, int what, npy_intp states = 1) {
-    if (count == 0 || state < first) first = state, status = what;
-    count += states;
-  }
-  void note(const Failed& other) {
-    if (other.count > 0) note(other.first, other.status, other.count);
-  }
-};
-
 // What is solved, and where that goes. Accelerations of states that cannot be solved are not
 // numbers where there are many.
 struct Task {
@@ -174,46 +177,50 @@ struct Task {
   }
 };
 
-// Has as many solvers as threads, all with the same set at run time; returns how many there are.
+// Has a solver for each thread, all with the same set at run time. Returns how many threads there
+// is memory for.
 int gather(Held& held, int threads) {
+  held.failed.clear();
   try {
-    while (held.others.size() + 1 < static_cast<std::size_t>(threads))
-      held.others.push_back(std::make_unique<Solver>());
-  } catch (const std::bad_alloc&) {  // those that there are do it all
+    const auto count = static_cast<std::size_t>(threads);
+    while (held.others.size() + 1 < count) held.others.push_back(std::make_unique<Solver>());
+    held.team.reserve(count);
+    held.failed.resize(count);
+  } catch (const std::bad_alloc&) {
+    return 1;
   }
   std::array<Number, kParameterCount> numbers{};
   pack_parameters(numbers.data(), held.solver.workspace(0));
   for (const auto& other : held.others)
     for (int k = 0; k < Solver::kWorkspaces; ++k)
       unpack_parameters(numbers.data(), other->workspace(k));
-  return std::min(threads, static_cast<int>(held.others.size()) + 1);
+  return threads;
 }
 
 // Threads take pieces as they finish earlier ones; each state is solved as by one thread alone.
 Failed share_out(Held& held, int threads, const Task& task) {
-  threads = gather(held, threads);
   const npy_intp share = task.count / (8 * threads) / kPiece * kPiece;
   const npy_intp piece = std::max(share, kPiece);
   std::atomic<npy_intp> next{0};
-  std::vector<Failed> failed(static_cast<std::size_t>(threads));
   const auto work = [&](Solver& solver, Failed& own) {
     for (npy_intp first; (first = next.fetch_add(piece)) < task.count;)
       task.solve(solver, first, std::min(piece, task.count - first), own);
   };
-  std::vector<std::thread> team;
   try {
-    for (std::size_t k = 1; k < failed.size(); ++k)
-      team.emplace_back([&, k] { work(*held.others[k - 1], failed[k]); });
+    for (std::size_t k = 1; k < held.failed.size(); ++k)
+      held.team.emplace_back([&, k] { work(*held.others[k - 1], held.failed[k]); });
   } catch (const std::exception&) {  // the system gives no more: those that run do it all
   }
-  work(held.solver, failed.front());
-  for (std::thread& each : team) each.join();
+  work(held.solver, held.failed.front());
+  for (std::thread& each : held.team) each.join();
+  held.team.clear();
   Failed all;
-  for (const Failed& own : failed) all.note(own);
+  for (const Failed& own : held.failed) all.note(own);
   return all;
 }
 
 Failed solve(Held& held, int threads, const Task& task) {
+  if (threads > 1) threads = gather(held, threads);
   if (threads > 1) return share_out(held, threads, task);
   Failed failed;
   task.solve(held.solver, 0, task.count, failed);

@@ -105,6 +105,14 @@ def test_what_cannot_be_set_is_told() -> None:
 def test_the_command_in_the_head_says_so(tmp_path: Path) -> None:
     compiled = adagen.compile(adagen.read(ARM), runtime="gravity")
     assert "--runtime=gravity" in compiled.in_folder(tmp_path)["arm7_p1.cpp"]
+    assert "// run time  gravity can be set\n" in compiled.source
+    assert "_LINK_" not in compiled.header
+    payload = adagen.compile(adagen.read(ARM), runtime="mass:hand")
+    assert '// run time  mass of "hand" can be set\n' in payload.source
+    assert "ARM7_P1_LINK_hand = 0" in payload.header
+    assert "arm7_p1_set_mass(" in payload.header
+    assert "arm7_p1_set_center(" not in payload.header
+    assert "arm7_p1_set_gravity(" not in payload.header
     assert plan_from_json(plan_to_json(compiled.plan)) == compiled.plan
 
 
