@@ -86,7 +86,7 @@ def emit(
     processes = batch or len(plan.processes)
     stem = stem_of(plan, name, batch)
     steps = refinement_steps(refine, plan.scalar)
-    check_target(target, processes, steps, batch=bool(batch))
+    check_target(target, processes, steps, batch=bool(batch), single_file=single_file)
     header, text = _texts(plan, stem, shape, refine, chunk, compiler, batch, profile, limbs, target)
     files = {
         f"{stem}.cpp": text,

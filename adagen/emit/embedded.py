@@ -16,16 +16,21 @@ _LINE = 64  # what a solver is aligned to
 _BODY, _MOTION, _BLOCK, _COLUMNS = 27, 6, 43, 24  # numbers
 
 
-def check_target(target: str, processes: int, refine: int, *, batch: bool) -> None:
+def check_target(
+    target: str, processes: int, refine: int, *, batch: bool, single_file: bool = False
+) -> None:
     """Refuse what is not emitted for a target.
 
     Raises:
-        UsageError: an embedded solver of several processes or states, or one that refines.
+        UsageError: an embedded solver of several processes or states, one that refines, or one with
+            the program around it.
     """
     if target == "host":
         return
     if processes != 1 or batch:
         raise UsageError("an embedded solver is for one process and one state at a time")
+    if single_file:
+        raise UsageError("an embedded solver has no program around it: leave out --single-file")
     if refine:
         raise UsageError("an embedded solver does not refine; leave out --refine or --scalar mixed")
 

@@ -83,7 +83,13 @@ class Request:
             raise UsageError(f"refine is from 0 to 9, not {self.refine}")
         if self.naive and self.strategy == "exact":
             raise UsageError("naive is for strategy astar or paper")
-        check_target(self.target, self.procs, self.refinement, batch=self.batch)
+        check_target(
+            self.target,
+            self.procs,
+            self.refinement,
+            batch=self.batch,
+            single_file=self.single_file,
+        )
         checked_shape(self.refinement, self.shape)
         if self.batch:
             check_batch(self.shape, self.refinement, self.channel)

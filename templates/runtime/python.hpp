@@ -5,6 +5,9 @@
 #include <Python.h>
 #include <numpy/arrayobject.h>
 #include <structmember.h>
+#if defined(__linux__)
+#include <sched.h>
+#endif
 
 #include <atomic>
 #include <memory>
@@ -287,14 +290,22 @@ bool arrange(PyObject* const* given, Py_ssize_t count, PyObject* names, PyObject
   return true;
 }
 
+// The cores that this process may use.
+npy_intp cores() {
+#if defined(__linux__)
+  cpu_set_t own;
+  if (sched_getaffinity(0, sizeof own, &own) == 0) return std::max(1, CPU_COUNT(&own));
+#endif
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
 // How many threads share some states: as many as are asked for and have something to do, or as pay.
 // Returns 0 where that is refused.
 int threads_for(PyObject* given, npy_intp count) {
   const npy_intp pieces = std::max<npy_intp>(1, (count + kPiece - 1) / kPiece);
   if (given == nullptr || given == Py_None) {
     if (kSharesThreads || count * kNv < 2 * kOfThread) return 1;
-    const npy_intp cores = std::max<npy_intp>(1, std::thread::hardware_concurrency());
-    return static_cast<int>(std::min({cores, count * kNv / kOfThread, pieces}));
+    return static_cast<int>(std::min({cores(), count * kNv / kOfThread, pieces}));
   }
   const long asked = PyLong_AsLong(given);
   if (asked == -1 && PyErr_Occurred() != nullptr) return 0;
