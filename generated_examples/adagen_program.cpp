@@ -139,7 +139,7 @@ template <class Number>
 struct Description {
   const char *robot, *channel;
   int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch;
+  bool floating, alone, batch, sets_gravity;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -179,6 +179,8 @@ class AnySolver {
   // Collective. Returns what is wrong, or an empty string.
   virtual const char* open(Comm comm, const Opening& how) = 0;
   virtual void close() = 0;
+  // For all evaluations to come, of this process: where it can be set.
+  virtual void set_gravity(const double*) {}
   virtual Comm comm() const = 0;
   virtual const char* channel_name() const = 0;
   virtual bool windowed() const = 0;
@@ -861,6 +863,7 @@ void slave(const Joints& joints, [[maybe_unused]] Value* q, [[maybe_unused]] Val
 struct States {
   int count = 0;
   std::vector<Number> q, v, tau;  // one state after the other
+  std::vector<double> gravity;    // where it is set; else none
 };
 
 class StatesReader : private JsonReader {
@@ -898,7 +901,10 @@ class StatesReader : private JsonReader {
                  (about.floating ? "floating" : "fixed") + "; generate it anew");
       } else if (key == "gravity") {
         const std::vector<double> given = numbers();
-        if (given.size() != 3 || !std::equal(given.begin(), given.end(), about.gravity))
+        if (given.size() != 3) refuse("\"gravity\" is not three numbers");
+        if (about.sets_gravity)
+          states.gravity = given;
+        else if (!std::equal(given.begin(), given.end(), about.gravity))
           refuse("\"gravity\": another gravity is compiled into this solver; generate it anew");
       } else {
         refuse("unknown member " + quoted(key.c_str()));
@@ -2401,6 +2407,10 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   MPI_Bcast(&status, 1, MPI_INT, 0, comm);
   if (status != kDone) return status;
   MPI_Bcast(&states.count, 1, MPI_INT, 0, comm);
+  int gravity = static_cast<int>(states.gravity.size());
+  MPI_Bcast(&gravity, 1, MPI_INT, 0, comm);
+  states.gravity.resize(static_cast<std::size_t>(gravity));
+  MPI_Bcast(states.gravity.data(), gravity, MPI_DOUBLE, 0, comm);
   const auto share = [&](std::vector<Number>& x, int n) {
     x.resize(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(n));
     MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiNumber, 0, comm);
@@ -2430,6 +2440,16 @@ struct Session {
   const Number* tau(int s) const { return states.tau.data() + static_cast<long>(s) * about.ntau; }
   Number* acceleration(int s) { return qdd.data() + static_cast<long>(s) * about.nv; }
 
+  // The states file; where it says another gravity, and that can be set, it holds from now on.
+  int load_states() {
+    const int status = load(options.states, comm(), rank, states);
+    if (status != kDone || states.gravity.empty()) return status;
+    gravity_ = states.gravity;
+    about.gravity = gravity_.data();
+    solver.set_gravity(about.gravity);
+    return status;
+  }
+
   void use(States given) {
     states = std::move(given);
     qdd.assign(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(about.nv),
@@ -2455,6 +2475,9 @@ struct Session {
     std::fflush(stderr);
     MPI_Abort(MPI_COMM_WORLD, kFault);
   }
+
+ private:
+  std::vector<double> gravity_;
 };
 
 // The cores that the processes on this node may use: whether there is one for each of them.
@@ -3031,7 +3054,7 @@ class Simulation {
     if (on_.options.states.empty()) {
       on_.use(random_states(1, on_.options.seed, on_.solver));
     } else {
-      const int status = load(on_.options.states, on_.comm(), on_.rank, on_.states);
+      const int status = on_.load_states();
       if (status != kDone) return status;
       if (on_.states.count != 1)
         return on_.complain(
@@ -3558,7 +3581,7 @@ class Program {
     const Options& options = session_.options;
     int status = kDone;
     if (!options.states.empty()) {
-      status = load(options.states, session_.comm(), session_.rank, session_.states);
+      status = session_.load_states();
       const bool loaded = status == kDone;
       if (loaded) status = solve_all();
       if ((status == kDone || (about.batch && loaded)) && session_.rank == 0) {

@@ -31,7 +31,7 @@ class Program {
     const Options& options = session_.options;
     int status = kDone;
     if (!options.states.empty()) {
-      status = load(options.states, session_.comm(), session_.rank, session_.states);
+      status = session_.load_states();
       const bool loaded = status == kDone;
       if (loaded) status = solve_all();
       if ((status == kDone || (about.batch && loaded)) && session_.rank == 0) {

@@ -17,7 +17,7 @@ from adagen.errors import UsageError
 from adagen.model import Inertia, Model
 from adagen.plan import plan_from_json, plan_to_json
 from adagen.run import launch
-from adagen.states import States, random_states
+from adagen.states import States, random_states, write_states
 from tests.emitted import QUICK, ROUNDING, Builder, forward_error, plan_of, truth_of
 from tests.end_to_end.test_library import BY_STEM, filled
 from tests.golden.make_models import MODELS
@@ -220,3 +220,23 @@ def test_processes_go_by_what_process_0_has_set(batch: bool, builder: Builder) -
     found = np.array([each.split()], dtype=float) / (2 if batch else 1)
     truth = truth_of(loaded(sideways, "hand", *hand), state)
     assert forward_error(found, truth) < ROUNDING["double"]
+
+
+@pytest.mark.parametrize("processes", [1, 2])
+@pytest.mark.parametrize("runtime", ["gravity", ""])
+def test_a_program_goes_by_the_gravity_of_its_states(
+    processes: int, runtime: str, builder: Builder, tmp_path: Path
+) -> None:
+    model = BY_STEM["arm7_p1"].model()
+    light = model.with_gravity(MOON)
+    plan = plan_of(model, processes, runtime=runtime)
+    solver = builder.solver(plan, QUICK, name="program", shape="kernels")
+    states = random_states(model, 3, seed=4)
+    if runtime:
+        found = solver.solve(light, states, tmp_path, "--check")
+        assert forward_error(found, truth_of(light, states)) < ROUNDING["double"]
+        return
+    write_states(states, light, tmp_path / "states.json")
+    done = solver.run("--states", tmp_path / "states.json")
+    assert done.status == 1
+    assert "another gravity is compiled into this solver" in done.stderr
