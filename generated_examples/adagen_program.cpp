@@ -139,7 +139,7 @@ template <class Number>
 struct Description {
   const char *robot, *channel;
   int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch;
+  bool floating, alone, batch, sets_gravity;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -150,6 +150,15 @@ struct Description {
   Table<Message> messages;
   const Table<Stage>* stages;  // of each process
   Hop window_hop, message_hop;
+};
+
+// How a solver is opened: its channel, s that processes wait for each other, hosts to play, and
+// whether threads of its own are to stay on a core each.
+struct Opening {
+  const char* channel;
+  double time_limit;
+  int hosts;
+  bool pin;
 };
 
 // How long an evaluation took, ns, and its status: state and result in place, and everything
@@ -168,8 +177,10 @@ class AnySolver {
   virtual ~AnySolver() = default;
 
   // Collective. Returns what is wrong, or an empty string.
-  virtual const char* open(Comm comm, const char* channel, double time_limit, int hosts) = 0;
+  virtual const char* open(Comm comm, const Opening& how) = 0;
   virtual void close() = 0;
+  // For all evaluations to come, of this process: where it can be set.
+  virtual void set_gravity(const double*) {}
   virtual Comm comm() const = 0;
   virtual const char* channel_name() const = 0;
   virtual bool windowed() const = 0;
@@ -289,6 +300,7 @@ using Coupling = adagen::Coupling<Number>;
 using Solver = AnySolver<Number, MPI_Comm>;
 
 constexpr int kRandomStates = 64;
+constexpr std::size_t kTextSize = 1000;
 
 Description<Number> about;  // the solver, as its main has it
 
@@ -311,6 +323,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
+  kNotSet = 16,         // what is to be set at run time is not finite, or is no mass
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -334,9 +347,11 @@ class Text {
     return *this;
   }
   Text& operator+=(int number) {
-    char digits[16];
-    std::snprintf(digits, sizeof digits, "%d", number);
-    return *this += digits;
+    if (number < 0) *this += '-';
+    long rest = number < 0 ? -static_cast<long>(number) : number, unit = 1;
+    while (rest / unit > 9) unit *= 10;
+    for (; unit > 0; unit /= 10) *this += static_cast<char>('0' + rest / unit % 10);
+    return *this;
   }
   const char* c_str() const { return data_; }
   bool empty() const { return size_ == 0; }
@@ -344,7 +359,7 @@ class Text {
 
  private:
   std::size_t size_ = 0;
-  char data_[1000] = "";
+  char data_[kTextSize] = "";
 };
 
 // Adds text as a JSON string, in one line.
@@ -357,9 +372,10 @@ void add_quoted(Words& to, const char* text) {
       to += '\\';
       to += *text;
     } else if (c < 0x20 || c == 0x7F) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", c);
-      to += escape;
+      const char* const digits = "0123456789abcdef";
+      to += "\\u00";
+      to += digits[c / 16];
+      to += digits[c % 16];
     } else {
       to += *text;
     }
@@ -847,6 +863,7 @@ void slave(const Joints& joints, [[maybe_unused]] Value* q, [[maybe_unused]] Val
 struct States {
   int count = 0;
   std::vector<Number> q, v, tau;  // one state after the other
+  std::vector<double> gravity;    // where it is set; else none
 };
 
 class StatesReader : private JsonReader {
@@ -884,7 +901,10 @@ class StatesReader : private JsonReader {
                  (about.floating ? "floating" : "fixed") + "; generate it anew");
       } else if (key == "gravity") {
         const std::vector<double> given = numbers();
-        if (given.size() != 3 || !std::equal(given.begin(), given.end(), about.gravity))
+        if (given.size() != 3) refuse("\"gravity\" is not three numbers");
+        if (about.sets_gravity)
+          states.gravity = given;
+        else if (!std::equal(given.begin(), given.end(), about.gravity))
           refuse("\"gravity\": another gravity is compiled into this solver; generate it anew");
       } else {
         refuse("unknown member " + quoted(key.c_str()));
@@ -2399,6 +2419,10 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   MPI_Bcast(&status, 1, MPI_INT, 0, comm);
   if (status != kDone) return status;
   MPI_Bcast(&states.count, 1, MPI_INT, 0, comm);
+  int gravity = static_cast<int>(states.gravity.size());
+  MPI_Bcast(&gravity, 1, MPI_INT, 0, comm);
+  states.gravity.resize(static_cast<std::size_t>(gravity));
+  MPI_Bcast(states.gravity.data(), gravity, MPI_DOUBLE, 0, comm);
   const auto share = [&](std::vector<Number>& x, int n) {
     x.resize(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(n));
     MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiNumber, 0, comm);
@@ -2428,6 +2452,16 @@ struct Session {
   const Number* tau(int s) const { return states.tau.data() + static_cast<long>(s) * about.ntau; }
   Number* acceleration(int s) { return qdd.data() + static_cast<long>(s) * about.nv; }
 
+  // The states file; where it says another gravity, and that can be set, it holds from now on.
+  int load_states() {
+    const int status = load(options.states, comm(), rank, states);
+    if (status != kDone || states.gravity.empty()) return status;
+    gravity_ = states.gravity;
+    about.gravity = gravity_.data();
+    solver.set_gravity(about.gravity);
+    return status;
+  }
+
   void use(States given) {
     states = std::move(given);
     qdd.assign(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(about.nv),
@@ -2453,6 +2487,9 @@ struct Session {
     std::fflush(stderr);
     MPI_Abort(MPI_COMM_WORLD, kFault);
   }
+
+ private:
+  std::vector<double> gravity_;
 };
 
 // The cores that the processes on this node may use: whether there is one for each of them.
@@ -3029,7 +3066,7 @@ class Simulation {
     if (on_.options.states.empty()) {
       on_.use(random_states(1, on_.options.seed, on_.solver));
     } else {
-      const int status = load(on_.options.states, on_.comm(), on_.rank, on_.states);
+      const int status = on_.load_states();
       if (status != kDone) return status;
       if (on_.states.count != 1)
         return on_.complain(
@@ -3532,8 +3569,8 @@ class Program {
   int run() {
     const Options& options = session_.options;
     session_.watch.start(session_.rank, options.time_limit);
-    const std::string wrong = session_.solver.open(MPI_COMM_WORLD, options.channel.c_str(),
-                                                   options.time_limit, options.hosts);
+    const Opening how{options.channel.c_str(), options.time_limit, options.hosts, options.pin};
+    const std::string wrong = session_.solver.open(MPI_COMM_WORLD, how);
     if (!wrong.empty()) return session_.complain(kFault, wrong);
     int status = options.simulation.seconds > 0 ? simulation_.run() : answer();
     const auto also = [&status](bool asked, auto task) {
@@ -3556,7 +3593,7 @@ class Program {
     const Options& options = session_.options;
     int status = kDone;
     if (!options.states.empty()) {
-      status = load(options.states, session_.comm(), session_.rank, session_.states);
+      status = session_.load_states();
       const bool loaded = status == kDone;
       if (loaded) status = solve_all();
       if ((status == kDone || (about.batch && loaded)) && session_.rank == 0) {

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -52,3 +55,21 @@ def test_the_page_on_the_command_line_tells_what_help_tells(
     main(["--help"])
     for option in set(re.findall(r"^  (--[a-z]+)", capsys.readouterr().out, flags=re.MULTILINE)):
         assert option == "--version" or option in page, option
+
+
+def test_the_example_of_a_simulation_runs(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    picture = tmp_path / "picture.png"
+    done = subprocess.run(
+        [sys.executable, str(ROOT / "docs" / "example_simulation.py"), str(picture)],
+        capture_output=True,
+        text=True,
+        timeout=300,
+        env={**os.environ, "CXXFLAGS": "-O1", "XDG_CACHE_HOME": str(tmp_path)},
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    found = re.findall(r"(?:at most|comes to rest|by|to) (\d\.\d+) rad", done.stdout)
+    off, astray, *_ = map(float, found)
+    assert off < 0.005  # of a motion of a radian, in steps of a millisecond
+    assert 0.1 < astray < 2
+    assert picture.read_bytes().startswith(b"\x89PNG")

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from adagen.cli.console import Stages, note, warned
-from adagen.cli.options import add_emission, add_model, add_out, add_schedule, check_emission
+from adagen.cli.options import AUTO, add_emission, add_model, add_out, add_schedule, check_emission
 from adagen.cli.parser import Parser, make_parser, parse
 
 if TYPE_CHECKING:
@@ -60,6 +60,20 @@ def command_parser() -> Parser:
     add_out(parser)
     parser.add_argument("--name", help="name of the files (default: MODEL's)")
     parser.add_argument(
+        "--target",
+        choices=("host", "embedded"),
+        default="host",
+        help="embedded: a solver without heap, exceptions, threads and output, in memory that it "
+        "is given (docs/library.md)",
+    )
+    parser.add_argument(
+        "--runtime",
+        default="",
+        metavar="WORDS",
+        help="what can be set at run time, with commas between: gravity, mass:LINK, "
+        "center:LINK (docs/library.md)",
+    )
+    parser.add_argument(
         "--single-file",
         action="store_true",
         help="write a source that holds the program around the solver, too, and stands alone",
@@ -85,6 +99,8 @@ def options_of(argv: Sequence[str]) -> argparse.Namespace:
     parser = command_parser()
     options = parse(parser, argv)
     check_emission(parser, options)
+    if options.target == "embedded" and options.procs == AUTO:
+        options.procs = 1
     return options
 
 

@@ -85,6 +85,8 @@ RARE = frozenset(
         "--tuned",
         "--channel",
         "--reproducible",
+        "--runtime",
+        "--target",
         "--single-file",
         "--cmake-dir",
         "--name",

@@ -85,6 +85,7 @@ _ASKED = (
     *("form", "scalar", "channel", "shape", "refine", "batch", "profile", "schedule", "objective"),
     *("tie", "strategy", "split", "naive", "expansions", "name", "single_file"),
     "reproducible",
+    *("runtime", "target"),
 )
 """Members of a request that are options of the same name."""
 

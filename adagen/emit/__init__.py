@@ -8,6 +8,7 @@ from adagen import __version__
 from adagen.cost import programmed
 from adagen.emit import headers
 from adagen.emit.around import PROGRAM_FILE, options_of, program_text, standalone
+from adagen.emit.embedded import check_target, embedded_values
 from adagen.emit.head import algorithm, program_lines
 from adagen.emit.interface import FAILURES
 from adagen.emit.model import model_values
@@ -60,6 +61,7 @@ def emit(
     profile: CostProfile | None = None,
     limbs: Grouping | None = None,
     single_file: bool = False,
+    target: str = "host",
 ) -> dict[str, str]:
     """Return the emitted files, file name to text.
 
@@ -79,22 +81,31 @@ def emit(
         limbs: those that each process takes side by side, one in each SIMD lane; None for those
             of least price.
         single_file: whether NAME_pP.cpp holds the program, too, and stands alone.
+        target: "host", or "embedded" for a solver that needs no operating system.
 
     Returns:
         NAME_pP.cpp, NAME_pP.h, NAME_pP.plan.json, NAME_pP.pc and, if given, NAME_pP.svg; and for
         all the same adagen_program.cpp, the program around them, Makefile and CMakeLists.txt, which
-        build all in their folder.
+        build all in their folder. Of an embedded solver source, header, plan and drawing alone.
 
     Raises:
         UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
     """
     processes = batch or len(plan.processes)
     stem = stem_of(plan, name, batch)
-    header, text = _texts(plan, stem, shape, refine, chunk, compiler, batch, profile, limbs)
+    steps = refinement_steps(refine, plan.scalar)
+    check_target(target, processes, steps, batch=bool(batch), single_file=single_file)
+    header, text = _texts(plan, stem, shape, refine, chunk, compiler, batch, profile, limbs, target)
     files = {
         f"{stem}.cpp": text,
         f"{stem}.h": header,
         f"{stem}.plan.json": plan_to_json(replace(plan, profile=_named(profile))),
+    }
+    if svg is not None:
+        files[f"{stem}.svg"] = svg
+    if target == "embedded":
+        return files
+    files |= {
         f"{stem}.pc": render(
             "solver.pc.j2",
             stem=stem,
@@ -110,8 +121,6 @@ def emit(
         files[f"{stem}.cpp"] = standalone(text, program_text())
     else:
         files[PROGRAM_FILE] = program_text()
-    if svg is not None:
-        files[f"{stem}.svg"] = svg
     return files
 
 
@@ -147,6 +156,8 @@ def program_of(
         if len(plan.processes) > 1:
             raise UsageError("a batch is solved by the plan of one process")
         check_batch(shape, refine, plan.channel)
+    if refine and plan.sets_inertias:
+        raise UsageError("masses cannot be set where answers are refined: leave one of both out")
     if refine and checked_shape(refine, shape) == "auto":
         shape = stepwise(plan)
     shape = chosen_shape(plan, shape, batch=batch, profile=profile)
@@ -175,6 +186,7 @@ def _texts(
     batch: int,
     profile: CostProfile | None,
     limbs: Grouping | None,
+    target: str = "host",
 ) -> tuple[str, str]:
     """Return the C header and the C++ source of a plan; the source holds the header's text."""
     program = program_of(plan, shape, refine, batch=bool(batch), profile=profile, limbs=limbs)
@@ -184,7 +196,9 @@ def _texts(
     words = Words(program, refine, chunk)
     processes = batch or len(plan.processes)
     mpi = processes > 1 and not plan.threads
+    embedded = target == "embedded"
     costs = load_profile("default") if profile is None else profile
+    of_shape = KNOWN[shape].values(words)
     values: dict[str, object] = {
         "number": words.number,
         "real": FACTORS[plan.scalar],
@@ -208,13 +222,15 @@ def _texts(
         "program_file": PROGRAM_FILE,
         "program_options": options_of(mpi, words.number),
         "comm": "MPI_Comm" if mpi else "adagen::OneProcess",
-        "headers": headers.of_solver(mpi, plan.threads, plan.reproducible),
+        "embedded": embedded,
+        "headers": headers.of_solver(mpi, plan.threads, plan.reproducible, embedded=embedded),
         "failures": FAILURES,
         **_head(program, stem, chunk, compiler),
         "algorithm": algorithm(program),
         "program_lines": program_lines(program, costs),
         **model_values(words),
-        **KNOWN[shape].values(words),
+        **of_shape,
+        **(embedded_values(words, of_shape) if embedded else {}),
     }
     header = render("interface.h.j2", **values)
     return header, render("solver.cpp.j2", interface=header, **values)
@@ -310,6 +326,7 @@ def _channel_messages(words: Words) -> list[dict[str, object]]:
     ]
     for p, process in enumerate(words.plan.processes[1:], start=1):
         state, result = table_sizes(words, process)
+        state += len(words.plan.parameter_values)
         rows.append({"source": 0, "target": p, "size": state, "comment": "state"})
         rows.append({"source": p, "target": 0, "size": result, "comment": "accelerations"})
     return rows + refinement_messages(words)

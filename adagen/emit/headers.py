@@ -50,14 +50,20 @@ PROGRAM = (
 REPRODUCIBLE = ("cfloat",)
 """Of solvers whose answers are the same everywhere."""
 
+HOSTED = ("chrono", "cstdio")
+"""Of a solver's, what an embedded one does without."""
 
-def of_solver(mpi: bool, threads: bool, reproducible: bool) -> list[str]:
+
+def of_solver(mpi: bool, threads: bool, reproducible: bool, *, embedded: bool = False) -> list[str]:
     """Return what a solver includes.
 
     Args:
         mpi: whether it exchanges messages.
         threads: whether its processes are threads.
         reproducible: whether its answers are the same everywhere.
+        embedded: whether it needs no operating system.
     """
+    if embedded:
+        return sorted({*SOLVER} - {*HOSTED})
     more = zip((MPI, THREADS, REPRODUCIBLE), (mpi, threads, reproducible), strict=True)
     return sorted({*SOLVER, *(name for names, wanted in more if wanted for name in names)})

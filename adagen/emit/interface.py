@@ -36,6 +36,7 @@ FAILURES = (
     FailureRow("NOT_REFINED", 7, "refinement does not converge"),
     FailureRow("GIMBAL_LOCK", 8, "joints that are joined as one do not move in as many directions"),
     FailureRow("GROWTH", 9, "a link beside a joint is too light for its neighbours"),
+    FailureRow("NOT_SET", 16, "what is to be set at run time is not finite, or is no mass"),
     FailureRow("TOO_FEW_STEPS", 11, "refinement converges too slowly"),
     FailureRow("LOOP_OPEN", 12, "a loop or coupling is not closed in this configuration"),
     FailureRow("LOOP_TORN", 13, "this velocity tears a loop or coupling open"),

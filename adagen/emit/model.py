@@ -16,6 +16,13 @@ def model_values(words: Words) -> dict[str, object]:
     nv = sum(KINDS[joint.kind].nv for joint in plan.joints)
     return {
         "gravity": ", ".join(repr(g) for g in plan.gravity),
+        "parameters": [repr(x) for x in plan.parameter_values],
+        "gravity_entry": plan.entry_of_parameter("gravity"),
+        "settable_links": _settable_links(words),
+        "settable": sorted({parameter.what for parameter in plan.parameters}),
+        "at_run_time": [
+            f"{p.what} of {quoted(p.name)}" if p.link else p.what for p in plan.parameters
+        ],
         "nq": sum(KINDS[joint.kind].nq for joint in plan.joints),
         "nv": nv,
         "ntau": nv + 6 * len(plan.wrenches),
@@ -51,6 +58,26 @@ def _links(words: Words) -> list[dict[str, object]]:
         }
         for k, link in enumerate(plan.links)
     ]
+
+
+def _settable_links(words: Words) -> list[dict[str, object]]:
+    """Links whose mass or centre of mass can be set at run time, the ground being 0."""
+    plan = words.plan
+    rows = []
+    for k in sorted({parameter.link for parameter in plan.parameters} - {0}):
+        mass, center = (plan.entry_of_parameter(what, k) for what in ("mass", "center"))
+        axes = next((p.rotation for p in plan.parameters if p.link == k and p.rotation), ())
+        rows.append(
+            {
+                "word": words.links[k],
+                "quoted": words.quoted_link(k),
+                "link": k,
+                "mass": -1 if mass is None else mass,
+                "center": -1 if center is None else center,
+                "axes": ", ".join(repr(x) for row in axes for x in row),
+            }
+        )
+    return rows
 
 
 def _joints(words: Words) -> list[dict[str, object]]:

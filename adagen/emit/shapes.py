@@ -65,7 +65,8 @@ compilers take minutes."""
 def stepwise(plan: Plan) -> str:
     """Return the fastest shape that does a plan step by step, as cost profiles price it.
 
-    Refined plans are emitted in it, too.
+    Refined plans are emitted in it, too. Masses that can be set are no constants in straight lines,
+    where loops do not take a plan.
     """
     names = ("kernels", "joints", "unrolled")  # closed loops are straight lines alone
     return next(name for name in names if SHAPES[name].why_not(plan) is None)

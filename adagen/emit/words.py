@@ -63,11 +63,6 @@ class Words:
         """The type of states and answers."""
         return "float" if self.plan.scalar == "float" else "double"
 
-    @property
-    def ground(self) -> str:
-        """The ground's acceleration, which a correction does not feel."""
-        return "w.ground" if self.refine else "kGround"
-
     @cached_property
     def loaded(self) -> frozenset[int]:
         """Links that handle forces load."""

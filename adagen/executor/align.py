@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from adagen.exact import Exact, exact, identity, rotated_inertia, rounded
 from adagen.plan import Plan
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.types import PlanJoint, PlanLink
+from adagen.plan.types import PlanJoint, PlanLink, PlanParameter
 
 Array = NDArray[np.float64]
 _Part = tuple[PlanJoint, PlanLink]
@@ -185,7 +185,18 @@ def _turned(plan: Plan, turns: Mapping[int, Exact]) -> Plan:
             else wrench
             for wrench in plan.wrenches
         ),
+        parameters=tuple(
+            replace(parameter, turn=_rows(links[parameter.link].T.dot(exact(_turn_of(parameter)))))
+            if parameter.link in links and parameter.what == "center"
+            else parameter
+            for parameter in plan.parameters
+        ),
     )
+
+
+def _turn_of(parameter: PlanParameter) -> Exact | tuple[tuple[float, ...], ...]:
+    """How a parameter's link has been turned so far."""
+    return parameter.turn or identity(3)
 
 
 def _joint(joint: PlanJoint, j: int, links: Mapping[int, Exact]) -> PlanJoint:

@@ -153,9 +153,8 @@ class Motion:
         return None if drift is None else self.state.column(drift)
 
     def link_inertia(self, number: int) -> Array:
-        """Spatial inertia at the link's origin, constant, shape (6, 6)."""
-        c = self.state.rows.of_link(number, lambda link: link.com)
-        mass = self.state.rows.of_link(number, lambda link: link.mass)[()]
+        """Spatial inertia at the link's origin, shape (6, 6): constant, but for what can be set."""
+        c, mass = self.state.rows.com(number), self.state.rows.mass(number)
         zero = self.state.graph.constant(0)
         m = c * mass
         mx = np.array([[zero, -m[2], m[1]], [m[2], zero, -m[0]], [-m[1], m[0], zero]])

@@ -6,7 +6,7 @@ A row's values are wide. They are kept in the name of its first joint, and of th
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -56,6 +56,15 @@ class Rows:
         """Return numbers of a link as constants, of those beyond a row those of its lanes."""
         links = self.state.plan.links
         return self._constants([read(links[j + 1]) for j in self.lanes(number - 1)])
+
+    def mass(self, number: int) -> Expression:
+        """Return the mass of a link, of those beyond a row those of its lanes."""
+        masses = [self.state.mass(j + 1) for j in self.lanes(number - 1)]
+        return cast("Expression", self.packed(masses)[()])
+
+    def com(self, number: int) -> Array:
+        """Return the centre of mass of a link likewise, shape (3,)."""
+        return self.packed([self.state.com(j + 1) for j in self.lanes(number - 1)])
 
     def _constants(self, values: Sequence[Any]) -> Array:
         return self.packed([self.state.constants(value) for value in values])

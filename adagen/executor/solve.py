@@ -80,7 +80,8 @@ class Run:
 
     Args:
         plan: the plan.
-        inputs: numbers by the names of the arrays that inputs are entries of: "q", "v", "tau".
+        inputs: numbers by the names of the arrays that inputs are entries of: "q", "v", "tau"; and
+            "parameter", if they are not as in the plan.
         algebra: what is computed with.
         refining: what of iterative refinement is computed, if any.
         once: whether to compute in double at once, without graphs. It is the faster way where a
@@ -101,7 +102,8 @@ class Run:
         once: bool = False,
         lanes: Lanes = False,
     ) -> None:
-        self.plan, self.inputs, self.algebra, self.once = plan, inputs, algebra, once
+        self.plan, self.algebra, self.once = plan, algebra, once
+        self.inputs = {"parameter": plan.parameter_values, **inputs}
         self._circular: dict[int, list[tuple[Any, Any]]] = {}
         self._mail: dict[int, list[Any]] = {}
         lookups = [self._lookup(p) for p in range(len(plan.processes))]

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from adagen.executor.checks import Check
 from adagen.executor.lanes import rows_of
 from adagen.executor.rows import Rows
-from adagen.graph import Expression, Factors, Graph, Numbers, factorize, total
+from adagen.graph import Expression, Factors, Graph, Numbers, factorize, matrix_times, total
 from adagen.model.kinds import HELD, KINDS, JointKind
 from adagen.plan.digits import EPSILON
 from adagen.plan.simd_groups import Limbs
@@ -132,7 +132,26 @@ class State:
         """Return the ground's acceleration relative to free fall, shape (3,)."""
         if self.refining == "correction":
             return self.zeros(3)
-        return self.constants([-g for g in self.plan.gravity])
+        first = self.plan.entry_of_parameter("gravity")
+        if first is None:
+            return self.constants([-g for g in self.plan.gravity])
+        return -np.array([self.graph.input(f"parameter[{first + k}]") for k in range(3)], object)
+
+    def mass(self, link: int) -> Array:
+        """Return a link's mass, shape ()."""
+        entry = self.plan.entry_of_parameter("mass", link)
+        if entry is None:
+            return self.constants(self.plan.links[link].mass)
+        return np.array(self.graph.input(f"parameter[{entry}]"), object)
+
+    def com(self, link: int) -> Array:
+        """Return a link's centre of mass, shape (3,)."""
+        entry = self.plan.entry_of_parameter("center", link)
+        if entry is None:
+            return self.constants(self.plan.links[link].com)
+        given = np.array([self.graph.input(f"parameter[{entry + k}]") for k in range(3)], object)
+        (turn,) = (p.turn for p in self.plan.parameters if (p.what, p.link) == ("center", link))
+        return matrix_times(self.constants(turn), given) if turn else given
 
     def circular(self, angle: Expression) -> tuple[Expression, Expression]:
         """Cosine and sine; they are taken of all angles of the process at once."""

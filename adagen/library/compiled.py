@@ -170,6 +170,7 @@ def planned(model: Model, schedule: Schedule, request: Request, source_hash: str
         channel=request.channel,
         source_hash=source_hash,
         reproducible=request.reproducible,
+        runtime=request.runtime,
     )
 
 
@@ -210,6 +211,7 @@ def emitted(
         compiler=request.compiler,
         profile=profile,
         single_file=request.single_file,
+        target=request.target,
     )
     line = timeline(program, profile) if priced else None
     return Compiled(model, origin, request, schedule, plan, program, line, files)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from adagen.emit import check_batch, check_reproducible
+from adagen.emit.embedded import TARGETS, check_target
 from adagen.emit.refine import checked_shape, refinement_steps
 from adagen.errors import UsageError
 
@@ -35,6 +36,9 @@ class Request:
         name: of the files; None: the robot description's.
         chunk: values that one function of shape unrolled computes; 0 for its default.
         compiler: that the source is meant for; "" for any.
+        target: "host", or "embedded": a solver that needs no operating system, nor its heap.
+        runtime: what can be set at run time, words with commas between them: "gravity",
+            "mass:LINK", "center:LINK".
         tuned: whether shape, chunk and compiler were found by trying; processes do not gather then.
         single_file: whether the source holds the program around the solver, too.
         reproducible: whether answers are the same to the last bit on every number of processes, in
@@ -59,6 +63,8 @@ class Request:
     name: str | None = None
     chunk: int = 0
     compiler: str = ""
+    target: Literal["host", "embedded"] = "host"
+    runtime: str = ""
     tuned: bool = False
     single_file: bool = False
     reproducible: bool = False
@@ -80,11 +86,28 @@ class Request:
             raise UsageError(f"refine is from 0 to 9, not {self.refine}")
         if self.naive and self.strategy == "exact":
             raise UsageError("naive is for strategy astar or paper")
+        check_target(
+            self.target,
+            self.procs,
+            self.refinement,
+            batch=self.batch,
+            single_file=self.single_file,
+        )
         checked_shape(self.refinement, self.shape)
         if self.batch:
             check_batch(self.shape, self.refinement, self.channel)
         if self.reproducible:
             check_reproducible(self.form, self.scalar, self.refinement, self.shape)
+            self._check_bare()
+
+    def _check_bare(self) -> None:
+        """Refuse what reproducible solvers do not have."""
+        for name, asked in (("runtime", self.runtime), ("target", self.target != "host")):
+            if asked:
+                raise UsageError(
+                    f"reproducible solvers are not emitted with --{name}: leave out --reproducible "
+                    f"or --{name}"
+                )
 
     @property
     def refinement(self) -> int:
@@ -122,6 +145,7 @@ _KNOWN = {
     "form": ("segment", "ada"),
     "scalar": ("double", "float", "mixed"),
     "channel": ("auto", "window", "message", "threads"),
+    "target": TARGETS,
     "shape": ("auto", "unrolled", "kernels", "joints"),
     "objective": ("time", "accuracy", "both"),
     "tie": ("work", "lex"),

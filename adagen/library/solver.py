@@ -31,8 +31,9 @@ class Solver:
     those of shape (S, nv). SI units; how joints lie in q and v stands in docs/command_line.md:
     quaternions x y z w, floating joints [linear; angular] in the body's frame.
 
-    Threads take turns with one solver; copies (``copy.copy``) work side by side: other threads of
-    Python run while many states are solved. Solvers can be pickled, and are built anew, or found in
+    Many states are shared out to the machine's cores. Threads of Python take turns with one solver;
+    copies (``copy.copy``) work side by side: other threads of Python run while many states are
+    solved. Solvers can be pickled, and are built anew, or found in
     the cache, where they arrive.
 
     Attributes:
@@ -40,11 +41,18 @@ class Solver:
     """
 
     compiled: Compiled
+    _parameters: NDArray[np.float64]
 
     if TYPE_CHECKING:  # the extension has it
 
         def __call__(
-            self, q: ArrayLike, v: ArrayLike, tau: ArrayLike, out: NDArray[Any] | None = None
+            self,
+            q: ArrayLike,
+            v: ArrayLike,
+            tau: ArrayLike,
+            out: NDArray[Any] | None = None,
+            *,
+            threads: int | None = None,
         ) -> NDArray[Any]:
             """Return the accelerations of one state or of many.
 
@@ -54,6 +62,9 @@ class Solver:
                 tau: forces and torques, shape (ntau,) or (S, ntau); N, N m.
                 out: where accelerations go, an array of ``dtype`` in the shape of v, written row
                     behind row; a new one if not given. It is none of the others.
+                threads: that share the states, 1 to 1024; None: as many as pay, at most one for
+                    each core, and one alone for fewer than some 100,000 accelerations. Answers are
+                    the same to the last bit.
 
             Returns:
                 Accelerations, shape (nv,) or (S, nv); m/s^2, rad/s^2.
@@ -61,9 +72,83 @@ class Solver:
             Raises:
                 SolveError: a state cannot be solved; it names the joint. Of one state nothing is
                     written, of many those that fail become NaN.
-                ValueError: a shape is wrong.
+                ValueError: a shape or a number of threads is wrong.
                 TypeError: what is given holds no real numbers.
             """
+
+        def _set(self, first: int, numbers: ArrayLike) -> None:
+            """Set numbers of what can be set at run time, from the one numbered first on."""
+
+    @property
+    def gravity(self) -> NDArray[Any]:
+        """Acceleration of free fall in ground axes, shape (3,), m/s^2.
+
+        It can be set where the robot was compiled with ``runtime="gravity"``: for all calls to
+        come, and of copies and pickles made from then on.
+
+        Raises:
+            UsageError: it is set, and was compiled in.
+            ValueError: it is set to something else than three finite numbers.
+        """
+        plan = self.compiled.plan
+        first = plan.entry_of_parameter("gravity")
+        return np.array(plan.gravity if first is None else self._parameters[first : first + 3])
+
+    @gravity.setter
+    def gravity(self, value: ArrayLike) -> None:
+        given = np.asarray(value, np.float64)
+        if given.shape != (3,):
+            raise ValueError(f"gravity has shape (3,), not {given.shape}")
+        self._put("gravity", given)
+
+    def set_mass(self, link: str, mass: float) -> None:
+        """Set the mass of a link with all that is fixed to it, for all calls to come.
+
+        The robot was compiled with ``runtime="mass:LINK"``. Copies and pickles have what is set.
+
+        Args:
+            link: its name in the description.
+            mass: kg, more than 0.
+
+        Raises:
+            UsageError: it is compiled in.
+            ValueError: it is no mass.
+        """
+        if not mass > 0:
+            raise ValueError(f"a mass is more than 0 kg, not {mass}")
+        self._put("mass", np.array([mass], np.float64), link)
+
+    def set_center(self, link: str, center: ArrayLike) -> None:
+        """Set where a link's centre of mass is; its rotational inertia about that stays.
+
+        The robot was compiled with ``runtime="center:LINK"``. Copies and pickles have what is set.
+
+        Args:
+            link: its name in the description.
+            center: of all that is fixed to the link, too, in the link's frame, shape (3,), m.
+
+        Raises:
+            UsageError: it is compiled in.
+            ValueError: it is something else than three finite numbers.
+        """
+        given = np.asarray(center, np.float64)
+        if given.shape != (3,):
+            raise ValueError(f"a centre of mass has shape (3,), not {given.shape}")
+        self._put("center", given, link)
+
+    def _put(self, what: str, numbers: NDArray[Any], link: str = "") -> None:
+        """Set what can be set at run time."""
+        plan = self.compiled.plan
+        for parameter in plan.parameters:
+            if (parameter.what, parameter.name) == (what, link):
+                break
+        else:
+            word = printable(f"{what}:{link}" if link else what)
+            raise UsageError(f'{word} is compiled in: compile with runtime="{word}" to set it')
+        first = plan.entry_of_parameter(what, parameter.link) or 0
+        own = np.array(parameter.rotation) @ numbers if parameter.rotation else numbers
+        self._set(first, own)
+        self._parameters[first : first + len(own)] = own
 
     @property
     def joints(self) -> tuple[str, ...]:
@@ -149,13 +234,13 @@ class Solver:
         return model.v_start[j], model.joints[j].kind.nv
 
     def __copy__(self) -> Solver:
-        return built(self.compiled)
+        return _again(self.compiled, self._parameters)
 
     def __deepcopy__(self, _: object) -> Solver:
-        return built(self.compiled)
+        return _again(self.compiled, self._parameters)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return built, (self.compiled,)
+        return _again, (self.compiled, self._parameters)
 
     def __repr__(self) -> str:
         return f"<adagen.Solver {self.compiled.stem}: {self.nq} in q, {self.nv} in v>"
@@ -184,6 +269,16 @@ def built(compiled: Compiled, toolchain: Toolchain | None = None) -> Solver:
     name = f"{compiled.stem}.so"
     solver = _type_of(build_executable(source, name, toolchain))()
     solver.compiled = compiled
+    solver._parameters = np.array(compiled.plan.parameter_values)
+    return solver
+
+
+def _again(compiled: Compiled, parameters: NDArray[np.float64]) -> Solver:
+    """Return another solver of what was compiled, with the same set at run time."""
+    solver = built(compiled)
+    if len(parameters):
+        solver._set(0, parameters)
+    solver._parameters = parameters.copy()
     return solver
 
 
@@ -197,7 +292,9 @@ def _with_python(toolchain: Toolchain) -> Toolchain:
         )
     numpy = f'-DADAGEN_BUILT_FOR="{sysconfig.get_config_var("SOABI")}-{np.__version__}"'
     folders = ("-isystem", str(python), "-isystem", np.get_include())
-    return replace(toolchain, flags=(*toolchain.flags, "-shared", "-fPIC", numpy, *folders))
+    return replace(
+        toolchain, flags=(*toolchain.flags, "-shared", "-fPIC", "-pthread", numpy, *folders)
+    )
 
 
 @cache

@@ -13,6 +13,7 @@ from adagen.plan.closures import closures_of
 from adagen.plan.clusters import ClusterPlanner, clusters_of
 from adagen.plan.constants import couplings_of, joints_of, links_of, loops_of, wrenches_of
 from adagen.plan.gather import GatherPlanner, why_not_gather
+from adagen.plan.parameters import parameters_of, refuse_inverted
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.serial import check_reproducible
 from adagen.plan.serialise import plan_from_json, plan_to_json
@@ -50,6 +51,7 @@ def make_plan(
     source_hash: str = "",
     meeting: str = "auto",
     reproducible: bool = False,
+    runtime: str = "",
 ) -> Plan:
     """Return what each process of a schedule does.
 
@@ -63,10 +65,12 @@ def make_plan(
         meeting: how segments meet, one of ``MEETINGS``: joined at the cuts by Eq. (3)-(10), or
             gathered at a small core, in one exchange; "auto": as the schedule says.
         reproducible: whether answers are the same to the last bit on any number of processes.
+        runtime: what can be set at run time (see ``parameters_of``).
 
     Raises:
         InputError: a link's inertia cannot be inverted where the form needs it.
-        UsageError: an unknown form, scalar or channel, or a schedule that is not reproducible.
+        UsageError: an unknown form, scalar, channel or run-time parameter, or a schedule that is
+            not reproducible.
     """
     for word, known, what in (
         (form, tuple(FORMS), "form"),
@@ -76,12 +80,13 @@ def make_plan(
     ):
         if word not in known:
             raise UsageError(f'unknown {what} "{word}"; known: {", ".join(known)}')
-    joints = joints_of(model)
+    joints, parameters = joints_of(model), parameters_of(model, runtime)
     planner = planner_of(model, schedule, form, meeting)
     processes, messages = planner.plan()
     if planner.fusions.fused:
         model = settled(model, planner.fusions.fused)
     bare = {step.link for p in processes for step in p.steps if isinstance(step, LinkBias)}
+    refuse_inverted(parameters, bare)
     plan = Plan(
         name=model.name,
         source_hash=source_hash,
@@ -100,6 +105,7 @@ def make_plan(
         loops=loops_of(model),
         couplings=couplings_of(model),
         reproducible=reproducible,
+        parameters=parameters,
     )
     if reproducible:
         gathered = planner.gathered() if isinstance(planner, GatherPlanner) else None

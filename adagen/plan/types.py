@@ -184,6 +184,29 @@ class PlanCoupling:
 
 
 @dataclass(frozen=True)
+class PlanParameter:
+    """A constant that can be set at run time.
+
+    Attributes:
+        what: "gravity", "mass" or "center".
+        values: what it is until then, SI units: gravity in ground axes, a link's mass, or its
+            centre of mass in its canonical frame.
+        link: whose mass or centre of mass it is.
+        name: that link's name in the robot description.
+        rotation: of the link's frame in the description, in which a centre of mass is set, in its
+            canonical frame, 3x3.
+        turn: of that one in the frame that the link has now, 3x3; empty where it is the same.
+    """
+
+    what: str
+    values: tuple[float, ...]
+    link: int = field(default=0, metadata=OPTIONAL)
+    name: str = field(default="", metadata=OPTIONAL)
+    rotation: tuple[tuple[float, ...], ...] = field(default=(), metadata=OPTIONAL)
+    turn: tuple[tuple[float, ...], ...] = field(default=(), metadata=OPTIONAL)
+
+
+@dataclass(frozen=True)
 class Process:
     """What one process does.
 
@@ -235,6 +258,7 @@ class Plan:
         couplings: joints whose coordinates are tied.
         reproducible: whether its processes share out the straight line of one, so that answers are
             the same to the last bit on any number of them (adagen/plan/serial.py).
+        parameters: constants that can be set at run time.
     """
 
     name: str
@@ -255,6 +279,7 @@ class Plan:
     loops: tuple[PlanLoop, ...] = field(default=(), metadata=OPTIONAL)
     couplings: tuple[PlanCoupling, ...] = field(default=(), metadata=OPTIONAL)
     reproducible: bool = field(default=False, metadata=OPTIONAL)
+    parameters: tuple[PlanParameter, ...] = field(default=(), metadata=OPTIONAL)
 
     def place(self, number: int) -> str:
         """Return what can fail by number in words: joints, then loops, then couplings."""
@@ -324,6 +349,25 @@ class Plan:
     def entry_of_wrench(self, k: int) -> int:
         """Return where the six numbers of outer force ``k`` start in tau."""
         return sum(KINDS[joint.kind].nv for joint in self.joints) + 6 * k
+
+    @property
+    def parameter_values(self) -> tuple[float, ...]:
+        """The numbers of all parameters, one parameter after the other."""
+        return tuple(x for parameter in self.parameters for x in parameter.values)
+
+    def entry_of_parameter(self, what: str, link: int = 0) -> int | None:
+        """Return where a parameter starts among the numbers of all; None where it is constant."""
+        first = 0
+        for parameter in self.parameters:
+            if (parameter.what, parameter.link) == (what, link):
+                return first
+            first += len(parameter.values)
+        return None
+
+    @property
+    def sets_inertias(self) -> bool:
+        """Whether masses or centres of mass of links can be set at run time."""
+        return any(parameter.link for parameter in self.parameters)
 
     def paths(self, joints: Iterable[int]) -> set[int]:
         """Return the joints from the ground down to some joints, these included."""

@@ -73,6 +73,7 @@ enum {
   ARM7_BATCH_P2_NOT_REFINED = 7,  // refinement does not converge
   ARM7_BATCH_P2_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   ARM7_BATCH_P2_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  ARM7_BATCH_P2_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
   ARM7_BATCH_P2_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   ARM7_BATCH_P2_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
   ARM7_BATCH_P2_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
@@ -172,7 +173,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr bool kBatch = true;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
 [[maybe_unused]] constexpr int kPlanMessages = 0;
-constexpr std::size_t kCacheLine = 64;
+constexpr std::size_t kCacheLine = 64, kTextSize = 1000;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
 const MPI_Datatype kMpiNumber = MPI_DOUBLE;
 
@@ -336,6 +337,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
+  kNotSet = 16,         // what is to be set at run time is not finite, or is no mass
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -359,9 +361,11 @@ class Text {
     return *this;
   }
   Text& operator+=(int number) {
-    char digits[16];
-    std::snprintf(digits, sizeof digits, "%d", number);
-    return *this += digits;
+    if (number < 0) *this += '-';
+    long rest = number < 0 ? -static_cast<long>(number) : number, unit = 1;
+    while (rest / unit > 9) unit *= 10;
+    for (; unit > 0; unit /= 10) *this += static_cast<char>('0' + rest / unit % 10);
+    return *this;
   }
   const char* c_str() const { return data_; }
   bool empty() const { return size_ == 0; }
@@ -369,7 +373,7 @@ class Text {
 
  private:
   std::size_t size_ = 0;
-  char data_[1000] = "";
+  char data_[kTextSize] = "";
 };
 
 // Adds text as a JSON string, in one line.
@@ -382,9 +386,10 @@ void add_quoted(Words& to, const char* text) {
       to += '\\';
       to += *text;
     } else if (c < 0x20 || c == 0x7F) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", c);
-      to += escape;
+      const char* const digits = "0123456789abcdef";
+      to += "\\u00";
+      to += digits[c / 16];
+      to += digits[c % 16];
     } else {
       to += *text;
     }
@@ -446,6 +451,8 @@ constexpr FailureWords words_of(Failure kind) {
       return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
+    case kNotSet:
+      return {false, "what is to be set at run time is not finite, or is no mass"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
@@ -2078,6 +2085,12 @@ constexpr std::array<Range, 1> kTorque_0{ {{0, 9}} };
     {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
 } };
 
+// All constants are as they were emitted.
+constexpr int kParameterCount = 0;
+inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
+inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
+[[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
+
 // States of process 0, one after the other, and where their accelerations go.
 struct Batch {
   int count;
@@ -2088,14 +2101,16 @@ struct Batch {
 // Process 0 hands pieces of a batch to the others as they finish earlier ones, and solves pieces in
 // between itself: faster processes get more, wherever they are. A process has two pieces, so that
 // one is on its way while the other is solved. A piece is one message, all q, then all v, then all
-// tau; an empty one is the end. The answer is the accelerations.
+// tau, then what is set at run time; an empty one is the end. The answer is the accelerations.
 class Handout {
  public:
   // At process 0. Returns whether all states could be solved; that a process is gone joins the
   // status.
   template <class Solve>
-  bool hand_out(Channel& channel, int helpers, const Batch& batch, Solve solve, int& status) {
+  bool hand_out(Channel& channel, int helpers, const Batch& batch, const Workspace& w, Solve solve,
+                int& status) {
     bool good = true;
+    pack_parameters(parameters_.data(), w);
     int next = 0;
     const auto take = [&] {
       const int first = next;
@@ -2143,8 +2158,8 @@ class Handout {
 
   // At the others, until process 0 has nothing more; patient: however long it takes. That process
   // 0 has ended it all joins the status.
-  template <class Solve>
-  void help(Channel& channel, Solve solve, int& status, bool patient) {
+  template <class Solve, class Take>
+  void help(Channel& channel, Solve solve, Take take_parameters, int& status, bool patient) {
     for (Taken& piece : taken_) ask(channel, piece);
     int ends = 0;
     for (std::size_t k = 0; ends < 2 && status == kFine; k ^= 1) {
@@ -2159,8 +2174,9 @@ class Handout {
         if (numbers == 0) ++ends;
         continue;
       }
-      const int count = numbers / kNumbers;
+      const int count = (numbers - kParameterCount) / kNumbers;
       const Number* const v = piece.states.data() + count * kNq;
+      take_parameters(piece.states.data() + count * kNumbers);
       const bool good = solve(count, piece.states.data(), v, v + count * kNv, piece.qdd.data());
       MPI_Isend(piece.qdd.data(), count * kNv, kMpiNumber, 0, good ? kSolved : kFailed,
                 channel.comm(), &piece.answered);
@@ -2181,7 +2197,7 @@ class Handout {
     MPI_Request sent = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
   };
   struct Taken {
-    std::array<Number, static_cast<std::size_t>(kMost) * kNumbers> states;
+    std::array<Number, static_cast<std::size_t>(kMost) * kNumbers + kParameterCount> states;
     std::array<Number, static_cast<std::size_t>(kMost) * kNv> qdd;
     MPI_Request asked = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
   };
@@ -2214,16 +2230,16 @@ class Handout {
     return done != 0;
   }
 
-  static void give(Channel& channel, Given& given, int p, const Batch& batch, int first, int count,
-                   int& status) {
+  void give(Channel& channel, Given& given, int p, const Batch& batch, int first, int count,
+            int& status) {
     const long row = first;
-    const std::array<const Number*, 3> from{batch.q + row * kNq, batch.v + row * kNv,
-                                            batch.tau + row * kNtau};
-    const std::array<int, 3> lengths{count * kNq, count * kNv, count * kNtau};
-    std::array<MPI_Aint, 3> places;
-    for (std::size_t k = 0; k < 3; ++k) MPI_Get_address(from[k], &places[k]);
+    const std::array<const Number*, 4> from{batch.q + row * kNq, batch.v + row * kNv,
+                                            batch.tau + row * kNtau, parameters_.data()};
+    const std::array<int, 4> lengths{count * kNq, count * kNv, count * kNtau, kParameterCount};
+    std::array<MPI_Aint, 4> places;
+    for (std::size_t k = 0; k < 4; ++k) MPI_Get_address(from[k], &places[k]);
     MPI_Datatype rows;
-    MPI_Type_create_hindexed(3, lengths.data(), places.data(), kMpiNumber, &rows);
+    MPI_Type_create_hindexed(4, lengths.data(), places.data(), kMpiNumber, &rows);
     MPI_Type_commit(&rows);
     channel.wait(given.sent, p, status);
     MPI_Isend(MPI_BOTTOM, 1, rows, p, kStates, channel.comm(), &given.sent);
@@ -2244,6 +2260,7 @@ class Handout {
               channel.comm(), &piece.asked);
   }
 
+  std::array<Number, kParameterCount> parameters_{};
   std::array<Helper, kProcesses> helpers_;
   std::array<Taken, 2> taken_;
 };
@@ -2339,9 +2356,19 @@ void to_rows(int states, const std::array<Value, width>& lanes, Number* rows) {
 // Solves many states at once, one in each lane of a register. Each process solves states of its
 // own; where process 0 has them all, it hands them out (handout.hpp).
 class Solver {
+  // What takes those parameters that come with states.
+  auto take_parameters() {
+    return [this](const Number* x) {
+      for (Group& group : groups_) unpack_parameters(x, group.w);
+    };
+  }
+
  public:
   Channel channel;
   Text text;  // of the last failure
+
+  static constexpr int kWorkspaces = kGroups;
+  Workspace& workspace(int k) { return groups_[size(k)].w; }
 
   void close() { channel.close(); }
 
@@ -2365,9 +2392,9 @@ class Solver {
     const auto solve = [this](auto... rows) { return solve_rows(rows...); };
     int status = channel.broken() ? failure(kNoAnswer, 0) : kFine;
     if (status == kFine && channel.rank() > 0)
-      handout_.help(channel, solve, status, false);
-    else if (status == kFine &&
-             !handout_.hand_out(channel, helpers, {count, q, v, tau, qdd}, solve, status))
+      handout_.help(channel, solve, take_parameters(), status, false);
+    else if (status == kFine && !handout_.hand_out(channel, helpers, {count, q, v, tau, qdd},
+                                                   workspace(0), solve, status))
       return name_failures(count, q, v, tau, qdd);
     if (status != kFine) text = describe(status);
     return status;
@@ -2378,7 +2405,7 @@ class Solver {
     if (channel.rank() == 0) return kFine;
     const auto solve = [this](auto... rows) { return solve_rows(rows...); };
     int status = channel.broken() ? failure(kNoAnswer, 0) : kFine;
-    while (status == kFine) handout_.help(channel, solve, status, true);
+    while (status == kFine) handout_.help(channel, solve, take_parameters(), status, true);
     if (failure_kind(status) == kEnded) return kFine;
     text = describe(status);
     return status;
@@ -2539,6 +2566,7 @@ static_assert(int(ARM7_BATCH_P2_ENDED) == int(kEnded));
 static_assert(int(ARM7_BATCH_P2_NOT_REFINED) == int(kNotRefined));
 static_assert(int(ARM7_BATCH_P2_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(ARM7_BATCH_P2_GROWTH) == int(kGrowth));
+static_assert(int(ARM7_BATCH_P2_NOT_SET) == int(kNotSet));
 static_assert(int(ARM7_BATCH_P2_TOO_FEW_STEPS) == int(kTooFewSteps));
 static_assert(int(ARM7_BATCH_P2_LOOP_OPEN) == int(kLoopOpen));
 static_assert(int(ARM7_BATCH_P2_LOOP_TORN) == int(kLoopTorn));
@@ -2732,7 +2760,7 @@ template <class Number>
 struct Description {
   const char *robot, *channel;
   int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch;
+  bool floating, alone, batch, sets_gravity;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -2743,6 +2771,15 @@ struct Description {
   Table<Message> messages;
   const Table<Stage>* stages;  // of each process
   Hop window_hop, message_hop;
+};
+
+// How a solver is opened: its channel, s that processes wait for each other, hosts to play, and
+// whether threads of its own are to stay on a core each.
+struct Opening {
+  const char* channel;
+  double time_limit;
+  int hosts;
+  bool pin;
 };
 
 // How long an evaluation took, ns, and its status: state and result in place, and everything
@@ -2761,8 +2798,10 @@ class AnySolver {
   virtual ~AnySolver() = default;
 
   // Collective. Returns what is wrong, or an empty string.
-  virtual const char* open(Comm comm, const char* channel, double time_limit, int hosts) = 0;
+  virtual const char* open(Comm comm, const Opening& how) = 0;
   virtual void close() = 0;
+  // For all evaluations to come, of this process: where it can be set.
+  virtual void set_gravity(const double*) {}
   virtual Comm comm() const = 0;
   virtual const char* channel_name() const = 0;
   virtual bool windowed() const = 0;
@@ -2824,9 +2863,10 @@ namespace {
 // What is measured (--time, --stretches), of several processes.
 using Clock = std::chrono::steady_clock;
 
-Text open_solver(Solver& solver, MPI_Comm comm, const std::string& kind, double time_limit,
-                 int hosts) {
-  return Text(solver.channel.open(comm, mode_of(kind), time_limit, hosts).c_str());
+Text open_solver(Solver& solver, MPI_Comm comm, const adagen::Opening& how) {
+  const std::string wrong =
+      solver.channel.open(comm, mode_of(how.channel), how.time_limit, how.hosts);
+  return Text(wrong.c_str());
 }
 
 // All processes that take part in an evaluation start it at the same instant of their common clock;
@@ -2931,8 +2971,8 @@ int near_lock_of(const S&, long) {
 
 class ThisSolver final : public adagen::AnySolver<Number, MPI_Comm> {
  public:
-  const char* open(MPI_Comm comm, const char* channel, double time_limit, int hosts) override {
-    words_ = open_solver(solver_, comm, channel, time_limit, hosts);
+  const char* open(MPI_Comm comm, const adagen::Opening& how) override {
+    words_ = open_solver(solver_, comm, how);
     return words_.c_str();
   }
   void close() override { solver_.close(); }
@@ -3058,7 +3098,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
       "arm7", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
-      false, kAlone, kBatch, kTolerance, kGravity.data(),
+      false, kAlone, kBatch, false, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};
   auto* const solver = new ThisSolver;

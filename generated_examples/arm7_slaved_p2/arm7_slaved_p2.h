@@ -47,6 +47,7 @@ enum {
   ARM7_SLAVED_P2_NOT_REFINED = 7,  // refinement does not converge
   ARM7_SLAVED_P2_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   ARM7_SLAVED_P2_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  ARM7_SLAVED_P2_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
   ARM7_SLAVED_P2_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   ARM7_SLAVED_P2_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
   ARM7_SLAVED_P2_LOOP_TORN = 13,  // this velocity tears a loop or coupling open

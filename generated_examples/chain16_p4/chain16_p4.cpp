@@ -91,6 +91,7 @@ enum {
   CHAIN16_P4_NOT_REFINED = 7,  // refinement does not converge
   CHAIN16_P4_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   CHAIN16_P4_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  CHAIN16_P4_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
   CHAIN16_P4_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   CHAIN16_P4_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
   CHAIN16_P4_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
@@ -187,7 +188,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
 [[maybe_unused]] constexpr int kPlanMessages = 6;
-constexpr std::size_t kCacheLine = 64;
+constexpr std::size_t kCacheLine = 64, kTextSize = 1000;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
 const MPI_Datatype kMpiNumber = MPI_DOUBLE;
 
@@ -491,6 +492,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
+  kNotSet = 16,         // what is to be set at run time is not finite, or is no mass
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -514,9 +516,11 @@ class Text {
     return *this;
   }
   Text& operator+=(int number) {
-    char digits[16];
-    std::snprintf(digits, sizeof digits, "%d", number);
-    return *this += digits;
+    if (number < 0) *this += '-';
+    long rest = number < 0 ? -static_cast<long>(number) : number, unit = 1;
+    while (rest / unit > 9) unit *= 10;
+    for (; unit > 0; unit /= 10) *this += static_cast<char>('0' + rest / unit % 10);
+    return *this;
   }
   const char* c_str() const { return data_; }
   bool empty() const { return size_ == 0; }
@@ -524,7 +528,7 @@ class Text {
 
  private:
   std::size_t size_ = 0;
-  char data_[1000] = "";
+  char data_[kTextSize] = "";
 };
 
 // Adds text as a JSON string, in one line.
@@ -537,9 +541,10 @@ void add_quoted(Words& to, const char* text) {
       to += '\\';
       to += *text;
     } else if (c < 0x20 || c == 0x7F) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", c);
-      to += escape;
+      const char* const digits = "0123456789abcdef";
+      to += "\\u00";
+      to += digits[c / 16];
+      to += digits[c % 16];
     } else {
       to += *text;
     }
@@ -601,6 +606,8 @@ constexpr FailureWords words_of(Failure kind) {
       return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
+    case kNotSet:
+      return {false, "what is to be set at run time is not finite, or is no mass"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
@@ -1452,6 +1459,7 @@ struct Workspace {
   Number* qdd = nullptr;
   int status = kFine;
   int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
+  Columns6 ground;  // its acceleration
   Joint_joint01 j_joint01;
   Joint_joint02 j_joint02;
   Joint_joint03 j_joint03;
@@ -1471,6 +1479,8 @@ struct Workspace {
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
+
+inline double gravity(const Workspace&, int k) { return kGravity[static_cast<std::size_t>(k)]; }
 
 inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
@@ -1511,11 +1521,11 @@ void store_acceleration(Workspace& w, int joint, int v,
 const Mat6 kZero = Mat6::Zero();
 
 // The ground accelerates against gravity: all accelerations are relative to free fall.
-const Columns6 kGround = [] {
+[[maybe_unused]] inline Columns6 ground(const Workspace& w) {
   Columns6 result = Columns6::Zero();
-  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(kGravity[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(gravity(w, k));
   return result;
-}();
+}
 
 // Accelerations of all right-hand sides, added up with the coupling torques.
 template <std::size_t n, std::size_t m>
@@ -1598,7 +1608,7 @@ void assemble_joint01(Workspace& w) {
   constexpr std::array<Real, 6> least{1.0578826286319819e-12, 7.105427357601002e-11, 1.0578826286319819e-12, 5.652615986048129e-14, 1.4210854715202004e-14, 5.652615986048129e-14};
   if (!keeps_digits<Revolute>(kZero, kPhi_rod01, least))
     fail(w, kGrowth, 0);
-  if (!join(i.joined, kZero, kPhi_rod01, i.X * kGround, w.j_joint01.b, c))
+  if (!join(i.joined, kZero, kPhi_rod01, i.X * w.ground, w.j_joint01.b, c))
     fail(w, kFactorization, 0);
   couple(i.joined, kPhi_rod01, i.at_rod01);
   i.Phi_rod01 = kPhi_rod01 - product(i.at_rod01, i.at_rod01);  // Eq. (4)
@@ -2289,6 +2299,7 @@ void disassemble_joint16(Workspace& w) {
 
 // Process 0: 7 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint05", "joint06", ...; kinematics of 3 more on the way to the ground
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_joint01(w);
   kinematics_joint02(w);
@@ -2358,6 +2369,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // Process 1: 3 of 16 joints: "joint07", "joint08", "joint09"; kinematics of 6 more on the way to the ground
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_joint01(w);
   kinematics_joint02(w);
@@ -2401,6 +2413,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // Process 2: 4 of 16 joints: "joint11", "joint12", "joint13", "joint14"; kinematics of 10 more on the way to the ground
 void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_joint01(w);
   kinematics_joint02(w);
@@ -2461,6 +2474,7 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // Process 3: 2 of 16 joints: "joint15", "joint16"; kinematics of 14 more on the way to the ground
 void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_joint01(w);
   kinematics_joint02(w);
@@ -2529,12 +2543,21 @@ constexpr std::array<Range, 1> kTorque_3{ {{14, 2}} };
     {{1, kReadQ_3.data()}, {1, kReadV_3.data()}, {1, kOwn_3.data()}, {1, kTorque_3.data()}},
 } };
 
+// All constants are as they were emitted.
+constexpr int kParameterCount = 0;
+inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
+inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
+[[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
+
 // One process, or thread, of a solver: state and result in place.
 class InPlace {
  public:
   Workspace w;
   Channel channel;
   Text text;  // of the last failure
+
+  static constexpr int kWorkspaces = 1;
+  Workspace& workspace(int) { return w; }
 
   // Reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -2645,7 +2668,8 @@ class Solver : public InPlace {
     const Number* content = channel.receive(state_message(rank), status, patient);
     content = unpack(content, own.q, q_.data());
     content = unpack(content, own.v, v_.data());
-    unpack(content, own.tau, tau_.data());
+    content = unpack(content, own.tau, tau_.data());
+    unpack_parameters(content, w);
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     run();
@@ -2663,7 +2687,8 @@ class Solver : public InPlace {
       Number* content = channel.outgoing(state_message(p), status);
       content = pack(content, other.q, q);
       content = pack(content, other.v, v);
-      pack(content, other.tau, tau);
+      content = pack(content, other.tau, tau);
+      pack_parameters(content, w);
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -2700,6 +2725,7 @@ static_assert(int(CHAIN16_P4_ENDED) == int(kEnded));
 static_assert(int(CHAIN16_P4_NOT_REFINED) == int(kNotRefined));
 static_assert(int(CHAIN16_P4_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(CHAIN16_P4_GROWTH) == int(kGrowth));
+static_assert(int(CHAIN16_P4_NOT_SET) == int(kNotSet));
 static_assert(int(CHAIN16_P4_TOO_FEW_STEPS) == int(kTooFewSteps));
 static_assert(int(CHAIN16_P4_LOOP_OPEN) == int(kLoopOpen));
 static_assert(int(CHAIN16_P4_LOOP_TORN) == int(kLoopTorn));
@@ -2891,7 +2917,7 @@ template <class Number>
 struct Description {
   const char *robot, *channel;
   int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch;
+  bool floating, alone, batch, sets_gravity;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -2902,6 +2928,15 @@ struct Description {
   Table<Message> messages;
   const Table<Stage>* stages;  // of each process
   Hop window_hop, message_hop;
+};
+
+// How a solver is opened: its channel, s that processes wait for each other, hosts to play, and
+// whether threads of its own are to stay on a core each.
+struct Opening {
+  const char* channel;
+  double time_limit;
+  int hosts;
+  bool pin;
 };
 
 // How long an evaluation took, ns, and its status: state and result in place, and everything
@@ -2920,8 +2955,10 @@ class AnySolver {
   virtual ~AnySolver() = default;
 
   // Collective. Returns what is wrong, or an empty string.
-  virtual const char* open(Comm comm, const char* channel, double time_limit, int hosts) = 0;
+  virtual const char* open(Comm comm, const Opening& how) = 0;
   virtual void close() = 0;
+  // For all evaluations to come, of this process: where it can be set.
+  virtual void set_gravity(const double*) {}
   virtual Comm comm() const = 0;
   virtual const char* channel_name() const = 0;
   virtual bool windowed() const = 0;
@@ -2983,9 +3020,10 @@ namespace {
 // What is measured (--time, --stretches), of several processes.
 using Clock = std::chrono::steady_clock;
 
-Text open_solver(Solver& solver, MPI_Comm comm, const std::string& kind, double time_limit,
-                 int hosts) {
-  return Text(solver.channel.open(comm, mode_of(kind), time_limit, hosts).c_str());
+Text open_solver(Solver& solver, MPI_Comm comm, const adagen::Opening& how) {
+  const std::string wrong =
+      solver.channel.open(comm, mode_of(how.channel), how.time_limit, how.hosts);
+  return Text(wrong.c_str());
 }
 
 // All processes that take part in an evaluation start it at the same instant of their common clock;
@@ -3090,8 +3128,8 @@ int near_lock_of(const S&, long) {
 
 class ThisSolver final : public adagen::AnySolver<Number, MPI_Comm> {
  public:
-  const char* open(MPI_Comm comm, const char* channel, double time_limit, int hosts) override {
-    words_ = open_solver(solver_, comm, channel, time_limit, hosts);
+  const char* open(MPI_Comm comm, const adagen::Opening& how) override {
+    words_ = open_solver(solver_, comm, how);
     return words_.c_str();
   }
   void close() override { solver_.close(); }
@@ -3229,7 +3267,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
       "chain16", "message", kProcesses, 1, kNq, kNv, kNtau, kRefine,
-      false, kAlone, kBatch, kTolerance, kGravity.data(),
+      false, kAlone, kBatch, false, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};
   auto* const solver = new ThisSolver;

@@ -60,6 +60,7 @@ enum {
   FOURBAR_P1_NOT_REFINED = 7,  // refinement does not converge
   FOURBAR_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   FOURBAR_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  FOURBAR_P1_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
   FOURBAR_P1_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   FOURBAR_P1_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
   FOURBAR_P1_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
@@ -135,7 +136,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
 [[maybe_unused]] constexpr int kPlanMessages = 0;
-constexpr std::size_t kCacheLine = 64;
+constexpr std::size_t kCacheLine = 64, kTextSize = 1000;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
 
 // ---- 2. model -----------------------------------------------------------------------------------
@@ -269,6 +270,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
+  kNotSet = 16,         // what is to be set at run time is not finite, or is no mass
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -292,9 +294,11 @@ class Text {
     return *this;
   }
   Text& operator+=(int number) {
-    char digits[16];
-    std::snprintf(digits, sizeof digits, "%d", number);
-    return *this += digits;
+    if (number < 0) *this += '-';
+    long rest = number < 0 ? -static_cast<long>(number) : number, unit = 1;
+    while (rest / unit > 9) unit *= 10;
+    for (; unit > 0; unit /= 10) *this += static_cast<char>('0' + rest / unit % 10);
+    return *this;
   }
   const char* c_str() const { return data_; }
   bool empty() const { return size_ == 0; }
@@ -302,7 +306,7 @@ class Text {
 
  private:
   std::size_t size_ = 0;
-  char data_[1000] = "";
+  char data_[kTextSize] = "";
 };
 
 // Adds text as a JSON string, in one line.
@@ -315,9 +319,10 @@ void add_quoted(Words& to, const char* text) {
       to += '\\';
       to += *text;
     } else if (c < 0x20 || c == 0x7F) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", c);
-      to += escape;
+      const char* const digits = "0123456789abcdef";
+      to += "\\u00";
+      to += digits[c / 16];
+      to += digits[c % 16];
     } else {
       to += *text;
     }
@@ -379,6 +384,8 @@ constexpr FailureWords words_of(Failure kind) {
       return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
+    case kNotSet:
+      return {false, "what is to be set at run time is not finite, or is no mass"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
@@ -575,11 +582,12 @@ template <std::size_t owns>
   }
 }
 
-// What straight lines call beside sums, products and quotients. Tangents are those of a double, so
-// that they are the same wherever the C library is.
+// Tangents are those of a double, so that they are the same wherever the C library is.
+[[maybe_unused]] inline Real tanh_of(Real x) { return Real(std::tanh(double(x))); }
+
+// What straight lines call beside sums, products and quotients.
 [[maybe_unused]] inline Real sqrt_of(Real x) { return std::sqrt(x); }
 [[maybe_unused]] inline Real sign_of(Real x) { return std::copysign(Real(1), x); }
-[[maybe_unused]] inline Real tanh_of(Real x) { return Real(std::tanh(double(x))); }
 [[maybe_unused]] inline Real max_of(Real x, Real y) { return x > y ? x : y; }
 
 // Each function is a straight line. A value is called x and its number in the expression graph; zeros
@@ -863,12 +871,21 @@ constexpr std::array<Range, 1> kTorque_0{ {{0, 3}} };
 
 #define ADAGEN_RECOVERS  // the processes can do otherwise in a singular pose
 
+// All constants are as they were emitted.
+constexpr int kParameterCount = 0;
+inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
+inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
+[[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
+
 // One process, or thread, of a solver: state and result in place.
 class InPlace {
  public:
   Workspace w;
   Channel channel;
   Text text;  // of the last failure
+
+  static constexpr int kWorkspaces = 1;
+  Workspace& workspace(int) { return w; }
 
   // Reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -930,6 +947,7 @@ static_assert(int(FOURBAR_P1_ENDED) == int(kEnded));
 static_assert(int(FOURBAR_P1_NOT_REFINED) == int(kNotRefined));
 static_assert(int(FOURBAR_P1_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(FOURBAR_P1_GROWTH) == int(kGrowth));
+static_assert(int(FOURBAR_P1_NOT_SET) == int(kNotSet));
 static_assert(int(FOURBAR_P1_TOO_FEW_STEPS) == int(kTooFewSteps));
 static_assert(int(FOURBAR_P1_LOOP_OPEN) == int(kLoopOpen));
 static_assert(int(FOURBAR_P1_LOOP_TORN) == int(kLoopTorn));
@@ -1080,7 +1098,7 @@ template <class Number>
 struct Description {
   const char *robot, *channel;
   int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch;
+  bool floating, alone, batch, sets_gravity;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -1091,6 +1109,15 @@ struct Description {
   Table<Message> messages;
   const Table<Stage>* stages;  // of each process
   Hop window_hop, message_hop;
+};
+
+// How a solver is opened: its channel, s that processes wait for each other, hosts to play, and
+// whether threads of its own are to stay on a core each.
+struct Opening {
+  const char* channel;
+  double time_limit;
+  int hosts;
+  bool pin;
 };
 
 // How long an evaluation took, ns, and its status: state and result in place, and everything
@@ -1109,8 +1136,10 @@ class AnySolver {
   virtual ~AnySolver() = default;
 
   // Collective. Returns what is wrong, or an empty string.
-  virtual const char* open(Comm comm, const char* channel, double time_limit, int hosts) = 0;
+  virtual const char* open(Comm comm, const Opening& how) = 0;
   virtual void close() = 0;
+  // For all evaluations to come, of this process: where it can be set.
+  virtual void set_gravity(const double*) {}
   virtual Comm comm() const = 0;
   virtual const char* channel_name() const = 0;
   virtual bool windowed() const = 0;
@@ -1173,7 +1202,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 template <class AnySolver>
-Text open_solver(AnySolver&, adagen::OneProcess, const char*, double, int) {
+Text open_solver(AnySolver&, adagen::OneProcess, const adagen::Opening&) {
   return {};
 }
 Clock::time_point start_together(const Channel&) { return Clock::now(); }
@@ -1237,8 +1266,8 @@ int near_lock_of(const S&, long) {
 
 class ThisSolver final : public adagen::AnySolver<Number, adagen::OneProcess> {
  public:
-  const char* open(adagen::OneProcess comm, const char* channel, double time_limit, int hosts) override {
-    words_ = open_solver(solver_, comm, channel, time_limit, hosts);
+  const char* open(adagen::OneProcess comm, const adagen::Opening& how) override {
+    words_ = open_solver(solver_, comm, how);
     return words_.c_str();
   }
   void close() override { solver_.close(); }
@@ -1348,7 +1377,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
       "fourbar", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
-      false, kAlone, kBatch, kTolerance, kGravity.data(),
+      false, kAlone, kBatch, false, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), {kLoops.data(), kLoopCount}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};
   auto* const solver = new ThisSolver;

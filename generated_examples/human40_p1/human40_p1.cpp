@@ -83,6 +83,7 @@ enum {
   HUMAN40_P1_NOT_REFINED = 7,  // refinement does not converge
   HUMAN40_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   HUMAN40_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  HUMAN40_P1_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
   HUMAN40_P1_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   HUMAN40_P1_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
   HUMAN40_P1_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
@@ -162,7 +163,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
 [[maybe_unused]] constexpr int kPlanMessages = 0;
-constexpr std::size_t kCacheLine = 64;
+constexpr std::size_t kCacheLine = 64, kTextSize = 1000;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
 
 // ---- 2. model -----------------------------------------------------------------------------------
@@ -459,6 +460,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
+  kNotSet = 16,         // what is to be set at run time is not finite, or is no mass
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -482,9 +484,11 @@ class Text {
     return *this;
   }
   Text& operator+=(int number) {
-    char digits[16];
-    std::snprintf(digits, sizeof digits, "%d", number);
-    return *this += digits;
+    if (number < 0) *this += '-';
+    long rest = number < 0 ? -static_cast<long>(number) : number, unit = 1;
+    while (rest / unit > 9) unit *= 10;
+    for (; unit > 0; unit /= 10) *this += static_cast<char>('0' + rest / unit % 10);
+    return *this;
   }
   const char* c_str() const { return data_; }
   bool empty() const { return size_ == 0; }
@@ -492,7 +496,7 @@ class Text {
 
  private:
   std::size_t size_ = 0;
-  char data_[1000] = "";
+  char data_[kTextSize] = "";
 };
 
 // Adds text as a JSON string, in one line.
@@ -505,9 +509,10 @@ void add_quoted(Words& to, const char* text) {
       to += '\\';
       to += *text;
     } else if (c < 0x20 || c == 0x7F) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", c);
-      to += escape;
+      const char* const digits = "0123456789abcdef";
+      to += "\\u00";
+      to += digits[c / 16];
+      to += digits[c % 16];
     } else {
       to += *text;
     }
@@ -569,6 +574,8 @@ constexpr FailureWords words_of(Failure kind) {
       return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
+    case kNotSet:
+      return {false, "what is to be set at run time is not finite, or is no mass"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
@@ -1063,6 +1070,7 @@ struct Workspace {
   Number* qdd = nullptr;
   int status = kFine;
   int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
+  Columns6 ground;  // its acceleration
   Joint_root j_root;
   Joint_left_hip j_left_hip;
   Joint_left_knee j_left_knee;
@@ -1081,6 +1089,8 @@ struct Workspace {
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
+
+inline double gravity(const Workspace&, int k) { return kGravity[static_cast<std::size_t>(k)]; }
 
 inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
@@ -1121,11 +1131,11 @@ void store_acceleration(Workspace& w, int joint, int v,
 const Mat6 kZero = Mat6::Zero();
 
 // The ground accelerates against gravity: all accelerations are relative to free fall.
-const Columns6 kGround = [] {
+[[maybe_unused]] inline Columns6 ground(const Workspace& w) {
   Columns6 result = Columns6::Zero();
-  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(kGravity[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(gravity(w, k));
   return result;
-}();
+}
 
 // Accelerations of all right-hand sides, added up with the coupling torques.
 template <std::size_t n, std::size_t m>
@@ -1204,7 +1214,7 @@ void assemble_root(Workspace& w) {
   constexpr std::array<Real, 6> least{1.3664283380001926e-13, 2.7078610356711135e-13, 1.5366408645330884e-13, 1.7240048593772757e-15, 1.6032759165868928e-15, 1.4802973661668755e-15};
   if (!keeps_digits<Floating>(kZero, w.j_left_hip.Phi_pelvis, least))
     fail(w, kGrowth, 0);
-  if (!join(i.joined, kZero, w.j_left_hip.Phi_pelvis, i.X * kGround, w.j_left_hip.b_pelvis, c))
+  if (!join(i.joined, kZero, w.j_left_hip.Phi_pelvis, i.X * w.ground, w.j_left_hip.b_pelvis, c))
     fail(w, kFactorization, 0);
 }
 
@@ -1808,6 +1818,7 @@ void disassemble_right_wrist(Workspace& w) {
 
 // Process 0: 15 of 15 joints: "root", "left_hip", "left_knee", "left_ankle", "right_hip", "right_knee", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_root(w);
   kinematics_left_hip(w);
@@ -1886,12 +1897,21 @@ constexpr std::array<Range, 1> kTorque_0{ {{0, 40}} };
     {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
 } };
 
+// All constants are as they were emitted.
+constexpr int kParameterCount = 0;
+inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
+inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
+[[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
+
 // One process, or thread, of a solver: state and result in place.
 class InPlace {
  public:
   Workspace w;
   Channel channel;
   Text text;  // of the last failure
+
+  static constexpr int kWorkspaces = 1;
+  Workspace& workspace(int) { return w; }
 
   // Reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -1953,6 +1973,7 @@ static_assert(int(HUMAN40_P1_ENDED) == int(kEnded));
 static_assert(int(HUMAN40_P1_NOT_REFINED) == int(kNotRefined));
 static_assert(int(HUMAN40_P1_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(HUMAN40_P1_GROWTH) == int(kGrowth));
+static_assert(int(HUMAN40_P1_NOT_SET) == int(kNotSet));
 static_assert(int(HUMAN40_P1_TOO_FEW_STEPS) == int(kTooFewSteps));
 static_assert(int(HUMAN40_P1_LOOP_OPEN) == int(kLoopOpen));
 static_assert(int(HUMAN40_P1_LOOP_TORN) == int(kLoopTorn));
@@ -2103,7 +2124,7 @@ template <class Number>
 struct Description {
   const char *robot, *channel;
   int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch;
+  bool floating, alone, batch, sets_gravity;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -2114,6 +2135,15 @@ struct Description {
   Table<Message> messages;
   const Table<Stage>* stages;  // of each process
   Hop window_hop, message_hop;
+};
+
+// How a solver is opened: its channel, s that processes wait for each other, hosts to play, and
+// whether threads of its own are to stay on a core each.
+struct Opening {
+  const char* channel;
+  double time_limit;
+  int hosts;
+  bool pin;
 };
 
 // How long an evaluation took, ns, and its status: state and result in place, and everything
@@ -2132,8 +2162,10 @@ class AnySolver {
   virtual ~AnySolver() = default;
 
   // Collective. Returns what is wrong, or an empty string.
-  virtual const char* open(Comm comm, const char* channel, double time_limit, int hosts) = 0;
+  virtual const char* open(Comm comm, const Opening& how) = 0;
   virtual void close() = 0;
+  // For all evaluations to come, of this process: where it can be set.
+  virtual void set_gravity(const double*) {}
   virtual Comm comm() const = 0;
   virtual const char* channel_name() const = 0;
   virtual bool windowed() const = 0;
@@ -2196,7 +2228,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 template <class AnySolver>
-Text open_solver(AnySolver&, adagen::OneProcess, const char*, double, int) {
+Text open_solver(AnySolver&, adagen::OneProcess, const adagen::Opening&) {
   return {};
 }
 Clock::time_point start_together(const Channel&) { return Clock::now(); }
@@ -2260,8 +2292,8 @@ int near_lock_of(const S&, long) {
 
 class ThisSolver final : public adagen::AnySolver<Number, adagen::OneProcess> {
  public:
-  const char* open(adagen::OneProcess comm, const char* channel, double time_limit, int hosts) override {
-    words_ = open_solver(solver_, comm, channel, time_limit, hosts);
+  const char* open(adagen::OneProcess comm, const adagen::Opening& how) override {
+    words_ = open_solver(solver_, comm, how);
     return words_.c_str();
   }
   void close() override { solver_.close(); }
@@ -2363,7 +2395,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
       "human40", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
-      false, kAlone, kBatch, kTolerance, kGravity.data(),
+      false, kAlone, kBatch, false, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};
   auto* const solver = new ThisSolver;

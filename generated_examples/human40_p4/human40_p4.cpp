@@ -91,6 +91,7 @@ enum {
   HUMAN40_P4_NOT_REFINED = 7,  // refinement does not converge
   HUMAN40_P4_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   HUMAN40_P4_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  HUMAN40_P4_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
   HUMAN40_P4_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   HUMAN40_P4_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
   HUMAN40_P4_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
@@ -187,7 +188,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
 [[maybe_unused]] constexpr int kPlanMessages = 6;
-constexpr std::size_t kCacheLine = 64;
+constexpr std::size_t kCacheLine = 64, kTextSize = 1000;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
 const MPI_Datatype kMpiNumber = MPI_DOUBLE;
 
@@ -387,6 +388,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
+  kNotSet = 16,         // what is to be set at run time is not finite, or is no mass
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -410,9 +412,11 @@ class Text {
     return *this;
   }
   Text& operator+=(int number) {
-    char digits[16];
-    std::snprintf(digits, sizeof digits, "%d", number);
-    return *this += digits;
+    if (number < 0) *this += '-';
+    long rest = number < 0 ? -static_cast<long>(number) : number, unit = 1;
+    while (rest / unit > 9) unit *= 10;
+    for (; unit > 0; unit /= 10) *this += static_cast<char>('0' + rest / unit % 10);
+    return *this;
   }
   const char* c_str() const { return data_; }
   bool empty() const { return size_ == 0; }
@@ -420,7 +424,7 @@ class Text {
 
  private:
   std::size_t size_ = 0;
-  char data_[1000] = "";
+  char data_[kTextSize] = "";
 };
 
 // Adds text as a JSON string, in one line.
@@ -433,9 +437,10 @@ void add_quoted(Words& to, const char* text) {
       to += '\\';
       to += *text;
     } else if (c < 0x20 || c == 0x7F) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", c);
-      to += escape;
+      const char* const digits = "0123456789abcdef";
+      to += "\\u00";
+      to += digits[c / 16];
+      to += digits[c % 16];
     } else {
       to += *text;
     }
@@ -497,6 +502,8 @@ constexpr FailureWords words_of(Failure kind) {
       return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
+    case kNotSet:
+      return {false, "what is to be set at run time is not finite, or is no mass"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
@@ -1687,9 +1694,58 @@ struct Cuts {
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
-// The memory of a process. What is set up for many links at once lies in blocks, side by side.
+// Constants of the model. What is set up for many links at once lies in blocks, side by side.
 constexpr int kPerBlock = static_cast<int>(sizeof(Lanes) / sizeof(Value));  // links in a block
 constexpr int kBlockCount = (kSlotCount + kPerBlock - 1) / kPerBlock;
+
+constexpr int slot_of(int j) { return kReordered ? kSlots[j] : j; }
+
+// A number of each joint of a block, as constants of the model are kept.
+using PerJoint = std::array<Real, sizeof(Value) == sizeof(Real) ? kPerBlock : 1>;
+
+struct alignas(64) BlockConstants {
+  PerJoint rotation[6];  // joint frame to parent link's axes, columns x and y
+  PerJoint x, y, z;      // of the joint's origin in the parent link's frame
+  PerJoint mass, moments[3], tensor[6];
+};
+
+constexpr void fill(PerJoint& numbers, Real x) {
+  for (Real& number : numbers) number = x;
+}
+constexpr std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
+  std::array<BlockConstants, kBlockCount> result{};
+  for (BlockConstants& block : result) {  // slots that are not filled do not turn, but weigh
+    for (const int k : {0, 4}) fill(block.rotation[k], 1);
+    fill(block.mass, 1);
+    for (const int k : {0, 3, 5}) fill(block.tensor[k], 1);
+  }
+  for (int j = 0; j < kJointCount; ++j) {
+    BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
+    const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);
+    const LinkInertia& link = kInertias[static_cast<std::size_t>(j)];
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    for (int k = 0; k < 6; ++k) block.rotation[k][lane] = joint.rotation[k % 3 * 3 + k / 3];
+    block.x[lane] = joint.translation[0];
+    block.y[lane] = joint.translation[1];
+    block.z[lane] = joint.translation[2];
+    block.mass[lane] = link.mass;
+    for (int k = 0; k < 3; ++k) block.moments[k][lane] = link.moments[k];
+    for (int k = 0; k < 6; ++k) block.tensor[k][lane] = link.tensor[k];
+  }
+  return result;
+}();
+
+// Inertias of links are constants.
+struct Inertias {
+  static const LinkInertia& inertia_of(int joint) {
+    return kInertias[static_cast<std::size_t>(joint)];
+  }
+  static const BlockConstants& constants_of(int block) {
+    return kBlockConstants[static_cast<std::size_t>(block)];
+  }
+};
+
+// The memory of a process.
 
 // Joints that are treated together, one in each lane of T; their slots follow each other.
 template <class T>
@@ -1703,7 +1759,6 @@ struct Joints {
     return kJoints[static_cast<std::size_t>(joint[0])];
   }
 };
-constexpr int slot_of(int j) { return kReordered ? kSlots[j] : j; }
 ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
 
 // The lanes of limbs side by side.
@@ -1809,7 +1864,7 @@ struct Frame {
   Vector<T> omega, alpha, a;
 };
 
-struct Workspace : State, Cuts {
+struct Workspace : State, Cuts, Inertias {
   int status = kFine;
   bool lost = false;   // whether a sweep in axes of the base found too few digits left
   bool again = false;  // whether links feel the forces in their blocks, and no motion's
@@ -1954,6 +2009,8 @@ inline void give(Workspace& w, int first, int count) {
   return true;
 }
 
+inline double gravity(const Workspace&, int k) { return kGravity[static_cast<std::size_t>(k)]; }
+
 // What cannot be solved is refused, with the joint at fault.
 
 // D beside the trace of what it is found in: less than this is rounding and nothing else.
@@ -2087,38 +2144,6 @@ ADAGEN_INLINE void each_row(const Step& step) {
 
 // What needs no recursion, for as many links at once as a register holds.
 
-// A number of each joint of a block, as constants of the model are kept.
-using PerJoint = std::array<Real, sizeof(Value) == sizeof(Real) ? kPerBlock : 1>;
-
-struct alignas(64) BlockConstants {
-  PerJoint rotation[6];  // joint frame to parent link's axes, columns x and y
-  PerJoint x, y, z;      // of the joint's origin in the parent link's frame
-  PerJoint mass, moments[3], tensor[6];
-};
-
-const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
-  std::array<BlockConstants, kBlockCount> result{};
-  for (BlockConstants& block : result) {  // slots that are not filled do not turn, but weigh
-    for (const int k : {0, 4}) block.rotation[k].fill(1);
-    block.mass.fill(1);
-    for (const int k : {0, 3, 5}) block.tensor[k].fill(1);
-  }
-  for (int j = 0; j < kJointCount; ++j) {
-    BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
-    const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);
-    const LinkInertia& link = kInertias[static_cast<std::size_t>(j)];
-    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    for (int k = 0; k < 6; ++k) block.rotation[k][lane] = joint.rotation[k % 3 * 3 + k / 3];
-    block.x[lane] = joint.translation[0];
-    block.y[lane] = joint.translation[1];
-    block.z[lane] = joint.translation[2];
-    block.mass[lane] = link.mass;
-    for (int k = 0; k < 3; ++k) block.moments[k][lane] = link.moments[k];
-    for (int k = 0; k < 6; ++k) block.tensor[k][lane] = link.tensor[k];
-  }
-  return result;
-}();
-
 // Constants of each of the joints.
 template <class T>
 ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
@@ -2126,11 +2151,12 @@ ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* mem
   return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);
 }
 template <class T>
-ADAGEN_INLINE auto mass_of(const Joints<T>& joints) {
+ADAGEN_INLINE auto mass_of(const Workspace& w, const Joints<T>& joints) {
   if constexpr (kWidth<T> == 1)
-    return kInertias[static_cast<std::size_t>(joints.joint[0])].mass;
+    return w.inertia_of(joints.joint[0]).mass;
   else
-    return constant(joints, &BlockConstants::mass);
+    return number_at<T>(&w.constants_of(joints.slot / kPerBlock)
+                             .mass[static_cast<std::size_t>(joints.slot % kPerBlock)]);
 }
 template <class T>
 ADAGEN_INLINE auto origin_of(const Joints<T>& joints) {
@@ -2213,7 +2239,7 @@ template <int first, int last>
 void set_up_links(Workspace& w) {
   for (int b = first; b < last; ++b) {
     Block& block = w.blocks[static_cast<std::size_t>(b)];
-    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = w.constants_of(b);
     const auto& entries = block.entries;
     const Matrix<Lanes> R{wide_vector(entries + kAxes), wide_vector(entries + kAxes + 3),
                           wide_vector(entries + kAxes + 6)};
@@ -2249,16 +2275,17 @@ struct QuaternionPlaces {
   std::array<int, kPerBlock> q{};
 };
 template <int p>
-const std::array<QuaternionPlaces, kBlockCount> kQuaternionPlaces = [] {
-  std::array<int, kBlockCount * kPerBlock> found;
-  found.fill(-1);
+constexpr std::array<QuaternionPlaces, kBlockCount> kQuaternionPlaces = [] {
+  std::array<int, kBlockCount * kPerBlock> found{};
+  for (int& place : found) place = -1;
   for (int j = 0; j < kJointCount; ++j) {
     const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
     const LinkRole role = kRoles[p][static_cast<std::size_t>(j + 1)];
     if (role.oriented) found[static_cast<std::size_t>(slot_of(j))] = joint.q + joint.nq - 4;
   }
-  std::array<QuaternionPlaces, kBlockCount> result;
-  int last = *std::max_element(found.begin(), found.end());
+  std::array<QuaternionPlaces, kBlockCount> result{};
+  int last = -1;
+  for (const int place : found) last = place > last ? place : last;
   for (std::size_t slot = 0; slot < found.size(); ++slot) {
     if (found[slot] >= 0) last = found[slot];
     result[slot / kPerBlock].own[slot % kPerBlock] = found[slot] >= 0;
@@ -2331,12 +2358,12 @@ ADAGEN_INLINE void keep(Workspace& w, int slot, const Frame<T>& frame) {
 }
 
 // The ground accelerates against gravity: accelerations are relative to free fall.
-ADAGEN_INLINE Frame<Value> ground() {
+ADAGEN_INLINE Frame<Value> ground(const Workspace& w) {
   const Value one = Value{} + 1, none{};
   return {{{one, none, none}, {none, one, none}, {none, none, one}},
           {none, none, none},
           {none, none, none},
-          {none - Real(kGravity[0]), none - Real(kGravity[1]), none - Real(kGravity[2])}};
+          {none - Real(gravity(w, 0)), none - Real(gravity(w, 1)), none - Real(gravity(w, 2))}};
 }
 
 // The axes of a floating base are the link's own: only gravity is turned.
@@ -2346,11 +2373,11 @@ void free_base_frame(Workspace& w) {
   const Value* q = w.q + joint.q + 3;
   Matrix<Value> turn;
   require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
-  Frame<Value> frame = ground();
-  const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
+  Frame<Value> frame = ground(w);
+  const Vector<Real> down{Real(gravity(w, 0)), Real(gravity(w, 1)), Real(gravity(w, 2))};
   const Number* const P = joint.rotation;
   const auto along = [&](int k) {
-    return Real(P[k] * gravity.x + P[3 + k] * gravity.y + P[6 + k] * gravity.z);
+    return Real(P[k] * down.x + P[3 + k] * down.y + P[6 + k] * down.z);
   };
   const Vector<Real> fixed{along(0), along(1), along(2)};
   const Value none{};
@@ -2439,7 +2466,7 @@ ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind
 template <int j>
 ADAGEN_INLINE Frame<Value> frame_near(Workspace& w) {
   constexpr int parent = kJoints[j].parent - 1;
-  return parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  return parent < 0 ? ground(w) : frame_of(w, parent < 0 ? 0 : parent);
 }
 
 // Joints first .. last, each on the link of the one before.
@@ -2649,16 +2676,17 @@ ADAGEN_INLINE void from_base(Workspace& w, int link, Body<Value>& X) {
 
 // Mass, its moments and the pseudo-inertia of the links beyond joints.
 template <class T>
-ADAGEN_INLINE void own_inertia(const Joints<T>& joints, T& mass, Vector<T>& c, Symmetric<T>& J) {
+ADAGEN_INLINE void own_inertia(const Workspace& w, const Joints<T>& joints, T& mass, Vector<T>& c,
+                               Symmetric<T>& J) {
   if constexpr (kWidth<T> == 1) {
-    const LinkInertia& link = kInertias[static_cast<std::size_t>(joints.joint[0])];
+    const LinkInertia& link = w.inertia_of(joints.joint[0]);
     const auto x = [](Real number) { return T{} + number; };
     mass = x(link.mass);
     c = {x(link.moments[0]), x(link.moments[1]), x(link.moments[2])};
     J = {x(link.tensor[0]), x(link.tensor[1]), x(link.tensor[2]),
          x(link.tensor[3]), x(link.tensor[4]), x(link.tensor[5])};
   } else {
-    const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
+    const auto& block = w.constants_of(joints.slot / kPerBlock);
     const auto x = [&](const PerJoint& numbers) {
       return number_at<T>(&numbers[static_cast<std::size_t>(joints.slot % kPerBlock)]);
     };
@@ -2677,7 +2705,7 @@ ADAGEN_INLINE void add_own_link(Workspace& w, const Joints<T>& joints, Body<T>& 
   T mass;
   Vector<T> c;
   Symmetric<T> J;
-  own_inertia(joints, mass, c, J);
+  own_inertia(w, joints, mass, c, J);
   Vector<T> n, f;
   if (kAgain && w.again) {
     n = told(kTorque), f = told(kForce);
@@ -2697,14 +2725,14 @@ ADAGEN_INLINE void add_own_link(Workspace& w, const Joints<T>& joints, Body<T>& 
 // but noise where links without inertia come near gimbal lock. Of a reversed joint the whole body
 // was turned and shifted.
 template <bool along, bool reversed, class T>
-ADAGEN_INLINE T left_of(const Joints<T>& joints, const Body<T>& X, const T& D) {
+ADAGEN_INLINE T left_of(const Workspace& w, const Joints<T>& joints, const Body<T>& X, const T& D) {
   const Symmetric<T>& whole = along ? X.C : X.A;
   T brought = whole.xx + whole.yy + whole.zz;
   if constexpr (!reversed) {
     T mass;
     Vector<T> c;
     Symmetric<T> J;
-    own_inertia(joints, mass, c, J);
+    own_inertia(w, joints, mass, c, J);
     brought -= along ? 3 * mass : 2 * (J.xx + J.yy + J.zz);
   }
   return D - kLeast * brought;
@@ -2725,7 +2753,7 @@ ADAGEN_INLINE void eliminate_own(Workspace& w, const Joints<T>& joints, Body<T>&
     rotor = each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
     D += rotor;
   }
-  const T left = left_of<along, reversed>(joints, X, D);
+  const T left = left_of<along, reversed>(w, joints, X, D);
   if (__builtin_expect(!all_positive(left), 0)) fail_one(w, joints, left);
   const T inverse = 1 / D, u = (tau - (along ? X.f.z : X.n.z)) * inverse, kept = rotor * inverse;
   const Vector<T> e_n = n * inverse, e_f = f * inverse;
@@ -2758,7 +2786,7 @@ ADAGEN_INLINE void eliminate_own(Workspace& w, const Joints<T>& joints, Body<T>&
 template <class T>
 ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>& X) {
   const Value* const A = w.at(joints.slot, kRotational);
-  const auto mass = mass_of(joints);
+  const auto mass = mass_of(w, joints);
   const Vector<T> c = vector_at<T>(w.at(joints.slot, kMoments));
   const Vector<T> Ax = vector_at<T>(A), Ay = vector_at<T>(A + 3 * kPerBlock);
   X.A += Symmetric<T>{Ax.x, Ax.y, Ax.z, Ay.x, Ay.y, Ay.z};  // xx xy xz yy yz zz
@@ -3280,7 +3308,7 @@ void outward_group(Workspace& w) {
   const Frame<Value>* sides[kWidth<T>];
   ADAGEN_FOR (lane, 0, kWidth<T>) {
     const int near = limbs.near(lane);
-    frames[lane] = near == 0 ? ground() : frame_of(w, near == 0 ? 0 : near - 1);
+    frames[lane] = near == 0 ? ground(w) : frame_of(w, near == 0 ? 0 : near - 1);
     sides[lane] = &frames[lane];
   }
   Frame<T> at = side_by_side<T, Frame>(sides);
@@ -4149,12 +4177,21 @@ constexpr std::array<Range, 1> kTorque_3{ {{26, 4}} };
     {{2, kReadQ_3.data()}, {2, kReadV_3.data()}, {1, kOwn_3.data()}, {1, kTorque_3.data()}},
 } };
 
+// All constants are as they were emitted.
+constexpr int kParameterCount = 0;
+inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
+inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
+[[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
+
 // One process, or thread, of a solver: state and result in place.
 class InPlace {
  public:
   Workspace w;
   Channel channel;
   Text text;  // of the last failure
+
+  static constexpr int kWorkspaces = 1;
+  Workspace& workspace(int) { return w; }
 
   // Reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -4265,7 +4302,8 @@ class Solver : public InPlace {
     const Number* content = channel.receive(state_message(rank), status, patient);
     content = unpack(content, own.q, q_.data());
     content = unpack(content, own.v, v_.data());
-    unpack(content, own.tau, tau_.data());
+    content = unpack(content, own.tau, tau_.data());
+    unpack_parameters(content, w);
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     run();
@@ -4283,7 +4321,8 @@ class Solver : public InPlace {
       Number* content = channel.outgoing(state_message(p), status);
       content = pack(content, other.q, q);
       content = pack(content, other.v, v);
-      pack(content, other.tau, tau);
+      content = pack(content, other.tau, tau);
+      pack_parameters(content, w);
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -4320,6 +4359,7 @@ static_assert(int(HUMAN40_P4_ENDED) == int(kEnded));
 static_assert(int(HUMAN40_P4_NOT_REFINED) == int(kNotRefined));
 static_assert(int(HUMAN40_P4_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(HUMAN40_P4_GROWTH) == int(kGrowth));
+static_assert(int(HUMAN40_P4_NOT_SET) == int(kNotSet));
 static_assert(int(HUMAN40_P4_TOO_FEW_STEPS) == int(kTooFewSteps));
 static_assert(int(HUMAN40_P4_LOOP_OPEN) == int(kLoopOpen));
 static_assert(int(HUMAN40_P4_LOOP_TORN) == int(kLoopTorn));
@@ -4511,7 +4551,7 @@ template <class Number>
 struct Description {
   const char *robot, *channel;
   int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch;
+  bool floating, alone, batch, sets_gravity;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -4522,6 +4562,15 @@ struct Description {
   Table<Message> messages;
   const Table<Stage>* stages;  // of each process
   Hop window_hop, message_hop;
+};
+
+// How a solver is opened: its channel, s that processes wait for each other, hosts to play, and
+// whether threads of its own are to stay on a core each.
+struct Opening {
+  const char* channel;
+  double time_limit;
+  int hosts;
+  bool pin;
 };
 
 // How long an evaluation took, ns, and its status: state and result in place, and everything
@@ -4540,8 +4589,10 @@ class AnySolver {
   virtual ~AnySolver() = default;
 
   // Collective. Returns what is wrong, or an empty string.
-  virtual const char* open(Comm comm, const char* channel, double time_limit, int hosts) = 0;
+  virtual const char* open(Comm comm, const Opening& how) = 0;
   virtual void close() = 0;
+  // For all evaluations to come, of this process: where it can be set.
+  virtual void set_gravity(const double*) {}
   virtual Comm comm() const = 0;
   virtual const char* channel_name() const = 0;
   virtual bool windowed() const = 0;
@@ -4603,9 +4654,10 @@ namespace {
 // What is measured (--time, --stretches), of several processes.
 using Clock = std::chrono::steady_clock;
 
-Text open_solver(Solver& solver, MPI_Comm comm, const std::string& kind, double time_limit,
-                 int hosts) {
-  return Text(solver.channel.open(comm, mode_of(kind), time_limit, hosts).c_str());
+Text open_solver(Solver& solver, MPI_Comm comm, const adagen::Opening& how) {
+  const std::string wrong =
+      solver.channel.open(comm, mode_of(how.channel), how.time_limit, how.hosts);
+  return Text(wrong.c_str());
 }
 
 // All processes that take part in an evaluation start it at the same instant of their common clock;
@@ -4710,8 +4762,8 @@ int near_lock_of(const S&, long) {
 
 class ThisSolver final : public adagen::AnySolver<Number, MPI_Comm> {
  public:
-  const char* open(MPI_Comm comm, const char* channel, double time_limit, int hosts) override {
-    words_ = open_solver(solver_, comm, channel, time_limit, hosts);
+  const char* open(MPI_Comm comm, const adagen::Opening& how) override {
+    words_ = open_solver(solver_, comm, how);
     return words_.c_str();
   }
   void close() override { solver_.close(); }
@@ -4849,7 +4901,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
       "human40", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
-      false, kAlone, kBatch, kTolerance, kGravity.data(),
+      false, kAlone, kBatch, false, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};
   auto* const solver = new ThisSolver;

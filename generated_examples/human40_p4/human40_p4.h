@@ -59,6 +59,7 @@ enum {
   HUMAN40_P4_NOT_REFINED = 7,  // refinement does not converge
   HUMAN40_P4_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   HUMAN40_P4_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  HUMAN40_P4_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
   HUMAN40_P4_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   HUMAN40_P4_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
   HUMAN40_P4_LOOP_TORN = 13,  // this velocity tears a loop or coupling open

@@ -87,6 +87,7 @@ enum {
   HUMANOID_LANES_P1_NOT_REFINED = 7,  // refinement does not converge
   HUMANOID_LANES_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   HUMANOID_LANES_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  HUMANOID_LANES_P1_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
   HUMANOID_LANES_P1_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   HUMANOID_LANES_P1_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
   HUMANOID_LANES_P1_LOOP_TORN = 13,  // this velocity tears a loop or coupling open

@@ -118,6 +118,7 @@ enum {
   HUMANOID_P3_NOT_REFINED = 7,  // refinement does not converge
   HUMANOID_P3_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   HUMANOID_P3_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  HUMANOID_P3_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
   HUMANOID_P3_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   HUMANOID_P3_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
   HUMANOID_P3_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
@@ -214,7 +215,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
 [[maybe_unused]] constexpr int kPlanMessages = 4;
-constexpr std::size_t kCacheLine = 64;
+constexpr std::size_t kCacheLine = 64, kTextSize = 1000;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
 const MPI_Datatype kMpiNumber = MPI_DOUBLE;
 
@@ -602,6 +603,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
+  kNotSet = 16,         // what is to be set at run time is not finite, or is no mass
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -625,9 +627,11 @@ class Text {
     return *this;
   }
   Text& operator+=(int number) {
-    char digits[16];
-    std::snprintf(digits, sizeof digits, "%d", number);
-    return *this += digits;
+    if (number < 0) *this += '-';
+    long rest = number < 0 ? -static_cast<long>(number) : number, unit = 1;
+    while (rest / unit > 9) unit *= 10;
+    for (; unit > 0; unit /= 10) *this += static_cast<char>('0' + rest / unit % 10);
+    return *this;
   }
   const char* c_str() const { return data_; }
   bool empty() const { return size_ == 0; }
@@ -635,7 +639,7 @@ class Text {
 
  private:
   std::size_t size_ = 0;
-  char data_[1000] = "";
+  char data_[kTextSize] = "";
 };
 
 // Adds text as a JSON string, in one line.
@@ -648,9 +652,10 @@ void add_quoted(Words& to, const char* text) {
       to += '\\';
       to += *text;
     } else if (c < 0x20 || c == 0x7F) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", c);
-      to += escape;
+      const char* const digits = "0123456789abcdef";
+      to += "\\u00";
+      to += digits[c / 16];
+      to += digits[c % 16];
     } else {
       to += *text;
     }
@@ -712,6 +717,8 @@ constexpr FailureWords words_of(Failure kind) {
       return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
+    case kNotSet:
+      return {false, "what is to be set at run time is not finite, or is no mass"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
@@ -1689,6 +1696,7 @@ struct Workspace {
   Number* qdd = nullptr;
   int status = kFine;
   int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
+  Columns6 ground;  // its acceleration
   Joint_base j_base;
   Joint_left_hip_pitch j_left_hip_pitch;
   Joint_left_hip_roll j_left_hip_roll;
@@ -1722,6 +1730,8 @@ struct Workspace {
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
+
+inline double gravity(const Workspace&, int k) { return kGravity[static_cast<std::size_t>(k)]; }
 
 inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
@@ -1762,11 +1772,11 @@ void store_acceleration(Workspace& w, int joint, int v,
 const Mat6 kZero = Mat6::Zero();
 
 // The ground accelerates against gravity: all accelerations are relative to free fall.
-const Columns6 kGround = [] {
+[[maybe_unused]] inline Columns6 ground(const Workspace& w) {
   Columns6 result = Columns6::Zero();
-  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(kGravity[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(gravity(w, k));
   return result;
-}();
+}
 
 // Accelerations of all right-hand sides, added up with the coupling torques.
 template <std::size_t n, std::size_t m>
@@ -1860,7 +1870,7 @@ void assemble_base(Workspace& w) {
   constexpr std::array<Real, 6> least{4.379753477303394e-13, 8.089655265475019e-13, 4.0448391455405566e-13, 2.615659551780614e-15, 2.4672634802537493e-15, 2.2920733411616134e-15};
   if (!keeps_digits<Floating>(kZero, w.j_left_hip_pitch.Phi_pelvis, least))
     fail(w, kGrowth, 0);
-  if (!join(i.joined, kZero, w.j_left_hip_pitch.Phi_pelvis, i.X * kGround, w.j_left_hip_pitch.b_pelvis, c))
+  if (!join(i.joined, kZero, w.j_left_hip_pitch.Phi_pelvis, i.X * w.ground, w.j_left_hip_pitch.b_pelvis, c))
     fail(w, kFactorization, 0);
   couple(i.joined, w.j_left_hip_pitch.Phi_pelvis, i.at_pelvis);
   i.Phi_pelvis = w.j_left_hip_pitch.Phi_pelvis - product(i.at_pelvis, i.at_pelvis);  // Eq. (4)
@@ -3123,6 +3133,7 @@ void disassemble_right_wrist_pitch(Workspace& w) {
 
 // Process 0: 14 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_base(w);
   kinematics_left_hip_pitch(w);
@@ -3200,6 +3211,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // Process 1: 11 of 30 joints: "waist_roll", "waist_pitch", "left_shoulder_pitch", "neck_yaw", "neck_pitch", "right_shoulder_pitch", ...; kinematics of 2 more on the way to the ground
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_base(w);
   kinematics_waist_yaw(w);
@@ -3280,6 +3292,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // Process 2: 5 of 30 joints: "left_shoulder_roll", "left_shoulder_yaw", "left_elbow", "left_wrist_roll", "left_wrist_pitch"; kinematics of 5 more on the way to the ground
 void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_base(w);
   kinematics_waist_yaw(w);
@@ -3346,12 +3359,21 @@ constexpr std::array<Range, 1> kTorque_2{ {{22, 5}} };
     {{2, kReadQ_2.data()}, {2, kReadV_2.data()}, {1, kOwn_2.data()}, {1, kTorque_2.data()}},
 } };
 
+// All constants are as they were emitted.
+constexpr int kParameterCount = 0;
+inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
+inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
+[[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
+
 // One process, or thread, of a solver: state and result in place.
 class InPlace {
  public:
   Workspace w;
   Channel channel;
   Text text;  // of the last failure
+
+  static constexpr int kWorkspaces = 1;
+  Workspace& workspace(int) { return w; }
 
   // Reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -3462,7 +3484,8 @@ class Solver : public InPlace {
     const Number* content = channel.receive(state_message(rank), status, patient);
     content = unpack(content, own.q, q_.data());
     content = unpack(content, own.v, v_.data());
-    unpack(content, own.tau, tau_.data());
+    content = unpack(content, own.tau, tau_.data());
+    unpack_parameters(content, w);
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     run();
@@ -3480,7 +3503,8 @@ class Solver : public InPlace {
       Number* content = channel.outgoing(state_message(p), status);
       content = pack(content, other.q, q);
       content = pack(content, other.v, v);
-      pack(content, other.tau, tau);
+      content = pack(content, other.tau, tau);
+      pack_parameters(content, w);
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -3517,6 +3541,7 @@ static_assert(int(HUMANOID_P3_ENDED) == int(kEnded));
 static_assert(int(HUMANOID_P3_NOT_REFINED) == int(kNotRefined));
 static_assert(int(HUMANOID_P3_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(HUMANOID_P3_GROWTH) == int(kGrowth));
+static_assert(int(HUMANOID_P3_NOT_SET) == int(kNotSet));
 static_assert(int(HUMANOID_P3_TOO_FEW_STEPS) == int(kTooFewSteps));
 static_assert(int(HUMANOID_P3_LOOP_OPEN) == int(kLoopOpen));
 static_assert(int(HUMANOID_P3_LOOP_TORN) == int(kLoopTorn));
@@ -3708,7 +3733,7 @@ template <class Number>
 struct Description {
   const char *robot, *channel;
   int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch;
+  bool floating, alone, batch, sets_gravity;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -3719,6 +3744,15 @@ struct Description {
   Table<Message> messages;
   const Table<Stage>* stages;  // of each process
   Hop window_hop, message_hop;
+};
+
+// How a solver is opened: its channel, s that processes wait for each other, hosts to play, and
+// whether threads of its own are to stay on a core each.
+struct Opening {
+  const char* channel;
+  double time_limit;
+  int hosts;
+  bool pin;
 };
 
 // How long an evaluation took, ns, and its status: state and result in place, and everything
@@ -3737,8 +3771,10 @@ class AnySolver {
   virtual ~AnySolver() = default;
 
   // Collective. Returns what is wrong, or an empty string.
-  virtual const char* open(Comm comm, const char* channel, double time_limit, int hosts) = 0;
+  virtual const char* open(Comm comm, const Opening& how) = 0;
   virtual void close() = 0;
+  // For all evaluations to come, of this process: where it can be set.
+  virtual void set_gravity(const double*) {}
   virtual Comm comm() const = 0;
   virtual const char* channel_name() const = 0;
   virtual bool windowed() const = 0;
@@ -3800,9 +3836,10 @@ namespace {
 // What is measured (--time, --stretches), of several processes.
 using Clock = std::chrono::steady_clock;
 
-Text open_solver(Solver& solver, MPI_Comm comm, const std::string& kind, double time_limit,
-                 int hosts) {
-  return Text(solver.channel.open(comm, mode_of(kind), time_limit, hosts).c_str());
+Text open_solver(Solver& solver, MPI_Comm comm, const adagen::Opening& how) {
+  const std::string wrong =
+      solver.channel.open(comm, mode_of(how.channel), how.time_limit, how.hosts);
+  return Text(wrong.c_str());
 }
 
 // All processes that take part in an evaluation start it at the same instant of their common clock;
@@ -3907,8 +3944,8 @@ int near_lock_of(const S&, long) {
 
 class ThisSolver final : public adagen::AnySolver<Number, MPI_Comm> {
  public:
-  const char* open(MPI_Comm comm, const char* channel, double time_limit, int hosts) override {
-    words_ = open_solver(solver_, comm, channel, time_limit, hosts);
+  const char* open(MPI_Comm comm, const adagen::Opening& how) override {
+    words_ = open_solver(solver_, comm, how);
     return words_.c_str();
   }
   void close() override { solver_.close(); }
@@ -4034,7 +4071,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
       "humanoid", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
-      true, kAlone, kBatch, kTolerance, kGravity.data(),
+      true, kAlone, kBatch, false, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};
   auto* const solver = new ThisSolver;

@@ -89,6 +89,7 @@ enum {
   HUMANOID_P3_NOT_REFINED = 7,  // refinement does not converge
   HUMANOID_P3_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   HUMANOID_P3_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  HUMANOID_P3_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
   HUMANOID_P3_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   HUMANOID_P3_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
   HUMANOID_P3_LOOP_TORN = 13,  // this velocity tears a loop or coupling open

@@ -39,6 +39,7 @@ enum {
   MOBILE_P1_NOT_REFINED = 7,  // refinement does not converge
   MOBILE_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   MOBILE_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  MOBILE_P1_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
   MOBILE_P1_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   MOBILE_P1_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
   MOBILE_P1_LOOP_TORN = 13,  // this velocity tears a loop or coupling open

@@ -70,6 +70,7 @@ enum {
   MOBILE_P3_NOT_REFINED = 7,  // refinement does not converge
   MOBILE_P3_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
   MOBILE_P3_GROWTH = 9,  // a link beside a joint is too light for its neighbours
+  MOBILE_P3_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
   MOBILE_P3_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   MOBILE_P3_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
   MOBILE_P3_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
@@ -166,7 +167,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
 [[maybe_unused]] constexpr int kPlanMessages = 2;
-constexpr std::size_t kCacheLine = 64;
+constexpr std::size_t kCacheLine = 64, kTextSize = 1000;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
 const MPI_Datatype kMpiNumber = MPI_DOUBLE;
 
@@ -410,6 +411,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
+  kNotSet = 16,         // what is to be set at run time is not finite, or is no mass
 };
 
 constexpr int kFailureBase = 1 << 20;
@@ -433,9 +435,11 @@ class Text {
     return *this;
   }
   Text& operator+=(int number) {
-    char digits[16];
-    std::snprintf(digits, sizeof digits, "%d", number);
-    return *this += digits;
+    if (number < 0) *this += '-';
+    long rest = number < 0 ? -static_cast<long>(number) : number, unit = 1;
+    while (rest / unit > 9) unit *= 10;
+    for (; unit > 0; unit /= 10) *this += static_cast<char>('0' + rest / unit % 10);
+    return *this;
   }
   const char* c_str() const { return data_; }
   bool empty() const { return size_ == 0; }
@@ -443,7 +447,7 @@ class Text {
 
  private:
   std::size_t size_ = 0;
-  char data_[1000] = "";
+  char data_[kTextSize] = "";
 };
 
 // Adds text as a JSON string, in one line.
@@ -456,9 +460,10 @@ void add_quoted(Words& to, const char* text) {
       to += '\\';
       to += *text;
     } else if (c < 0x20 || c == 0x7F) {
-      char escape[8];
-      std::snprintf(escape, sizeof escape, "\\u%04x", c);
-      to += escape;
+      const char* const digits = "0123456789abcdef";
+      to += "\\u00";
+      to += digits[c / 16];
+      to += digits[c % 16];
     } else {
       to += *text;
     }
@@ -520,6 +525,8 @@ constexpr FailureWords words_of(Failure kind) {
       return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
     case kLoopFree:
       return {true, "closed loops leave it a motion that no inertia resists"};
+    case kNotSet:
+      return {false, "what is to be set at run time is not finite, or is no mass"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }
@@ -1231,6 +1238,7 @@ struct Workspace {
   Number* qdd = nullptr;
   int status = kFine;
   int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
+  Columns6 ground;  // its acceleration
   Joint_drive j_drive;
   Joint_laser_spin j_laser_spin;
   Joint_lift j_lift;
@@ -1240,6 +1248,8 @@ struct Workspace {
 
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
+
+inline double gravity(const Workspace&, int k) { return kGravity[static_cast<std::size_t>(k)]; }
 
 inline void fail(Workspace& w, Failure kind, int joint) {
   Channel::fail(w.status, failure(kind, joint));
@@ -1280,11 +1290,11 @@ void store_acceleration(Workspace& w, int joint, int v,
 const Mat6 kZero = Mat6::Zero();
 
 // The ground accelerates against gravity: all accelerations are relative to free fall.
-const Columns6 kGround = [] {
+[[maybe_unused]] inline Columns6 ground(const Workspace& w) {
   Columns6 result = Columns6::Zero();
-  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(kGravity[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(gravity(w, k));
   return result;
-}();
+}
 
 // Accelerations of all right-hand sides, added up with the coupling torques.
 template <std::size_t n, std::size_t m>
@@ -1357,7 +1367,7 @@ void assemble_drive(Workspace& w) {
   constexpr std::array<Real, 6> least{7.091631212051937e-15, 5.577240971695595e-15, 1.024275719968536e-14, 6.580610018265472e-16, 7.160970978205855e-16, 4.0467660531582285e-16};
   if (!keeps_digits<Planar>(kZero, w.j_laser_spin.Phi_cart, least))
     fail(w, kGrowth, 0);
-  if (!join(i.joined, kZero, w.j_laser_spin.Phi_cart, i.X * kGround, w.j_laser_spin.b_cart, c))
+  if (!join(i.joined, kZero, w.j_laser_spin.Phi_cart, i.X * w.ground, w.j_laser_spin.b_cart, c))
     fail(w, kFactorization, 0);
   couple(i.joined, w.j_laser_spin.Phi_cart, i.at_cart);
   i.Phi_cart = w.j_laser_spin.Phi_cart - product(i.at_cart, i.at_cart);  // Eq. (4)
@@ -1588,6 +1598,7 @@ void disassemble_loose(Workspace& w) {
 
 // Process 0: 4 of 6 joints: "drive", "laser_spin", "lift", "shoulder"
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_drive(w);
   kinematics_laser_spin(w);
@@ -1625,6 +1636,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // Process 1: 2 of 6 joints: "wrist", "loose"; kinematics of 3 more on the way to the ground
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
   stamp(0);
   kinematics_drive(w);
   kinematics_lift(w);
@@ -1657,6 +1669,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // Process 2: has nothing to do
 void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+  w.ground = ground(w);
 }
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2};
@@ -1677,12 +1690,21 @@ constexpr std::array<Range, 1> kTorque_1{ {{6, 7}} };
     {{0, nullptr}, {0, nullptr}, {0, nullptr}, {0, nullptr}},
 } };
 
+// All constants are as they were emitted.
+constexpr int kParameterCount = 0;
+inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
+inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
+[[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
+
 // One process, or thread, of a solver: state and result in place.
 class InPlace {
  public:
   Workspace w;
   Channel channel;
   Text text;  // of the last failure
+
+  static constexpr int kWorkspaces = 1;
+  Workspace& workspace(int) { return w; }
 
   // Reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
@@ -1793,7 +1815,8 @@ class Solver : public InPlace {
     const Number* content = channel.receive(state_message(rank), status, patient);
     content = unpack(content, own.q, q_.data());
     content = unpack(content, own.v, v_.data());
-    unpack(content, own.tau, tau_.data());
+    content = unpack(content, own.tau, tau_.data());
+    unpack_parameters(content, w);
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     run();
@@ -1811,7 +1834,8 @@ class Solver : public InPlace {
       Number* content = channel.outgoing(state_message(p), status);
       content = pack(content, other.q, q);
       content = pack(content, other.v, v);
-      pack(content, other.tau, tau);
+      content = pack(content, other.tau, tau);
+      pack_parameters(content, w);
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());
@@ -1848,6 +1872,7 @@ static_assert(int(MOBILE_P3_ENDED) == int(kEnded));
 static_assert(int(MOBILE_P3_NOT_REFINED) == int(kNotRefined));
 static_assert(int(MOBILE_P3_GIMBAL_LOCK) == int(kGimbalLock));
 static_assert(int(MOBILE_P3_GROWTH) == int(kGrowth));
+static_assert(int(MOBILE_P3_NOT_SET) == int(kNotSet));
 static_assert(int(MOBILE_P3_TOO_FEW_STEPS) == int(kTooFewSteps));
 static_assert(int(MOBILE_P3_LOOP_OPEN) == int(kLoopOpen));
 static_assert(int(MOBILE_P3_LOOP_TORN) == int(kLoopTorn));
@@ -2039,7 +2064,7 @@ template <class Number>
 struct Description {
   const char *robot, *channel;
   int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch;
+  bool floating, alone, batch, sets_gravity;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -2050,6 +2075,15 @@ struct Description {
   Table<Message> messages;
   const Table<Stage>* stages;  // of each process
   Hop window_hop, message_hop;
+};
+
+// How a solver is opened: its channel, s that processes wait for each other, hosts to play, and
+// whether threads of its own are to stay on a core each.
+struct Opening {
+  const char* channel;
+  double time_limit;
+  int hosts;
+  bool pin;
 };
 
 // How long an evaluation took, ns, and its status: state and result in place, and everything
@@ -2068,8 +2102,10 @@ class AnySolver {
   virtual ~AnySolver() = default;
 
   // Collective. Returns what is wrong, or an empty string.
-  virtual const char* open(Comm comm, const char* channel, double time_limit, int hosts) = 0;
+  virtual const char* open(Comm comm, const Opening& how) = 0;
   virtual void close() = 0;
+  // For all evaluations to come, of this process: where it can be set.
+  virtual void set_gravity(const double*) {}
   virtual Comm comm() const = 0;
   virtual const char* channel_name() const = 0;
   virtual bool windowed() const = 0;
@@ -2131,9 +2167,10 @@ namespace {
 // What is measured (--time, --stretches), of several processes.
 using Clock = std::chrono::steady_clock;
 
-Text open_solver(Solver& solver, MPI_Comm comm, const std::string& kind, double time_limit,
-                 int hosts) {
-  return Text(solver.channel.open(comm, mode_of(kind), time_limit, hosts).c_str());
+Text open_solver(Solver& solver, MPI_Comm comm, const adagen::Opening& how) {
+  const std::string wrong =
+      solver.channel.open(comm, mode_of(how.channel), how.time_limit, how.hosts);
+  return Text(wrong.c_str());
 }
 
 // All processes that take part in an evaluation start it at the same instant of their common clock;
@@ -2238,8 +2275,8 @@ int near_lock_of(const S&, long) {
 
 class ThisSolver final : public adagen::AnySolver<Number, MPI_Comm> {
  public:
-  const char* open(MPI_Comm comm, const char* channel, double time_limit, int hosts) override {
-    words_ = open_solver(solver_, comm, channel, time_limit, hosts);
+  const char* open(MPI_Comm comm, const adagen::Opening& how) override {
+    words_ = open_solver(solver_, comm, how);
     return words_.c_str();
   }
   void close() override { solver_.close(); }
@@ -2354,7 +2391,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
       "mobile", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
-      false, kAlone, kBatch, kTolerance, kGravity.data(),
+      false, kAlone, kBatch, false, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};
   auto* const solver = new ThisSolver;

@@ -6,7 +6,8 @@
 # emits a solver by adagen when the project is configured, anew where the model changes, and makes
 # it a library. Targets that link TARGET find NAME_pP.h, NAME being TARGET. Unlike on the command
 # line P is 1 if it is not given. OPTIONS are those of the command line. ADAGEN_FLAGS are the
-# compiler's options for solvers, ADAGEN_PROGRAM is the command.
+# compiler's options for solvers, ADAGEN_PROGRAM is the command. Of --target embedded, TARGET is a
+# static library.
 cmake_minimum_required(VERSION 3.16)
 
 find_program(ADAGEN_PROGRAM adagen HINTS "${CMAKE_CURRENT_LIST_DIR}/../../../../../../bin"
@@ -47,6 +48,13 @@ function(adagen_add_solver target)
     message(WARNING "${line}")
   endforeach()
 
+  if("embedded" IN_LIST own_OPTIONS OR "--target=embedded" IN_LIST own_OPTIONS)
+    add_library(${target} STATIC "${folder}/${target}_p1.cpp")
+    target_include_directories(${target} PUBLIC "${folder}")
+    target_compile_features(${target} PRIVATE cxx_std_17)
+    target_compile_options(${target} PRIVATE ${ADAGEN_FLAGS})
+    return()
+  endif()
   add_subdirectory("${folder}" "${folder}/build")
   add_library(${target} INTERFACE)
   target_link_libraries(${target} INTERFACE adagen::${target}_p${own_PROCS})

@@ -65,6 +65,6 @@ inline void start(Workspace& w) {
 
 // The acceleration of a joint's child as far as its parent's and c decide on it.
 inline Columns6 carried(const Workspace& w, const JointConstants& joint, const Body& body) {
-  if (joint.parent == 0) return body.X * kGround + body.c;
+  if (joint.parent == 0) return body.X * ground(w) + body.c;
   return body.X * w.body[static_cast<std::size_t>(joint.parent - 1)].a + body.c;
 }

@@ -1,9 +1,19 @@
 // Solves many states at once, one in each lane of a register. Each process solves states of its
 // own; where process 0 has them all, it hands them out (handout.hpp).
 class Solver {
+  // What takes those parameters that come with states.
+  auto take_parameters() {
+    return [this](const Number* x) {
+      for (Group& group : groups_) unpack_parameters(x, group.w);
+    };
+  }
+
  public:
   Channel channel;
   Text text;  // of the last failure
+
+  static constexpr int kWorkspaces = kGroups;
+  Workspace& workspace(int k) { return groups_[size(k)].w; }
 
   void close() { channel.close(); }
 
@@ -27,9 +37,9 @@ class Solver {
     const auto solve = [this](auto... rows) { return solve_rows(rows...); };
     int status = channel.broken() ? failure(kNoAnswer, 0) : kFine;
     if (status == kFine && channel.rank() > 0)
-      handout_.help(channel, solve, status, false);
-    else if (status == kFine &&
-             !handout_.hand_out(channel, helpers, {count, q, v, tau, qdd}, solve, status))
+      handout_.help(channel, solve, take_parameters(), status, false);
+    else if (status == kFine && !handout_.hand_out(channel, helpers, {count, q, v, tau, qdd},
+                                                   workspace(0), solve, status))
       return name_failures(count, q, v, tau, qdd);
     if (status != kFine) text = describe(status);
     return status;
@@ -40,7 +50,7 @@ class Solver {
     if (channel.rank() == 0) return kFine;
     const auto solve = [this](auto... rows) { return solve_rows(rows...); };
     int status = channel.broken() ? failure(kNoAnswer, 0) : kFine;
-    while (status == kFine) handout_.help(channel, solve, status, true);
+    while (status == kFine) handout_.help(channel, solve, take_parameters(), status, true);
     if (failure_kind(status) == kEnded) return kFine;
     text = describe(status);
     return status;

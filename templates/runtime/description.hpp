@@ -89,7 +89,7 @@ template <class Number>
 struct Description {
   const char *robot, *channel;
   int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch;
+  bool floating, alone, batch, sets_gravity;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -100,6 +100,15 @@ struct Description {
   Table<Message> messages;
   const Table<Stage>* stages;  // of each process
   Hop window_hop, message_hop;
+};
+
+// How a solver is opened: its channel, s that processes wait for each other, hosts to play, and
+// whether threads of its own are to stay on a core each.
+struct Opening {
+  const char* channel;
+  double time_limit;
+  int hosts;
+  bool pin;
 };
 
 // How long an evaluation took, ns, and its status: state and result in place, and everything
@@ -118,8 +127,10 @@ class AnySolver {
   virtual ~AnySolver() = default;
 
   // Collective. Returns what is wrong, or an empty string.
-  virtual const char* open(Comm comm, const char* channel, double time_limit, int hosts) = 0;
+  virtual const char* open(Comm comm, const Opening& how) = 0;
   virtual void close() = 0;
+  // For all evaluations to come, of this process: where it can be set.
+  virtual void set_gravity(const double*) {}
   virtual Comm comm() const = 0;
   virtual const char* channel_name() const = 0;
   virtual bool windowed() const = 0;

@@ -8,14 +8,16 @@ struct Batch {
 // Process 0 hands pieces of a batch to the others as they finish earlier ones, and solves pieces in
 // between itself: faster processes get more, wherever they are. A process has two pieces, so that
 // one is on its way while the other is solved. A piece is one message, all q, then all v, then all
-// tau; an empty one is the end. The answer is the accelerations.
+// tau, then what is set at run time; an empty one is the end. The answer is the accelerations.
 class Handout {
  public:
   // At process 0. Returns whether all states could be solved; that a process is gone joins the
   // status.
   template <class Solve>
-  bool hand_out(Channel& channel, int helpers, const Batch& batch, Solve solve, int& status) {
+  bool hand_out(Channel& channel, int helpers, const Batch& batch, const Workspace& w, Solve solve,
+                int& status) {
     bool good = true;
+    pack_parameters(parameters_.data(), w);
     int next = 0;
     const auto take = [&] {
       const int first = next;
@@ -63,8 +65,8 @@ class Handout {
 
   // At the others, until process 0 has nothing more; patient: however long it takes. That process
   // 0 has ended it all joins the status.
-  template <class Solve>
-  void help(Channel& channel, Solve solve, int& status, bool patient) {
+  template <class Solve, class Take>
+  void help(Channel& channel, Solve solve, Take take_parameters, int& status, bool patient) {
     for (Taken& piece : taken_) ask(channel, piece);
     int ends = 0;
     for (std::size_t k = 0; ends < 2 && status == kFine; k ^= 1) {
@@ -79,8 +81,9 @@ class Handout {
         if (numbers == 0) ++ends;
         continue;
       }
-      const int count = numbers / kNumbers;
+      const int count = (numbers - kParameterCount) / kNumbers;
       const Number* const v = piece.states.data() + count * kNq;
+      take_parameters(piece.states.data() + count * kNumbers);
       const bool good = solve(count, piece.states.data(), v, v + count * kNv, piece.qdd.data());
       MPI_Isend(piece.qdd.data(), count * kNv, kMpiNumber, 0, good ? kSolved : kFailed,
                 channel.comm(), &piece.answered);
@@ -101,7 +104,7 @@ class Handout {
     MPI_Request sent = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
   };
   struct Taken {
-    std::array<Number, static_cast<std::size_t>(kMost) * kNumbers> states;
+    std::array<Number, static_cast<std::size_t>(kMost) * kNumbers + kParameterCount> states;
     std::array<Number, static_cast<std::size_t>(kMost) * kNv> qdd;
     MPI_Request asked = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
   };
@@ -134,16 +137,16 @@ class Handout {
     return done != 0;
   }
 
-  static void give(Channel& channel, Given& given, int p, const Batch& batch, int first, int count,
-                   int& status) {
+  void give(Channel& channel, Given& given, int p, const Batch& batch, int first, int count,
+            int& status) {
     const long row = first;
-    const std::array<const Number*, 3> from{batch.q + row * kNq, batch.v + row * kNv,
-                                            batch.tau + row * kNtau};
-    const std::array<int, 3> lengths{count * kNq, count * kNv, count * kNtau};
-    std::array<MPI_Aint, 3> places;
-    for (std::size_t k = 0; k < 3; ++k) MPI_Get_address(from[k], &places[k]);
+    const std::array<const Number*, 4> from{batch.q + row * kNq, batch.v + row * kNv,
+                                            batch.tau + row * kNtau, parameters_.data()};
+    const std::array<int, 4> lengths{count * kNq, count * kNv, count * kNtau, kParameterCount};
+    std::array<MPI_Aint, 4> places;
+    for (std::size_t k = 0; k < 4; ++k) MPI_Get_address(from[k], &places[k]);
     MPI_Datatype rows;
-    MPI_Type_create_hindexed(3, lengths.data(), places.data(), kMpiNumber, &rows);
+    MPI_Type_create_hindexed(4, lengths.data(), places.data(), kMpiNumber, &rows);
     MPI_Type_commit(&rows);
     channel.wait(given.sent, p, status);
     MPI_Isend(MPI_BOTTOM, 1, rows, p, kStates, channel.comm(), &given.sent);
@@ -164,6 +167,7 @@ class Handout {
               channel.comm(), &piece.asked);
   }
 
+  std::array<Number, kParameterCount> parameters_{};
   std::array<Helper, kProcesses> helpers_;
   std::array<Taken, 2> taken_;
 };

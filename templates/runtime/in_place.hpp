@@ -5,6 +5,9 @@ class InPlace {
   Channel channel;
   Text text;  // of the last failure
 
+  static constexpr int kWorkspaces = 1;
+  Workspace& workspace(int) { return w; }
+
   // Reads what this process needs, writes what it owns.
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     if (kAlone && kProcesses > 1 && channel.rank() != 0) return finish(kFine);

@@ -7,8 +7,8 @@ class Program {
   int run() {
     const Options& options = session_.options;
     session_.watch.start(session_.rank, options.time_limit);
-    const std::string wrong = session_.solver.open(MPI_COMM_WORLD, options.channel.c_str(),
-                                                   options.time_limit, options.hosts);
+    const Opening how{options.channel.c_str(), options.time_limit, options.hosts, options.pin};
+    const std::string wrong = session_.solver.open(MPI_COMM_WORLD, how);
     if (!wrong.empty()) return session_.complain(kFault, wrong);
     int status = options.simulation.seconds > 0 ? simulation_.run() : answer();
     const auto also = [&status](bool asked, auto task) {
@@ -31,7 +31,7 @@ class Program {
     const Options& options = session_.options;
     int status = kDone;
     if (!options.states.empty()) {
-      status = load(options.states, session_.comm(), session_.rank, session_.states);
+      status = session_.load_states();
       const bool loaded = status == kDone;
       if (loaded) status = solve_all();
       if ((status == kDone || (about.batch && loaded)) && session_.rank == 0) {

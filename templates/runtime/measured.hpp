@@ -1,9 +1,10 @@
 // What is measured (--time, --stretches), of several processes.
 using Clock = std::chrono::steady_clock;
 
-Text open_solver(Solver& solver, MPI_Comm comm, const std::string& kind, double time_limit,
-                 int hosts) {
-  return Text(solver.channel.open(comm, mode_of(kind), time_limit, hosts).c_str());
+Text open_solver(Solver& solver, MPI_Comm comm, const adagen::Opening& how) {
+  const std::string wrong =
+      solver.channel.open(comm, mode_of(how.channel), how.time_limit, how.hosts);
+  return Text(wrong.c_str());
 }
 
 // All processes that take part in an evaluation start it at the same instant of their common clock;

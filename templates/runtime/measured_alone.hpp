@@ -2,7 +2,7 @@
 using Clock = std::chrono::steady_clock;
 
 template <class AnySolver>
-Text open_solver(AnySolver&, adagen::OneProcess, const char*, double, int) {
+Text open_solver(AnySolver&, adagen::OneProcess, const adagen::Opening&) {
   return {};
 }
 Clock::time_point start_together(const Channel&) { return Clock::now(); }

@@ -37,11 +37,11 @@ void store_acceleration(Workspace& w, int joint, int v,
 const Mat6 kZero = Mat6::Zero();
 
 // The ground accelerates against gravity: all accelerations are relative to free fall.
-const Columns6 kGround = [] {
+[[maybe_unused]] inline Columns6 ground(const Workspace& w) {
   Columns6 result = Columns6::Zero();
-  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(kGravity[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < 3; ++k) result(3 + k, 0) = -Real(gravity(w, k));
   return result;
-}();
+}
 
 // Accelerations of all right-hand sides, added up with the coupling torques.
 template <std::size_t n, std::size_t m>

@@ -8,10 +8,10 @@ struct Batch {
 class Handout {
  public:
   template <class Solve>
-  static bool hand_out(Channel&, int, const Batch&, Solve, int&) {
+  static bool hand_out(Channel&, int, const Batch&, const Workspace&, Solve, int&) {
     return true;
   }
   static void end(Channel&, int&) {}
-  template <class Solve>
-  static void help(Channel&, Solve, int&, bool) {}
+  template <class Solve, class Take>
+  static void help(Channel&, Solve, Take, int&, bool) {}
 };

@@ -1,5 +1,6 @@
-// Threads of processes 1, 2, .. onto the cores behind that of the program, if there are as many.
-Text open_solver(Solver& solver, adagen::OneProcess, const char*, double time_limit, int) {
+// Threads of processes 1, 2, .. onto the cores behind that of the program, if there are as many and
+// nobody says otherwise.
+Text open_solver(Solver& solver, adagen::OneProcess, const adagen::Opening& how) {
   std::array<int, static_cast<std::size_t>(kProcesses)> cores{};
   std::size_t count = 0;
 #if defined(__linux__)
@@ -8,5 +9,6 @@ Text open_solver(Solver& solver, adagen::OneProcess, const char*, double time_li
     for (int core = 0; core < CPU_SETSIZE && count < cores.size(); ++core)
       if (CPU_ISSET(core, &own)) cores[count++] = core;
 #endif
-  return solver.open(count == cores.size() ? cores.data() + 1 : nullptr, time_limit);
+  const bool pin = how.pin && count == cores.size();
+  return solver.open(pin ? cores.data() + 1 : nullptr, how.time_limit);
 }

@@ -5,8 +5,15 @@
 #include <Python.h>
 #include <numpy/arrayobject.h>
 #include <structmember.h>
+#if defined(__linux__)
+#include <sched.h>
+#endif
 
+#include <atomic>
+#include <memory>
 #include <mutex>
+#include <thread>
+#include <vector>
 
 namespace python {
 
@@ -15,11 +22,35 @@ constexpr int kType = std::is_same_v<Number, double> ? NPY_DOUBLE : NPY_FLOAT;
 // back takes longer than to compute fewer.
 constexpr npy_intp kMany = 1000;
 
+// Accelerations for which another thread of our own pays.
+constexpr npy_intp kOfThread = kBatch ? 200'000 : 50'000;
+// States that a thread takes at once, at least: as many as fill a batch's registers.
+constexpr npy_intp kPiece = 64;
+
+// What could not be solved: how many states, and the first of them.
+struct Failed {
+  npy_intp count = 0, first = 0;
+  int status = kFine;
+  void note(npy_intp state, int what, npy_intp states = 1) {
+    if (count == 0 || state < first) first = state, status = what;
+    count += states;
+  }
+  void note(const Failed& other) {
+    if (other.count > 0) note(other.first, other.status, other.count);
+  }
+};
+
 struct Held {
   Solver solver;
-  std::mutex mutex;  // threads take turns
+  // Of further threads, which share many states; what each could not solve.
+  std::vector<std::unique_ptr<Solver>> others;
+  std::vector<std::thread> team;
+  std::vector<Failed> failed;
+  std::mutex mutex;  // threads of Python take turns
 };
-constexpr double kTimeLimit = 30;  // s that threads of the solver wait for each other
+constexpr int kMostThreads = 1024;
+constexpr bool kSharesThreads = kProcesses > 1;  // whether threads share each state already
+constexpr double kTimeLimit = 30;                // s that threads of the solver wait for each other
 
 // Starts the threads of a solver that has some; returns what is wrong, or an empty string.
 template <class AnySolver>
@@ -118,39 +149,84 @@ PyObject* output(PyObject* given, const Rows& q) {
   return given;
 }
 
-// What could not be solved: how many states, and the first of them.
-struct Failed {
-  npy_intp count = 0, first = 0;
-  int status = kFine;
-  void note(npy_intp state, int what) {
-    if (count++ == 0) first = state, status = what;
+// What is solved, and where that goes. Accelerations of states that cannot be solved are not
+// numbers where there are many.
+struct Task {
+  const Number *q, *v, *tau;
+  Number* qdd;
+  npy_intp count;
+  bool many;
+
+  // States from the one numbered first on.
+  template <class AnySolver>
+  void solve(AnySolver& solver, npy_intp first, npy_intp states, Failed& failed) const {
+    if constexpr (kBatch) {
+      constexpr npy_intp kMost = 1 << 20;
+      const npy_intp end = first + states;
+      for (npy_intp s = first; s < end; s += kMost) {
+        solver.solve_batch(static_cast<int>(std::min(kMost, end - s)), q + s * kNq, v + s * kNv,
+                           tau + s * kNtau, qdd + s * kNv);
+        if (solver.failures() == 0) continue;
+        failed.note(s + solver.failed_state(0), solver.failed_status(0), solver.failures());
+      }
+    } else {
+      for (npy_intp s = first; s < first + states; ++s) {
+        const int status = solver.solve(q + s * kNq, v + s * kNv, tau + s * kNtau, qdd + s * kNv);
+        if (status == kFine) continue;
+        failed.note(s, status);
+        if (many) std::fill_n(qdd + s * kNv, kNv, std::numeric_limits<Number>::quiet_NaN());
+      }
+    }
   }
 };
 
-// Accelerations of states that cannot be solved are not numbers where there are many.
-template <class AnySolver>
-Failed solve(AnySolver& solver, const Rows& q, const Rows& v, const Rows& tau, Number* qdd) {
-  Failed failed;
-  if constexpr (kBatch) {
-    constexpr npy_intp kMost = 1 << 20;
-    for (npy_intp s = 0; s < q.count; s += kMost) {
-      const int count = static_cast<int>(std::min(kMost, q.count - s));
-      solver.solve_batch(count, q.data() + s * kNq, v.data() + s * kNv, tau.data() + s * kNtau,
-                         qdd + s * kNv);
-      if (solver.failures() == 0) continue;
-      failed.note(s + solver.failed_state(0), solver.failed_status(0));
-      failed.count += solver.failures() - 1;
-    }
-  } else {
-    for (npy_intp s = 0; s < q.count; ++s) {
-      const int status = solver.solve(q.data() + s * kNq, v.data() + s * kNv,
-                                      tau.data() + s * kNtau, qdd + s * kNv);
-      if (status == kFine) continue;
-      failed.note(s, status);
-      if (q.dimensions == 2)
-        std::fill_n(qdd + s * kNv, kNv, std::numeric_limits<Number>::quiet_NaN());
-    }
+// Has a solver for each thread, all with the same set at run time. Returns how many threads there
+// is memory for.
+int gather(Held& held, int threads) {
+  held.failed.clear();
+  try {
+    const auto count = static_cast<std::size_t>(threads);
+    while (held.others.size() + 1 < count) held.others.push_back(std::make_unique<Solver>());
+    held.team.reserve(count);
+    held.failed.resize(count);
+  } catch (const std::bad_alloc&) {
+    return 1;
   }
+  std::array<Number, kParameterCount> numbers{};
+  pack_parameters(numbers.data(), held.solver.workspace(0));
+  for (const auto& other : held.others)
+    for (int k = 0; k < Solver::kWorkspaces; ++k)
+      unpack_parameters(numbers.data(), other->workspace(k));
+  return threads;
+}
+
+// Threads take pieces as they finish earlier ones; each state is solved as by one thread alone.
+Failed share_out(Held& held, int threads, const Task& task) {
+  const npy_intp share = task.count / (8 * threads) / kPiece * kPiece;
+  const npy_intp piece = std::max(share, kPiece);
+  std::atomic<npy_intp> next{0};
+  const auto work = [&](Solver& solver, Failed& own) {
+    for (npy_intp first; (first = next.fetch_add(piece)) < task.count;)
+      task.solve(solver, first, std::min(piece, task.count - first), own);
+  };
+  try {
+    for (std::size_t k = 1; k < held.failed.size(); ++k)
+      held.team.emplace_back([&, k] { work(*held.others[k - 1], held.failed[k]); });
+  } catch (const std::exception&) {  // the system gives no more: those that run do it all
+  }
+  work(held.solver, held.failed.front());
+  for (std::thread& each : held.team) each.join();
+  held.team.clear();
+  Failed all;
+  for (const Failed& own : held.failed) all.note(own);
+  return all;
+}
+
+Failed solve(Held& held, int threads, const Task& task) {
+  if (threads > 1) threads = gather(held, threads);
+  if (threads > 1) return share_out(held, threads, task);
+  Failed failed;
+  task.solve(held.solver, 0, task.count, failed);
   return failed;
 }
 
@@ -182,12 +258,14 @@ bool same_rows(const Rows& q, const Rows& other, const char* name) {
   return false;
 }
 
-constexpr const char* kNames[4] = {"q", "v", "tau", "out"};
+constexpr const char* kNames[] = {"q", "v", "tau", "out", "threads"};
+constexpr int kArguments = 5;
 
 // Puts arguments in order; those that are not given stay null.
 bool arrange(PyObject* const* given, Py_ssize_t count, PyObject* names, PyObject** placed) {
-  if (count > 4) {
-    PyErr_Format(PyExc_TypeError, "a solver takes q, v, tau and out, not %zd arguments", count);
+  if (count >= kArguments) {
+    PyErr_Format(PyExc_TypeError, "a solver takes q, v, tau, out and threads=, not %zd arguments",
+                 count);
     return false;
   }
   for (Py_ssize_t k = 0; k < count; ++k) placed[k] = given[k];
@@ -195,9 +273,11 @@ bool arrange(PyObject* const* given, Py_ssize_t count, PyObject* names, PyObject
   for (Py_ssize_t k = 0; k < named; ++k) {
     PyObject* const name = PyTuple_GET_ITEM(names, k);
     int place = 0;
-    while (place < 4 && PyUnicode_CompareWithASCIIString(name, kNames[place]) != 0) ++place;
-    if (place == 4 || placed[place] != nullptr) {
-      PyErr_Format(PyExc_TypeError, "a solver takes q, v, tau and out, each once: %R", name);
+    while (place < kArguments && PyUnicode_CompareWithASCIIString(name, kNames[place]) != 0)
+      ++place;
+    if (place == kArguments || placed[place] != nullptr) {
+      PyErr_Format(PyExc_TypeError, "a solver takes q, v, tau, out and threads, each once: %R",
+                   name);
       return false;
     }
     placed[place] = given[count + k];
@@ -210,8 +290,40 @@ bool arrange(PyObject* const* given, Py_ssize_t count, PyObject* names, PyObject
   return true;
 }
 
+// The cores that this process may use.
+npy_intp cores() {
+#if defined(__linux__)
+  cpu_set_t own;
+  if (sched_getaffinity(0, sizeof own, &own) == 0) return std::max(1, CPU_COUNT(&own));
+#endif
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
+// How many threads share some states: as many as are asked for and have something to do, or as pay.
+// Returns 0 where that is refused.
+int threads_for(PyObject* given, npy_intp count) {
+  const npy_intp pieces = std::max<npy_intp>(1, (count + kPiece - 1) / kPiece);
+  if (given == nullptr || given == Py_None) {
+    if (kSharesThreads || count * kNv < 2 * kOfThread) return 1;
+    return static_cast<int>(std::min({cores(), count * kNv / kOfThread, pieces}));
+  }
+  const long asked = PyLong_AsLong(given);
+  if (asked == -1 && PyErr_Occurred() != nullptr) return 0;
+  if (asked < 1 || asked > kMostThreads) {
+    PyErr_Format(PyExc_ValueError, "threads is from 1 to %d, not %ld", kMostThreads, asked);
+    return 0;
+  }
+  if (kSharesThreads && asked > 1) {
+    PyErr_SetString(
+        PyExc_ValueError,
+        "threads of this solver share each state: compile with procs=1 to share states");
+    return 0;
+  }
+  return static_cast<int>(std::min<npy_intp>(asked, pieces));
+}
+
 PyObject* call(PyObject* self, PyObject* const* given, std::size_t flags, PyObject* names) {
-  PyObject* placed[4] = {};
+  PyObject* placed[kArguments] = {};
   if (!arrange(given, PyVectorcall_NARGS(flags), names, placed)) return nullptr;
   Rows q, v, tau;
   if (!take(placed[0], "q", kNq, q) || !take(placed[1], "v", kNv, v) ||
@@ -224,19 +336,55 @@ PyObject* call(PyObject* self, PyObject* const* given, std::size_t flags, PyObje
     PyErr_SetString(PyExc_ValueError, "out is also what is read");
     return nullptr;
   }
+  const int threads = threads_for(placed[4], q.count);
+  if (threads == 0) return nullptr;
   Held& held = *reinterpret_cast<Object*>(self)->held;
+  const Task task{q.data(), v.data(), tau.data(), qdd, q.count, q.dimensions == 2};
   Failed failed;
-  if (q.count * kNv < kMany && held.mutex.try_lock()) {
-    failed = solve(held.solver, q, v, tau, qdd);
+  if (threads == 1 && q.count * kNv < kMany && held.mutex.try_lock()) {
+    failed = solve(held, 1, task);
     held.mutex.unlock();
   } else {
     Py_BEGIN_ALLOW_THREADS held.mutex.lock();
-    failed = solve(held.solver, q, v, tau, qdd);
+    failed = solve(held, threads, task);
     held.mutex.unlock();
     Py_END_ALLOW_THREADS
   }
   return failed.count == 0 ? out.release() : raise(failed, q, out.get());
 }
+
+// Sets the numbers from the one numbered first on that can be set at run time.
+template <class AnySolver>
+auto set_numbers(AnySolver& solver, int first, int count, const Number* x, int)
+    -> decltype(set_parameters(solver, first, count, x)) {
+  return set_parameters(solver, first, count, x);
+}
+template <class AnySolver>
+int set_numbers(AnySolver&, int, int, const Number*, long) {
+  return failure(kNotSet, 0);
+}
+
+// set(first, numbers): of what can be set at run time.
+PyObject* set(PyObject* self, PyObject* arguments) {
+  int first = 0;
+  PyObject* given = nullptr;
+  if (!PyArg_ParseTuple(arguments, "iO", &first, &given)) return nullptr;
+  Owned any(converted(given));
+  if (any.get() == nullptr) return nullptr;
+  const npy_intp count = PyArray_SIZE(any.array());
+  if (first < 0 || first + count > kParameterCount)
+    return PyErr_Format(PyExc_ValueError, "there are no such numbers to be set at run time");
+  Held& held = *reinterpret_cast<Object*>(self)->held;
+  int status = kFine;
+  Py_BEGIN_ALLOW_THREADS held.mutex.lock();
+  status = set_numbers(held.solver, first, static_cast<int>(count),
+                       static_cast<const Number*>(PyArray_DATA(any.array())), 0);
+  held.mutex.unlock();
+  Py_END_ALLOW_THREADS if (status == kFine) Py_RETURN_NONE;
+  return PyErr_Format(PyExc_ValueError, "%s", describe(status).c_str());
+}
+
+PyMethodDef methods[] = {{"_set", set, METH_VARARGS, nullptr}, {nullptr, nullptr, 0, nullptr}};
 
 PyObject* make(PyTypeObject* type, PyObject*, PyObject*) {
   auto* const self = reinterpret_cast<Object*>(type->tp_alloc(type, 0));
@@ -274,6 +422,7 @@ PyType_Slot slots[] = {{Py_tp_new, reinterpret_cast<void*>(make)},
                        {Py_tp_dealloc, reinterpret_cast<void*>(drop)},
                        {Py_tp_call, reinterpret_cast<void*>(PyVectorcall_Call)},
                        {Py_tp_members, members},
+                       {Py_tp_methods, methods},
                        {0, nullptr}};
 
 PyType_Spec spec = {"adagen_solver.Core", sizeof(Object), 0,

@@ -68,7 +68,8 @@ class Refinement {
   // Its process's shares of e^T H e, t^T H t, and the same of all that holds links in free fall.
   double step_energy = 0, energy = 0, whole_energy = 0;
   std::array<double, kRefine> corrections{};
-  double rounding = 0;  // the last correction, relative to the larger of these
+  double rounding = 0;           // the last correction, relative to the larger of these
+  Wide6 ground = Wide6::Zero();  // its acceleration, relative to free fall
 
   void begin(const RefinedProcess& own, const Number* q, const Number* v) {
     qdd.fill(0);
@@ -154,8 +155,6 @@ class Refinement {
 
   // What is left over at the process's links.
   void residual(const RefinedProcess& own) {
-    Wide6 ground = Wide6::Zero();
-    for (int k = 0; k < 3; ++k) ground[3 + k] = -Wide(kGravity[k]);
     for (const int j : own.path) {
       const int parent = kJoints[j].parent;
       WideJoint& i = joints_[j];

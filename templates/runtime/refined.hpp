@@ -96,6 +96,7 @@ inline void refine(Workspace& w, Channel& channel, Steps solve, Steps correct) {
   Refinement& r = w.refinement;
   const Number* const tau = given(w.tau);
   Number* const qdd = w.qdd;
+  for (int k = 0; k < 3; ++k) r.ground[3 + k] = -Wide(gravity(w, k));
   r.begin(own, given(w.q), given(w.v));
   r.step.fill(0);
   w.qdd = r.step.data();

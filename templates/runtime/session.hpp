@@ -99,6 +99,10 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   MPI_Bcast(&status, 1, MPI_INT, 0, comm);
   if (status != kDone) return status;
   MPI_Bcast(&states.count, 1, MPI_INT, 0, comm);
+  int gravity = static_cast<int>(states.gravity.size());
+  MPI_Bcast(&gravity, 1, MPI_INT, 0, comm);
+  states.gravity.resize(static_cast<std::size_t>(gravity));
+  MPI_Bcast(states.gravity.data(), gravity, MPI_DOUBLE, 0, comm);
   const auto share = [&](std::vector<Number>& x, int n) {
     x.resize(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(n));
     MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiNumber, 0, comm);
@@ -128,6 +132,16 @@ struct Session {
   const Number* tau(int s) const { return states.tau.data() + static_cast<long>(s) * about.ntau; }
   Number* acceleration(int s) { return qdd.data() + static_cast<long>(s) * about.nv; }
 
+  // The states file; where it says another gravity, and that can be set, it holds from now on.
+  int load_states() {
+    const int status = load(options.states, comm(), rank, states);
+    if (status != kDone || states.gravity.empty()) return status;
+    gravity_ = states.gravity;
+    about.gravity = gravity_.data();
+    solver.set_gravity(about.gravity);
+    return status;
+  }
+
   void use(States given) {
     states = std::move(given);
     qdd.assign(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(about.nv),
@@ -153,4 +167,7 @@ struct Session {
     std::fflush(stderr);
     MPI_Abort(MPI_COMM_WORLD, kFault);
   }
+
+ private:
+  std::vector<double> gravity_;
 };

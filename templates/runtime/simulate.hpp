@@ -44,7 +44,7 @@ class Simulation {
     if (on_.options.states.empty()) {
       on_.use(random_states(1, on_.options.seed, on_.solver));
     } else {
-      const int status = load(on_.options.states, on_.comm(), on_.rank, on_.states);
+      const int status = on_.load_states();
       if (status != kDone) return status;
       if (on_.states.count != 1)
         return on_.complain(

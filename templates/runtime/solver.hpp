@@ -70,7 +70,8 @@ class Solver : public InPlace {
     const Number* content = channel.receive(state_message(rank), status, patient);
     content = unpack(content, own.q, q_.data());
     content = unpack(content, own.v, v_.data());
-    unpack(content, own.tau, tau_.data());
+    content = unpack(content, own.tau, tau_.data());
+    unpack_parameters(content, w);
     prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
     Channel::fail(w.status, status);
     run();
@@ -88,7 +89,8 @@ class Solver : public InPlace {
       Number* content = channel.outgoing(state_message(p), status);
       content = pack(content, other.q, q);
       content = pack(content, other.v, v);
-      pack(content, other.tau, tau);
+      content = pack(content, other.tau, tau);
+      pack_parameters(content, w);
       channel.send(state_message(p), status);
     }
     prepare(q, v, tau, qdd_.data());

@@ -2,6 +2,7 @@
 struct States {
   int count = 0;
   std::vector<Number> q, v, tau;  // one state after the other
+  std::vector<double> gravity;    // where it is set; else none
 };
 
 class StatesReader : private JsonReader {
@@ -39,7 +40,10 @@ class StatesReader : private JsonReader {
                  (about.floating ? "floating" : "fixed") + "; generate it anew");
       } else if (key == "gravity") {
         const std::vector<double> given = numbers();
-        if (given.size() != 3 || !std::equal(given.begin(), given.end(), about.gravity))
+        if (given.size() != 3) refuse("\"gravity\" is not three numbers");
+        if (about.sets_gravity)
+          states.gravity = given;
+        else if (!std::equal(given.begin(), given.end(), about.gravity))
           refuse("\"gravity\": another gravity is compiled into this solver; generate it anew");
       } else {
         refuse("unknown member " + quoted(key.c_str()));

@@ -48,7 +48,11 @@ class Solver : public InPlace {
 
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     if (channel.broken()) return finish(failure(kNoAnswer, 0));
-    q_ = q, v_ = v, tau_ = tau;
+    if constexpr (!kAlone) {
+      std::copy_n(q, kNq, q_.data());
+      std::copy_n(v, kNv, v_.data());
+      std::copy_n(tau, kNtau, tau_.data());
+    }
     const std::uint64_t number = call();
     int status = InPlace::solve(q, v, tau, kAlone ? qdd : qdd_.data());
     for (int p = 1; p < kProcesses; ++p) {
@@ -141,7 +145,8 @@ class Solver : public InPlace {
     for (std::uint64_t number = 2;; ++number) {
       await(number);
       if (ending_) return;
-      member.status = own->solve(q_, v_, tau_, qdd_.data());
+      copy_parameters(w, own->w);
+      member.status = own->solve(q_.data(), v_.data(), tau_.data(), qdd_.data());
       member.done.store(number, std::memory_order_release);
     }
   }
@@ -153,6 +158,10 @@ class Solver : public InPlace {
   std::atomic<bool> ending_{false};
   std::mutex mutex_;
   std::condition_variable bell_;
-  const Number *q_ = nullptr, *v_ = nullptr, *tau_ = nullptr;  // of the evaluation at work
-  alignas(kCacheLine) std::array<Number, kNv> qdd_{};          // each thread writes its own
+  // The state of the evaluation at work: a thread that is late may still read it when the call is
+  // over, and the caller's memory somebody else's.
+  alignas(kCacheLine) std::array<Number, kNq> q_{};
+  std::array<Number, kNv> v_{};
+  std::array<Number, kNtau> tau_{};
+  alignas(kCacheLine) std::array<Number, kNv> qdd_{};  // each thread writes its own
 };

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import os
+import re
+import subprocess
+import time
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -17,7 +21,7 @@ from adagen.model import Model
 from adagen.plan import Plan
 from adagen.plan.types import THREADS
 from adagen.states import States, random_states
-from tests.emitted import QUICK, ROUNDING, Builder, forward_error, plan_of, truth_of
+from tests.emitted import QUICK, ROUNDING, Builder, cores, forward_error, plan_of, truth_of
 from tests.end_to_end.test_library import BY_STEM, filled, run
 from tests.golden.examples import FOLDER
 from tests.models import human_figure, serial_chain
@@ -53,6 +57,31 @@ def test_what_threads_have_not_is_refused(option: tuple[str, ...], builder: Buil
     done = builder.solver(replace(plan, channel=THREADS), QUICK).run(*option)
     assert done.status == 2
     assert "a solver of threads has neither --trace nor --stretches" in done.stderr
+
+
+@pytest.mark.parametrize("words", [(), ("--no-pin",)])
+def test_threads_stay_on_cores_of_their_own_unless_told(
+    words: tuple[str, ...], builder: Builder
+) -> None:
+    _, plan, _ = CASES["joined"]
+    solver = builder.solver(replace(plan, channel=THREADS), QUICK)
+    command = [str(solver.executable), "--time", "--repeat", "1000000", *words]
+    program = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    try:
+        threads: list[set[int]] = []
+        for _ in range(100):
+            tasks = [int(task.name) for task in Path(f"/proc/{program.pid}/task").iterdir()]
+            threads = [os.sched_getaffinity(task) for task in tasks if task != program.pid]
+            if any(len(own) == 1 for own in threads):
+                break
+            time.sleep(0.01)
+        # One of them watches the time limit, and may run anywhere.
+        pinned = [own for own in threads if len(own) == 1]
+        assert len(pinned) == (0 if words or cores() < 2 else 1)
+        assert len(threads) >= 1
+    finally:
+        program.kill()
+        program.wait()
 
 
 FLAGS = ("-O1", "-march=native")
@@ -98,6 +127,15 @@ def test_a_program_calls_threads(case: str, flags: tuple[str, ...], builder: Bui
     state = States(*(np.full((1, n), x) for n, x in zip(sizes, (0.3, 0.2, 0.1), strict=True)))
     assert forward_error(found, truth_of(model, state)) < ROUNDING["double"]
     assert len(plan.processes) > 1
+
+
+def test_a_late_thread_leaves_the_callers_memory_alone(builder: Builder) -> None:
+    source = solver_and("late.cpp", "gathered")
+    source = source.replace("\nnamespace {\n", "\n#define private public\nnamespace {\n", 1)
+    fine, late, *rest = run(builder.compile(source, "late", (*FLAGS, "-pthread"))).splitlines()
+    assert fine == "fine 1"
+    assert re.fullmatch("late 1, no answer 1: process [12] did not answer within the .*", late)
+    assert rest == ["later 1", "closed"]
 
 
 def test_threads_take_nothing_from_the_heap_once_they_are_open(builder: Builder) -> None:

@@ -19,7 +19,7 @@ import pytest
 
 import adagen
 from adagen.states import random_states
-from tests.emitted import ROUNDING, forward_error, truth_of
+from tests.emitted import ROUNDING, cores, forward_error, truth_of
 from tests.golden.make_models import MODELS
 
 ARM, MOBILE = MODELS / "arm7.urdf", MODELS / "mobile.urdf"
@@ -312,6 +312,70 @@ class TestThreads:
         for thread in threads:
             thread.join()
         assert all(np.array_equal(out, expected) for out in found)
+
+    @pytest.mark.parametrize("asked", [{}, {"batch": True}, {"scalar": "float"}])
+    def test_any_number_of_threads_gives_the_same_bits(self, asked: dict[str, Any]) -> None:
+        solver = build(ARM, runtime="gravity", **asked)
+        solver.gravity = (0, 0, -1.62)
+        q, v, tau = (np.tile(part, (450, 1)) for part in states(solver, 7)[:3])
+        alone = solver(q, v, tau, threads=1)
+        assert np.array_equal(alone[:7], solver(q[:7], v[:7], tau[:7]))
+        for threads in (2, 3, 7, None):
+            out = np.zeros_like(alone)
+            assert solver(q, v, tau, out, threads=threads) is out
+            assert np.array_equal(out, alone)
+        solver.gravity = (0, 0, 9.81)
+        upwards = solver(q, v, tau, threads=3)
+        assert not np.array_equal(upwards, alone)
+        assert np.array_equal(upwards, solver(q, v, tau, threads=1))
+        for spoilt in (3000, 70, 2999):
+            tau[spoilt, 1] = np.nan
+        found = []
+        for threads in (1, 3):
+            with pytest.raises(adagen.SolveError, match=r"^state 70: joint") as failed:
+                solver(q, v, tau, threads=threads)
+            found.append(failed.value)
+        assert [error.count for error in found] == [3, 3]
+        assert np.array_equal(found[0].out, found[1].out, equal_nan=True)
+        assert np.isnan(found[1].out[[70, 2999, 3000]]).all()
+
+    def test_threads_are_taken_for_many_states_alone(self, arm: adagen.Solver) -> None:
+        def running() -> int:
+            return len(list(Path("/proc/self/task").iterdir()))
+
+        def most(count: int, **threads: Any) -> int:
+            many = [np.repeat(part, count, axis=0) for part in states(arm, 1)[:3]]
+            done = threading.Event()
+
+            def solve() -> None:
+                arm(*many, **threads)
+                done.set()
+
+            before, seen = running(), 0
+            caller = threading.Thread(target=solve)
+            caller.start()
+            while not done.is_set():
+                seen = max(seen, running() - before)
+            caller.join()
+            return seen
+
+        assert most(400_000, threads=1) == 1  # the caller's own
+        assert most(400_000, threads=4) == 4
+        assert most(400_000) == min(cores(), 400_000 * arm.nv // 50_000)
+        assert most(10_000) <= 1
+
+    def test_a_number_of_threads_that_cannot_be_had_is_told(self, arm: adagen.Solver) -> None:
+        q, v, tau, _ = states(arm, 1)
+        for threads in (0, -3, 1025):
+            with pytest.raises(ValueError, match=f"threads is from 1 to 1024, not {threads}"):
+                arm(q, v, tau, threads=threads)
+        with pytest.raises(TypeError):
+            arm(q, v, tau, threads="two")  # type: ignore[arg-type]
+        assert np.array_equal(arm(q[0], v[0], tau[0], threads=5), arm(q, v, tau)[0])
+        team = build(ARM, procs=2, channel="threads", form="ada", shape="joints")
+        with pytest.raises(ValueError, match="threads of this solver share each state"):
+            team(q, v, tau, threads=2)
+        assert team(q, v, tau, threads=1).shape == (1, arm.nv)
 
 
 def test_a_call_costs_little_beside_the_evaluation(arm: adagen.Solver) -> None:

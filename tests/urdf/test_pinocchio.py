@@ -11,6 +11,7 @@ import pytest
 from adagen.model import Model
 from adagen.reference import forward_dynamics
 from adagen.urdf import read_robot
+from tests.real import real_robot
 
 pin = pytest.importorskip("pinocchio")
 
@@ -28,19 +29,6 @@ ROBOTS = {
 }
 
 
-def find(name: str) -> Path:
-    from importlib.metadata import PackageNotFoundError, files
-
-    try:
-        listed = files("example-robot-data") or []
-    except PackageNotFoundError:
-        pytest.skip("example-robot-data is not installed")
-    for file in listed:
-        if str(file).endswith(f"/robots/{ROBOTS[name]}"):
-            return Path(str(file.locate())).resolve()
-    raise AssertionError(f"{ROBOTS[name]} is not in example-robot-data")
-
-
 def theirs(path: Path, floating: bool) -> Any:
     root = (pin.JointModelFreeFlyer(), "__base__") if floating else ()
     return pin.buildModelFromUrdf(str(path), *root)
@@ -49,7 +37,7 @@ def theirs(path: Path, floating: bool) -> Any:
 @pytest.mark.parametrize("floating", [False, True], ids=["fixed", "floating"])
 @pytest.mark.parametrize("name", ROBOTS)
 def test_same_robot(name: str, floating: bool) -> None:
-    path = find(name)
+    path = real_robot(ROBOTS[name])
     ours, other = read_robot(path, floating=floating).model, theirs(path, floating)
     assert [j.name for j in ours.joints] == list(other.names)[1:]
     assert [j.parent for j in ours.joints] == list(other.parents)[1:]
@@ -66,7 +54,7 @@ def test_same_robot(name: str, floating: bool) -> None:
 @pytest.mark.parametrize("floating", [False, True], ids=["fixed", "floating"])
 @pytest.mark.parametrize("name", ["panda", "ur5", "talos", "solo12", "g1"])
 def test_same_accelerations(name: str, floating: bool) -> None:
-    path = find(name)
+    path = real_robot(ROBOTS[name])
     ours, other = read_robot(path, floating=floating).model, theirs(path, floating)
     rng = np.random.default_rng(1)
     angles = _configuration(ours, rng)

@@ -19,6 +19,8 @@ __all__ = ["values", "why_not"]
 
 def why_not(plan: Plan) -> str | None:
     """Return why a plan cannot be emitted in this shape; None where it can."""
+    if plan.sets_inertias:
+        return "in it masses are constants"
     if any(message.inertias for message in plan.messages):
         return "the processes of this plan gather their inertias"
     if plan.closed:

@@ -79,7 +79,7 @@ def propagate(words: Words, step: Propagate) -> list[str]:
         lines.append(f"Mat6 Omega = from_right(i.X * {words.block(step.near)}, i.X);")
     lines.append("carry(i.body, Omega);")
     lines.append(f"{target} = {'congruent_in_parent(i.X, Omega)' if step.reversed else 'Omega'};")
-    near = words.ground if step.near_bias is None else words.bias(step.near_bias)
+    near = "w.ground" if step.near_bias is None else words.bias(step.near_bias)
     lines += far_acceleration(step, near, words.bias(step.bias), "")
     for number, spread in enumerate(step.spreads):
         lines += _spread(words, step, spread, f"Psi_{number}")
@@ -132,7 +132,7 @@ def deliver(words: Words, step: Deliver) -> list[str]:
 def accelerate(words: Words, step: Accelerate) -> list[str]:
     """Qdd of the joint and the acceleration of its far link."""
     near, far = ends(words, step)
-    start = words.ground if near == 0 else f"{of_link(words, step.joint, near)}.a"
+    start = "w.ground" if near == 0 else f"{of_link(words, step.joint, near)}.a"
     lines = [f"auto& i = {words.memory(step.joint)};"]
     target = f"{of_link(words, step.joint, far)}.a"
     if words.plan.joints[step.joint].prescribed:
@@ -175,7 +175,7 @@ def free_acceleration(words: Words, step: FreeAcceleration) -> list[str]:
     j = step.joint
     return [
         f"auto& i = {words.memory(j)};",
-        f"const Columns6 a = i.a - i.X * {words.ground};",
+        "const Columns6 a = i.a - i.X * w.ground;",
         "std::array<std::array<Real, kColumns>, 6> qdd;",
         "for (std::size_t k = 0; k < 6; ++k)",
         "  for (int c = 0; c < kColumns; ++c)",

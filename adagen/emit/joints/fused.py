@@ -54,7 +54,7 @@ def assembly(words: Words, join: FusedJoin) -> list[str]:
         lines.append(f"const Mat6 X_Phi_A = i.run.BX * {words.block(join.a)};")
         lines.append("const Mat6 Phi_A = X_Phi_A * i.run.BX.transpose();")
         phi_a = "Phi_A"
-    b_a = words.ground if join.a_bias is None else words.bias(join.a_bias)
+    b_a = "w.ground" if join.a_bias is None else words.bias(join.a_bias)
     lines += [
         f"const Mat6 X_Phi_B = i.run.B * {words.block(join.b)};",
         "const Mat6 Phi_B = X_Phi_B * i.run.B.transpose();",
@@ -92,7 +92,7 @@ def reassembly(words: Words, join: FusedJoin) -> list[str]:
             f"  place<{first}>(tau, i.joined.tau);",
             "}",
         ]
-    b_a = words.ground if join.a_bias is None else words.bias(join.a_bias)
+    b_a = "w.ground" if join.a_bias is None else words.bias(join.a_bias)
     b_b = f"i.run.B * {words.bias(join.b_bias)}"
     return [*lines, f"rejoin(i.joined, i.P, i.run.BX * {b_a}, {b_b});", *bias_updates(words, join)]
 

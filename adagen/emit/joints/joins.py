@@ -45,7 +45,7 @@ def assembly(words: Words, join: Join, *, turned: bool = False) -> list[str]:
     if turned:
         lines.append(f"const Mat6 Phi_B = from_right(i.Y * {words.block(join.b)}, i.Y);")
     phi_b = "Phi_B" if turned else words.block(join.b)
-    ground = "kGround" if turned else words.ground
+    ground = "kGround" if turned else "w.ground"
     b_a = ground if join.a_bias is None else words.bias(join.a_bias)
     given = effects.prescribe(words, j, "c", turned=turned)
     c = "Columns6 c" if given or rotor else "const Columns6 c"

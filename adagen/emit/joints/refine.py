@@ -50,13 +50,13 @@ def _function(words: Words, step: Step) -> list[str]:
         case FusedJoin():
             lines += reassembly(words, step)
         case Join():
-            b_a = words.ground if step.a_bias is None else words.bias(step.a_bias)
+            b_a = "w.ground" if step.a_bias is None else words.bias(step.a_bias)
             lines.append(f"rejoin(i.joined, i.X * {b_a}, {words.bias(step.b_bias)});")
             lines += bias_updates(words, step)
         case Articulate():
             lines += _rearticulate(words, step)
         case Propagate():
-            near = words.ground if step.near_bias is None else words.bias(step.near_bias)
+            near = "w.ground" if step.near_bias is None else words.bias(step.near_bias)
             lines += far_acceleration(step, near, words.bias(step.bias), "")
     return lines
 

@@ -68,7 +68,7 @@ void outward_group(Workspace& w) {
   const Frame<Value>* sides[kWidth<T>];
   ADAGEN_FOR (lane, 0, kWidth<T>) {
     const int near = limbs.near(lane);
-    frames[lane] = near == 0 ? ground() : frame_of(w, near == 0 ? 0 : near - 1);
+    frames[lane] = near == 0 ? ground(w) : frame_of(w, near == 0 ? 0 : near - 1);
     sides[lane] = &frames[lane];
   }
   Frame<T> at = side_by_side<T, Frame>(sides);

@@ -5,7 +5,7 @@
 template <class T>
 ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>& X) {
   const Value* const A = w.at(joints.slot, kRotational);
-  const auto mass = mass_of(joints);
+  const auto mass = mass_of(w, joints);
   const Vector<T> c = vector_at<T>(w.at(joints.slot, kMoments));
   const Vector<T> Ax = vector_at<T>(A), Ay = vector_at<T>(A + 3 * kPerBlock);
   X.A += Symmetric<T>{Ax.x, Ax.y, Ax.z, Ay.x, Ay.y, Ay.z};  // xx xy xz yy yz zz

@@ -2,9 +2,9 @@
 // lies beside; where no register holds a column, such runs are taken number by number.
 
 // The joint that fills a slot.
-const std::array<std::size_t, kBlockCount * kPerBlock> kJointAt = [] {
-  std::array<std::size_t, kBlockCount * kPerBlock> result;
-  result.fill(kJointCount);
+constexpr std::array<std::size_t, kBlockCount * kPerBlock> kJointAt = [] {
+  std::array<std::size_t, kBlockCount * kPerBlock> result{};
+  for (std::size_t& joint : result) joint = kJointCount;
   for (int j = 0; j < kJointCount; ++j)
     result[static_cast<std::size_t>(slot_of(j))] = static_cast<std::size_t>(j);
   return result;
@@ -24,7 +24,7 @@ void set_up_columns(Workspace& w) {
         std::memcpy(link.*place, &found[k], sizeof found[k]);
       }
     };
-    const auto& all = kBlockConstants[static_cast<std::size_t>(slot / kPerBlock)];
+    const auto& all = w.constants_of(slot / kPerBlock);
     const Column mass = number_at<Column>(&all.mass[static_cast<std::size_t>(slot % kPerBlock)]);
     const Column x = row(kMoments), y = row(kMoments + 1), z = row(kMoments + 2);
     const Column none = mass - mass;  // a zero unknown to gcc 12, which errs in shuffles with it

@@ -1,37 +1,5 @@
 // What needs no recursion, for as many links at once as a register holds.
 
-// A number of each joint of a block, as constants of the model are kept.
-using PerJoint = std::array<Real, sizeof(Value) == sizeof(Real) ? kPerBlock : 1>;
-
-struct alignas(64) BlockConstants {
-  PerJoint rotation[6];  // joint frame to parent link's axes, columns x and y
-  PerJoint x, y, z;      // of the joint's origin in the parent link's frame
-  PerJoint mass, moments[3], tensor[6];
-};
-
-const std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
-  std::array<BlockConstants, kBlockCount> result{};
-  for (BlockConstants& block : result) {  // slots that are not filled do not turn, but weigh
-    for (const int k : {0, 4}) block.rotation[k].fill(1);
-    block.mass.fill(1);
-    for (const int k : {0, 3, 5}) block.tensor[k].fill(1);
-  }
-  for (int j = 0; j < kJointCount; ++j) {
-    BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
-    const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);
-    const LinkInertia& link = kInertias[static_cast<std::size_t>(j)];
-    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    for (int k = 0; k < 6; ++k) block.rotation[k][lane] = joint.rotation[k % 3 * 3 + k / 3];
-    block.x[lane] = joint.translation[0];
-    block.y[lane] = joint.translation[1];
-    block.z[lane] = joint.translation[2];
-    block.mass[lane] = link.mass;
-    for (int k = 0; k < 3; ++k) block.moments[k][lane] = link.moments[k];
-    for (int k = 0; k < 6; ++k) block.tensor[k][lane] = link.tensor[k];
-  }
-  return result;
-}();
-
 // Constants of each of the joints.
 template <class T>
 ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
@@ -39,11 +7,12 @@ ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* mem
   return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);
 }
 template <class T>
-ADAGEN_INLINE auto mass_of(const Joints<T>& joints) {
+ADAGEN_INLINE auto mass_of(const Workspace& w, const Joints<T>& joints) {
   if constexpr (kWidth<T> == 1)
-    return kInertias[static_cast<std::size_t>(joints.joint[0])].mass;
+    return w.inertia_of(joints.joint[0]).mass;
   else
-    return constant(joints, &BlockConstants::mass);
+    return number_at<T>(&w.constants_of(joints.slot / kPerBlock)
+                             .mass[static_cast<std::size_t>(joints.slot % kPerBlock)]);
 }
 template <class T>
 ADAGEN_INLINE auto origin_of(const Joints<T>& joints) {
@@ -126,7 +95,7 @@ template <int first, int last>
 void set_up_links(Workspace& w) {
   for (int b = first; b < last; ++b) {
     Block& block = w.blocks[static_cast<std::size_t>(b)];
-    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = w.constants_of(b);
     const auto& entries = block.entries;
     const Matrix<Lanes> R{wide_vector(entries + kAxes), wide_vector(entries + kAxes + 3),
                           wide_vector(entries + kAxes + 6)};

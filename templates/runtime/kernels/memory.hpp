@@ -1,6 +1,4 @@
-// The memory of a process. What is set up for many links at once lies in blocks, side by side.
-constexpr int kPerBlock = static_cast<int>(sizeof(Lanes) / sizeof(Value));  // links in a block
-constexpr int kBlockCount = (kSlotCount + kPerBlock - 1) / kPerBlock;
+// The memory of a process.
 
 // Joints that are treated together, one in each lane of T; their slots follow each other.
 template <class T>
@@ -14,7 +12,6 @@ struct Joints {
     return kJoints[static_cast<std::size_t>(joint[0])];
   }
 };
-constexpr int slot_of(int j) { return kReordered ? kSlots[j] : j; }
 ADAGEN_INLINE Joints<Value> single(int j) { return {slot_of(j), {j}}; }
 
 // The lanes of limbs side by side.
@@ -120,7 +117,7 @@ struct Frame {
   Vector<T> omega, alpha, a;
 };
 
-struct Workspace : State, Cuts {
+struct Workspace : State, Cuts, Inertias {
   int status = kFine;
   bool lost = false;   // whether a sweep in axes of the base found too few digits left
   bool again = false;  // whether links feel the forces in their blocks, and no motion's

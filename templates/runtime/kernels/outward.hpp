@@ -15,12 +15,12 @@ ADAGEN_INLINE void keep(Workspace& w, int slot, const Frame<T>& frame) {
 }
 
 // The ground accelerates against gravity: accelerations are relative to free fall.
-ADAGEN_INLINE Frame<Value> ground() {
+ADAGEN_INLINE Frame<Value> ground(const Workspace& w) {
   const Value one = Value{} + 1, none{};
   return {{{one, none, none}, {none, one, none}, {none, none, one}},
           {none, none, none},
           {none, none, none},
-          {none - Real(kGravity[0]), none - Real(kGravity[1]), none - Real(kGravity[2])}};
+          {none - Real(gravity(w, 0)), none - Real(gravity(w, 1)), none - Real(gravity(w, 2))}};
 }
 
 // The axes of a floating base are the link's own: only gravity is turned.
@@ -30,11 +30,11 @@ void free_base_frame(Workspace& w) {
   const Value* q = w.q + joint.q + 3;
   Matrix<Value> turn;
   require_length(w, rotation(q[0], q[1], q[2], q[3], turn), j);
-  Frame<Value> frame = ground();
-  const Vector<Real> gravity{Real(kGravity[0]), Real(kGravity[1]), Real(kGravity[2])};
+  Frame<Value> frame = ground(w);
+  const Vector<Real> down{Real(gravity(w, 0)), Real(gravity(w, 1)), Real(gravity(w, 2))};
   const Number* const P = joint.rotation;
   const auto along = [&](int k) {
-    return Real(P[k] * gravity.x + P[3 + k] * gravity.y + P[6 + k] * gravity.z);
+    return Real(P[k] * down.x + P[3 + k] * down.y + P[6 + k] * down.z);
   };
   const Vector<Real> fixed{along(0), along(1), along(2)};
   const Value none{};
@@ -123,7 +123,7 @@ ADAGEN_INLINE void step_outward(Workspace& w, const Joints<T>& joints, JointKind
 template <int j>
 ADAGEN_INLINE Frame<Value> frame_near(Workspace& w) {
   constexpr int parent = kJoints[j].parent - 1;
-  return parent < 0 ? ground() : frame_of(w, parent < 0 ? 0 : parent);
+  return parent < 0 ? ground(w) : frame_of(w, parent < 0 ? 0 : parent);
 }
 
 // Joints first .. last, each on the link of the one before.

@@ -7,16 +7,17 @@ struct QuaternionPlaces {
   std::array<int, kPerBlock> q{};
 };
 template <int p>
-const std::array<QuaternionPlaces, kBlockCount> kQuaternionPlaces = [] {
-  std::array<int, kBlockCount * kPerBlock> found;
-  found.fill(-1);
+constexpr std::array<QuaternionPlaces, kBlockCount> kQuaternionPlaces = [] {
+  std::array<int, kBlockCount * kPerBlock> found{};
+  for (int& place : found) place = -1;
   for (int j = 0; j < kJointCount; ++j) {
     const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
     const LinkRole role = kRoles[p][static_cast<std::size_t>(j + 1)];
     if (role.oriented) found[static_cast<std::size_t>(slot_of(j))] = joint.q + joint.nq - 4;
   }
-  std::array<QuaternionPlaces, kBlockCount> result;
-  int last = *std::max_element(found.begin(), found.end());
+  std::array<QuaternionPlaces, kBlockCount> result{};
+  int last = -1;
+  for (const int place : found) last = place > last ? place : last;
   for (std::size_t slot = 0; slot < found.size(); ++slot) {
     if (found[slot] >= 0) last = found[slot];
     result[slot / kPerBlock].own[slot % kPerBlock] = found[slot] >= 0;

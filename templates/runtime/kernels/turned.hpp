@@ -41,16 +41,17 @@ ADAGEN_INLINE void from_base(Workspace& w, int link, Body<Value>& X) {
 
 // Mass, its moments and the pseudo-inertia of the links beyond joints.
 template <class T>
-ADAGEN_INLINE void own_inertia(const Joints<T>& joints, T& mass, Vector<T>& c, Symmetric<T>& J) {
+ADAGEN_INLINE void own_inertia(const Workspace& w, const Joints<T>& joints, T& mass, Vector<T>& c,
+                               Symmetric<T>& J) {
   if constexpr (kWidth<T> == 1) {
-    const LinkInertia& link = kInertias[static_cast<std::size_t>(joints.joint[0])];
+    const LinkInertia& link = w.inertia_of(joints.joint[0]);
     const auto x = [](Real number) { return T{} + number; };
     mass = x(link.mass);
     c = {x(link.moments[0]), x(link.moments[1]), x(link.moments[2])};
     J = {x(link.tensor[0]), x(link.tensor[1]), x(link.tensor[2]),
          x(link.tensor[3]), x(link.tensor[4]), x(link.tensor[5])};
   } else {
-    const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
+    const auto& block = w.constants_of(joints.slot / kPerBlock);
     const auto x = [&](const PerJoint& numbers) {
       return number_at<T>(&numbers[static_cast<std::size_t>(joints.slot % kPerBlock)]);
     };
@@ -69,7 +70,7 @@ ADAGEN_INLINE void add_own_link(Workspace& w, const Joints<T>& joints, Body<T>& 
   T mass;
   Vector<T> c;
   Symmetric<T> J;
-  own_inertia(joints, mass, c, J);
+  own_inertia(w, joints, mass, c, J);
   Vector<T> n, f;
   if (kAgain && w.again) {
     n = told(kTorque), f = told(kForce);
@@ -89,14 +90,14 @@ ADAGEN_INLINE void add_own_link(Workspace& w, const Joints<T>& joints, Body<T>& 
 // but noise where links without inertia come near gimbal lock. Of a reversed joint the whole body
 // was turned and shifted.
 template <bool along, bool reversed, class T>
-ADAGEN_INLINE T left_of(const Joints<T>& joints, const Body<T>& X, const T& D) {
+ADAGEN_INLINE T left_of(const Workspace& w, const Joints<T>& joints, const Body<T>& X, const T& D) {
   const Symmetric<T>& whole = along ? X.C : X.A;
   T brought = whole.xx + whole.yy + whole.zz;
   if constexpr (!reversed) {
     T mass;
     Vector<T> c;
     Symmetric<T> J;
-    own_inertia(joints, mass, c, J);
+    own_inertia(w, joints, mass, c, J);
     brought -= along ? 3 * mass : 2 * (J.xx + J.yy + J.zz);
   }
   return D - kLeast * brought;
@@ -117,7 +118,7 @@ ADAGEN_INLINE void eliminate_own(Workspace& w, const Joints<T>& joints, Body<T>&
     rotor = each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
     D += rotor;
   }
-  const T left = left_of<along, reversed>(joints, X, D);
+  const T left = left_of<along, reversed>(w, joints, X, D);
   if (__builtin_expect(!all_positive(left), 0)) fail_one(w, joints, left);
   const T inverse = 1 / D, u = (tau - (along ? X.f.z : X.n.z)) * inverse, kept = rotor * inverse;
   const Vector<T> e_n = n * inverse, e_f = f * inverse;

@@ -8,7 +8,6 @@
 #define BOOST_MPL_LIMIT_LIST_SIZE 30
 #define BOOST_MPL_LIMIT_VECTOR_SIZE 30
 #include "pinocchio/algorithm/aba.hpp"
-
 #include "pinocchio_model.hpp"
 
 int main(int words, char** word) {

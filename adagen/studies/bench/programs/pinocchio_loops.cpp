@@ -12,7 +12,6 @@
 #define PINOCCHIO_ENABLE_UNSUPPORTED
 #include "pinocchio/algorithm/constrained-dynamics.hpp"
 #include "pinocchio/algorithm/loop-constrained-aba.hpp"
-
 #include "pinocchio_model.hpp"
 
 namespace {
@@ -49,8 +48,7 @@ Models read_constraints(const char* path, const pinocchio::Model& model) {
 }  // namespace
 
 int main(int words, char** word) {
-  if (words != 7)
-    measure::fail("usage: MODEL STATES RESULT REPEAT CONSTRAINTS FACTORS|LCABA");
+  if (words != 7) measure::fail("usage: MODEL STATES RESULT REPEAT CONSTRAINTS FACTORS|LCABA");
   const pinocchio::Model model = read_model(word[1]);
   const measure::States states = measure::read_states(word[2]);
   if (model.nq != states.nq || model.nv != states.nv) measure::fail("states of another model");

@@ -1,0 +1,108 @@
+"""Target `embedded`: solvers for a program without operating system, heap or clock."""
+
+from __future__ import annotations
+
+from adagen.emit.words import Words
+from adagen.errors import UsageError
+from adagen.plan import Plan
+from adagen.plan.operations import operations
+from adagen.program.lower import LOOPS
+
+TARGETS = ("host", "embedded")
+TEXT = 200
+"""Characters that a failure is told in, the end among them."""
+_LANES = 64  # bytes of numbers side by side, whatever the machine's registers hold
+_LINE = 64  # what a solver is aligned to
+_BODY, _MOTION, _BLOCK, _COLUMNS = 27, 6, 43, 24  # numbers
+
+
+def check_target(
+    target: str, processes: int, refine: int, *, batch: bool, single_file: bool = False
+) -> None:
+    """Refuse what is not emitted for a target.
+
+    Raises:
+        UsageError: an embedded solver of several processes or states, one that refines, or one with
+            the program around it.
+    """
+    if target == "host":
+        return
+    if processes != 1 or batch:
+        raise UsageError("an embedded solver is for one process and one state at a time")
+    if single_file:
+        raise UsageError("an embedded solver has no program around it: leave out --single-file")
+    if refine:
+        raise UsageError("an embedded solver does not refine; leave out --refine or --scalar mixed")
+
+
+def embedded_values(words: Words, values: dict[str, object]) -> dict[str, object]:
+    """Return what the templates are told of an embedded solver.
+
+    Args:
+        words: the plan's names.
+        values: what the shape's template is told.
+
+    Raises:
+        UsageError: in this shape it needs Eigen.
+    """
+    if "spatial.hpp" in _listed(values["runtime"]):
+        raise UsageError(
+            f"shape {words.program.shape} needs Eigen here, which an embedded solver has not: say "
+            "--shape unrolled"
+        )
+    return {"bytes": _bytes(words, values), "work": _work(words.plan, values)}
+
+
+def _listed(value: object) -> list[object]:
+    assert isinstance(value, list)
+    return value
+
+
+def _number(value: object) -> int:
+    assert isinstance(value, int)
+    return value
+
+
+def _bytes(words: Words, values: dict[str, object]) -> int:
+    """Bytes of a solver's memory, at most, wherever they begin."""
+    size = 4 if words.number == "float" else 8
+    nv = sum(words.kind(j).nv for j in range(len(words.plan.joints)))
+    numbers = nv + len(words.plan.parameter_values)
+    if words.program.shape == LOOPS:
+        whole = _in_loops(words, values, size)
+    else:
+        numbers += 3 * _number(values["angle_count"]) + _number(values["wide_results"])
+        numbers += _number(values["places"])
+        whole = 4 * _LINE  # in front of what is aligned
+    pointers = 8 * 8
+    return -(-(whole + numbers * size + pointers + TEXT + 2 * _LINE) // _LINE) * _LINE
+
+
+def _in_loops(words: Words, values: dict[str, object], size: int) -> int:
+    """Bytes of what loops keep of links and joints."""
+    plan, count = words.plan, len(words.plan.joints)
+    kinds = {joint.kind for joint in plan.joints}
+    factors = 24 if "planar" in kinds else 18 if "spherical" in kinds else 8
+    per_block, slots = _LANES // size, _number(values["slot_count"])
+    blocks = -(-slots // per_block)
+    of_joint = (8 + factors) * size + _LINE  # what is kept from sweep to sweep
+    whole = blocks * per_block * _BLOCK * size + count * of_joint
+    whole += 2 * slots * (3 + factors) * size if values["limbs"] else 0
+    whole += (count + 1) * _COLUMNS * size if values["by_columns"] else 0
+    whole += (count + 1) * (_BODY + _MOTION) * size
+    whole += count * _BODY * size if values["passes_free"] else 0
+    if plan.sets_inertias:
+        whole += count * 10 * size + blocks * (per_block * 19 * size + _LINE)
+    return whole + 8 * _LINE
+
+
+def _work(plan: Plan, values: dict[str, object]) -> str:
+    """What arithmetic an evaluation is, in words."""
+    sines = sum(joint.kind in ("revolute", "planar") for joint in plan.joints)
+    turned = f", {sines} sine{'s' * (sines != 1)} with cosine{'s' * (sines != 1)}"
+    lines = values.get("unrolled")
+    if lines is None:
+        return f"about {operations(plan)} products and sums{turned}"
+    counted = _listed(lines)[0]["operations"]  # type: ignore[index]
+    found = f"{counted.multiply} products, {counted.add} sums, {counted.divide} quotients"
+    return f"{found}{turned}"

@@ -1,0 +1,1 @@
+[[maybe_unused]] inline void apply_parameters(Workspace&) {}

@@ -1,0 +1,192 @@
+"""Embedded solvers: no heap, no C++ runtime, memory of the caller's, and the same answers."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import adagen
+from adagen.cli import main
+from adagen.errors import UsageError
+from adagen.states import States, random_states
+from tests.emitted import EXACT, ROUNDING, Builder, Solver, forward_error, truth_of
+from tests.end_to_end.test_library import STRICT, filled, run
+from tests.golden.make_models import MODELS
+from tests.real import real_robot
+
+ALLOWED = {
+    "memcpy",
+    "memmove",
+    "memset",
+    "sin",
+    "cos",
+    "sqrt",
+    "tanh",
+    "floor",
+    "_GLOBAL_OFFSET_TABLE_",
+}
+"""What a solver may ask of others: copies, and functions of libm."""
+ALONE = ("-ffreestanding", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics")
+CASES: dict[str, tuple[str, dict[str, Any]]] = {
+    "arm": ("arm7", {"shape": "unrolled"}),
+    "arm of floats": ("arm7", {"shape": "unrolled", "scalar": "float"}),
+    "humanoid in lanes": ("humanoid", {"shape": "unrolled"}),
+    "quaternions": ("mobile", {"shape": "kernels"}),
+    "quaternions of floats": ("mobile", {"shape": "kernels", "scalar": "float"}),
+    "parameters": ("mobile", {"shape": "unrolled", "runtime": "gravity,mass:lifted"}),
+    "panda": ("panda_description/urdf/panda.urdf", {"shape": "unrolled"}),
+    "panda of floats": ("panda_description/urdf/panda.urdf", {"scalar": "float"}),
+    "talos": ("talos_data/robots/talos_reduced.urdf", {"shape": "kernels"}),
+    "solo12": ("solo_description/robots/solo12.urdf", {"shape": "unrolled", "scalar": "float"}),
+}
+
+
+def robot(case: str) -> adagen.Robot:
+    path = CASES[case][0]
+    floating = path.startswith(("talos", "solo", "human"))
+    if "/" in path:
+        return adagen.read(real_robot(path), floating=floating)
+    return adagen.read(MODELS / f"{path}.urdf", floating=floating)
+
+
+def compiled_for(target: str, case: str) -> adagen.Compiled:
+    asked = dict(CASES[case][1])
+    if "runtime" in asked:
+        links = robot(case).model.links
+        asked["runtime"] = f"gravity,mass:{links[-1].name},center:{links[-1].name}"
+    return adagen.compile(robot(case), target=target, name="own", **asked)
+
+
+def object_of(compiled: adagen.Compiled, builder: Builder, folder: Path) -> Path:
+    """Return the object of an embedded solver, compiled as for a machine without a system."""
+    for name, text in compiled.files.items():
+        (folder / name).write_text(text)
+    made = folder / "own_p1.o"
+    flags = ("-std=c++17", *STRICT, *EXACT, *ALONE, "-Wno-psabi")
+    run(*builder.toolchain.cxx, *flags, "-c", folder / "own_p1.cpp", "-o", made)
+    return made
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_it_stands_alone_and_answers_as_ever(case: str, builder: Builder, tmp_path: Path) -> None:
+    compiled = compiled_for("embedded", case)
+    assert set(compiled.files) == {f"own_p1.{end}" for end in ("cpp", "h", "plan.json", "svg")}
+    made = object_of(compiled, builder, tmp_path)
+    wanted = {line.split()[-1] for line in run("nm", "-u", made).splitlines()}
+    real = "float" if CASES[case][1].get("scalar") == "float" else "double"
+    assert {name.removesuffix("f") if real == "float" else name for name in wanted} <= ALLOWED
+    assert not re.search(r"_GLOBAL__sub_I|_ZGV", run("nm", made))  # nothing runs before main
+
+    (tmp_path / "main.c").write_text(filled("embedded.c", "own_p1", NUMBER=real))
+    program = tmp_path / "program"
+    run("cc", "-std=c99", *STRICT, tmp_path / "main.c", made, "-lm", "-o", program)
+    model = compiled.model
+    states = random_states(model, 4, seed=8)
+    rows = [np.concatenate(row) for row in zip(states.q, states.v, states.tau, strict=True)]
+    spoilt = rows[0].copy()
+    spoilt[-1] = np.nan
+    far = rows[0].copy()  # an angle that is left to the C library
+    turned = next(
+        start
+        for joint, start in zip(model.joints, model.q_start, strict=True)
+        if joint.kind.name == "revolute"
+    )
+    far[turned] = 3e5
+    np.savetxt(tmp_path / "states", [*rows, spoilt, far], fmt="%.17g")
+    small, *lines, said, beyond = run(program, tmp_path / "states").splitlines()
+    assert small == "the memory is too small for a solver"
+    assert said == (
+        f'1 {len(model.joints) - 1} joint "{model.joints[-1].name}": '
+        "its q, v or tau is not a finite number"
+    )
+    found = np.array([line.split() for line in [*lines, beyond]], dtype=float)
+    everything = States(*(np.vstack([part, part[:1]]) for part in (states.q, states.v, states.tau)))
+    everything.q[-1, turned] = 3e5
+    if real == "float":
+        everything = States(
+            *(part.astype(np.float32).astype(float) for part in vars(everything).values())
+        )
+    enough = (40 if "/" in CASES[case][0] else 4) * ROUNDING[real]
+    assert forward_error(found, truth_of(model, everything)) < enough
+    if real == "double":
+        assert np.array_equal(found, of_host(case, builder).solve(model, everything, tmp_path))
+
+
+def of_host(case: str, builder: Builder) -> Solver:
+    """Return the same solver for a host."""
+    compiled = compiled_for("host", case)
+    executable = builder.compile(compiled.source, compiled.stem, EXACT)
+    return Solver(executable, 1, builder.toolchain)
+
+
+def test_floats_compute_in_floats_alone(builder: Builder, tmp_path: Path) -> None:
+    made = object_of(compiled_for("embedded", "panda of floats"), builder, tmp_path)
+    assert not re.search(r"cvtss2sd|mulsd|fcvt\s+d", run("objdump", "-d", made))
+
+
+@pytest.mark.parametrize("case", ["arm", "humanoid in lanes", "quaternions", "talos"])
+def test_its_memory_is_what_the_head_says(case: str, builder: Builder) -> None:
+    compiled = compiled_for("embedded", case)
+    found = re.search(r"at most (\d+) bytes", compiled.source)
+    assert found
+    assert f"OWN_P1_BYTES = {found[1]}" in compiled.header
+    probe = "int main() { return sizeof(own_p1_solver) * 4 < 3 * OWN_P1_BYTES; }\n"
+    program = builder.compile(f"{compiled.source}{probe}", "probe", EXACT)
+    run(program)  # no more is asked for than four thirds of what is needed
+
+
+@pytest.mark.parametrize(
+    ("asked", "said"),
+    [
+        ({"procs": 2}, "one process and one state at a time"),
+        ({"batch": True}, "one process and one state at a time"),
+        ({"refine": 1}, "does not refine"),
+        ({"single_file": True}, "has no program around it"),
+        ({"scalar": "mixed"}, "does not refine"),
+        ({"shape": "joints"}, "needs Eigen here"),
+        ({"target": "moon"}, "target is one of host, embedded"),
+    ],
+)
+def test_what_cannot_be_had_is_told(asked: dict[str, Any], said: str) -> None:
+    with pytest.raises(UsageError, match=said):
+        adagen.compile(adagen.read(MODELS / "arm7.urdf"), **{"target": "embedded", **asked})
+
+
+def test_the_command_line_writes_one_and_verifies_it(tmp_path: Path) -> None:
+    asked = [str(MODELS / "arm7.urdf"), "--target", "embedded", "--out", str(tmp_path)]
+    assert main(asked) == 0
+    written = {path.name for path in tmp_path.iterdir()}
+    assert written == {f"arm7_p1.{end}" for end in ("cpp", "h", "plan.json", "svg")}
+    assert main(["verify", str(tmp_path)]) == 0
+    assert main([*asked, "--procs", "2"]) == 2
+
+
+def test_cmake_makes_a_library_and_make_leaves_it_alone(tmp_path: Path) -> None:
+    shutil.copy(MODELS / "chain16.urdf", tmp_path)
+    (tmp_path / "main.c").write_text(filled("embedded.c", "arm_p1", NUMBER="double"))
+    (tmp_path / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.16)\nproject(controller LANGUAGES C CXX)\n"
+        "find_package(adagen REQUIRED)\n"
+        "adagen_add_solver(arm MODEL chain16.urdf OPTIONS --target embedded)\n"
+        "add_executable(controller main.c)\ntarget_link_libraries(controller PRIVATE arm m)\n"
+    )
+    command = Path(sys.executable).with_name("adagen")
+    folder, build = run(command, "--cmake-dir").strip(), tmp_path / "build"
+    words = ("-DADAGEN_FLAGS=-O1;-fno-exceptions", f"-DADAGEN_PROGRAM={command}")
+    run("cmake", "-S", tmp_path, "-B", build, f"-Dadagen_DIR={folder}", *words)
+    run("cmake", "--build", build)
+    (tmp_path / "states").write_text("0 " * 48)
+    told, found = run(build / "controller", tmp_path / "states").splitlines()
+    assert told == "the memory is too small for a solver"
+    assert len(found.split()) == 16
+
+    assert main([str(MODELS / "mobile.urdf"), "--procs", "1", "--out", str(build / "arm")]) == 0
+    said = run("make", "-C", build / "arm", "-n", "all")
+    assert "mobile_p1" in said
+    assert "arm_p1" not in said
