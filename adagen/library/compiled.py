@@ -162,7 +162,7 @@ def planned(model: Model, schedule: Schedule, request: Request, source_hash: str
     Raises:
         InputError: the robot cannot be treated in this form.
     """
-    return make_plan(
+    plan = make_plan(
         model,
         schedule,
         form=request.form,
@@ -172,6 +172,8 @@ def planned(model: Model, schedule: Schedule, request: Request, source_hash: str
         reproducible=request.reproducible,
         runtime=request.runtime,
     )
+    # Lanes of a batch cannot go different ways: they go the one that suits all closed poses.
+    return plan.alternatives[-1] if request.batch and plan.closed else plan
 
 
 def shape_of(plan: Plan, request: Request) -> str:
