@@ -39,15 +39,16 @@ FOLLOWS = 1e-9
 VANISHING = 1e-6
 """A singular value of rows that are brought to a size of one which counts as none."""
 NEAR = 0.3
-"""A pivot may be so much smaller than the largest one where it is nearer to the top."""
+FAR = 0.02
+"""A pivot may be so much smaller than the largest one, where less arithmetic comes of it."""
 MOST_OFFERS = 24
 """Choices that are compared: those that suit most samples best."""
-ALIKE = 0.1
-"""Digits by which choices may differ in the mean for the one of less arithmetic to be taken."""
+_OF_BASIS = 4
+"""Products of an orthogonal basis beside rows^2 (freedoms left + 1)."""
 MOST_SETS = 2
 APART = 1e-2
 """Rows that are so far from following from each other, brought to a size of one, are good."""
-LARGE = 50.0
+LARGE = 200.0
 """Size of G up to which a choice loses hardly any digits, and nothing else is tried."""
 STILL = 1e-12
 """Inertia of a motion that the loops allow, relative to the joints' own, that counts as none."""
@@ -187,8 +188,7 @@ def _with_choices(model: Model, tied: _Tied, samples: Array) -> Closure:
     usual = np.median(np.abs(own[:, there]).max(axis=2, initial=0.0), axis=0)
     usual = np.where(usual > FOLLOWS * sizes[there], usual, sizes[there])
     whole = len(columns) <= MOST_HELD
-    depths = [0] * len(columns) if whole else _depths(model, tied.path)
-    (moved, kept), others = _choices(scaled, depths)
+    (moved, kept), others = _choices(scaled, _depths(model, tied.path), whole=whole)
 
     def choice(moved: _Numbers, kept: _Numbers) -> Choice:
         return Choice(
@@ -218,28 +218,36 @@ _Numbers = tuple[int, ...]
 
 
 def _choices(
-    samples: Array, depths: Sequence[int]
+    samples: Array, depths: Sequence[int], *, whole: bool
 ) -> tuple[tuple[_Numbers, _Numbers], list[_Numbers]]:
     """Return columns that follow with rows that they follow by, and rows for other poses.
 
-    Chosen is what takes least arithmetic among what loses about as few digits. Rows for other poses
-    are those that are farthest from following from each other; where loops can be put together in
-    several ways, there may be several sets, of several ranks.
+    Chosen is what takes least arithmetic, that in poses in which it is poor included. Rows for
+    those are the ones that are farthest from following from each other; where loops can be put
+    together in several ways, there may be several sets, of several ranks.
     """
     pattern = np.abs(samples).max(axis=0) > 0.0
-    weights = depths if any(depths) else pattern.sum(axis=0).tolist()
+    if whole:  # what few rows feel, and of that what is farthest from the top, moves alone
+        counts = pattern.sum(axis=0).tolist()
+        most = max(depths, default=0) + 1
+        weights = [count * most - depth for count, depth in zip(counts, depths, strict=True)]
+    else:
+        weights = list(depths)
     sizes = np.abs(samples).max(axis=(0, 1), initial=0.0)
     alike_columns = samples / np.where(sizes > 0.0, sizes, 1.0)  # metres beside radians
     offers = [
         offer
         for each, scaled in zip(samples, alike_columns, strict=True)
-        for offer in (_pivots(scaled, weights), _pivots(each, weights), _pivots(each, ()))
+        for offer in (
+            _pivots(scaled, weights, FAR),
+            _pivots(scaled, weights),
+            _pivots(each, weights),
+            _pivots(each, ()),
+        )
     ]
     offers = [offer for offer, _ in Counter(offers).most_common(MOST_OFFERS)]
-    sizes = np.array([[_largest(offer, each) for each in samples] for offer in offers])
-    losses = np.log10(np.clip(sizes, 10.0, 1e12)).mean(axis=1)  # beyond ten, digits
-    alike = np.flatnonzero(losses <= losses.min() + ALIKE).tolist()
-    best = min(alike, key=lambda k: (_work(offers[k], pattern), losses[k]))
+    losses = [np.array([_largest(offer, each) for each in samples]) for offer in offers]
+    best = min(range(len(offers)), key=lambda k: _expected(offers[k], pattern, losses[k]))
     kept = list(dict.fromkeys(rows for _, rows in offers))
     apart = np.array([[_apart(rows, each) for each in samples] for rows in kept])
     taken: list[_Numbers] = []
@@ -263,8 +271,21 @@ def _apart(rows: _Numbers, matrix: Array) -> float:
     return 0.0 if float(np.abs(rest).max(initial=0.0)) > 1e-6 else float(sizes[-1])
 
 
+def _expected(
+    offer: tuple[_Numbers, _Numbers], pattern: Array, sizes: Array
+) -> tuple[float, float]:
+    """What a choice takes on the average, in products, about; then the digits that it costs.
+
+    Where G is large, it is computed in vain, and an orthogonal basis after it.
+    """
+    count = len(offer[0])
+    again = float((sizes > LARGE).mean()) * _OF_BASIS * count**2 * (pattern.shape[1] - count + 1)
+    digits = np.log10(np.clip(sizes, 1.0, 1e12)).mean()
+    return _work(offer, pattern) + again, round(float(digits), 6)
+
+
 def _work(offer: tuple[_Numbers, _Numbers], pattern: Array) -> int:
-    """How much it is to solve by a choice: the cubes of the sizes of its independent parts."""
+    """Products to solve by a choice: by the sizes of its independent parts."""
     columns, rows = map(list, offer)
     parts: list[tuple[set[int], int]] = []
     for row in pattern[np.ix_(rows, columns)]:
@@ -273,7 +294,8 @@ def _work(offer: tuple[_Numbers, _Numbers], pattern: Array) -> int:
             parts.remove(part)
             touched, count = touched | part[0], count + part[1]
         parts.append((touched, count))
-    return sum(count**3 for _, count in parts)
+    free = pattern.shape[1] - len(columns) + 1
+    return sum(count**3 + count**2 * free for _, count in parts)
 
 
 def _largest(offer: tuple[_Numbers, _Numbers], matrix: Array) -> float:
@@ -303,12 +325,13 @@ def _must_be_held(model: Model, path: Sequence[int]) -> set[int]:
     return rotors | coupled.intersection(path)
 
 
-def _pivots(matrix: Array, weights: Sequence[int]) -> tuple[_Numbers, _Numbers]:
+def _pivots(matrix: Array, weights: Sequence[int], near: float = NEAR) -> tuple[_Numbers, _Numbers]:
     """Columns and rows of the pivots by which a matrix is eliminated, the largest ones first.
 
     Args:
         matrix: J of one state.
         weights: of columns: of pivots that are about as large, that of least weight is taken; none.
+        near: a pivot may be so much smaller than the largest one.
     """
     left = matrix.copy()
     columns: list[int] = []
@@ -319,7 +342,7 @@ def _pivots(matrix: Array, weights: Sequence[int]) -> tuple[_Numbers, _Numbers]:
         largest = float(sizes.max(initial=0.0))
         if largest <= FOLLOWS * first or largest == 0.0:
             return tuple(sorted(columns)), tuple(sorted(rows))
-        good = np.argwhere(sizes >= largest * (NEAR if weights else 1.0)).tolist()
+        good = np.argwhere(sizes >= largest * (near if weights else 1.0)).tolist()
         r, c = min(
             good, key=lambda rc: (weights[rc[1]] if weights else 0, -sizes[rc[0], rc[1]], rc)
         )

@@ -1409,7 +1409,7 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Real x3001 = x2929 * x2929 + x2999 + x2875 * x2875;
   const Real x3003 = x2880 * x2880 + x3001 + x2944 * x2944;
   const Real x3005 = x2952 * x2952 + x3003 + x2895 * x2895;
-  const Real x3008 = 2500.0 - (x2905 * x2905 + x3005);
+  const Real x3008 = 40000.0 - (x2905 * x2905 + x3005);
   require_more(w, x3008, 0.0, kSingularPose, 8);
   const Real x3014 = x1618 * x2924 - x1633 * x2916 + x1814 * x2944;
   const Real x3020 = x1618 * x2929 - x1633 * x2917 + x1814 * x2952;

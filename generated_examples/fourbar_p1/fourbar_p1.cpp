@@ -681,7 +681,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Real x365 = (x236 - 0.2 * (-0.2 - x230) + 0.00536333) * x346;
   const Real x368 = x236 + x365;
   const Real x380 = (x44 * 0.16000000000000003 + tau[2]) * x339 - x285 * x346;
-  const Real x364 = 2500.0 - (x346 * x346 + x339 * x339);
+  const Real x364 = 40000.0 - (x346 * x346 + x339 * x339);
   require_more(w, x364, 0.0, kSingularPose, 3);
   const Real x385 = x351 * x368 + x340 * x366;
   const Real x373 = x346 * x368 + x339 * x366 + 0.0834083;
