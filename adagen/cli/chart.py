@@ -52,6 +52,7 @@ def _chart(options: argparse.Namespace) -> None:
     from adagen.studies.chart.truth import truth_of
 
     model = pipeline.read_model(options, Stages(), options.gravity)
+    pipeline.refuse_loops(model)
     with speaking(Path(options.model).stem) as said, tempfile.TemporaryDirectory() as folder:
         truth = truth_of(model, options.states, said=said)
         others = _peers(model, truth, Path(folder), said) if options.peers else []

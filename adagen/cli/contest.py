@@ -121,6 +121,7 @@ def measure(
     options = _options(entry, "--procs 1")
     load_profile(options.profile)  # refused before anything is built
     model = pipeline.read_model(options, Stages(), options.gravity)
+    pipeline.refuse_loops(model)
     states = random_states(model, rules.states, rules.seed)
     judged = rules.judged if model.nv <= DIRECT else 1
     few = States(*(x[:judged] for x in (states.q, states.v, states.tau)))

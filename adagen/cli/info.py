@@ -11,10 +11,11 @@ from adagen.cli.console import Stages
 from adagen.cli.options import add_model
 from adagen.cli.parser import Parser, make_parser, parse, whole
 from adagen.cli.tables import table_of, wrapped
-from adagen.errors import printable
+from adagen.errors import InputError, printable
 
 if TYPE_CHECKING:
     from adagen.model import Model
+    from adagen.states import States
 
 MOST_STATES = 1_000_000
 
@@ -48,14 +49,37 @@ def run(argv: Sequence[str]) -> int:
 
     model, reading = pipeline.read_whole(options, Stages(), options.gravity)
     if options.states is not None:
-        from adagen.states import resting_states, states_text
+        from adagen.states import states_text
 
-        print(states_text(resting_states(model, options.states), model), end="")
+        print(states_text(_states(model, options.states), model), end="")
     elif options.json:
         print(json.dumps({**robot_data(model), "not_modelled": list(reading.ignored)}, indent=1))
     else:
         _show(model, reading.ignored)
     return 0
+
+
+def _states(model: Model, count: int) -> States:
+    """States to fill in: at rest, closed where the robot has loops.
+
+    Raises:
+        InputError: the loops cannot be closed.
+    """
+    import numpy as np
+
+    from adagen.states import States, resting_states
+
+    if not model.closed:
+        return resting_states(model, count)
+    from adagen.plan.closures import why_open
+    from adagen.reference.closed import closed_states
+
+    q, _ = closed_states(model, count)
+    if not len(q):
+        raise InputError(why_open(model))
+    return States(
+        np.resize(q, (count, model.nq)), np.zeros((count, model.nv)), np.zeros((count, model.ntau))
+    )
 
 
 def robot_data(model: Model) -> dict[str, Any]:
@@ -69,6 +93,25 @@ def robot_data(model: Model) -> dict[str, Any]:
         "mass": fsum(link.inertia.mass for link in model.links[1:]),
         "joints": [_joint_data(model, j) for j in range(len(model.joints))],
         "forces": [wrench.frame.name for wrench in model.wrenches],
+        "loops": [
+            {
+                "name": loop.name,
+                "kind": loop.kind.name,
+                "links": [model.links[link].name for link, _ in loop.ends],
+                "frames": [frame.name for _, frame in loop.ends],
+                "tolerance": loop.tolerance,
+            }
+            for loop in model.loops
+        ],
+        "couplings": [
+            {
+                "name": coupling.name,
+                "terms": {model.joints[j].name: factor for j, factor in coupling.terms},
+                "offset": coupling.offset,
+                "tolerance": coupling.tolerance,
+            }
+            for coupling in model.couplings
+        ],
     }
 
 
@@ -124,6 +167,13 @@ def _show(model: Model, ignored: Sequence[str]) -> None:
     if data["forces"]:
         on = ", ".join(map(printable, data["forces"]))
         print(wrapped(f"outer forces on {on}: six numbers each behind tau"))
+    for loop in data["loops"]:
+        one, two = map(printable, loop["frames"])
+        print(wrapped(f"loop {printable(loop['name'])}: {loop['kind']}, {one} to {two}", 2))
+    for tie in data["couplings"]:
+        terms = " + ".join(f"{x:g} {printable(name)}" for name, x in tie["terms"].items())
+        text = f"coupling {printable(tie['name'])}: {terms} = {tie['offset']:g}"
+        print(wrapped(text.replace("+ -", "- "), 2))
     for line in ignored:
         print(wrapped(line, 2))
 

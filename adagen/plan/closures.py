@@ -107,7 +107,7 @@ def closures_of(model: Model) -> tuple[Closure, ...]:
     count = max(8, min(SAMPLES, SECONDS_OF // model.nv))
     q, _ = closed_states(model, count, starts=3 * count)
     if not len(q):
-        raise InputError(_why_open(model))
+        raise InputError(why_open(model))
     rows = constraints_of_all(model, q).rows
     found = tuple(_with_choices(model, one, rows) for one in _connected(model))
     _check_inertia(model, q, rows)
@@ -370,7 +370,8 @@ def _check_joints(model: Model) -> None:
             )
 
 
-def _why_open(model: Model) -> str:
+def why_open(model: Model) -> str:
+    """Return why no state of a robot is closed."""
     names = [loop.name for loop in model.loops] + [c.name for c in model.couplings]
     quoted = ", ".join(f'"{name}"' for name in names[:5])
     more = f" and {len(names) - 5} more" if len(names) > 5 else ""
