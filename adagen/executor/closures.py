@@ -497,12 +497,30 @@ class Closures:
         every = (*step.singles, *step.moved, *step.rows)
         matrix = self._block(front, every, every)
         across, bias = self._at_top(columns, every), self._biases(front, every)
-        right = np.concatenate([across, bias], axis=1)
-        found, diagonal = solved_by_reflections(matrix, right)
+        to_left_out = self._block(front, every, step.followers)
+        right = np.concatenate([across, bias, to_left_out], axis=1)
+        whole, diagonal = solved_by_reflections(matrix, right)
         self._check_inverse(step, front, matrix, diagonal)
+        count = 6 + self.state.columns
+        self._check_left_out(step, front, to_left_out, whole[:, count:])
+        found = whole[:, :count]
         none = self.state.zeros(len(every), 0)
         front.solved.append(Solved(every, -found[:, :6], (), none, -found[:, 6:]))
         self._add_to_top(step.link, across, found)
+
+    def _check_left_out(
+        self, step: Eliminate, front: Front, to_left_out: Array, found: Array
+    ) -> None:
+        """Rows that are left out have to push nothing that the kept ones do not push."""
+        for k, unknown in enumerate(step.followers):
+            own = front.entry(unknown, unknown)
+            if own is None:
+                continue
+            rest = own - dot(to_left_out[:, k], found[:, k])
+            left = own * own * FOLLOWS**4 - rest * rest
+            place = front.places[unknown]
+            zero = self.state.graph.constant(0)
+            self.state.checks.append(Check(left, zero, place, "kLoopSingular"))
 
     # -- outwards ---------------------------------------------------------------------------------
 

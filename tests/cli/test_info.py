@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 
 from adagen.cli.main import main
+from adagen.library import read
+from adagen.reference.closed import constraints
 from adagen.states import read_states
 from adagen.urdf import read_robot
 
@@ -66,3 +68,29 @@ def test_wrong_words_are_refused(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["info", str(ARM), "--states", "0"]) == 2
     assert main(["info", str(ARM), "--json", "--states", "1"]) == 2
     assert "error:" in capsys.readouterr().err
+
+
+ANKLE = [str(MODELS / "ankle.urdf"), "--scene", str(MODELS / "ankle.toml")]
+
+
+def test_loops_are_shown_and_states_to_fill_in_are_closed(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    assert main(["info", *ANKLE]) == 0
+    assert "loop left_heel: spherical, left_rod to foot" in capsys.readouterr().out
+    assert main(["info", *ANKLE, "--json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert [loop["name"] for loop in data["loops"]] == ["left_heel", "right_heel"]
+    assert main(["info", *ANKLE, "--states", "3"]) == 0
+    path = tmp_path / "states.json"
+    path.write_text(capsys.readouterr().out)
+    model = read(ANKLE[0], scene=ANKLE[2]).model
+    states = read_states(path, model)
+    assert states.q.shape == (3, model.nq)
+    for q in states.q:
+        assert np.abs(constraints(model, q).gaps).max() < 1e-11
+
+
+def test_charts_refuse_loops(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    assert main(["chart", *ANKLE, "--out", str(tmp_path)]) == 2
+    assert "charts and contests know no closed loops" in capsys.readouterr().err

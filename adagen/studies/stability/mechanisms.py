@@ -41,7 +41,7 @@ from adagen.search import best_schedule
 
 Array = NDArray[np.float64]
 WRONG = 1e-6
-"""Error from which on, relative to the largest acceleration, an answer is wrong."""
+"""Error from which on, relative to the largest acceleration and to 1, an answer is wrong."""
 BITS = 400
 DRAWN = 40
 """Closed states from which the worst are taken, by the least singular value of J."""
@@ -267,7 +267,7 @@ def _audit_state(
         except FloatingPointError:  # that is at the very limit of what is refused
             outcome.refused += 1
             return
-    size = float(np.abs(truth).max())
+    size = max(1.0, float(np.abs(truth).max()))  # of a truss it is zero
     error = float(np.abs(found - truth).max()) / size
     outcome.worst = max(outcome.worst, error)
     outcome.wrong += not error < WRONG
