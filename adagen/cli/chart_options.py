@@ -34,7 +34,7 @@ _RARE = frozenset(
     [
         *("--strict", "--xacro-arg", "--gravity", "--refine", "--shapes", "--algorithms"),
         *("--schedules", "--whole", "--peers", "--states", "--rounds", "--step", "--no-picture"),
-        "--mimic",
+        *("--mimic", "--loops"),
     ]
 )
 """What --help leaves to --help-all."""

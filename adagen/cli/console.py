@@ -64,8 +64,8 @@ def tell(reading: Reading, verbose: bool) -> None:
     for warning in reading.warnings:
         warn(warning)
     if verbose:
-        for ignored in reading.ignored:
-            note(f"note: {ignored}")
+        for line in (*reading.mentions, *reading.ignored):
+            note(f"note: {line}")
 
 
 @contextmanager

@@ -56,6 +56,11 @@ def add_model(parser: Parser, *, gravity: bool = True, several: bool = False) ->
         metavar="FILE",
         help="model no more than this file asks for (docs/scenes.md)",
     )
+    group.add_argument(
+        "--loops",
+        metavar="FILE",
+        help="close loops by the frame pairs of this file (YAML, docs/loops.md)",
+    )
     if gravity:
         group.add_argument(
             "--gravity",
@@ -70,6 +75,7 @@ RARE = frozenset(
     [
         "--strict",
         "--xacro-arg",
+        "--loops",
         "--gravity",
         "--profile",
         "--schedule",

@@ -79,6 +79,7 @@ def origin_of(options: argparse.Namespace, gravity: Sequence[float] | None) -> O
         None if options.scene is None else Path(options.scene),
         None if gravity is None else tuple(gravity),
         tuple(options.xacro_arg or ()),
+        None if options.loops is None else Path(options.loops),
     )
 
 

@@ -15,8 +15,8 @@ from adagen.wholefile import write_whole
 
 _EPILOG = """\
 The head of an emitted source holds the command that made it; robots, scenes,
-schedules and profiles are looked for where it names them. Prints what is
-missing, stale or different, with diffs; exit status 1 if anything is.
+loops, schedules and profiles are looked for where it names them. Prints what
+is missing, stale or different, with diffs; exit status 1 if anything is.
 
 examples:
   adagen verify solvers                 in continuous integration
@@ -123,6 +123,7 @@ def _made_again(source: Path) -> dict[str, str]:
     options = options_of(command[1:])
     origin = origin_of(options, options.gravity)
     scene = None if origin.scene is None else _seen_here(place, str(origin.scene))
+    loops = None if origin.loops is None else _seen_here(place, str(origin.loops))
     request = request_of(options)
     request = replace(
         request,
@@ -137,6 +138,7 @@ def _made_again(source: Path) -> dict[str, str]:
         scene=scene,
         gravity=origin.gravity,
         arguments=dict(origin.arguments),
+        loops=loops,
     )
     made = compile(robot, **vars(request))
     if f"{made.stem}.cpp" != source.name:

@@ -44,6 +44,8 @@ def robot_words(origin: Origin, folder: Path) -> Iterator[str]:
     yield from (f"--xacro-arg={name}:={value}" for name, value in origin.arguments)
     if origin.scene is not None:
         yield f"--scene={_seen_from(folder, origin.scene)}"
+    if origin.loops is not None:
+        yield f"--loops={_seen_from(folder, origin.loops)}"
     if origin.gravity is not None:
         yield from ("--gravity", *map(repr, origin.gravity))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from adagen.errors import UsageError
@@ -28,6 +28,7 @@ class Origin:
         scene: path of a scene file, or None.
         gravity: in ground axes, m/s^2; None: as the scene says, else (0, 0, -9.81).
         arguments: names and values of <xacro:arg>.
+        loops: path of a file of frame pairs that close loops, or None.
     """
 
     path: Path
@@ -37,6 +38,7 @@ class Origin:
     scene: Path | None = None
     gravity: tuple[float, ...] | None = None
     arguments: tuple[tuple[str, str], ...] = ()
+    loops: Path | None = None
 
 
 @dataclass(frozen=True)
@@ -91,6 +93,7 @@ def read(
     scene: str | os.PathLike[str] | None = None,
     gravity: Sequence[float] | None = None,
     arguments: Mapping[str, str] | None = None,
+    loops: str | os.PathLike[str] | None = None,
 ) -> Robot:
     """Read a robot from a URDF, a file in xacro (``.xacro``) or an MJCF (``.xml``, ``.mjcf``).
 
@@ -103,9 +106,10 @@ def read(
         gravity: acceleration of free fall in ground axes, three numbers, m/s^2; by default what the
             scene says, else (0, 0, -9.81).
         arguments: values of <xacro:arg>.
+        loops: path of a file of frame pairs (YAML, docs/loops.md) that close loops.
 
     Raises:
-        InputError: the description or the scene is refused; it tells file and line.
+        InputError: the description, the scene or the loops are refused; it tells file and line.
         UsageError: the arguments contradict the scene, or are none of the file's.
         EnvironmentFault: the package that the file needs, xacro or mujoco, is not installed.
     """
@@ -117,6 +121,7 @@ def read(
         None if scene is None else Path(scene),
         None if gravity is None else tuple(float(x) for x in gravity),
         tuple((arguments or {}).items()),
+        None if loops is None else Path(loops),
     )
     reading, wanted = read_whole(origin)
     model, warnings, reduction = reading.model, list(reading.warnings), None
@@ -132,37 +137,55 @@ def read_whole(origin: Origin) -> tuple[Reading, Scene | None]:
     """Return a robot as it is described, and the scene that is to be made of it.
 
     Raises:
-        InputError: the description or the scene is refused.
+        InputError: the description, the scene or the loops are refused.
         UsageError: what is asked for contradicts the scene.
     """
     path = os.fspath(origin.path)
     read_description = read_mjcf if is_mjcf(path) else read_robot
-    if origin.scene is None:
+    scene = None if origin.scene is None else read_scene(os.fspath(origin.scene))
+    if scene is None:
         reading = read_description(
             path,
             floating=origin.floating,
             mimic=origin.mimic,
             gravity=origin.gravity,
+            check=origin.loops is None,
             strict=origin.strict,
             held=False,
             arguments=dict(origin.arguments),
         )
-        return reading, None
-    scene = read_scene(os.fspath(origin.scene))
-    _check_agreement(scene, origin)
-    reading = read_description(
-        path,
-        floating=origin.floating or scene.floating,
-        mimic=origin.mimic or bool(scene.mimic),
-        gravity=origin.gravity,
-        effects=scene.from_urdf,
-        decided=scene.decides,
-        check=False,
-        strict=origin.strict,
-        held=scene.base is not None,
-        arguments=dict(origin.arguments),
-    )
+    else:
+        _check_agreement(scene, origin)
+        reading = read_description(
+            path,
+            floating=origin.floating or scene.floating,
+            mimic=origin.mimic or bool(scene.mimic),
+            gravity=origin.gravity,
+            effects=scene.from_urdf,
+            decided=scene.decides,
+            check=False,
+            strict=origin.strict,
+            held=scene.base is not None,
+            arguments=dict(origin.arguments),
+        )
+    if origin.loops is not None:
+        reading = _with_frame_pairs(reading, origin.loops, check=scene is None)
     return reading, scene
+
+
+def _with_frame_pairs(reading: Reading, path: Path, *, check: bool) -> Reading:
+    """Return what was read, closed by the frame pairs of a file."""
+    from adagen.scene.pairs import read_pairs, with_pairs
+
+    pairs = read_pairs(path)
+    model = with_pairs(reading.model, reading.children, pairs)
+    more = check_reduced(reading, model) if check else ()
+    return replace(
+        reading,
+        model=model,
+        warnings=(*reading.warnings, *more),
+        mentions=(*reading.mentions, *pairs.mentions()),
+    )
 
 
 def _check_agreement(scene: Scene, origin: Origin) -> None:

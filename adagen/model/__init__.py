@@ -1,6 +1,14 @@
 """The robot as adagen sees it: links, joints and inertias, and nothing of code."""
 
-from adagen.model.closing import WORLD, LoopEnd, NamedCoupling, NamedLoop, closed
+from adagen.model.closing import (
+    WORLD,
+    LoopEnd,
+    NamedCoupling,
+    NamedLoop,
+    closed,
+    places,
+    with_loops_checked,
+)
 from adagen.model.frames import canonical
 from adagen.model.kinds import FLOATING, KINDS, PLANAR, PRISMATIC, REVOLUTE, SPHERICAL, JointKind
 from adagen.model.loops import LOOP_KINDS, LOOP_WORDS, Coupling, Loop, LoopKind
@@ -38,4 +46,6 @@ __all__ = [
     "canonical",
     "closed",
     "lump",
+    "places",
+    "with_loops_checked",
 ]

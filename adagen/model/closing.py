@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from adagen.exact import exact, rotation_from_rpy, rotation_taking_z_to
-from adagen.model.loops import LOOP_WORDS, Coupling, Loop
+from adagen.model.loops import LOOP_WORDS, Coupling, Loop, open_by
 from adagen.model.model import Frame, Model
 from adagen.model.rigid import Pose
 
@@ -100,3 +102,61 @@ def closed(
         loops=(*model.loops, *map(made, loops)),
         couplings=(*model.couplings, *tied),
     )
+
+
+def places(model: Model) -> dict[str, tuple[int, Frame | None]]:
+    """Return the number of the link that each link's name belongs to, and its frame if lumped."""
+    found: dict[str, tuple[int, Frame | None]] = {}
+    for k, link in enumerate(model.links):
+        found[link.name] = (k, None)
+        found.update({frame.name: (k, frame) for frame in link.frames})
+    return found
+
+
+def with_loops_checked(model: Model, refusal: Callable[[Loop, str], Exception]) -> Model:
+    """Return the model without loops between frames on one link, which hold by themselves.
+
+    Args:
+        model: the robot.
+        refusal: makes the refusal of a loop, of which the words say why it cannot close.
+
+    Raises:
+        Exception: the refusal of a loop that no configuration can close.
+    """
+    kept = []
+    for loop in model.loops:
+        if loop.link1 != loop.link2:
+            kept.append(loop)
+        elif (gap := open_by(loop)) > loop.tolerance:
+            raise refusal(
+                loop, f"cannot close: its links are locked together, and it is open by {gap:.2g}"
+            )
+        sides = reach(model, loop)
+        if sides is not None and sides[0] > sides[1] + loop.tolerance:
+            raise refusal(
+                loop,
+                f"cannot close: one of its links spans {sides[0]:.3g} m, all others together "
+                f"{sides[1]:.3g} m",
+            )
+    return replace(model, loops=tuple(kept))
+
+
+def reach(model: Model, loop: Loop) -> tuple[float, float] | None:
+    """Return the longest side of the polygon that a loop's links form, and all others' sum, m.
+
+    A loop in which the first is more than the second cannot close. Corners are joints that turn
+    alone; None where joints or the loop itself slide.
+    """
+    if loop.kind.sliding:
+        return None
+    sides, corners = [], {0: loop.frame1.translation, 1: loop.frame2.translation}
+    links = [loop.link1, loop.link2]
+    while links[0] != links[1]:
+        end = 0 if links[0] > links[1] else 1  # parents come before children
+        joint = model.joints[links[end] - 1]
+        if joint.kind.name not in ("revolute", "spherical"):
+            return None
+        sides.append(float(np.linalg.norm(corners[end])))
+        links[end], corners[end] = joint.parent, joint.translation
+    sides.append(float(np.linalg.norm(corners[0] - corners[1])))
+    return max(sides), sum(sides) - max(sides)

@@ -21,8 +21,8 @@ from adagen.model import (
     Pose,
     Wrench,
     closed,
+    with_loops_checked,
 )
-from adagen.model.loops import open_by
 from adagen.scene.lock import lock, select
 from adagen.scene.names import Names
 from adagen.scene.prune import influential
@@ -134,7 +134,10 @@ def _defaults(scene: Scene) -> dict[str, float]:
 
 def _closed(model: Model, scene: Scene, names: Names) -> Model:
     """Add the scene's loops and couplings."""
+    known = {loop.name for loop in model.loops}
     for k, loop in enumerate(scene.loops):
+        if loop.name in known:
+            raise scene.error(f"the robot has a loop '{loop.name}': rename this one", "loops", k)
         for end, key in ((loop.end1, "link1"), (loop.end2, "link2")):
             if end.link != WORLD:
                 names.link(end.link, "loops", k, key)
@@ -161,16 +164,9 @@ def _without_still_loops(model: Model, scene: Scene) -> Model:
                 f"coupling '{coupling.name}' cannot hold: its joints are locked, and off by "
                 f"{abs(coupling.offset):.2g}", "couplings"
             )  # fmt: skip
-    kept = []
-    for loop in model.loops:
-        if loop.link1 != loop.link2:
-            kept.append(loop)
-        elif (gap := open_by(loop)) > loop.tolerance:
-            raise scene.error(
-                f"loop '{loop.name}' cannot close: its links are locked together, and it is open "
-                f"by {gap:.2g}", "loops"
-            )  # fmt: skip
-    return replace(model, loops=tuple(kept))
+    return with_loops_checked(
+        model, lambda loop, why: scene.error(f"loop '{loop.name}' {why}", "loops")
+    )
 
 
 def _masses(scene: Scene, names: Names) -> dict[int, list[Part]]:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Collection, Mapping, Sequence
 
 from adagen.jsonfile import nearest
-from adagen.model import BASE, Frame, Joint, Model
+from adagen.model import BASE, Frame, Joint, Model, places
 from adagen.scene.types import Scene
 
 _TURNING = ("damping", "rotor_inertia")
@@ -24,10 +24,7 @@ class Names:
     def __init__(self, model: Model, scene: Scene, *, checked: bool = False) -> None:
         self.model, self.scene = model, scene
         self.joints = {joint.name: j for j, joint in enumerate(model.joints)}
-        self.links: dict[str, tuple[int, Frame | None]] = {}
-        for k, link in enumerate(model.links):
-            self.links[link.name] = (k, None)
-            self.links.update({frame.name: (k, frame) for frame in link.frames})
+        self.links = places(model)
         if not checked:
             self._look_up(scene)
 

@@ -84,29 +84,42 @@ def _blank(line: str) -> bool:
     return not line.strip() or line.lstrip().startswith("#")
 
 
+def read_text(path: Path | str, what: str) -> str:
+    """Return the text of a file, its lines ended by newlines.
+
+    Args:
+        path: of the file.
+        what: should be in it, for the refusals: "a scene file (TOML)".
+
+    Raises:
+        InputError: it cannot be read or is no text.
+    """
+    file = str(path)
+    try:
+        if not stat.S_ISREG(Path(path).stat().st_mode):
+            raise InputError(f"is not a regular file: give {what}", file)
+        data = Path(path).read_bytes()
+    except (OSError, ValueError) as fault:
+        reason = fault.strerror if isinstance(fault, OSError) else str(fault)
+        raise InputError(f"cannot read it: {reason}", file) from None
+    if len(data) > LARGEST_FILE:
+        raise InputError(f"larger than {LARGEST_FILE // 2**20} MiB, the limit for {what}", file)
+    try:
+        return data.decode("utf-8-sig").replace("\r\n", "\n")
+    except UnicodeDecodeError as fault:
+        line = data.count(b"\n", 0, fault.start) + 1
+        raise InputError(
+            f"not UTF-8 text (byte {fault.start}): save it as UTF-8", file, line
+        ) from None
+
+
 def read_toml(path: Path | str) -> tuple[Source, dict[str, Any]]:
     """Return the file as text and as what it says.
 
     Raises:
         InputError: it cannot be read or is not TOML.
     """
-    file = str(path)
-    try:
-        if not stat.S_ISREG(Path(path).stat().st_mode):
-            raise InputError("is not a regular file: give a scene file (TOML)", file)
-        data = Path(path).read_bytes()
-    except (OSError, ValueError) as fault:
-        reason = fault.strerror if isinstance(fault, OSError) else str(fault)
-        raise InputError(f"cannot read it: {reason}", file) from None
-    if len(data) > LARGEST_FILE:
-        raise InputError(f"larger than {LARGEST_FILE // 2**20} MiB, the limit for a scene", file)
-    try:
-        text = data.decode("utf-8-sig").replace("\r\n", "\n")
-    except UnicodeDecodeError as fault:
-        line = data.count(b"\n", 0, fault.start) + 1
-        raise InputError(
-            f"not UTF-8 text (byte {fault.start}): save it as UTF-8", file, line
-        ) from None
+    file, text = str(path), read_text(path, "a scene file (TOML)")
     try:
         return Source(file, text), tomllib.loads(text)
     except tomllib.TOMLDecodeError as fault:

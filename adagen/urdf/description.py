@@ -169,7 +169,7 @@ def _inertial(element: Element, where: str, notes: Notes) -> Inertial:
         raise notes.error(
             f"{where}: mass {mass!r} is too small to compute with: write 0", line_of(mass_element)
         )
-    origin = _origin(only(found, "origin", where, notes), where, notes)
+    origin = read_origin(only(found, "origin", where, notes), where, notes)
     return Inertial(origin, mass, _moments(inertia, where, notes), line_of(element))
 
 
@@ -185,7 +185,8 @@ def _moments(element: Element, where: str, notes: Notes) -> tuple[float, ...]:
     return tuple(value for value in values.values() if value is not None)
 
 
-def _origin(element: Element | None, where: str, notes: Notes) -> Origin:
+def read_origin(element: Element | None, where: str, notes: Notes) -> Origin:
+    """Return what an <origin> says; a missing one is that of the frame before it."""
     if element is None:
         return Origin()
     check_attributes(element, ("xyz", "rpy"), where, notes)
@@ -219,7 +220,7 @@ def _joint(element: Element, notes: Notes) -> JointElement:
         kind,
         end("parent"),
         end("child"),
-        _origin(only(found, "origin", where, notes), where, notes),
+        read_origin(only(found, "origin", where, notes), where, notes),
         _axis(_one_axis(found, where, notes), kind, where, notes),
         _mimic(only(found, "mimic", where, notes), where, notes),
         line_of(element),

@@ -69,7 +69,7 @@ def warn_dropped(root: Element, decided: Callable[[str, str], bool], notes: Note
         name = joint.get("name", "")
         for element in joint.iterchildren("dynamics") if joint.get("type") != "fixed" else ():
             for key in map(str, element.attrib):
-                if not _is_zero(element.get(key, "")) and not decided(key, name):
+                if not is_zero(element.get(key, "")) and not decided(key, name):
                     found.setdefault(key, {}).setdefault(name, line_of(element))
     tell_dropped(found, notes)
 
@@ -97,7 +97,8 @@ def tell_dropped(found: Mapping[str, Mapping[str, int | None]], notes: Notes) ->
         notes.warn(f"{what} of {those} {are} not modelled{how}", line)
 
 
-def _is_zero(text: str) -> bool:
+def is_zero(text: str) -> bool:
+    """Whether an attribute's text is a number, and zero."""
     try:
         return number(text.strip()) == 0.0
     except ValueError:

@@ -20,6 +20,7 @@ class Notes:
         file: path of the file as the user gave it.
         warnings: ``file:line: warning: ...``, in the order they were found.
         ignored: what was read and is not modelled.
+        mentions: what was read beside links and joints, and is modelled.
         strict: whether slips are refused that readers of URDF overlook.
         without_lines: whether lines are those of no file, and not told.
     """
@@ -30,6 +31,7 @@ class Notes:
         self.without_lines = False
         self.warnings: list[str] = []
         self.ignored: list[str] = []
+        self.mentions: list[str] = []
 
     def error(self, message: str, line: int | None = None) -> InputError:
         """Return (not raise) the refusal of this file."""
@@ -88,6 +90,10 @@ class Notes:
     def ignore(self, text: str) -> None:
         """Record something that was read and is not modelled."""
         self.ignored.append(printable(shortened(text)))
+
+    def mention(self, text: str) -> None:
+        """Record something that was read beside links and joints, and is modelled."""
+        self.mentions.append(printable(shortened(text)))
 
 
 def shortened(text: str) -> str:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
 
@@ -19,13 +19,14 @@ from adagen.urdf.description import Description, describe
 from adagen.urdf.document import parse
 from adagen.urdf.effects import read_effects, warn_dropped, with_effects
 from adagen.urdf.expansion import Arguments, description_text
+from adagen.urdf.loops import read_closing, warn_effects, with_closing
 from adagen.urdf.mimics import resolve
 from adagen.urdf.notes import Notes
 from adagen.urdf.numbers import LARGEST
 from adagen.urdf.peer import agreed
 from adagen.urdf.remarks import remark_ignored, warn_foreign, warn_held, warn_inertias, warn_limits
 from adagen.urdf.source import model_stem
-from adagen.urdf.tree import make_tree, refuse_closed
+from adagen.urdf.tree import make_tree
 
 
 @dataclass(frozen=True)
@@ -38,6 +39,8 @@ class Reading:
         ignored: what the file says that the model does not hold, one line each.
         file: path of the file.
         lines: where the file tells of what.
+        mentions: what else the file says that the model holds, one line each.
+        children: the child link of each joint of the tree, also of fixed ones, as far as known.
     """
 
     model: Model
@@ -45,6 +48,8 @@ class Reading:
     ignored: tuple[str, ...]
     file: str
     lines: Lines
+    mentions: tuple[str, ...] = ()
+    children: Mapping[str, str] = field(default_factory=dict)
 
 
 def read_robot(
@@ -84,26 +89,32 @@ def read_robot(
         rounded once, with warnings.
 
     Raises:
-        InputError: the file is not a URDF of an open chain whose forward dynamics has an answer.
+        InputError: the file is not a URDF of a robot whose forward dynamics has an answer.
         UsageError: gravity is not three finite numbers, or there is no such argument.
         EnvironmentFault: the file is written in xacro, which is not installed.
     """
     notes = Notes(os.fspath(path), strict=strict)
     root = parse(description_text(path, arguments, notes), notes)
     description = describe(root, model_stem(path), notes)
-    refuse_closed(root, notes)
     _check_base(description, floating, notes)
     tree = make_tree(description, notes)
     mimics = resolve(description, mimic, notes)
+    closing = read_closing(root, description, tree, mimics, notes)
     warn_limits(root, notes)
     warn_inertias(description, notes)
     remark_ignored(root, notes)
     warn_foreign(root, notes)
-    warn_dropped(root, lambda effect, joint: effect in effects or decided(effect, joint), notes)
+    closers = {joint.name for joint in tree.closing}
+    warn_dropped(
+        root,
+        lambda effect, joint: effect in effects or joint in closers or decided(effect, joint),
+        notes,
+    )
+    warn_effects(root, tree, notes)
     passive = read_effects(root, effects, notes)
     description = agreed(root, description, notes)
     model = build(description.name, gather(description, tree, floating), mimics, floating)
-    model = with_effects(model, passive)
+    model = with_closing(with_effects(model, passive), closing, notes)
     if not (held or floating):
         warn_held(model, notes)
     if gravity is not None:
@@ -111,7 +122,15 @@ def read_robot(
     lines = Lines(None, {}, {}) if notes.without_lines else _lines(description)
     if check:
         check_model(model, lines, notes)
-    return Reading(model, tuple(notes.warnings), tuple(notes.ignored), notes.file, lines)
+    return Reading(
+        model,
+        tuple(notes.warnings),
+        tuple(notes.ignored),
+        notes.file,
+        lines,
+        tuple(notes.mentions),
+        {joint.name: link for link, joint in tree.above.items()},
+    )
 
 
 def check_reduced(reading: Reading, model: Model) -> tuple[str, ...]:

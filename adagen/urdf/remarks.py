@@ -27,6 +27,8 @@ _JOINT_EXTRAS = {
 _MODELLED = {
     "link": {"inertial"},
     "joint": {"parent", "child", "origin", "axis", "mimic", "dynamics"},
+    "loop": {"predecessor", "successor", "axis"},
+    "coupling": {"predecessor", "successor", "ratio"},
 }
 """What is modelled, or warned of where it is not."""
 

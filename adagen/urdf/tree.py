@@ -2,33 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from adagen.urdf.description import Description, JointElement
-from adagen.urdf.elements import Element
-from adagen.urdf.notes import Notes, line_of, quoted
-
-_CLOSED: Mapping[str, str] = {
-    "loop": "closed loops are not modelled; remove it to solve the open chain",
-    "loop_joint": "closed loops are not modelled; remove it to solve the open chain",
-    "coupling": "couplings are not modelled; write it as a <mimic> of a joint and say --mimic, "
-    "or remove it to leave the joints free",
-}
-"""Elements of <robot> that hold an open chain's joints together (URDF+, Drake), and what to do."""
+from adagen.urdf.notes import Notes, quoted
 
 
 @dataclass(frozen=True)
 class Tree:
-    """An open chain.
+    """The tree that links and joints form, and the joints that close loops of it.
 
     Attributes:
-        root: name of the link that is no joint's child.
-        below: joints by the name of their parent link, in the order of their names.
+        root: name of the link that no joint of the tree holds.
+        below: joints of the tree by the name of their parent link, in the order of their names.
+        above: the joint of the tree that holds each link but the root.
+        closing: all other joints, in file order.
     """
 
     root: str
     below: dict[str, tuple[JointElement, ...]]
+    above: dict[str, JointElement]
+    closing: tuple[JointElement, ...]
 
     def depth_first(self) -> list[JointElement]:
         """Return all joints, parents before children, siblings by name."""
@@ -44,48 +39,50 @@ class Tree:
 def make_tree(description: Description, notes: Notes) -> Tree:
     """Return the tree of a description.
 
+    Joints join the tree in file order: one that comes to a link which has a parent joint, or which
+    it hangs on itself, closes a loop.
+
     Raises:
-        InputError: a joint names a link that does not exist, a link has two parents, joints form a
-            loop, or there are several roots.
+        InputError: a joint names a link that does not exist, links hang on each other alone, or
+            there are several roots.
     """
-    parent_joint: dict[str, JointElement] = {}
+    above: dict[str, JointElement] = {}
     below: dict[str, list[JointElement]] = {}
+    closing = []
+    tops = _Tops()
     for joint in description.joints:
         _check_ends(joint, description, notes)
-        other = parent_joint.get(joint.child)
-        if other is not None:
-            raise notes.error(
-                f'link "{joint.child}" has two parent joints, "{other.name}" and "{joint.name}": '
-                "closed loops are not supported, remove one",
-                joint.line,
-            )
-        parent_joint[joint.child] = joint
+        if joint.child in above or tops.of(joint.parent) == joint.child:
+            closing.append(joint)
+            continue
+        above[joint.child] = joint
+        tops.hang(joint.child, joint.parent)
         below.setdefault(joint.parent, []).append(joint)
-    root = _root(description, parent_joint, notes)
+    root = _root(description, above, closing, notes)
     return Tree(
         root,
         {link: tuple(sorted(joints, key=lambda j: j.name)) for link, joints in below.items()},
+        above,
+        tuple(closing),
     )
 
 
-def refuse_closed(root: Element, notes: Notes) -> None:
-    """Refuse elements that close the tree: without them the robot would be another machine.
+class _Tops:
+    """The link that each link hangs on in the end, while joints are added."""
 
-    Args:
-        root: the element <robot>.
-        notes: makes the refusal.
+    def __init__(self) -> None:
+        self._above: dict[str, str] = {}
 
-    Raises:
-        InputError: there is a loop or a coupling; the message names all of its kind.
-    """
-    found: dict[str, list[Element]] = {}
-    for element in root:
-        name = str(element.tag).rpartition("}")[2].lower()
-        if name in _CLOSED:
-            found.setdefault(name, []).append(element)
-    for name, elements in found.items():
-        names = quoted([element.get("name", "") for element in elements])
-        raise notes.error(f"<{name}> {names}: {_CLOSED[name]}", line_of(elements[0]))
+    def of(self, link: str) -> str:
+        path = []
+        while link in self._above:
+            path.append(link)
+            link = self._above[link]
+        self._above.update((each, link) for each in path)  # shorter next time
+        return link
+
+    def hang(self, link: str, parent: str) -> None:
+        self._above[link] = parent
 
 
 def _check_ends(joint: JointElement, description: Description, notes: Notes) -> None:
@@ -103,40 +100,37 @@ def _check_ends(joint: JointElement, description: Description, notes: Notes) -> 
         )
 
 
-def _root(description: Description, parent_joint: dict[str, JointElement], notes: Notes) -> str:
-    _refuse_loops(description, parent_joint, notes)
-    roots = [link for link in description.links if link.name not in parent_joint]
-    # Without loops every link leads to a root, so that there is at least one.
-    if len(roots) > 1:
-        parents = {joint.parent for joint in description.joints}
-        alone = [link for link in roots if link.name not in parents]
-        culprit = alone[0] if alone else roots[1]
-        raise notes.error(
-            f"{len(roots)} links are no joint's child, {quoted([r.name for r in roots])}, and a "
-            f'tree has one root: join link "{culprit.name}" to the robot or remove it',
-            culprit.line,
-        )
-    return roots[0].name
+def _root(
+    description: Description,
+    above: dict[str, JointElement],
+    closing: Sequence[JointElement],
+    notes: Notes,
+) -> str:
+    roots = [link for link in description.links if link.name not in above]
+    # No link hangs on itself, so that there is at least one.
+    if len(roots) == 1:
+        return roots[0].name
+    for joint in closing:
+        if joint.child not in above:
+            raise _detached(joint, above, notes)
+    parents = {joint.parent for joint in description.joints}
+    alone = [link for link in roots if link.name not in parents]
+    culprit = alone[0] if alone else roots[1]
+    raise notes.error(
+        f"{len(roots)} links are no joint's child, {quoted([r.name for r in roots])}, and a "
+        f'tree has one root: join link "{culprit.name}" to the robot or remove it',
+        culprit.line,
+    )
 
 
-def _refuse_loops(
-    description: Description, parent_joint: dict[str, JointElement], notes: Notes
-) -> None:
-    leads_to_root: set[str] = set()
-    for link in description.links:
-        path: list[str] = []
-        on_path: set[str] = set()
-        name = link.name
-        while name in parent_joint and name not in leads_to_root:
-            if name in on_path:
-                loop = path[path.index(name) :]
-                joint = parent_joint[name]
-                raise notes.error(
-                    f"links {quoted(sorted(loop))} form a loop through joint "
-                    f'"{joint.name}": closed loops are not supported, remove a joint',
-                    joint.line,
-                )
-            path.append(name)
-            on_path.add(name)
-            name = parent_joint[name].parent
-        leads_to_root.update(path)
+def _detached(joint: JointElement, above: dict[str, JointElement], notes: Notes) -> Exception:
+    """Return the refusal of a ring that does not hang on the root."""
+    ring = [joint.parent]
+    while ring[-1] != joint.child:
+        ring.append(above[ring[-1]].parent)
+    return notes.error(
+        f'links {quoted(sorted(ring))} form a loop through joint "{joint.name}" and hang on '
+        "nothing else: let the first joint in the file that has one of them as its child join it "
+        "to the robot",
+        joint.line,
+    )

@@ -122,6 +122,7 @@ def test_a_changed_robot_shows(place: Path, said: Said) -> None:
         ("arm7", ["--batch", "--floating", "--name=a b"]),
         ("arm7", ["--tuned", "unrolled:250:clang++", "--procs", "1"]),
         ("arm7", ["--procs", "2", "--form=ada", "--strategy=astar", "--naive"]),
+        ("arm7", ["--procs", "1", "--loops", "LOOPS"]),
         ("humanoid", ["--floating"]),
         ("human40", ["--strict", "--procs", "2", "--channel", "message", "--name=é"]),
     ],
@@ -132,6 +133,7 @@ def test_whatever_is_asked_for_is_made_again(
     robot = tmp_path / f"my robot's {model}.urdf"
     shutil.copy(MODELS / f"{model}.urdf", robot)
     shutil.copy(MODELS / "arm7_payload.toml", tmp_path / "SCENE")
+    (tmp_path / "LOOPS").write_text("closed_loop: [[camera, universe]]\ntype: [3d]\n")
     profiles = Path(__file__).parents[2] / "adagen/schedule/profiles"
     shutil.copy(profiles / "default.toml", tmp_path / "PROFILE")
     if "SCHEDULE" in words:

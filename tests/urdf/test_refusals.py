@@ -97,7 +97,8 @@ CASES = {
         robot(*(link(x) for x in "abc"), joint("j1", "a", "b"), joint("j2", "a", "c"),
               joint("j3", "b", "c")),
         8,
-        'link "c" has two parent joints, "j2" and "j3"',
+        'link "c" has two parent joints, "j2" and "j3": loop "j3" cannot close: one of its links '
+        "spans 0.2 m, all others together 0 m",
     ),
     "stray link": (robot(link("a"), link("b"), link("stray"), joint("j1", "a", "b")), 5, "stray"),
     "loop off the root": (
@@ -105,9 +106,6 @@ CASES = {
               joint("j3", "d", "c")),
         9,
         '"c", "d" form a loop',
-    ),
-    "loop without root": (
-        robot(link("a"), link("b"), joint("j1", "a", "b"), joint("j2", "b", "a")), 6, "loop"
     ),
     "no mass": (pair(body(mass="")), 4, 'link "b": <inertial> without <mass>'),
     "no inertia": (pair(body(inertia="")), 4, 'link "b": <inertial> without <inertia>'),
@@ -139,23 +137,6 @@ CASES = {
     "axis without xyz": (pair(j="<axis/>"), 5, "xyz"),
     "zero axis": (pair(j='<axis xyz="0 0 0"/>'), 5, "length zero"),
     "negative inertia": (with_iyy('iyy="-0.01"'), 4, 'link "b": inertia is not positive definite'),
-    "loop": (
-        GOOD.replace("</robot>", '<loop name="l1"/>\n<loop name="l2" type="revolute"/></robot>'),
-        6,
-        '<loop> "l1", "l2": closed loops are not modelled; remove it',
-    ),
-    "loop of Drake": (GOOD.replace("</robot>", '<loop_joint name="l"/></robot>'), 6, '"l": closed'),
-    "loop in capitals": (GOOD.replace("</robot>", "<Loop/></robot>"), 6, '<loop> "": closed loops'),
-    "loop in a namespace": (
-        GOOD.replace("</robot>", '<x:loop xmlns:x="http://x" name="l"/></robot>'),
-        6,
-        '<loop> "l": closed loops',
-    ),
-    "coupling": (
-        GOOD.replace("</robot>", '<coupling name="c"><ratio value="6.0"/></coupling></robot>'),
-        6,
-        '<coupling> "c": couplings are not modelled; write it as a <mimic>',
-    ),
     "mimics itself": (pair(j=Y + '<mimic joint="j1"/>'), 5, 'joint "j1" mimics itself'),
     "massless leaf": (
         robot(link("a"), link("b"), link("t", ""), joint("j1", "a", "b"), joint("j2", "b", "t")),

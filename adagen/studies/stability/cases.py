@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from adagen.studies.stability import robots
-from adagen.studies.stability.loops import coupled_loops, four_bar, refused_loop
+from adagen.studies.stability.loops import coupled_loops, four_bar
 from adagen.studies.stability.methods import METHODS, Trial
 from adagen.studies.stability.motion import damped_tip, tumbling_body
 
@@ -175,8 +175,7 @@ def _measured(
 
 
 def _loops(_: bool) -> tuple[Finding, ...]:
-    said = _refused("four-bar as a URDF: what adagen says", refused_loop(), ("rocker",))
-    return (*_measured(four_bar() + coupled_loops()), said)
+    return _measured(four_bar() + coupled_loops())
 
 
 def _leaf(_: bool) -> tuple[Finding, ...]:

@@ -1,26 +1,21 @@
 """Closed planar loops: more constraint rows than rank, with which plain Cholesky fails.
 
-The compiler takes no closed loops. What is shown here, on trees of its model cut open at pins, is
-what is to be done with the rows of a pin: told in space they are five, in a plane only two of them
-are independent.
+What is shown here, on trees cut open at pins, is what is to be done with the rows of a pin: told in
+space they are five, in a plane only two of them are independent. The compiler chooses rows when it
+emits code (docs/loops.md).
 """
 
 from __future__ import annotations
 
-import math
-import tempfile
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.errors import InputError
 from adagen.model import Model
 from adagen.reference import bias, joint_space_inertia
 from adagen.studies.stability import robots
 from adagen.studies.stability.motion import Row
-from adagen.urdf import read_robot
 
 Array = NDArray[np.float64]
 
@@ -84,25 +79,6 @@ def four_bar() -> tuple[Row, ...]:
 def coupled_loops() -> tuple[Row, ...]:
     """Return what methods make of two loops with links in common."""
     return _solved("two loops", COUPLED)
-
-
-def refused_loop() -> tuple[float, str]:
-    """Return infinity and what adagen says of a four-bar linkage in a URDF."""
-    links = "".join(f'<link name="{name}"/>' for name in ("frame", "crank", "coupler", "rocker"))
-    pairs = ("frame crank", "crank coupler", "coupler rocker", "frame rocker")
-    joints = "".join(
-        f'<joint name="pin{k}" type="continuous"><parent link="{parent}"/>'
-        f'<child link="{child}"/></joint>'
-        for k, (parent, child) in enumerate(map(str.split, pairs), start=1)
-    )
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder, "four_bar.urdf")
-        path.write_text(f'<robot name="four_bar">{links}{joints}</robot>', encoding="utf-8")
-        try:
-            read_robot(path)
-        except InputError as error:
-            return math.inf, str(error).rpartition("error: ")[2]
-    return 0.0, "read"
 
 
 def _solved(name: str, pinned: Pinned) -> tuple[Row, ...]:
