@@ -325,13 +325,17 @@ inline void account(const Number* q, const Number* v, const Number* qdd, check::
   const Real after = squares();
   left.residual *= before > 0 ? double(std::sqrt(after / before)) : 1;
   left.backward = 0;
+  // Beside the largest, what is as small as this is rounding noise: of joints that nothing moves.
+  constexpr Real kNoise = 1e-8L;
   const auto note = [&left](Real value, Real size, int joint) {
     const double part = size > 0 ? double(std::abs(value) / size) : 0;
     if (!(part <= left.backward)) left.backward = part, left.joint = joint;
   };
+  const Real least_size = kNoise * largest(left.size);
   for (int j = 0; j < about.joints.count; ++j)
     for (int k = about.joints[j].v; k < about.joints[j].v + about.joints[j].nv; ++k)
-      note(left.over[static_cast<std::size_t>(k)], left.size[static_cast<std::size_t>(k)], j);
+      note(left.over[static_cast<std::size_t>(k)],
+           std::max(least_size, left.size[static_cast<std::size_t>(k)]), j);
   std::vector<check::Body> body(static_cast<std::size_t>(about.links.count));
   for (int k = 0; k < 3; ++k) body[0].a[k] = -about.gravity[k];
   for (int j = 0; j < about.joints.count; ++j) check::set_motion(j, q, v, qdd, body);
@@ -343,8 +347,10 @@ inline void account(const Number* q, const Number* v, const Number* qdd, check::
       note(found.value, found.size, std::max(loop.link1, loop.link2) - 1);
     });
   }
+  Real fastest = 0;
+  for (int k = 0; k < about.nv; ++k) fastest = std::max(fastest, std::abs(Real(qdd[k])));
   for (const Coupling& coupling : about.couplings) {
-    Real sum = 0, size = 0;
+    Real sum = 0, size = kNoise * fastest;
     for (int k = 0; k < coupling.count; ++k) {
       const Real part = Real(coupling.factors[k]) * Real(qdd[about.joints[coupling.joints[k]].v]);
       sum += part, size += std::abs(part);

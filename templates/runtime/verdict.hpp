@@ -200,6 +200,9 @@ class Verdict {
     std::array<double, 2> largest{};
     Unsure found;
     for (const bool looking : {true, false}) {
+      // What is nothing beside the others, as turns are in free fall, has no digits to lose.
+      const double least = 1e-6 * std::max(largest[0], largest[1]);
+      for (double& most : largest) most = std::max(most, least);
       for (int j = 0; j < about.joints.count; ++j) {
         for (int k = 0; k < about.joints[j].nv; ++k) {
           const std::size_t i = static_cast<std::size_t>(about.joints[j].v + k);
