@@ -99,7 +99,8 @@ def _whole(
     from adagen.urdf.mobility import weakest
 
     full = reduction.full
-    if not full.joints or (weakest(full).singular and not any(j.mimic for j in full.joints)):
+    held = full.closed or any(joint.mimic for joint in full.joints)
+    if not full.joints or (weakest(full).singular and not held):
         return None
     if options.form == "ada":
         profile = profile.joins_only()

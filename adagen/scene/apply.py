@@ -35,7 +35,7 @@ class Reduction:
 
     Attributes:
         model: the smaller robot.
-        full: the robot that it was made from.
+        full: the robot that it was made from, its loops closed as the scene says.
         locked: joints that were locked, by name, with their configurations.
         dropped: joints that were left out because nothing wanted depends on them.
     """
@@ -90,7 +90,7 @@ def apply_scene(model: Model, scene: Scene) -> Reduction:
     robot = _with_forces(robot, scene)
     if all(joint.prescribed for joint in robot.joints):
         raise scene.error("nothing to solve: every joint's acceleration is prescribed", "joints")
-    return Reduction(robot, model, locked, dropped)
+    return Reduction(robot, _closed(model, scene, names), locked, dropped)
 
 
 def _with_base(model: Model, scene: Scene) -> Model:
