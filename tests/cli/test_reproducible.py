@@ -57,7 +57,6 @@ def test_a_schedule_says_so_and_is_taken_back(
         (("--shape", "kernels"), "only straight lines are reproducible"),
         (("--schedule", "balanced"), "joined at a cut have other digits than one process"),
         (("--runtime", "gravity"), "reproducible solvers are not emitted with --runtime"),
-        (("--target", "embedded"), "reproducible solvers are not emitted with --target"),
     ],
 )
 def test_what_is_not_reproducible_is_refused(

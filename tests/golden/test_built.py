@@ -13,9 +13,11 @@ import pytest
 
 from adagen.emit.around import PROGRAM_FILE
 from adagen.emit.refine import MIXED_STEPS
+from adagen.reference.closed import closed_forward_dynamics
 from adagen.states import States, random_states
 from tests.emitted import QUICK, Array, Builder, Solver, forward_error, truth_of
 from tests.golden.examples import EXAMPLES, FOLDER, Example
+from tests.mechanisms import states_of
 
 BY_STEM = {example.stem: example for example in EXAMPLES}
 TRUTHS: dict[tuple[str, bool, bool], tuple[States, Array]] = {}
@@ -27,8 +29,15 @@ def truth(example: Example) -> tuple[States, Array]:
     """Return random states of an example's robot and the true accelerations."""
     key = (example.robot, example.floating, example.mimic)
     if key not in TRUTHS:
-        states = random_states(example.model(), 4, seed=3)
-        TRUTHS[key] = states, truth_of(example.model(), states)
+        model = example.model()
+        if example.closed:
+            states = states_of(model, 4, seed=3)
+            rows = zip(states.q, states.v, states.tau, strict=True)
+            answers = np.array([closed_forward_dynamics(model, *row) for row in rows])
+        else:
+            states = random_states(model, 4, seed=3)
+            answers = truth_of(model, states)
+        TRUTHS[key] = states, answers
     return TRUTHS[key]
 
 

@@ -18,6 +18,8 @@ import numpy as np
 import pytest
 
 import adagen
+from adagen.errors import UsageError
+from adagen.library.request import Request
 from adagen.states import random_states
 from tests.emitted import ROUNDING, cores, forward_error, truth_of
 from tests.golden.make_models import MODELS
@@ -389,3 +391,8 @@ def test_a_call_costs_little_beside_the_evaluation(arm: adagen.Solver) -> None:
     names = {"arm": arm, "one": one}
     called = min(timeit.repeat("arm(*one)", globals=names, number=20_000, repeat=7)) / 20_000
     assert called - alone < 2e-6  # about 0.15e-6 on an idle machine; pinocchio's binding: 4e-6
+
+
+def test_reproducible_solvers_are_for_hosts() -> None:
+    with pytest.raises(UsageError, match="reproducible solvers are not emitted with --target"):
+        Request(reproducible=True, target="embedded")

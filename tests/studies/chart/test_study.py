@@ -139,7 +139,10 @@ def test_what_keeps_a_budget_is_emitted_as_it_was_measured(
 ) -> None:
     model, path = read_robot(MODELS / "arm7.urdf").model, MODELS / "arm7.urdf"
     point = Point(variant.label, "adagen", **vars(variant), time_ns=1234.0, error=1e-12)
-    chart_command._answer(point, model, Namespace(model=str(path), out=tmp_path))
+    read = dict.fromkeys(("scene", "loops", "xacro_arg"))
+    options = Namespace(model=str(path), floating=False, mimic=False, strict=False, **read)
+    options.out = tmp_path
+    chart_command._answer(point, model, options)
     assert capsys.readouterr().out == f"{variant.label}: 1.23 us, error 1.0e-12\n"
     _, plan = variant.plan(model)
     measured = variant.files(plan)[f"{stem_of(plan)}.cpp"]
