@@ -300,8 +300,12 @@ inline void account(const Number* q, const Number* v, const Number* qdd, check::
   const Constraints now = constraints(q);
   const std::size_t nv = left.over.size();
   std::vector<Real> weights(nv), held(nv);
-  for (std::size_t k = 0; k < nv; ++k)
-    weights[k] = left.size[k] > 0 ? 1 / (left.size[k] * left.size[k]) : 0;
+  // Links without mass have rows of no size, which constraint forces have to balance all the same.
+  const Real usual = std::max(largest(left.size), std::numeric_limits<Real>::min()) * 1e-4L;
+  for (std::size_t k = 0; k < nv; ++k) {
+    const Real size = std::max(left.size[k], usual);
+    weights[k] = 1 / (size * size);
+  }
   const auto squares = [&left] {
     Real sum = 0;
     for (const Real x : left.over) sum += x * x;
@@ -338,6 +342,7 @@ inline void account(const Number* q, const Number* v, const Number* qdd, check::
            std::max(least_size, left.size[static_cast<std::size_t>(k)]), j);
   std::vector<check::Body> body(static_cast<std::size_t>(about.links.count));
   for (int k = 0; k < 3; ++k) body[0].a[k] = -about.gravity[k];
+  body[0].size.a = check::length(body[0].a);
   for (int j = 0; j < about.joints.count; ++j) check::set_motion(j, q, v, qdd, body);
   const std::vector<Pose> pose = poses(q);
   for (const Loop& loop : about.loops) {
