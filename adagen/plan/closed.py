@@ -10,10 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+from adagen.model.kinds import KINDS
 from adagen.model.loops import LOOP_KINDS
 from adagen.plan.ada import AdaPlanner
-from adagen.plan.closures import LARGE, Choice, Closure, freedoms_of
-from adagen.plan.edges import is_free_base, on_the_way
+from adagen.plan.closures import LARGE, Choice, Closure
+from adagen.plan.edges import is_free_base
 from adagen.plan.steps import (
     Accelerate,
     AccelerateHeld,
@@ -31,7 +32,7 @@ from adagen.plan.steps import (
     StartLink,
     Step,
 )
-from adagen.plan.types import Message, PlanCoupling, PlanJoint, PlanLoop, Process
+from adagen.plan.types import Message, PlanCoupling, PlanJoint, PlanLoop, Process, bound_by_loops
 from adagen.schedule import Schedule
 
 LARGEST = 1e4
@@ -48,7 +49,8 @@ class _Unknowns:
 
     @staticmethod
     def of(closure: Closure, joints: Sequence[PlanJoint]) -> _Unknowns:
-        freedoms = freedoms_of(joints, closure.held)
+        entries = [joints[j].v + k for j in closure.held for k in range(KINDS[joints[j].kind].nv)]
+        freedoms = {entry: number for number, entry in enumerate(entries)}
         forces = {row: number for number, row in enumerate(closure.rows, start=len(freedoms))}
         return _Unknowns(closure, freedoms, forces)
 
@@ -89,9 +91,6 @@ class ClosedPlanner(AdaPlanner):
         super().__init__(joints, schedule)
         self.closures, self.loops, self.couplings = closures, loops, couplings
         self.closure_of = {j: k for k, one in enumerate(closures) for j in one.path}
-        self.children: list[list[int]] = [[] for _ in range(len(joints) + 1)]
-        for j, joint in enumerate(joints):
-            self.children[joint.parent].append(j)
         self.firsts = [0]
         for loop in loops:
             self.firsts.append(self.firsts[-1] + LOOP_KINDS[loop.kind].rows)
@@ -122,9 +121,7 @@ class ClosedPlanner(AdaPlanner):
 
     def _joints_beside_loops(self) -> list[int]:
         """Joints with neither loops at them nor beyond them, ascending."""
-        links = [link for loop in self.loops for link in (loop.link1, loop.link2)]
-        coupled = [j for coupling in self.couplings for j, _ in coupling.terms]
-        bound = set(on_the_way(self.joints, [*(link - 1 for link in links), *coupled]))
+        bound = bound_by_loops(self.joints, self.loops, self.couplings)
         every = range(len(self.joints))
         return [j for j in every if j not in bound and not is_free_base(self.joints[j])]
 

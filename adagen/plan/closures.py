@@ -21,8 +21,6 @@ from numpy.typing import NDArray
 
 from adagen.errors import InputError
 from adagen.model import Model
-from adagen.model.kinds import KINDS
-from adagen.plan.types import PlanJoint
 from adagen.reference.closed import closed_states, constraints_of_all
 from adagen.reference.double import joint_space_inertia
 
@@ -30,8 +28,8 @@ Array = NDArray[np.float64]
 
 SAMPLES = 64
 """Consistent states at which choices are made; of many freedoms fewer."""
-SECONDS_OF = 2000
-"""So many freedoms of all samples together."""
+MOST_SAMPLED = 2000
+"""Freedoms of all samples together, so that choices take seconds."""
 MOST_HELD = 30
 """Freedoms of a closure up to which all of them are held back."""
 FOLLOWS = 1e-9
@@ -39,8 +37,9 @@ FOLLOWS = 1e-9
 VANISHING = 1e-6
 """A singular value of rows that are brought to a size of one which counts as none."""
 NEAR = 0.3
+"""A pivot may be so much smaller than the largest one where it is better placed."""
 FAR = 0.02
-"""A pivot may be so much smaller than the largest one, where less arithmetic comes of it."""
+"""It may be even so much smaller in further choices that are compared with these."""
 MOST_OFFERS = 24
 """Choices that are compared: those that suit most samples best."""
 _OF_BASIS = 4
@@ -104,7 +103,7 @@ def closures_of(model: Model) -> tuple[Closure, ...]:
     if not model.closed:
         return ()
     _check_joints(model)
-    count = max(8, min(SAMPLES, SECONDS_OF // model.nv))
+    count = max(8, min(SAMPLES, MOST_SAMPLED // model.nv))
     q, _ = closed_states(model, count, starts=3 * count)
     if not len(q):
         raise InputError(why_open(model))
@@ -391,9 +390,6 @@ def _check_inertia(model: Model, q: Array, rows: Array) -> None:
         _, sizes, right = np.linalg.svd(matrix)
         rank = int((sizes > FOLLOWS * sizes[:1].sum()).sum())
         free, inertia = right[rank:].T, joint_space_inertia(model, each)
-        rotors = [
-            joint.passive.rotor_inertia for joint in model.joints for _ in range(joint.kind.nv)
-        ]
         reduced = free.T @ (inertia + np.diag(rotors)) @ free
         if not len(reduced):
             return
@@ -408,9 +404,3 @@ def _check_inertia(model: Model, q: Array, rows: Array) -> None:
         f'joint "{model.joints[j].name}" can move with no inertia to resist it, though loops are '
         "closed: give the links that it moves mass and inertia, or make it fixed"
     )
-
-
-def freedoms_of(joints: Sequence[PlanJoint], held: Sequence[int]) -> dict[int, int]:
-    """Return the numbers of held freedoms among the unknowns of their closure, by entries of v."""
-    entries = [joints[j].v + k for j in held for k in range(KINDS[joints[j].kind].nv)]
-    return {entry: number for number, entry in enumerate(entries)}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from adagen.plan.types import PlanJoint
+from adagen.plan.types import PlanJoint, ways
 
 
 @dataclass(frozen=True)
@@ -46,13 +46,7 @@ def joints_at(joints: Sequence[PlanJoint], members: Iterable[int]) -> dict[int, 
 
 def on_the_way(joints: Sequence[PlanJoint], wanted: Iterable[int]) -> tuple[int, ...]:
     """Return some joints and those between them and the ground, ascending."""
-    found: set[int] = set()
-    for joint in wanted:
-        j = joint
-        while j >= 0 and j not in found:
-            found.add(j)
-            j = joints[j].parent - 1
-    return tuple(sorted(found))
+    return tuple(sorted(ways(joints, wanted)))
 
 
 def edges_from(

@@ -6,7 +6,7 @@ name are in adagen/plan/steps/.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -303,9 +303,7 @@ class Plan:
     @cached_property
     def bound_by_loops(self) -> frozenset[int]:
         """Joints that a loop or coupling is at, or beyond."""
-        links = {link for loop in self.loops for link in (loop.link1, loop.link2)}
-        coupled = {j for coupling in self.couplings for j, _ in coupling.terms}
-        return frozenset(self.paths({link - 1 for link in links} | coupled))
+        return bound_by_loops(self.joints, self.loops, self.couplings)
 
     @cached_property
     def children(self) -> tuple[tuple[int, ...], ...]:
@@ -371,9 +369,23 @@ class Plan:
 
     def paths(self, joints: Iterable[int]) -> set[int]:
         """Return the joints from the ground down to some joints, these included."""
-        found: set[int] = set()
-        for joint in joints:
-            while joint >= 0 and joint not in found:
-                found.add(joint)
-                joint = self.joints[joint].parent - 1
-        return found
+        return ways(self.joints, joints)
+
+
+def ways(joints: Sequence[PlanJoint], wanted: Iterable[int]) -> set[int]:
+    """Return the joints from the ground down to some joints, these included."""
+    found: set[int] = set()
+    for joint in wanted:
+        while joint >= 0 and joint not in found:
+            found.add(joint)
+            joint = joints[joint].parent - 1
+    return found
+
+
+def bound_by_loops(
+    joints: Sequence[PlanJoint], loops: Sequence[PlanLoop], couplings: Sequence[PlanCoupling]
+) -> frozenset[int]:
+    """Return the joints that a loop or coupling is at, or beyond."""
+    links = {link for loop in loops for link in (loop.link1, loop.link2)}
+    coupled = {j for coupling in couplings for j, _ in coupling.terms}
+    return frozenset(ways(joints, {link - 1 for link in links} | coupled))

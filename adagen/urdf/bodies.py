@@ -16,6 +16,7 @@ from adagen.model import (
     PRISMATIC,
     REVOLUTE,
     SPHERICAL,
+    WORLD,
     Joint,
     JointKind,
     Link,
@@ -27,11 +28,6 @@ from adagen.model import (
 )
 from adagen.urdf.description import WITH_AXIS, Description, Inertial, JointElement, Origin, Triple
 from adagen.urdf.tree import Tree
-
-"""Name of the joint that --floating adds."""
-
-WORLD = "__world__"
-"""Name of the link that it joins the robot to."""
 
 KIND_OF: dict[str, JointKind] = {
     "revolute": REVOLUTE,
