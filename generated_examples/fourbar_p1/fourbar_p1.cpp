@@ -658,8 +658,8 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Real x302 = sign_of(x288) * sqrt_of(x288 * x288 + x298);
   const Real x303 = x288 + x302;
   const Real x341 = 1 / x302;
-  const Real x356 = x302 * x302;
-  require_more(w, x356, 9.999999999999998e-15, kSingularPose, 3);
+  const Real x355 = x302 * x302;
+  require_more(w, x355, 9.999999999999998e-15, kSingularPose, 3);
   const Real x305 = x298 + x303 * x303;
   const Real x307 = 2.0 * (1 / x305);
   const Real x314 = x307 * (x289 * x303 + x291 * x293);
@@ -757,8 +757,8 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x301 = sign_of(x288) * sqrt_of(1.0 + x288 * x288 + x296);
   const Real x302 = x288 + x301;
-  const Real x336 = x301 * x301;
-  require_more(w, x336, 9.999999999999998e-15, kLoopSingular, 3);
+  const Real x335 = x301 * x301;
+  require_more(w, x335, 9.999999999999998e-15, kLoopSingular, 3);
   const Real x305 = 1.0 + x296 + x302 * x302;
   const Real x340 = 2.0 * (x44 * x189 - x193 * x203 - x27);
   const Real x346 = x340 * (1 / x301);

@@ -1,0 +1,293 @@
+"""How the unknowns of a closure are eliminated at its top (adagen/plan/steps/closed.py).
+
+Unknowns w are eliminated in one of three ways: some accelerations follow from the others by the
+rows, z = G y + g; all follow from an orthogonal basis of what the rows leave free, w = N y + g; or
+all are solved for at once, where rows push each other through articulated joints. The first two
+leave y, whose inertia is positive definite.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.executor.checks import SINGULAR, Check
+from adagen.executor.front import Front, Solved
+from adagen.executor.state import State
+from adagen.graph import (
+    Expression,
+    Factors,
+    dot,
+    factorize,
+    matrix_times,
+    reflect,
+    solved_by_reflections,
+    total,
+)
+from adagen.plan.digits import EPSILON
+from adagen.plan.steps import Eliminate
+from adagen.plan.types import FACTORS
+
+Array = NDArray[Any]
+
+FOLLOWS = 1e-3
+"""How far a row that is left out may be from following, relative to its size: where loops are open
+within their tolerance, it is so far."""
+
+LEAST = {"double": 1e-7, "float": 1e-3}
+"""Pivots of rows, brought to one size, below which a pose counts as singular."""
+
+MOST_LOST = 0.1
+"""Digits that the size of G may cost, as a part of half of all."""
+
+
+class Elimination:
+    """Eliminates the unknowns of one closure.
+
+    Args:
+        state: whose process it is.
+        step: what follows from what.
+        front: the closure.
+    """
+
+    def __init__(self, state: State, step: Eliminate, front: Front) -> None:
+        self.state, self.step, self.front = state, step, front
+        self.memory: dict[Any, Any] = state.memory
+        self.epsilon = EPSILON[FACTORS[state.plan.scalar]]
+        self.columns = front.columns.pop(step.link, {}) if step.link else {}
+        self.fails = SINGULAR if step.recovers else "kLoopSingular"
+
+    def run(self) -> None:
+        """Do it, in the way that the rows allow and the step says."""
+        step = self.step
+        forces = (*step.rows, *step.followers)
+        if any(self.front.entry(i, k) is not None for i in forces for k in forces):
+            self._solve_all()
+        elif step.rows and not step.moved:
+            self._follow_basis()
+        else:
+            self._follow()
+
+    # -- the closure's function -------------------------------------------------------------------
+
+    def _block(self, rows: Sequence[int], columns: Sequence[int]) -> Array:
+        """Part of E, shape (rows, columns)."""
+        block = self.state.zeros(len(rows), len(columns))
+        for i, row in enumerate(rows):
+            for k, column in enumerate(columns):
+                entry = self.front.entry(row, column)
+                if entry is not None:
+                    block[i, k] = entry
+        return block
+
+    def _biases(self, unknowns: Sequence[int]) -> Array:
+        """Part of e, shape (n, columns)."""
+        result = self.state.zeros(len(unknowns), self.state.columns)
+        for k, unknown in enumerate(unknowns):
+            result[k] = self.front.bias[unknown]
+        return result
+
+    def _at_top(self, unknowns: Sequence[int]) -> Array:
+        """Part of C^T at the top, shape (n, 6)."""
+        result = self.state.zeros(len(unknowns), 6)
+        for k, unknown in enumerate(unknowns):
+            if unknown in self.columns:
+                result[k] = self.columns[unknown]
+        return result
+
+    def _scales(self) -> Array:
+        """What brings the kept rows to one size, shape (rows, 1)."""
+        return self.state.constants(self.step.scales)[:, None]
+
+    # -- three ways -------------------------------------------------------------------------------
+
+    def _follow(self) -> None:
+        """By a choice: z = G y + g by the rows, then y; no row acts on the top itself."""
+        step, y, z = self.step, self.step.singles, self.step.moved
+        to_z, to_y = (self._block(step.rows, each) for each in (z, y))
+        right = np.concatenate([to_y, self._biases(step.rows)], axis=1)
+        scales = self._scales()
+        solved, diagonal = solved_by_reflections(to_z * scales, right * scales)
+        gained = -solved
+        self._check_rank(diagonal)
+        g, offset = gained[:, : len(y)], gained[:, len(y) :]
+        self._check_size(g)
+        left_out = self._block(step.followers, y)
+        to_left_out = self._block(step.followers, z)
+        rest = left_out + matrix_times(to_left_out, g) if z and step.followers else left_out
+        self._check_left_out(rest, np.concatenate([left_out, to_left_out], axis=1))
+        self.front.solved.append(Solved(z, self.state.zeros(len(z), 6), y, g, offset))
+        reduced, across, bias = self._block(y, y), self._at_top(y), self._biases(y)
+        if z:
+            between, own, at_top = self._block(y, z), self._block(z, z), self._at_top(z)
+            half = between + matrix_times(g.T, own)
+            reduced = _symmetric(reduced + matrix_times(half, g) + matrix_times(g.T, between.T))
+            across = across + matrix_times(g.T, at_top)
+            bias = bias + matrix_times(g.T, self._biases(z)) + matrix_times(half, offset)
+            self._push_top(at_top, offset)
+        if y:
+            self._solve_free(y, y, reduced, across, bias)
+
+    def _follow_basis(self) -> None:
+        """By an orthogonal basis N of what the rows leave free, w = N y + g: J^T = Q R, N in Q."""
+        step, w, count = self.step, self.step.singles, len(self.step.rows)
+        scales = self._scales()
+        r = (self._block(step.rows, w) * scales).T.copy()
+        nothing = self.state.zeros(len(w), 0)
+        reflections = [reflect(k, r, nothing) for k in range(count)]
+        self._check_rank([r[k, k] for k in range(count)])
+        free = len(w) - count
+        basis = self.state.zeros(len(w), free + self.state.columns)
+        basis[count:, :free] = self.state.constants(np.eye(free))
+        basis[:count, free:] = self._forward(r.T, -(self._biases(step.rows) * scales))
+        for reflection in reversed(reflections):
+            if reflection is not None:
+                reflection.apply(basis)
+        n, offset = basis[:, :free], basis[:, free:]
+        left_out = self._block(step.followers, w)
+        self._check_left_out(matrix_times(left_out, n) if step.followers else left_out, left_out)
+        y = tuple(-1 - k for k in range(free))
+        self.front.solved.append(Solved(w, self.state.zeros(len(w), 6), y, n, offset))
+        at_top, half = self._at_top(w), matrix_times(n.T, self._block(w, w))
+        bias = matrix_times(n.T, self._biases(w)) + matrix_times(half, offset)
+        self._push_top(at_top, offset)
+        reduced = _symmetric(matrix_times(half, n))
+        self._solve_free(y, w[:free], reduced, matrix_times(n.T, at_top), bias)
+
+    def _solve_all(self) -> None:
+        """All unknowns at once, where rows push each other through articulated joints."""
+        step = self.step
+        every = (*step.singles, *step.moved, *step.rows)
+        matrix = self._block(every, every)
+        across, bias = self._at_top(every), self._biases(every)
+        pushed = self._block(every, step.followers)
+        right = np.concatenate([across, bias, pushed], axis=1)
+        whole, diagonal = solved_by_reflections(matrix, right)
+        self._check_inverse(every, matrix, diagonal)
+        count = 6 + self.state.columns
+        self._check_pushed(pushed, whole[:, count:])
+        self._found(every, across, whole[:, :count])
+
+    # -- what is left -----------------------------------------------------------------------------
+
+    def _solve_free(
+        self, y: Sequence[int], blamed: Sequence[int], reduced: Array, across: Array, bias: Array
+    ) -> None:
+        """What the loops leave free, by its inertia; each pivot has to be positive.
+
+        Args:
+            y: numbers that it is found by.
+            blamed: unknowns that a failure is told of.
+            reduced: its inertia.
+            across: what it does to the top, shape (n, 6).
+            bias: shape (n, columns).
+        """
+        factors = factorize(reduced)
+        self._check_inertia(blamed, factors)
+        self._found(y, across, factors.solve(np.concatenate([across, bias], axis=1)))
+
+    def _found(self, unknowns: Sequence[int], across: Array, found: Array) -> None:
+        """Keep unknowns as they follow from the top; take what they give way from the top."""
+        none = self.state.zeros(len(unknowns), 0)
+        self.front.solved.append(Solved(tuple(unknowns), -found[:, :6], (), none, -found[:, 6:]))
+        link = self.step.link
+        if not link:
+            return
+        inertia, p = self.memory["IA", link].copy(), self.memory["pA", link]
+        for i in range(6):
+            for k in range(i, 6):
+                value = inertia[i, k] - dot(across[:, i], found[:, k])
+                inertia[i, k] = inertia[k, i] = value
+        self.memory["IA", link] = inertia
+        self.memory["pA", link] = p - matrix_times(across.T, found[:, 6:])
+
+    def _push_top(self, at_top: Array, offset: Array) -> None:
+        """What accelerations that the rows give by themselves do to the top."""
+        link = self.step.link
+        if link:
+            self.memory["pA", link] = self.memory["pA", link] + matrix_times(at_top.T, offset)
+
+    def _forward(self, lower: Array, right: Array) -> Array:
+        """Solve L x = right for a lower triangular L, shape (n, k)."""
+        x = right.copy()
+        for i in range(len(x)):
+            over = self.state.graph.reciprocal(lower[i, i])
+            for c in range(x.shape[1]):
+                terms = [-(lower[i, k] * x[k, c]) for k in range(i)]
+                x[i, c] = total([x[i, c], *terms]) * over
+        return x
+
+    # -- what is looked at ------------------------------------------------------------------------
+
+    def _check(self, value: Expression, least: Expression | float, unknown: int, how: str) -> None:
+        """A value has to exceed another; what an unknown belongs to fails otherwise."""
+        limit = self.state.graph.constant(least) if isinstance(least, float) else least
+        self.state.checks.append(Check(value, limit, self.front.places[unknown], how))
+
+    def _check_rank(self, diagonal: Sequence[Expression]) -> None:
+        """What follows has to follow: no pivot of the rows, brought to one size, may vanish."""
+        least = LEAST[FACTORS[self.state.plan.scalar]] ** 2
+        for unknown, pivot in zip(self.step.rows, diagonal, strict=True):
+            self._check(pivot * pivot, least, unknown, self.fails)
+
+    def _check_size(self, g: Array) -> None:
+        """Look at G: where it is large, this choice of what follows is poor."""
+        squares = _squares(g.flat)
+        if squares:
+            limit = min(self.step.limit, MOST_LOST / self.epsilon**0.5)
+            self._check(limit**2 - total(squares), 0.0, self.step.rows[0], self.fails)
+
+    def _check_left_out(self, rest: Array, whole: Array) -> None:
+        """Rows that are left out have to follow from the others in this pose, too.
+
+        Args:
+            rest: what of each row the kept ones leave, for what they leave free.
+            whole: the rows.
+        """
+        for k, unknown in enumerate(self.step.followers):
+            squares = _squares(rest[k])
+            if squares:
+                left = total(_squares(whole[k])) * FOLLOWS**2 - total(squares)
+                self._check(left, 0.0, unknown, self.fails)
+
+    def _check_pushed(self, pushed: Array, found: Array) -> None:
+        """Rows that are left out have to push nothing that the kept ones do not push."""
+        for k, unknown in enumerate(self.step.followers):
+            own = self.front.entry(unknown, unknown)
+            if own is not None:
+                rest = own - dot(pushed[:, k], found[:, k])
+                left = own * own * FOLLOWS**4 - rest * rest
+                self._check(left, 0.0, unknown, "kLoopSingular")
+
+    def _check_inverse(
+        self, every: Sequence[int], matrix: Array, diagonal: Sequence[Expression]
+    ) -> None:
+        """No pivot of all unknowns may have lost its digits."""
+        lost = (16 * self.epsilon) ** 2
+        for k, (unknown, pivot) in enumerate(zip(every, diagonal, strict=True)):
+            least = total(_squares(matrix[:, k])) * lost
+            self._check(pivot * pivot, least, unknown, "kLoopSingular")
+
+    def _check_inertia(self, blamed: Sequence[int], factors: Factors) -> None:
+        """No pivot of the inertia may have lost its digits."""
+        pairs = zip(blamed, factors.pivots, factors.diagonal, strict=True)
+        for unknown, pivot, entry in pairs:
+            least = 0.0 if pivot == entry else entry * (16 * self.epsilon)
+            self._check(pivot, least, unknown, "kLoopFree")
+
+
+def _squares(values: Iterable[Expression]) -> list[Expression]:
+    """The squares of those values that are not known to be zero."""
+    return [x * x for x in values if x.constant != 0]
+
+
+def _symmetric(matrix: Array) -> Array:
+    """A matrix that is symmetric but for rounding, from its lower triangle."""
+    result = matrix.copy()
+    for i in range(len(matrix)):
+        for k in range(i):
+            result[k, i] = result[i, k]
+    return result

@@ -1,0 +1,78 @@
+"""A closure on its way inwards, as the executor keeps it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from numpy.typing import NDArray
+
+from adagen.graph import Expression
+
+Array = NDArray[Any]
+
+
+@dataclass(frozen=True)
+class Solved:
+    """Unknowns that follow from the top's acceleration and others: w = across a + more w' + bias.
+
+    Attributes:
+        unknowns: their numbers.
+        across: shape (n, 6).
+        others: numbers of the others.
+        more: shape (n, m).
+        bias: shape (n, columns).
+    """
+
+    unknowns: tuple[int, ...]
+    across: Array
+    others: tuple[int, ...]
+    more: Array
+    bias: Array
+
+
+@dataclass
+class Front:
+    """A closure on its way inwards.
+
+    Attributes:
+        columns: C by link and unknown, shape (6,) each.
+        square: E by pairs of unknowns, the smaller one first; those that are not there are zero.
+        bias: e by unknown, shape (columns,).
+        solved: what has been eliminated, in the order in which it is found outwards.
+        carried: joints that were articulated, with their rows of C, by unknown, shape (n,) each.
+        found: w by unknown, shape (columns,), on the way outwards.
+        ties: unknowns of couplings with factors, by joint.
+        places: what each unknown is blamed on: its joint; a loop, coupling, counted behind joints.
+        first: number of the first unknown of each joint that was held back.
+    """
+
+    columns: dict[int, dict[int, Array]] = field(default_factory=dict)
+    square: dict[tuple[int, int], Expression] = field(default_factory=dict)
+    bias: dict[int, Array] = field(default_factory=dict)
+    solved: list[Solved] = field(default_factory=list)
+    carried: dict[int, dict[int, Array]] = field(default_factory=dict)
+    found: dict[int, Array] = field(default_factory=dict)
+    ties: dict[int, list[tuple[int, float]]] = field(default_factory=dict)
+    places: dict[int, int] = field(default_factory=dict)
+    first: dict[int, int] = field(default_factory=dict)
+
+    def add_column(self, link: int, unknown: int, column: Array) -> None:
+        """Add to what an unknown and a link's acceleration do to each other."""
+        own = self.columns.setdefault(link, {})
+        own[unknown] = own[unknown] + column if unknown in own else column
+
+    def add(self, i: int, k: int, value: Expression) -> None:
+        """Add to an entry of E."""
+        if value.constant == 0:
+            return
+        key = (min(i, k), max(i, k))
+        self.square[key] = self.square[key] + value if key in self.square else value
+
+    def entry(self, i: int, k: int) -> Expression | None:
+        """Return an entry of E; None for zero."""
+        return self.square.get((min(i, k), max(i, k)))
+
+    def add_bias(self, unknown: int, value: Array) -> None:
+        """Add to e, shape (columns,)."""
+        self.bias[unknown] = self.bias[unknown] + value if unknown in self.bias else value
