@@ -1,7 +1,7 @@
 """``python -m benchmarks.search [joins] [played] [chains]``: what is proven of schedules, how fast.
 
-Writes tables of docs/search.md: of joins (Eq. 11, the paper's constants), and of real robots and
-long chains as they are played (form segment, the shipped costs).
+Writes tables of docs/explanation/search.md: of joins (Eq. 11, the paper's constants), and of real
+robots and long chains as they are played (form segment, the shipped costs).
 Robots of adagen's test environment (example-robot-data) that are not there are left out.
 """
 
@@ -34,7 +34,7 @@ from benchmarks.paper.measured import machine, model_of
 
 PAPER = load_profile("paper")
 DEFAULT = load_profile("default")
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "search.md"
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "explanation" / "search.md"
 PACKAGE = "cmeel.prefix/share/example-robot-data/robots"
 REAL = {  # floating base or not, file within the package
     "talos": (True, "talos_data/robots/talos_full_v2.urdf"),

@@ -14,7 +14,7 @@ from adagen.cli import main
 from adagen.cli.main import VERBS
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 
 
@@ -24,7 +24,7 @@ def anchors(page: Path) -> set[str]:
     return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
 
 
-@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.name))
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: str(page.relative_to(ROOT)))
 def test_links_lead_somewhere(page: Path) -> None:
     for link in LINK.findall(page.read_text(encoding="utf-8")):
         if "://" in link:
@@ -37,19 +37,20 @@ def test_links_lead_somewhere(page: Path) -> None:
 
 def test_every_picture_is_shown() -> None:
     shown = {link for page in PAGES for link in LINK.findall(page.read_text(encoding="utf-8"))}
-    pictures = {path.name for path in (ROOT / "docs" / "pictures").iterdir()}
+    pictures = {path.name for path in (ROOT / "docs" / "records" / "pictures").iterdir()}
     assert pictures == {Path(link).name for link in shown if "pictures/" in link}
 
 
-def test_every_page_is_in_the_list_of_documents() -> None:
-    listed = {Path(link).name for link in LINK.findall(PAGES[0].read_text(encoding="utf-8"))}
-    assert {page.name for page in PAGES[1:]} <= listed
+def test_the_site_has_every_page_once() -> None:
+    text = (ROOT / "mkdocs.yml").read_text(encoding="utf-8")
+    listed = re.findall(r"^ *- (?:[^:]*: )?(\S+\.md)$", text, flags=re.MULTILINE)
+    assert sorted(listed) == sorted(str(page.relative_to(ROOT / "docs")) for page in PAGES[1:])
 
 
 def test_the_page_on_the_command_line_tells_what_help_tells(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    page = (ROOT / "docs" / "command_line.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "reference" / "command_line.md").read_text(encoding="utf-8")
     for verb in VERBS:
         assert f"`adagen {verb} " in page, verb
     main(["--help"])
@@ -61,7 +62,7 @@ def test_the_example_of_a_simulation_runs(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     picture = tmp_path / "picture.png"
     done = subprocess.run(
-        [sys.executable, str(ROOT / "docs" / "example_simulation.py"), str(picture)],
+        [sys.executable, str(ROOT / "docs" / "how_to" / "example_simulation.py"), str(picture)],
         capture_output=True,
         text=True,
         timeout=300,

@@ -273,7 +273,7 @@ def test_saying_the_version_does_not_wait_for_the_stages() -> None:
 
 @pytest.mark.parametrize("command", ["", *sorted(VERBS)])
 def test_every_option_is_in_the_documentation(command: str) -> None:
-    path = ROOT / "docs/command_line.md"
+    path = ROOT / "docs/reference/command_line.md"
     if not path.is_file():
         pytest.skip("not run from a checkout")
     text = path.read_text()

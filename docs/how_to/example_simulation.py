@@ -1,7 +1,7 @@
 """Read a robot, compile it, simulate it under a torque law written in Python, and plot.
 
 Cells begin with `# %%`, as notebooks of Jupyter, VS Code and Spyder take them; or all at once:
-python docs/example_simulation.py [PICTURE].
+python docs/how_to/example_simulation.py [PICTURE].
 """
 
 # %% Read and compile
@@ -16,7 +16,7 @@ import adagen
 mpl.use("Agg")
 from matplotlib import pyplot as plt
 
-robot = adagen.read(Path(__file__).parents[1] / "generated_examples" / "models" / "arm7.urdf")
+robot = adagen.read(Path(__file__).parents[2] / "generated_examples" / "models" / "arm7.urdf")
 compiled = adagen.compile(robot, runtime="gravity")  # gravity can be changed below
 print(f"{robot.name}: {compiled.predicted:.2f} us an evaluation, {compiled.digits:.0f} digits")
 model = compiled.build()  # what the torque law knows of the robot
