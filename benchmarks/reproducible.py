@@ -3,7 +3,7 @@
 Each robot's solver on one process as it is emitted by itself, as a straight line, and reproducible;
 of single states and of batches, by turns, so that a noisy minute hits all alike. A robot whose
 links do not hang on the ground is named as FILE:floating.
---page writes docs/explanation/reproducible.md.
+--page writes docs/records/reproducible.md.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def main() -> None:
     parser.add_argument("urdf", nargs="+", help="robots, FILE or FILE:floating")
     parser.add_argument("--rounds", type=int, default=7)
     parser.add_argument(
-        "--page", action="store_true", help="write it into docs/explanation/reproducible.md"
+        "--page", action="store_true", help="write it into docs/records/reproducible.md"
     )
     options = parser.parse_args()
     lines = [
@@ -86,7 +86,7 @@ def main() -> None:
     text = "\n".join(lines)
     print(text)
     if options.page:
-        write_between_marks(ROOT / "docs" / "explanation" / "reproducible.md", "reproducible", text)
+        write_between_marks(ROOT / "docs" / "records" / "reproducible.md", "reproducible", text)
 
 
 if __name__ == "__main__":

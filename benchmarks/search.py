@@ -1,6 +1,6 @@
 """``python -m benchmarks.search [joins] [played] [chains]``: what is proven of schedules, how fast.
 
-Writes tables of docs/explanation/search.md: of joins (Eq. 11, the paper's constants), and of real
+Writes tables of docs/records/search.md: of joins (Eq. 11, the paper's constants), and of real
 robots and long chains as they are played (form segment, the shipped costs).
 Robots of adagen's test environment (example-robot-data) that are not there are left out.
 """
@@ -34,7 +34,7 @@ from benchmarks.paper.measured import machine, model_of
 
 PAPER = load_profile("paper")
 DEFAULT = load_profile("default")
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "explanation" / "search.md"
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "records" / "search.md"
 PACKAGE = "cmeel.prefix/share/example-robot-data/robots"
 REAL = {  # floating base or not, file within the package
     "talos": (True, "talos_data/robots/talos_full_v2.urdf"),
@@ -220,7 +220,7 @@ def line(*cells: object) -> str:
     return "| " + " | ".join(str(cell) for cell in cells) + " |"
 
 
-HEAD = "# The search, and how far it gets\n"
+HEAD = "# The search, measured\n"
 TITLES = {
     "joins": """## By joins
 
