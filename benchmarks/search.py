@@ -7,6 +7,7 @@ Robots of adagen's test environment (example-robot-data) that are not there are 
 
 from __future__ import annotations
 
+import argparse
 import gc
 import random
 import sys
@@ -273,10 +274,15 @@ def page(name: str, rows: Sequence[str]) -> str:
     return "\n".join([HEAD, *sections.values()])
 
 
-def main(names: Sequence[str]) -> int:
+def main(words: Sequence[str]) -> int:
     """Write the tables."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.search", description=__doc__)
+    parser.add_argument("tables", nargs="*", metavar="TABLE", help=", ".join(TABLES) + "; all")
+    names = parser.parse_args(words).tables or list(TABLES)
+    if unknown := set(names) - set(TABLES):
+        parser.error(f"no table {', '.join(sorted(unknown))}; there are {', '.join(TABLES)}")
     gc.set_threshold(ALLOCATIONS)  # as the command line has it
-    for name in names or TABLES:
+    for name in names:
         rows = []
         for row in TABLES[name]():
             rows.append(row)
