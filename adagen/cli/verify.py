@@ -25,7 +25,7 @@ examples:
 
 def command_parser() -> Parser:
     """Return the parser of ``adagen verify``."""
-    parser = make_parser("adagen verify", "Emit again and compare.", _EPILOG)
+    parser = make_parser("adagen verify", "Generate again and compare.", _EPILOG)
     parser.add_argument(
         "folders", nargs="+", type=Path, metavar="DIR", help="folder with emitted files below it"
     )
