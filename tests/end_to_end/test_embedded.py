@@ -15,6 +15,7 @@ import adagen
 from adagen.cli import main
 from adagen.errors import UsageError
 from adagen.states import States, random_states
+from adagen.wholefile import write_files
 from tests.emitted import EXACT, ROUNDING, Builder, Solver, forward_error, truth_of
 from tests.end_to_end.test_library import STRICT, filled, run
 from tests.golden.make_models import MODELS
@@ -66,8 +67,7 @@ def compiled_for(target: str, case: str) -> adagen.Compiled:
 
 def object_of(compiled: adagen.Compiled, builder: Builder, folder: Path) -> Path:
     """Return the object of an embedded solver, compiled as for a machine without a system."""
-    for name, text in compiled.files.items():
-        (folder / name).write_text(text)
+    write_files(folder, compiled.files)
     made = folder / "own_p1.o"
     flags = ("-std=c++17", *STRICT, *EXACT, *ALONE, "-Wno-psabi")
     run(*builder.toolchain.cxx, *flags, "-c", folder / "own_p1.cpp", "-o", made)
