@@ -79,6 +79,7 @@ struct Joint {
   double multiplier, offset;
   double damping, friction, friction_speed, stiffness, rest, rotor;
   bool prescribed;
+  bool given;  // whether its acceleration is wanted and found
 };
 
 template <class Number>
@@ -118,6 +119,12 @@ struct Coupling {
   Number offset;
 };
 
+// What is found beside accelerations; its numbers follow theirs.
+struct Output {
+  const char *what, *name;
+  int size;
+};
+
 struct Message {
   int source, target, size;  // size in numbers, the status not counted
 };
@@ -138,8 +145,8 @@ struct Hop {
 template <class Number>
 struct Description {
   const char *robot, *channel;
-  int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch, sets_gravity;
+  int processes, threads, nq, nv, ntau, nqdd, refine;
+  bool floating, alone, batch, sets_gravity, at_rest;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -147,6 +154,7 @@ struct Description {
   Table<OuterForce<Number>> outer_forces;
   Table<Loop<Number>> loops;
   Table<Coupling<Number>> couplings;
+  Table<Output> outputs;
   Table<Message> messages;
   const Table<Stage>* stages;  // of each process
   Hop window_hop, message_hop;
@@ -630,6 +638,66 @@ double slip(const Joint& joint, const Number* tau, const Number* qdd) {
   return std::max(worst, std::abs(own - due) / std::max(1.0, std::abs(due)));
 }
 
+// Of each degree of freedom, whether the solver gives its acceleration.
+std::vector<bool> given() {
+  std::vector<bool> found(static_cast<std::size_t>(about.nv));
+  for (const Joint& joint : about.joints)
+    for (int k = joint.v; k < joint.v + joint.nv; ++k)
+      found[static_cast<std::size_t>(k)] = joint.given;
+  return found;
+}
+
+// Solves rows, each with its right-hand side behind it, by Gauss's elimination; nothing where they
+// are singular.
+std::vector<Real> solved(std::vector<std::vector<Real>> rows) {
+  const std::size_t n = rows.size();
+  std::vector<Real> x(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t most = k;
+    for (std::size_t i = k; i < n; ++i)
+      if (std::abs(rows[i][k]) > std::abs(rows[most][k])) most = i;
+    std::swap(rows[k], rows[most]);
+    if (rows[k][k] == 0) return {};
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const Real part = rows[i][k] / rows[k][k];
+      for (std::size_t j = k; j <= n; ++j) rows[i][j] -= part * rows[k][j];
+    }
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    x[k] = rows[k][n];
+    for (std::size_t j = k + 1; j < n; ++j) x[k] -= rows[k][j] * x[j];
+    x[k] /= rows[k][k];
+  }
+  return x;
+}
+
+// Accelerations that the solver does not give, beside those that it does: by their own rows of the
+// equation of motion. What is wrong with the others is left over in theirs.
+void complete(const Number* q, const Number* v, const Number* tau, std::vector<Number>& qdd) {
+  std::vector<std::size_t> open;
+  for (const Joint& joint : about.joints)
+    for (int at = joint.v; !joint.given && at < joint.v + joint.nv; ++at) {
+      const std::size_t k = static_cast<std::size_t>(at);
+      qdd[k] = joint.prescribed ? tau[k] : Number(0);
+      if (!joint.prescribed) open.push_back(k);
+    }
+  if (open.empty()) return;
+  const std::size_t nv = static_cast<std::size_t>(about.nv), n = open.size();
+  std::vector<Row> needed(nv), moved(nv);
+  inverse_dynamics(q, v, qdd.data(), tau + nv, needed);
+  std::vector<std::vector<Real>> rows(n, std::vector<Real>(n + 1));
+  for (std::size_t k = 0; k < n; ++k) {
+    std::vector<Number> unit(qdd);
+    unit[open[k]] = 1;
+    std::fill(moved.begin(), moved.end(), Row{});
+    inverse_dynamics(q, v, unit.data(), tau + nv, moved);
+    for (std::size_t i = 0; i < n; ++i) rows[i][k] = moved[open[i]].value - needed[open[i]].value;
+    rows[k][n] = Real(tau[open[k]]) - needed[open[k]].value;
+  }
+  const std::vector<Real> found = solved(rows);
+  for (std::size_t k = 0; k < found.size(); ++k) qdd[open[k]] = static_cast<Number>(found[k]);
+}
+
 // What is left over of the equation of motion.
 struct Left {
   std::vector<Real> over, size;  // of each row: ID(q, v, qdd) - tau, and how much is added up there
@@ -960,8 +1028,11 @@ class StatesReader : private JsonReader {
                " numbers, not " + std::to_string(size));
       const std::size_t row = stride * static_cast<std::size_t>(count);
       if (values.size() < row + stride) values.resize(row + stride);
-      for (std::size_t k = 0; k < size; ++k)
+      for (std::size_t k = 0; k < size; ++k) {
         values[row + start + k] = static_cast<Number>(entry[k]);
+        if (about.at_rest && key == "v" && entry[k] != 0)
+          refuse("this solver is for states at rest: velocities are zero; generate it anew");
+      }
       ++count;
     });
     if (count == 0) refuse("there is no state");
@@ -1004,29 +1075,50 @@ class StatesReader : private JsonReader {
   }
 };
 
+// Numbers first .. first + size - 1 of qdd, of each state.
+void write_numbers(std::FILE* file, const std::vector<Number>& qdd, int count, int first,
+                   int size) {
+  std::fputs("[", file);
+  for (int s = 0; s < count; ++s) {
+    const Number* x = qdd.data() + static_cast<long>(s) * about.nqdd + first;
+    std::fputs(s == 0 ? "" : ", ", file);
+    if (size > 1) std::fputs("[", file);
+    for (int k = 0; k < size; ++k)
+      if (x[k] == x[k])
+        std::fprintf(file, "%s%.17g", k == 0 ? "" : ", ", static_cast<double>(x[k]));
+      else  // of a batch, a state that failed
+        std::fputs(k == 0 ? "null" : ", null", file);
+    if (size > 1) std::fputs("]", file);
+  }
+  std::fputs("]", file);
+}
+
 // more: further members of the file, each after a comma.
 bool write_result(const std::string& path, const std::vector<Number>& qdd, int count,
                   const std::string& more) {
   std::FILE* file = std::fopen(path.c_str(), "w");
   if (file == nullptr) return false;
   std::fputs("{\"joints\": {", file);
-  for (int j = 0; j < about.joints.count; ++j) {
-    std::fprintf(file, "%s\n%s: {\"qdd\": [", j == 0 ? "" : ",",
-                 quoted(about.joints[j].name).c_str());
-    for (int s = 0; s < count; ++s) {
-      const Number* x = qdd.data() + static_cast<long>(s) * about.nv + about.joints[j].v;
-      std::fputs(s == 0 ? "" : ", ", file);
-      if (about.joints[j].nv > 1) std::fputs("[", file);
-      for (int k = 0; k < about.joints[j].nv; ++k)
-        if (x[k] == x[k])
-          std::fprintf(file, "%s%.17g", k == 0 ? "" : ", ", static_cast<double>(x[k]));
-        else  // of a batch, a state that failed
-          std::fputs(k == 0 ? "null" : ", null", file);
-      if (about.joints[j].nv > 1) std::fputs("]", file);
-    }
-    std::fputs("]}", file);
+  const char* between = "";
+  for (const Joint& joint : about.joints) {
+    if (!joint.given) continue;
+    std::fprintf(file, "%s\n%s: {\"qdd\": ", between, quoted(joint.name).c_str());
+    write_numbers(file, qdd, count, joint.v, joint.nv);
+    std::fputs("}", file);
+    between = ",";
   }
-  std::fprintf(file, "\n}%s}\n", more.c_str());
+  std::fputs("\n}", file);
+  int first = about.nv;
+  for (const Output& output : about.outputs) {
+    std::fprintf(file, "%s\n{\"what\": %s, \"of\": %s, \"values\": ",
+                 first == about.nv ? ", \"outputs\": [" : ",", quoted(output.what).c_str(),
+                 quoted(output.name).c_str());
+    write_numbers(file, qdd, count, first, output.size);
+    std::fputs("}", file);
+    first += output.size;
+  }
+  if (about.outputs.count > 0) std::fputs("\n]", file);
+  std::fprintf(file, "%s}\n", more.c_str());
   const bool good = std::ferror(file) == 0;
   return std::fclose(file) == 0 && good;
 }
@@ -2391,7 +2483,7 @@ States random_states(int count, std::uint64_t seed, Solver& solver) {
           q[joint.q + joint.nq - 4 + k] = static_cast<Number>(p[k] / std::sqrt(squared));
       }
       for (int k = 0; k < joint.nv; ++k) {
-        v[joint.v + k] = static_cast<Number>(uniform());
+        v[joint.v + k] = about.at_rest ? Number(0) : static_cast<Number>(uniform());
         tau[joint.v + k] = static_cast<Number>(uniform());
       }
     }
@@ -2399,7 +2491,7 @@ States random_states(int count, std::uint64_t seed, Solver& solver) {
     slave(about.joints, q, v);
   }
   if (loops::any()) {
-    std::vector<Number> qdd(static_cast<std::size_t>(std::max(1, about.nv)));
+    std::vector<Number> qdd(static_cast<std::size_t>(std::max(1, about.nqdd)));
     close(states, uniform, [&](int s) {
       const long row = s;
       return solver.solve(states.q.data() + row * about.nq, states.v.data() + row * about.nv,
@@ -2461,7 +2553,7 @@ struct Session {
   const Number* q(int s) const { return states.q.data() + static_cast<long>(s) * about.nq; }
   const Number* v(int s) const { return states.v.data() + static_cast<long>(s) * about.nv; }
   const Number* tau(int s) const { return states.tau.data() + static_cast<long>(s) * about.ntau; }
-  Number* acceleration(int s) { return qdd.data() + static_cast<long>(s) * about.nv; }
+  Number* acceleration(int s) { return qdd.data() + static_cast<long>(s) * about.nqdd; }
 
   // The states file; where it says another gravity, and that can be set, it holds from now on.
   int load_states() {
@@ -2475,7 +2567,7 @@ struct Session {
 
   void use(States given) {
     states = std::move(given);
-    qdd.assign(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(about.nv),
+    qdd.assign(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(about.nqdd),
                Number(0));
   }
 
@@ -3074,6 +3166,12 @@ class Simulation {
 
   // The initial state and the file to write; process 0's status counts.
   int start() {
+    const auto& joints = about.joints;
+    if (about.at_rest ||
+        !std::all_of(joints.begin(), joints.end(), [](const Joint& joint) { return joint.given; }))
+      return on_.complain(kUsage, about.at_rest
+                                      ? "--simulate: this solver is for states at rest"
+                                      : "--simulate: this solver does not give all accelerations");
     if (on_.options.states.empty()) {
       on_.use(random_states(1, on_.options.seed, on_.solver));
     } else {
@@ -3112,7 +3210,8 @@ class Simulation {
   int integrate() {
     q_.assign(on_.q(0), on_.q(0) + about.nq);
     v_.assign(on_.v(0), on_.v(0) + about.nv);
-    real_q_.resize(q_.size()), real_v_.resize(v_.size()), real_a_.resize(v_.size());
+    real_q_.resize(q_.size()), real_v_.resize(v_.size()),
+        real_a_.resize(static_cast<std::size_t>(about.nqdd));
     real_tau_.resize(static_cast<std::size_t>(about.ntau));
     const Clock::time_point began = next_ = Clock::now();
     next_shown_ = began + std::chrono::seconds(1);
@@ -3168,7 +3267,7 @@ class Simulation {
       real_tau_[k] = static_cast<Number>(double(real_tau_[k]) + extra[k]);
     const int status =
         on_.solver.solve_at_root(real_q_.data(), real_v_.data(), real_tau_.data(), real_a_.data());
-    std::copy(real_a_.begin(), real_a_.end(), a.begin());
+    std::copy_n(real_a_.begin(), a.size(), a.begin());
     ++evaluations_;
     return status;
   }
@@ -3340,11 +3439,13 @@ class Verdict {
   // All of what follows is process 0's.
   void note_answer(int s, const Number* qdd) {
     Finding& finding = at(s);
-    finding.qdd.assign(qdd, qdd + about.nv);
-    finding.left = check::left_over(q(s), v(s), tau(s), qdd);
-    if (loops::any()) loops::account(q(s), v(s), qdd, finding.left);
+    std::vector<Number> all(qdd, qdd + about.nv);
+    check::complete(q(s), v(s), tau(s), all);
+    finding.qdd.assign(all.begin(), all.end());
+    finding.left = check::left_over(q(s), v(s), tau(s), all.data());
+    if (loops::any()) loops::account(q(s), v(s), all.data(), finding.left);
     for (int j = 0; j < about.joints.count; ++j) {
-      const double slip = check::slip(about.joints[j], tau(s), qdd);
+      const double slip = check::slip(about.joints[j], tau(s), all.data());
       if (!(slip <= finding.left.backward)) finding.left.backward = slip, finding.left.joint = j;
     }
     finding.error.assign(finding.qdd.size(), 0);
@@ -3370,7 +3471,9 @@ class Verdict {
   void note_response(int probe, int s, const Number* qdd) {
     Finding& finding = at(s);
     const double step = probe == 0 ? scale(finding) / kPush : 1 / kTouch;
+    const std::vector<bool> given = check::given();
     for (std::size_t k = 0; k < finding.qdd.size(); ++k) {
+      if (!given[k]) continue;
       const double moved = (double(qdd[k]) - finding.qdd[k]) * step;
       if (probe == 0)
         finding.error[k] = std::abs(moved);

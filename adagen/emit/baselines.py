@@ -15,6 +15,8 @@ def why_not(plan: Plan) -> str | None:
     passive = ("damping", "friction", "stiffness", "rotor_inertia", "prescribed")
     if any(getattr(joint, name) for joint in plan.joints for name in passive) or plan.wrenches:
         return "a baseline knows no passive effects, prescribed motions or outer forces"
+    if plan.wanted or plan.outputs or plan.at_rest:
+        return "a baseline computes all accelerations, and nothing else"
     if plan.parameters:
         return "a baseline knows nothing that is set at run time"
     return "a baseline knows no slaved joints" if plan.slaved else None

@@ -133,7 +133,7 @@ class _Memory:
         """Check that all accelerations are there."""
         self.where = f"process {self.p}"
         for joint in self.plan.processes[self.p].owns:
-            if ("qdd", joint) not in self.read:
+            if self.plan.wants(joint) and ("qdd", joint) not in self.read:
                 name = self.plan.joints[joint].name
                 raise ProgramError(f'{self.where}: the acceleration of "{name}" is not computed')
 

@@ -55,7 +55,7 @@ def best_schedule(
     topology, costs = Topology.of(model), profile
     if form == "ada":
         profile = profile.joins_only()
-    if model.closed:  # one process has it all
+    if model.closed or model.outputs:  # one process has it all
         search["cuttable"] = [False] * len(topology)
         return find_schedule(topology, processes, profile=profile, **search)
     if form == "segment" and processes == 1:

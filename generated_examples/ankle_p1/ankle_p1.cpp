@@ -139,7 +139,7 @@ using Real = double;    // of all between
 constexpr int kProcesses = 1;
 [[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all, and no other takes part
 constexpr int kJointCount = 8, kLinkCount = kJointCount + 1;
-constexpr int kNq = 14, kNv = 12;
+constexpr int kNq = 14, kNv = 12, kNqdd = kNv;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
@@ -268,6 +268,10 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
      {0.0, -0.06, 0.0}, -1, 0.0, 0.0},
 } };
+
+// Whether accelerations of all joints are found; if not, of which.
+[[maybe_unused]] constexpr bool kGivesAll = true;
+[[maybe_unused]] constexpr std::array<bool, 0> kGives{};
 
 [[maybe_unused]] constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
 
@@ -520,7 +524,7 @@ struct Workspace {
   Value* qdd = nullptr;
   int status = kFine;
   alignas(kCacheLine) std::array<Value, 6> angle{}, sine{}, cosine{};
-  std::array<Value, kNv> result{};
+  std::array<Value, kNqdd> result{};
   std::array<Real*, kPlanMessages> to{};          // messages to be sent
   std::array<const Real*, kPlanMessages> from{};  // messages received
   alignas(kCacheLine) std::array<Value, 269> x{};
@@ -3509,6 +3513,7 @@ struct Joint {
   double multiplier, offset;
   double damping, friction, friction_speed, stiffness, rest, rotor;
   bool prescribed;
+  bool given;  // whether its acceleration is wanted and found
 };
 
 template <class Number>
@@ -3548,6 +3553,12 @@ struct Coupling {
   Number offset;
 };
 
+// What is found beside accelerations; its numbers follow theirs.
+struct Output {
+  const char *what, *name;
+  int size;
+};
+
 struct Message {
   int source, target, size;  // size in numbers, the status not counted
 };
@@ -3568,8 +3579,8 @@ struct Hop {
 template <class Number>
 struct Description {
   const char *robot, *channel;
-  int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch, sets_gravity;
+  int processes, threads, nq, nv, ntau, nqdd, refine;
+  bool floating, alone, batch, sets_gravity, at_rest;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -3577,6 +3588,7 @@ struct Description {
   Table<OuterForce<Number>> outer_forces;
   Table<Loop<Number>> loops;
   Table<Coupling<Number>> couplings;
+  Table<Output> outputs;
   Table<Message> messages;
   const Table<Stage>* stages;  // of each process
   Hop window_hop, message_hop;
@@ -3699,6 +3711,10 @@ class Takes {
   adagen::Table<int> messages(int) const { return {}; }
 };
 
+bool gives([[maybe_unused]] const JointConstants& joint) {
+  return kGivesAll || kGives[static_cast<std::size_t>(&joint - kJoints.data())];
+}
+
 // The model as the program takes it.
 adagen::Joint<Number> told(const JointConstants& joint) {
   const Passive& own = joint.passive;
@@ -3706,7 +3722,7 @@ adagen::Joint<Number> told(const JointConstants& joint) {
   return {joint.name,       kind,         joint.parent,   joint.q,           joint.nq,
           joint.v,          joint.nv,     joint.rotation, joint.translation, joint.source,
           joint.multiplier, joint.offset, own.damping,    own.friction,      own.friction_speed,
-          own.stiffness,    own.rest,     own.rotor,      own.prescribed};
+          own.stiffness,    own.rest,     own.rotor,      own.prescribed,    gives(joint)};
 }
 adagen::Link<Number> told(const LinkConstants& link) { return {link.mass, link.com, link.tensor}; }
 [[maybe_unused]] adagen::OuterForce<Number> told(const OuterForce& outer) {
@@ -3850,9 +3866,9 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 // Compiled for size: it runs once.
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
-      "ankle", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
-      false, kAlone, kBatch, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {kLoops.data(), kLoopCount}, {}, table(kMessages), kStages.data(), kWindowHop,
+      "ankle", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
+      false, kAlone, kBatch, false, false, kTolerance, kGravity.data(),
+      table(kJoints), table(kLinks), table(kOuterForces), {kLoops.data(), kLoopCount}, {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};
   auto* const solver = new ThisSolver;
   const int status = adagen::program(description, *solver, count, words);

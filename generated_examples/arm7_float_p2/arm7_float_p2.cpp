@@ -167,7 +167,7 @@ using Real = float;    // of all between
 constexpr int kProcesses = 2;
 [[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all, and no other takes part
 constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
-constexpr int kNq = 9, kNv = 9;
+constexpr int kNq = 9, kNv = 9, kNqdd = kNv;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
@@ -303,6 +303,10 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0f, -0.9999999999964793f, -2.65358979335273e-06f, 0.0f, 2.65358979335273e-06f, -0.9999999999964793f, 1.0f, 0.0f, 0.0f},
      {0.0f, 0.0f, 0.13f}, -1, 0.0, 0.0},
 } };
+
+// Whether accelerations of all joints are found; if not, of which.
+[[maybe_unused]] constexpr bool kGivesAll = true;
+[[maybe_unused]] constexpr std::array<bool, 0> kGives{};
 
 [[maybe_unused]] constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
 
@@ -4168,7 +4172,8 @@ class Solver : public InPlace {
   static int result_message(int process) { return kPlanMessages + 2 * (process - 1) + 1; }
 
   std::array<Number, kNq> q_{};
-  std::array<Number, kNv> v_{}, qdd_{};
+  std::array<Number, kNv> v_{};
+  std::array<Number, kNqdd> qdd_{};
   std::array<Number, kNtau> tau_{};
 };
 
@@ -4317,6 +4322,7 @@ struct Joint {
   double multiplier, offset;
   double damping, friction, friction_speed, stiffness, rest, rotor;
   bool prescribed;
+  bool given;  // whether its acceleration is wanted and found
 };
 
 template <class Number>
@@ -4356,6 +4362,12 @@ struct Coupling {
   Number offset;
 };
 
+// What is found beside accelerations; its numbers follow theirs.
+struct Output {
+  const char *what, *name;
+  int size;
+};
+
 struct Message {
   int source, target, size;  // size in numbers, the status not counted
 };
@@ -4376,8 +4388,8 @@ struct Hop {
 template <class Number>
 struct Description {
   const char *robot, *channel;
-  int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch, sets_gravity;
+  int processes, threads, nq, nv, ntau, nqdd, refine;
+  bool floating, alone, batch, sets_gravity, at_rest;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -4385,6 +4397,7 @@ struct Description {
   Table<OuterForce<Number>> outer_forces;
   Table<Loop<Number>> loops;
   Table<Coupling<Number>> couplings;
+  Table<Output> outputs;
   Table<Message> messages;
   const Table<Stage>* stages;  // of each process
   Hop window_hop, message_hop;
@@ -4550,6 +4563,10 @@ class Takes {
   std::vector<Take> takes_;
 };
 
+bool gives([[maybe_unused]] const JointConstants& joint) {
+  return kGivesAll || kGives[static_cast<std::size_t>(&joint - kJoints.data())];
+}
+
 // The model as the program takes it.
 adagen::Joint<Number> told(const JointConstants& joint) {
   const Passive& own = joint.passive;
@@ -4557,7 +4574,7 @@ adagen::Joint<Number> told(const JointConstants& joint) {
   return {joint.name,       kind,         joint.parent,   joint.q,           joint.nq,
           joint.v,          joint.nv,     joint.rotation, joint.translation, joint.source,
           joint.multiplier, joint.offset, own.damping,    own.friction,      own.friction_speed,
-          own.stiffness,    own.rest,     own.rotor,      own.prescribed};
+          own.stiffness,    own.rest,     own.rotor,      own.prescribed,    gives(joint)};
 }
 adagen::Link<Number> told(const LinkConstants& link) { return {link.mass, link.com, link.tensor}; }
 [[maybe_unused]] adagen::OuterForce<Number> told(const OuterForce& outer) {
@@ -4702,9 +4719,9 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 // Compiled for size: it runs once.
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
-      "arm7", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
-      false, kAlone, kBatch, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, table(kMessages), kStages.data(), kWindowHop,
+      "arm7", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
+      false, kAlone, kBatch, false, false, kTolerance, kGravity.data(),
+      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};
   auto* const solver = new ThisSolver;
   const int status = adagen::program(description, *solver, count, words);

@@ -139,7 +139,7 @@ using Real = double;    // of all between
 constexpr int kProcesses = 1;
 [[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all, and no other takes part
 constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
-constexpr int kNq = 9, kNv = 9;
+constexpr int kNq = 9, kNv = 9, kNqdd = kNv;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
@@ -274,6 +274,10 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, -0.9999999999964793, -2.65358979335273e-06, 0.0, 2.65358979335273e-06, -0.9999999999964793, 1.0, 0.0, 0.0},
      {0.0, 0.0, 0.13}, -1, 0.0, 0.0},
 } };
+
+// Whether accelerations of all joints are found; if not, of which.
+[[maybe_unused]] constexpr bool kGivesAll = true;
+[[maybe_unused]] constexpr std::array<bool, 0> kGives{};
 
 [[maybe_unused]] constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
 
@@ -666,7 +670,7 @@ struct Workspace {
   Value* qdd = nullptr;
   int status = kFine;
   alignas(kCacheLine) std::array<Value, 16> angle{}, sine{}, cosine{};
-  std::array<Value, kNv> result{};
+  std::array<Value, kNqdd> result{};
   alignas(kCacheLine) std::array<Value, 2> lanes{};  // results of rows
   std::array<Real*, kPlanMessages> to{};          // messages to be sent
   std::array<const Real*, kPlanMessages> from{};  // messages received
@@ -2190,6 +2194,7 @@ struct Joint {
   double multiplier, offset;
   double damping, friction, friction_speed, stiffness, rest, rotor;
   bool prescribed;
+  bool given;  // whether its acceleration is wanted and found
 };
 
 template <class Number>
@@ -2229,6 +2234,12 @@ struct Coupling {
   Number offset;
 };
 
+// What is found beside accelerations; its numbers follow theirs.
+struct Output {
+  const char *what, *name;
+  int size;
+};
+
 struct Message {
   int source, target, size;  // size in numbers, the status not counted
 };
@@ -2249,8 +2260,8 @@ struct Hop {
 template <class Number>
 struct Description {
   const char *robot, *channel;
-  int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch, sets_gravity;
+  int processes, threads, nq, nv, ntau, nqdd, refine;
+  bool floating, alone, batch, sets_gravity, at_rest;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -2258,6 +2269,7 @@ struct Description {
   Table<OuterForce<Number>> outer_forces;
   Table<Loop<Number>> loops;
   Table<Coupling<Number>> couplings;
+  Table<Output> outputs;
   Table<Message> messages;
   const Table<Stage>* stages;  // of each process
   Hop window_hop, message_hop;
@@ -2380,6 +2392,10 @@ class Takes {
   adagen::Table<int> messages(int) const { return {}; }
 };
 
+bool gives([[maybe_unused]] const JointConstants& joint) {
+  return kGivesAll || kGives[static_cast<std::size_t>(&joint - kJoints.data())];
+}
+
 // The model as the program takes it.
 adagen::Joint<Number> told(const JointConstants& joint) {
   const Passive& own = joint.passive;
@@ -2387,7 +2403,7 @@ adagen::Joint<Number> told(const JointConstants& joint) {
   return {joint.name,       kind,         joint.parent,   joint.q,           joint.nq,
           joint.v,          joint.nv,     joint.rotation, joint.translation, joint.source,
           joint.multiplier, joint.offset, own.damping,    own.friction,      own.friction_speed,
-          own.stiffness,    own.rest,     own.rotor,      own.prescribed};
+          own.stiffness,    own.rest,     own.rotor,      own.prescribed,    gives(joint)};
 }
 adagen::Link<Number> told(const LinkConstants& link) { return {link.mass, link.com, link.tensor}; }
 [[maybe_unused]] adagen::OuterForce<Number> told(const OuterForce& outer) {
@@ -2520,9 +2536,9 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 // Compiled for size: it runs once.
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
-      "arm7", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
-      false, kAlone, kBatch, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, table(kMessages), kStages.data(), kWindowHop,
+      "arm7", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
+      false, kAlone, kBatch, false, false, kTolerance, kGravity.data(),
+      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};
   auto* const solver = new ThisSolver;
   const int status = adagen::program(description, *solver, count, words);

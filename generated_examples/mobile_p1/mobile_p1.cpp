@@ -133,7 +133,7 @@ using Real = double;    // of all between
 constexpr int kProcesses = 1;
 [[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all, and no other takes part
 constexpr int kJointCount = 6, kLinkCount = kJointCount + 1;
-constexpr int kNq = 14, kNv = 13;
+constexpr int kNq = 14, kNv = 13, kNqdd = kNv;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
@@ -250,6 +250,10 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {-0.19866933079506122, 0.9362933635841992, -0.28962947762551555, 0.0, 0.29552020666133955, 0.955336489125606, 0.9800665778412416, 0.18979606097868743, -0.058710801693826524},
      {0.0, 0.08, 0.1}, -1, 0.0, 0.0},
 } };
+
+// Whether accelerations of all joints are found; if not, of which.
+[[maybe_unused]] constexpr bool kGivesAll = true;
+[[maybe_unused]] constexpr std::array<bool, 0> kGives{};
 
 [[maybe_unused]] constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
 
@@ -494,7 +498,7 @@ struct Workspace {
   Value* qdd = nullptr;
   int status = kFine;
   alignas(kCacheLine) std::array<Value, 4> angle{}, sine{}, cosine{};
-  std::array<Value, kNv> result{};
+  std::array<Value, kNqdd> result{};
   std::array<Real*, kPlanMessages> to{};          // messages to be sent
   std::array<const Real*, kPlanMessages> from{};  // messages received
   alignas(kCacheLine) std::array<Value, 71> x{};
@@ -1472,6 +1476,7 @@ struct Joint {
   double multiplier, offset;
   double damping, friction, friction_speed, stiffness, rest, rotor;
   bool prescribed;
+  bool given;  // whether its acceleration is wanted and found
 };
 
 template <class Number>
@@ -1511,6 +1516,12 @@ struct Coupling {
   Number offset;
 };
 
+// What is found beside accelerations; its numbers follow theirs.
+struct Output {
+  const char *what, *name;
+  int size;
+};
+
 struct Message {
   int source, target, size;  // size in numbers, the status not counted
 };
@@ -1531,8 +1542,8 @@ struct Hop {
 template <class Number>
 struct Description {
   const char *robot, *channel;
-  int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch, sets_gravity;
+  int processes, threads, nq, nv, ntau, nqdd, refine;
+  bool floating, alone, batch, sets_gravity, at_rest;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -1540,6 +1551,7 @@ struct Description {
   Table<OuterForce<Number>> outer_forces;
   Table<Loop<Number>> loops;
   Table<Coupling<Number>> couplings;
+  Table<Output> outputs;
   Table<Message> messages;
   const Table<Stage>* stages;  // of each process
   Hop window_hop, message_hop;
@@ -1662,6 +1674,10 @@ class Takes {
   adagen::Table<int> messages(int) const { return {}; }
 };
 
+bool gives([[maybe_unused]] const JointConstants& joint) {
+  return kGivesAll || kGives[static_cast<std::size_t>(&joint - kJoints.data())];
+}
+
 // The model as the program takes it.
 adagen::Joint<Number> told(const JointConstants& joint) {
   const Passive& own = joint.passive;
@@ -1669,7 +1685,7 @@ adagen::Joint<Number> told(const JointConstants& joint) {
   return {joint.name,       kind,         joint.parent,   joint.q,           joint.nq,
           joint.v,          joint.nv,     joint.rotation, joint.translation, joint.source,
           joint.multiplier, joint.offset, own.damping,    own.friction,      own.friction_speed,
-          own.stiffness,    own.rest,     own.rotor,      own.prescribed};
+          own.stiffness,    own.rest,     own.rotor,      own.prescribed,    gives(joint)};
 }
 adagen::Link<Number> told(const LinkConstants& link) { return {link.mass, link.com, link.tensor}; }
 [[maybe_unused]] adagen::OuterForce<Number> told(const OuterForce& outer) {
@@ -1802,9 +1818,9 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 // Compiled for size: it runs once.
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
-      "mobile", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
-      false, kAlone, kBatch, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, table(kMessages), kStages.data(), kWindowHop,
+      "mobile", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
+      false, kAlone, kBatch, false, false, kTolerance, kGravity.data(),
+      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};
   auto* const solver = new ThisSolver;
   const int status = adagen::program(description, *solver, count, words);
