@@ -29,11 +29,11 @@ examples:
   adagen stability --map docs/pictures         a map for each family of robots,
                                                errors against the condition of H
   adagen stability --map . --family light      one map
-  adagen stability robot.urdf                  where each shape and scalar fails
-                                               on this robot, emitted and built here
+  adagen stability robot.urdf                  where each shape and scalar
+                                               fails on this robot here
   adagen stability robot.urdf --shape kernels --procs 1,2 --scalar float
-  adagen stability --emitted --out DIR         the same of the suite's robots, with
-                                               a picture and a record in DIR"""
+  adagen stability --emitted --out DIR         the suite's robots likewise, a
+                                               picture and a record in DIR"""
 
 
 def run(argv: Sequence[str]) -> int:
