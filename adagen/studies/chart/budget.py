@@ -35,7 +35,8 @@ class Budget:
     def best(self, points: Sequence[Point]) -> Point:
         """Return what to use: the fastest that is right enough, or the most accurate in time.
 
-        Only what adagen emits for one state at a time is looked at. Where both are limited, the fastest.
+        Only what adagen emits for one state at a time is looked at. Where both are limited, the
+        fastest.
 
         Raises:
             InputError: nothing keeps the budget; the message says what comes nearest.
