@@ -158,7 +158,7 @@ def _show(chart: Chart) -> None:
     """Print the points on the front and what failed, for people."""
     from rich.console import Console
 
-    title = f"{chart.model}: of what adagen emits, what nothing beats in both time and error"
+    title = f"{chart.model}: Pareto front of time and error, one state at a time"
     rows = []
     for point in sorted((p for p in chart.points if p.front), key=lambda p: p.time_ns or 0.0):
         assert point.time_ns is not None

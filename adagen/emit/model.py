@@ -36,7 +36,6 @@ def model_values(words: Words) -> dict[str, object]:
         "nqdd": plan.nqdd,
         "outputs": [_output(plan, k) for k in range(len(plan.outputs))],
         "wanted": [quoted(plan.joints[j].name) for j in plan.wanted],
-        "wants": [plan.wants(j) for j in range(len(plan.joints))],
         "at_rest": plan.at_rest,
         "prescribed": [quoted(joint.name) for joint in plan.joints if joint.prescribed],
     }
@@ -107,6 +106,7 @@ def _joints(words: Words) -> list[dict[str, object]]:
                 "multiplier": repr(multiplier),
                 "offset": repr(offset),
                 "effects": effects.constants(words, j),
+                "given": words.plan.wants(j),
             }
         )
     return rows

@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from adagen import __version__
 from adagen.build import Toolchain
 from adagen.build.cache import kept_text
+from adagen.emit.runtime import joined
 from adagen.emit.shapes import BASELINES, MOST_FREEDOMS
 from adagen.errors import AdagenError, EnvironmentFault
 from adagen.executor import interpret
@@ -238,7 +239,7 @@ class Study:
     def _solved(self, one: Subject, cell: Cell, plan: Plan, source: str) -> Cell:
         """The cell of what was built and run, now or at an earlier time."""
         given = one.given(plan.scalar)
-        texts = [__version__, source, *map(_of_array, _parts(given))]
+        texts = [__version__, joined(source), *map(_of_array, _parts(given))]
 
         def answers() -> str:
             rows = solved(source, plan, given, self.toolchain)
