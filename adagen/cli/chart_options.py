@@ -26,8 +26,6 @@ run compiles some dozens of programs, which takes minutes; they are kept.
 examples:
   adagen chart arm.urdf                          pictures, data of one robot
   adagen chart arm.urdf --budget "error<1e-10"   emit the fastest right enough
-  adagen chart arm.urdf --budget "time<2us"      the most accurate in time
-  adagen chart arm.urdf --procs 1 --scalars double --quick
   adagen chart arm.urdf --states mine.json       errors in states of your own
   adagen chart chart_arm.json                    the picture of a record, anew
   adagen chart arm.urdf --simulate 1             integrators: error against time"""

@@ -57,6 +57,7 @@ def command_parser() -> Parser:
     parser.add_argument(
         "--case", type=int, action="append", metavar="N", help="only this case, 1 to 13"
     )
+    parser.rare |= {"--meeting", "--seed", "--mimic", "--scene", "--quick"}
     _add_emitted(parser)
     parser.add_argument("--quick", action="store_true", help="shorter chains where a case is slow")
     parser.add_argument("--json", action="store_true", help="print the findings as JSON")
