@@ -7,6 +7,7 @@
 //
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 
+<<<<<<< HEAD
 #if defined(ADAGEN_MPI)
 #include <mpi.h>
 #endif
@@ -3812,3 +3813,6 @@ template <>
 }
 
 }  // namespace adagen
+=======
+#include "adagen/start.hpp"
+>>>>>>> refs/heads/headers

@@ -174,29 +174,19 @@ void humanoid_p2_close(humanoid_p2_solver* solver);
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstdio>
-#include <cstring>
-#include <exception>
 #include <limits>
-#include <memory>
-#include <new>
-#include <string>
-#include <thread>
-#include <type_traits>
 #include <utility>
-#include <vector>
 
-#define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
-// A counted loop that is to be unrolled whole, so that indices computed in it become constants.
-#if defined(__clang__)
-#define ADAGEN_FOR(k, first, last) _Pragma("clang loop unroll(full)") for (int k = first; k < last; ++k)
-#else
-#define ADAGEN_FOR(k, first, last) _Pragma("GCC unroll 16") for (int k = first; k < last; ++k)
+// ---- 2. model -----------------------------------------------------------------------------------
+
+// What the headers of the runtime (adagen/) are to take from here, and what they are to do.
+#define ADAGEN_SOLVER
+#define ADAGEN_MPI
+#include "adagen/version.hpp"
+#if ADAGEN_VERSION != 100
+#error "the headers in adagen/ are not those of adagen 0.1.0, which this file was emitted by"
 #endif
 
 namespace {
@@ -213,72 +203,17 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
 [[maybe_unused]] constexpr int kPlanMessages = 2;
-constexpr std::size_t kCacheLine = 64, kTextSize = 1000;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
-const MPI_Datatype kMpiNumber = MPI_DOUBLE;
 
-// ---- 2. model -----------------------------------------------------------------------------------
+}  // namespace
 
-enum class JointKind { kRevolute, kPrismatic, kSpherical, kPlanar, kFloating };
+#include "adagen/constants.hpp"
 
-// What a joint does by itself: of its torque, damping qd + friction tanh(qd / friction_speed)
-// + stiffness (q - rest) + rotor qdd do not reach the links. Where its acceleration is prescribed,
-// tau holds that.
-struct Passive {
-  Number damping = 0, friction = 0, friction_speed = 1, stiffness = 0, rest = 0, rotor = 0;
-  bool prescribed = false;
-};
-
-// A joint's frame is turned so that its axis is z (a planar joint's normal, too); the child link
-// has the joint's frame at q = 0.
-struct JointConstants {
-  const char* name;
-  JointKind kind;
-  int parent;             // parent link; the child link has the joint's number plus one
-  int q, nq, v, nv;       // where its configuration and velocity are
-  Number rotation[9];     // joint frame to parent link's frame, row by row
-  Number translation[3];  // origin of the joint frame in the parent link's frame, m
-  int source;             // joint that it is slaved to, or -1: q = multiplier q_source + offset
-  double multiplier, offset;
-  Passive passive{};
-};
-
-// An outer force that is an input, told in the frame of the link that has its name.
-struct OuterForce {
-  const char* name;
-  int link;               // that feels it
-  Number rotation[9];     // from that frame to the link's, row by row
-  Number translation[3];  // its origin in the link's frame, m
-};
-
-struct LinkConstants {
-  const char* name;
-  Number mass;               // kg
-  Number com[3];             // centre of mass, m
-  Number tensor[9];          // rotational inertia about it, kg m^2
-  Number tensor_inverse[9];  // J, its inverse
-};
-
-// Entries first .. first + count - 1 of a vector.
-struct Range {
-  int first, count;
-};
-struct Ranges {
-  int count;
-  const Range* ranges;
-};
-
-// What a process reads of the state, and which velocity entries' accelerations it owns.
-struct ProcessInfo {
-  Ranges q, v, own, tau;
-};
-
-// What goes from one process to another once in an evaluation.
-struct MessageInfo {
-  int source, target, size;  // size in Number, the status not counted
-};
+namespace {
 
 [[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
+// What can be set at run time, and what it is until then.
+[[maybe_unused]] constexpr int kParameterCount = 0;
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"__world__", 0.0, {0.0, 0.0, 0.0},
@@ -471,504 +406,17 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 [[maybe_unused]] constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
 
-// Slaved joints follow their sources; what was given for them is ignored.
-template <class Joints, class Value>
-void slave(const Joints& joints, [[maybe_unused]] Value* q, [[maybe_unused]] Value* v) {
-  for (const auto& joint : joints) {
-    if (joint.source < 0) continue;
-    const auto& source = joints[joint.source];
-    q[joint.q] = static_cast<Value>(joint.multiplier * double(q[source.q]) + joint.offset);
-    v[joint.v] = static_cast<Value>(joint.multiplier * double(v[source.v]));
-  }
-}
+}  // namespace
 
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
-// What can go wrong in an evaluation. A status travels with every message, so that all processes
-// learn of a failure and none waits for an answer that cannot come. It must be exact in a float.
-enum Failure : int {
-  kFine = 0,
-  kNotFinite = 1,       // the state of a joint is not a finite number
-  kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length, or of too much
-  kFactorization = 3,   // V^-1 of a joint is not positive definite
-  kOverflow = 4,        // the acceleration of a joint is not a finite number
-  kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
-  kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
-  kSingularPose = 10,   // no failure: the evaluation is done again in another way
-  kLoopOpen = 12,       // a loop or coupling is open (numbered behind all joints)
-  kLoopTorn = 13,       // its velocity tears it open
-  kLoopSingular = 14,   // what it holds cannot be told from this pose
-  kLoopFree = 15,       // loops leave a joint a motion that nothing resists
-  kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
-  kEnded = 6,           // no failure: process 0 has no more to evaluate
-  kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
-  kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
-  kNotSet = 16,         // what is to be set at run time is not finite, or is no mass
-};
+#include "adagen/status.hpp"
+#include "adagen/failures.hpp"
+#include "adagen/far_angles.hpp"
+#include "adagen/kernels/lanes.hpp"
+#include "adagen/kernels/algebra.hpp"
 
-constexpr int kFailureBase = 1 << 20;
-[[maybe_unused]] constexpr int failure(Failure kind, int joint) {
-  return kind * kFailureBase + joint;
-}
-constexpr Failure failure_kind(int status) { return static_cast<Failure>(status / kFailureBase); }
-[[maybe_unused]] constexpr int failure_place(int status) { return status % kFailureBase; }
-
-// Words without memory from the heap; what is too long is cut.
-class Text {
- public:
-  Text() = default;
-  explicit Text(const char* words) { *this += words; }
-  Text& operator+=(char c) {
-    if (size_ + 1 < sizeof data_) data_[size_++] = c, data_[size_] = '\0';
-    return *this;
-  }
-  Text& operator+=(const char* more) {
-    for (; *more != '\0'; ++more) *this += *more;
-    return *this;
-  }
-  Text& operator+=(int number) {
-    if (number < 0) *this += '-';
-    long rest = number < 0 ? -static_cast<long>(number) : number, unit = 1;
-    while (rest / unit > 9) unit *= 10;
-    for (; unit > 0; unit /= 10) *this += static_cast<char>('0' + rest / unit % 10);
-    return *this;
-  }
-  const char* c_str() const { return data_; }
-  bool empty() const { return size_ == 0; }
-  void clear() { data_[size_ = 0] = '\0'; }
-
- private:
-  std::size_t size_ = 0;
-  char data_[kTextSize] = "";
-};
-
-// Adds text as a JSON string, in one line.
-template <class Words>
-void add_quoted(Words& to, const char* text) {
-  to += '"';
-  for (; *text != '\0'; ++text) {
-    const unsigned char c = static_cast<unsigned char>(*text);
-    if (c == '"' || c == '\\') {
-      to += '\\';
-      to += *text;
-    } else if (c < 0x20 || c == 0x7F) {
-      const char* const digits = "0123456789abcdef";
-      to += "\\u00";
-      to += digits[c / 16];
-      to += digits[c % 16];
-    } else {
-      to += *text;
-    }
-  }
-  to += '"';
-}
-
-// Adds the names of a joint and of those before it that it is joined with: the links between them
-// have neither mass nor inertia.
-void add_names_of_run(Text& to, int joint) {
-  const int link = kJoints[joint].parent;
-  const LinkConstants& own = kLinks[link];
-  if (link > 0 && !(own.mass > 0 || own.tensor[0] + own.tensor[4] + own.tensor[8] > 0)) {
-    add_names_of_run(to, link - 1);
-    to += ", ";
-  }
-  add_quoted(to, kJoints[joint].name);
-}
-
-// A failure in words, about a joint or not.
-struct FailureWords {
-  bool of_joint;
-  const char* text;
-};
-
-constexpr FailureWords words_of(Failure kind) {
-  switch (kind) {
-    case kFine:
-      return {false, "no error"};
-    case kNotFinite:
-      return {true, "its q, v or tau is not a finite number"};
-    case kZeroQuaternion:
-      return {true, "its quaternion cannot be normalised"};
-    case kFactorization:
-      return {true, "factorization failed: the inertias beside it differ too much for the scalar"};
-    case kGimbalLock:
-      return {false,
-              "gimbal lock: through links without mass, they do not move in as many directions"};
-    case kGrowth:
-      return {true,
-              "no digits left: a link beside it is too light for its neighbours and the scalar"};
-    case kOverflow:
-      return {true, "its acceleration is not a finite number (overflow)"};
-    case kSingularPose:
-      return {true, "its mobility is singular in this pose"};
-    case kEnded:
-      return {false, "the evaluations are over"};
-    case kNotRefined:
-      return {false, "refinement does not converge: the inertias differ too much for the scalar"};
-    case kTooFewSteps:
-      return {false,
-              "refinement converges too slowly: its last correction is too large; take more steps "
-              "(--refine) or --scalar double"};
-    case kLoopOpen:
-      return {false, "it is not closed in this configuration, by more than its tolerance"};
-    case kLoopTorn:
-      return {false, "this velocity tears it open"};
-    case kLoopSingular:
-      return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
-    case kLoopFree:
-      return {true, "closed loops leave it a motion that no inertia resists"};
-    case kNotSet:
-      return {false, "what is to be set at run time is not finite, or is no mass"};
-    case kNoAnswer:
-      return {false, " did not answer within the time limit"};
-  }
-  return {false, "unknown failure"};
-}
-
-// Whether a failure is numbered with a loop or coupling, behind all joints.
-[[maybe_unused]] constexpr bool is_of_loop(Failure kind) {
-  return kind == kLoopOpen || kind == kLoopTorn || kind == kLoopSingular;
-}
-
-// Whether a failure is numbered with a joint.
-constexpr bool is_of_joint(Failure kind) { return words_of(kind).of_joint || kind == kGimbalLock; }
-
-Text describe(int status) {
-  const Failure kind = failure_kind(status);
-  const FailureWords words = words_of(kind);
-  Text text;
-  if (words.of_joint) {
-    text += "joint ";
-    add_quoted(text, kJoints[failure_place(status)].name);
-    text += ": ";
-  } else if (kind == kGimbalLock) {
-    text += "joints ";
-    add_names_of_run(text, failure_place(status));
-    text += ": ";
-#ifdef ADAGEN_LOOPS
-  } else if (is_of_loop(kind)) {
-    const int place = failure_place(status) - static_cast<int>(kJoints.size());
-    text += place < kLoopCount ? "loop " : "coupling ";
-    add_quoted(text, kLoopNames[static_cast<std::size_t>(place)]);
-    text += ": ";
-#endif
-  } else if (kind == kNoAnswer) {
-    text += "process ";
-    text += failure_place(status);
-  }
-  text += words.text;
-  return text;
-}
-
-// Sine and cosine of an angle far from zero.
-[[maybe_unused]] inline void far_sine_and_cosine(Real angle, Real& sine, Real& cosine) {
-  sine = std::sin(angle), cosine = std::cos(angle);
-}
-
-// Numbers side by side, as many as the widest registers hold; narrower machines take them in parts.
-constexpr int kLanes = 64 / static_cast<int>(sizeof(Real));
-typedef Real Lanes __attribute__((vector_size(64)));
-typedef std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> Bits;
-typedef Bits LaneBits __attribute__((vector_size(64)));
-
-// Where registers are narrower, gcc tells that vectors are passed in other ways; none is, all is
-// inlined.
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wpsabi"
-#endif
-
-#define ADAGEN_ALWAYS __attribute__((always_inline))
-#define ADAGEN_COLD [[maybe_unused]] __attribute__((cold, noinline))  // out of the way of the rest
-#define ADAGEN_INLINE [[maybe_unused]] inline ADAGEN_ALWAYS
-
-ADAGEN_INLINE void load(const Real* from, Lanes& x) { std::memcpy(&x, from, sizeof x); }
-ADAGEN_INLINE void store(const Lanes& x, Real* to) { std::memcpy(to, &x, sizeof x); }
-
-// Whether any bit is set. Half by half: compilers take lanes apart one by one if left to it.
-typedef std::int64_t FourWords __attribute__((vector_size(32)));
-typedef std::int64_t TwoWords __attribute__((vector_size(16)));
-template <class T>
-ADAGEN_INLINE bool any_of(const T& x) {
-  if constexpr (sizeof x > sizeof(TwoWords)) {
-    typedef std::conditional_t<sizeof x == sizeof(FourWords), TwoWords, FourWords> Half;
-    Half halves[2];
-    std::memcpy(halves, &x, sizeof x);
-    const Half either = halves[0] | halves[1];
-    return any_of(either);
-  } else {
-    std::int64_t words[2]{};
-    std::memcpy(words, &x, sizeof x);
-    return (words[0] | words[1]) != 0;
-  }
-}
-
-// Whether all numbers are positive: false for NaN.
-ADAGEN_INLINE bool all_positive(const Real& x) { return x > 0; }
-template <class T>
-ADAGEN_INLINE bool all_positive(const T& x) {
-  return !any_of(~(x > T{}));
-}
-
-// One number or the other, lane by lane.
-ADAGEN_INLINE Lanes chosen(const LaneBits& first, const Lanes& x, const Lanes& y) {
-  const LaneBits bits =
-      (reinterpret_cast<LaneBits>(x) & first) | (reinterpret_cast<LaneBits>(y) & ~first);
-  return reinterpret_cast<Lanes>(bits);
-}
-
-ADAGEN_INLINE bool all_zero(const Real& x) { return x == 0; }
-ADAGEN_INLINE bool all_zero(const Lanes& x) { return !any_of(x != Lanes{}); }
-
-ADAGEN_INLINE Real hyperbolic_tangent(const Real& x) { return std::tanh(x); }
-ADAGEN_INLINE Lanes hyperbolic_tangent(const Lanes& x) {
-  Lanes result = x;
-  for (int k = 0; k < kLanes; ++k) result[k] = std::tanh(x[k]);
-  return result;
-}
-
-// Sines and cosines, with an error of about one unit in the last place: the angle less n pi/2 by
-// three parts of pi/2 (Cody and Waite), then polynomials (Cephes). The parts are exact up to
-// kLargestAngle; beyond, each lane is taken by itself.
-template <class R>
-struct Trigonometry;
-
-template <>
-struct Trigonometry<double> {
-  [[maybe_unused]] static constexpr double kLargestAngle = 1e5, kRound = 6755399441055744.0;
-  [[maybe_unused]] static constexpr double kTwoOverPi = 0.63661977236758134308;
-  [[maybe_unused]] static constexpr double kParts[3] = {
-      1.57079632673412561417e+00, 6.07710050630396597660e-11, 2.02226624871116645580e-21};
-  [[maybe_unused]] static constexpr double kSine[6] = {
-      1.58962301576546568060e-10, -2.50507477628578072866e-8, 2.75573136213857245213e-6,
-      -1.98412698295895385996e-4, 8.33333333332211858878e-3,  -1.66666666666666307295e-1};
-  [[maybe_unused]] static constexpr double kCosine[6] = {
-      -1.13585365213876817300e-11, 2.08757008419747316778e-9,  -2.75573141792967388112e-7,
-      2.48015872888517045348e-5,   -1.38888888888730564116e-3, 4.16666666666665929218e-2};
-};
-
-template <>
-struct Trigonometry<float> {
-  [[maybe_unused]] static constexpr float kLargestAngle = 8000.0f, kRound = 12582912.0f;
-  [[maybe_unused]] static constexpr float kTwoOverPi = 0.636619772f;
-  [[maybe_unused]] static constexpr float kParts[3] = {1.5703125f, 4.837512969970703125e-4f,
-                                                       7.54978995489188216e-8f};
-  [[maybe_unused]] static constexpr float kSine[3] = {-1.9515295891e-4f, 8.3321608736e-3f,
-                                                      -1.6666654611e-1f};
-  [[maybe_unused]] static constexpr float kCosine[3] = {
-      2.443315711809948e-5f, -1.388731625493765e-3f, 4.166664568298827e-2f};
-};
-
-template <std::size_t n>
-ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
-  Lanes result = Lanes{} + coefficients[0];
-  ADAGEN_FOR (k, 1, static_cast<int>(n)) result = result * x + coefficients[k];
-  return result;
-}
-
-ADAGEN_COLD inline void take_far_ones(const Lanes& angle, const LaneBits& lanes, Lanes& sine,
-                                      Lanes& cosine) {
-  for (int k = 0; k < kLanes; ++k) {
-    if (!lanes[k]) continue;
-    Real s, c;
-    far_sine_and_cosine(angle[k], s, c);
-    sine[k] = s, cosine[k] = c;
-  }
-}
-
-// Of angles that are not too large.
-ADAGEN_INLINE void near_sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
-  using Table = Trigonometry<Real>;
-  const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
-  const LaneBits quadrant = reinterpret_cast<LaneBits>(shifted);
-  const Lanes turns = shifted - Table::kRound;
-  const Lanes rest =
-      ((angle - turns * Table::kParts[0]) - turns * Table::kParts[1]) - turns * Table::kParts[2];
-  const Lanes square = rest * rest;
-  const Lanes s = rest + rest * square * polynomial(Table::kSine, square);
-  const Lanes c = 1 - square / 2 + square * square * polynomial(Table::kCosine, square);
-  const LaneBits swapped = -(quadrant & 1);
-  const LaneBits s_bits = reinterpret_cast<LaneBits>(s);
-  const LaneBits c_bits = reinterpret_cast<LaneBits>(c);
-  constexpr int kSign = 8 * static_cast<int>(sizeof(Real)) - 2;  // bit 1 of a quadrant to the sign
-  const LaneBits sine_bits = ((s_bits & ~swapped) | (c_bits & swapped)) ^ ((quadrant & 2) << kSign);
-  const LaneBits cosine_bits =
-      ((c_bits & ~swapped) | (s_bits & swapped)) ^ (((quadrant + 1) & 2) << kSign);
-  sine = reinterpret_cast<Lanes>(sine_bits);
-  cosine = reinterpret_cast<Lanes>(cosine_bits);
-}
-
-ADAGEN_INLINE LaneBits too_large(const Lanes& angle) {
-  constexpr Real kLargest = Trigonometry<Real>::kLargestAngle;
-  return (angle > kLargest) | (angle < -kLargest);
-}
-
-ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
-  near_sine_and_cosine(angle, sine, cosine);
-  const LaneBits beyond = too_large(angle);
-  if (__builtin_expect(any_of(beyond), 0)) take_far_ones(angle, beyond, sine, cosine);
-}
-
-// Vectors, matrices and spatial inertias in axes that all links of a base share. T is what is
-// computed with: one number, or one for each of several states or links.
-template <class T>
-struct Vector {
-  T x, y, z;
-};
-
-template <class T>
-struct Matrix {
-  Vector<T> x, y, z;  // rows
-};
-
-template <class T>
-struct Symmetric {
-  T xx, xy, xz, yy, yz, zz;
-};
-
-template <class T>
-ADAGEN_INLINE Vector<T> operator+(const Vector<T>& a, const Vector<T>& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-template <class T>
-ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a, const Vector<T>& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-template <class T>
-ADAGEN_INLINE Vector<T> operator-(const Vector<T>& a) {
-  return {-a.x, -a.y, -a.z};
-}
-template <class T, class S>
-ADAGEN_INLINE Vector<T> operator*(const Vector<T>& a, const S& s) {
-  return {a.x * s, a.y * s, a.z * s};
-}
-template <class T>
-ADAGEN_INLINE void operator+=(Vector<T>& a, const Vector<T>& b) {
-  a.x += b.x, a.y += b.y, a.z += b.z;
-}
-template <class T, class S>
-ADAGEN_INLINE T dot(const Vector<T>& a, const Vector<S>& b) {
-  return a.x * b.x + (a.y * b.y + a.z * b.z);
-}
-template <class T, class S>
-ADAGEN_INLINE Vector<T> cross(const Vector<T>& a, const Vector<S>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-template <class T, class S>
-ADAGEN_INLINE Vector<T> operator*(const Matrix<T>& m, const Vector<S>& a) {
-  return {dot(m.x, a), dot(m.y, a), dot(m.z, a)};
-}
-template <class T>
-ADAGEN_INLINE Vector<T> transposed_times(const Matrix<T>& m, const Vector<T>& a) {
-  return {m.x.x * a.x + (m.y.x * a.y + m.z.x * a.z), m.x.y * a.x + (m.y.y * a.y + m.z.y * a.z),
-          m.x.z * a.x + (m.y.z * a.y + m.z.z * a.z)};
-}
-template <class T, class S>
-ADAGEN_INLINE Vector<T> row_times(const Vector<T>& a, const Matrix<S>& m) {
-  return {a.x * m.x.x + (a.y * m.y.x + a.z * m.z.x), a.x * m.x.y + (a.y * m.y.y + a.z * m.z.y),
-          a.x * m.x.z + (a.y * m.y.z + a.z * m.z.z)};
-}
-template <class T, class S>
-ADAGEN_INLINE Matrix<T> operator*(const Matrix<T>& a, const Matrix<S>& b) {
-  return {row_times(a.x, b), row_times(a.y, b), row_times(a.z, b)};
-}
-template <class T>
-ADAGEN_INLINE Vector<T> operator*(const Symmetric<T>& m, const Vector<T>& a) {
-  return {m.xx * a.x + (m.xy * a.y + m.xz * a.z), m.xy * a.x + (m.yy * a.y + m.yz * a.z),
-          m.xz * a.x + (m.yz * a.y + m.zz * a.z)};
-}
-template <class T>
-ADAGEN_INLINE void operator+=(Symmetric<T>& a, const Symmetric<T>& b) {
-  a.xx += b.xx, a.xy += b.xy, a.xz += b.xz, a.yy += b.yy, a.yz += b.yz, a.zz += b.zz;
-}
-template <class T>
-ADAGEN_INLINE void operator+=(Matrix<T>& a, const Matrix<T>& b) {
-  a.x += b.x, a.y += b.y, a.z += b.z;
-}
-
-// A body about a point: spatial inertia [[A, B], [B^T, C]] (A rotational, C of mass) and bias force
-// [n; f]. It is a link, or a link with all that hangs on it.
-template <class T>
-struct Body {
-  Symmetric<T> A;
-  Matrix<T> B;
-  Symmetric<T> C;
-  Vector<T> n, f;
-};
-
-template <class T>
-ADAGEN_INLINE void operator+=(Body<T>& a, const Body<T>& b) {
-  a.A += b.A, a.B += b.B, a.C += b.C, a.n += b.n, a.f += b.f;
-}
-
-// The body told about the point at -r from the one that it is told about: B + rx C, and
-// A + rx B^T - (B + rx C) rx.
-template <class T>
-ADAGEN_INLINE void shift(Body<T>& X, const Vector<T>& r) {
-  const Symmetric<T>& C = X.C;
-  const Matrix<T> B{{X.B.x.x + (r.y * C.xz - r.z * C.xy), X.B.x.y + (r.y * C.yz - r.z * C.yy),
-                     X.B.x.z + (r.y * C.zz - r.z * C.yz)},
-                    {X.B.y.x + (r.z * C.xx - r.x * C.xz), X.B.y.y + (r.z * C.xy - r.x * C.yz),
-                     X.B.y.z + (r.z * C.xz - r.x * C.zz)},
-                    {X.B.z.x + (r.x * C.xy - r.y * C.xx), X.B.z.y + (r.x * C.yy - r.y * C.xy),
-                     X.B.z.z + (r.x * C.yz - r.y * C.xz)}};
-  X.A.xx += (r.y * X.B.x.z - r.z * X.B.x.y) - (B.x.y * r.z - B.x.z * r.y);
-  X.A.xy += (r.y * X.B.y.z - r.z * X.B.y.y) - (B.x.z * r.x - B.x.x * r.z);
-  X.A.xz += (r.y * X.B.z.z - r.z * X.B.z.y) - (B.x.x * r.y - B.x.y * r.x);
-  X.A.yy += (r.z * X.B.y.x - r.x * X.B.y.z) - (B.y.z * r.x - B.y.x * r.z);
-  X.A.yz += (r.z * X.B.z.x - r.x * X.B.z.z) - (B.y.x * r.y - B.y.y * r.x);
-  X.A.zz += (r.x * X.B.z.y - r.y * X.B.z.x) - (B.z.x * r.y - B.z.y * r.x);
-  X.B = B;
-  X.n += cross(r, X.f);
-}
-
-// The same for a body whose A and B are zero, as a point mass's: B = rx C, A = -B rx.
-template <class T>
-ADAGEN_INLINE void shift_mass(Body<T>& X, const Vector<T>& r) {
-  const Symmetric<T>& C = X.C;
-  const Vector<T> Cx{C.xx, C.xy, C.xz}, Cy{C.xy, C.yy, C.yz}, Cz{C.xz, C.yz, C.zz};
-  X.B = {Cz * r.y - Cy * r.z, Cx * r.z - Cz * r.x, Cy * r.x - Cx * r.y};
-  const Vector<T> Ax = cross(r, X.B.x), Ay = cross(r, X.B.y), Az = cross(r, X.B.z);
-  X.A = {Ax.x, Ax.y, Ax.z, Ay.y, Ay.z, Az.z};
-  X.n += cross(r, X.f);
-}
-
-// The inertia less U U^T / D, U = [n; f] and e = U / D.
-template <class T>
-ADAGEN_INLINE void subtract(Body<T>& X, const Vector<T>& n, const Vector<T>& f,
-                            const Vector<T>& e_n, const Vector<T>& e_f) {
-  X.A.xx -= e_n.x * n.x, X.A.xy -= e_n.x * n.y, X.A.xz -= e_n.x * n.z;
-  X.A.yy -= e_n.y * n.y, X.A.yz -= e_n.y * n.z, X.A.zz -= e_n.z * n.z;
-  X.B.x.x -= e_n.x * f.x, X.B.x.y -= e_n.x * f.y, X.B.x.z -= e_n.x * f.z;
-  X.B.y.x -= e_n.y * f.x, X.B.y.y -= e_n.y * f.y, X.B.y.z -= e_n.y * f.z;
-  X.B.z.x -= e_n.z * f.x, X.B.z.y -= e_n.z * f.y, X.B.z.z -= e_n.z * f.z;
-  X.C.xx -= e_f.x * f.x, X.C.xy -= e_f.x * f.y, X.C.xz -= e_f.x * f.z;
-  X.C.yy -= e_f.y * f.y, X.C.yz -= e_f.y * f.z, X.C.zz -= e_f.z * f.z;
-}
-
-// Where a point moves that is at r from one that moves as [angular; linear].
-template <class T>
-struct Motion {
-  Vector<T> angular, linear;
-};
-
-template <class T, class S>
-ADAGEN_INLINE void carry(Motion<T>& a, const Vector<S>& r) {
-  a.linear += cross(a.angular, r);
-}
-
-// The rotation that a quaternion x y z w of any length stands for, and its squared length.
-template <class T>
-ADAGEN_INLINE T rotation(const T& x, const T& y, const T& z, const T& w, Matrix<T>& R) {
-  const T squared = (x * x + y * y) + (z * z + w * w);
-  const T s = 2 / squared;
-  const T xx = s * x * x, yy = s * y * y, zz = s * z * z, xy = s * x * y, xz = s * x * z,
-          yz = s * y * z, xw = s * x * w, yw = s * y * w, zw = s * z * w;
-  R = {{1 - (yy + zz), xy - zw, xz + yw},
-       {xy + zw, 1 - (xx + zz), yz - xw},
-       {xz - yw, yz + xw, 1 - (xx + yy)}};
-  return squared;
-}
+namespace {
 
 constexpr std::array<MessageInfo, 4> kMessages{ {
     {0, 1, 27},  // 0: what hangs on "torso"
@@ -977,364 +425,24 @@ constexpr std::array<MessageInfo, 4> kMessages{ {
     {1, 0, 14},  // 3: accelerations
 } };
 
-enum class ChannelMode { kAuto, kWindow, kMessage };
+}  // namespace
 
-inline void relax() {
-#if defined(__x86_64__) || defined(__i386__)
-  __builtin_ia32_pause();
-#elif defined(__aarch64__)
-  asm volatile("yield");
-#endif
-}
-
-// What a process does in an evaluation as the others see it: the messages that it sends and
-// receives, in order, and what those received hold. Played again, it computes the same by itself:
-// what it sends goes nowhere, and what it receives is there at once. (--stretches)
-class Take {
- public:
-  using Clock = std::chrono::steady_clock;
-
-  // Notes from here on what goes through the channel.
-  void record() { playing_ = false; }
-
-  // Plays from the start, and looks at the clock at each message.
-  void play() {
-    playing_ = true;
-    next_ = 0;
-  }
-
-  bool playing() const { return playing_; }
-  const std::vector<int>& messages() const { return messages_; }
-  const std::vector<Clock::rep>& looks() const { return looks_; }  // one at each message
-
-  // Message k was sent, or received with this content, its status before it.
-  ADAGEN_NOINLINE void note(int k, const Number* content = nullptr) {
-    messages_.push_back(k);
-    looks_.push_back(0);
-    starts_.push_back(contents_.size());
-    const std::size_t size =
-        content ? static_cast<std::size_t>(kMessages[static_cast<std::size_t>(k)].size) + 1 : 0;
-    contents_.insert(contents_.end(), content, content + size);
-  }
-
-  // The next message is due; returns its content, if it is one received.
-  ADAGEN_NOINLINE const Number* pass() {
-    looks_[next_] = Clock::now().time_since_epoch().count();
-    return contents_.data() + starts_[next_++];
-  }
-
- private:
-  bool playing_ = false;
-  std::size_t next_ = 0;
-  std::vector<int> messages_;
-  std::vector<Clock::rep> looks_;
-  std::vector<std::size_t> starts_;  // in contents_
-  std::vector<Number> contents_;
-};
-
-// Exchange between processes. Processes on one node meet in a shared window: a message is a slot
-// that its source fills and then numbers (release), and that its target reads once it sees the
-// number (acquire). Other pairs exchange MPI messages. A message has two slots, taken in turn: when
-// one is written again, two evaluations later, its target has answered in the one between.
-class Channel {
- public:
-  Channel() = default;
-  Channel(const Channel&) = delete;
-  Channel& operator=(const Channel&) = delete;
-
-  // Collective. Returns an empty string, or what is wrong. hosts: if not 0, processes are taken to
-  // be on so many hosts, in equal parts, whatever they share.
-  std::string open(MPI_Comm comm, ChannelMode mode, double time_limit, int hosts = 0) {
-    MPI_Comm_dup(comm, &comm_);
-    MPI_Comm_rank(comm_, &rank_);
-    time_limit_ = std::chrono::duration_cast<Clock::duration>(
-        std::chrono::duration<double>(std::min(time_limit, 1e8)));
-    ports_.resize(kMessages.size());
-    find_node(hosts);
-    const bool window = mode == ChannelMode::kMessage || open_window();
-    std::array<int, 2> ways{};  // messages through MPI, through the window
-    for (std::size_t k = 0; k < ports_.size(); ++k) {
-      const MessageInfo& info = kMessages[k];
-      if (info.source != rank_ && info.target != rank_) continue;
-      if (info.size > 0) ++ways[ports_[k].slots ? 1 : 0];  // none goes to a process without work
-      if (!ports_[k].slots) ports_[k].buffer.resize(static_cast<std::size_t>(info.size) + 1);
-    }
-    MPI_Allreduce(MPI_IN_PLACE, ways.data(), 2, MPI_INT, MPI_SUM, comm_);
-    name_ = ways[0] == 0   ? (ways[1] == 0 ? "message" : "window")
-            : ways[1] == 0 ? "message"
-                           : "mixed";
-    if (mode != ChannelMode::kWindow || ways[0] == 0) return "";
-    return window ? "channel window: not all processes are on one node"
-                  : "channel window: this MPI gives processes no common memory";
-  }
-
-  void close() {
-    if (comm_ == MPI_COMM_NULL) return;
-    int status = kFine;
-    for (std::size_t k = 0; k < ports_.size(); ++k)  // what others still wait for gets there
-      wait(ports_[k].request, kMessages[k].target, status);
-    if (window_ != MPI_WIN_NULL) {
-      MPI_Win_unlock_all(window_);
-      MPI_Win_free(&window_);
-    }
-    if (node_ != MPI_COMM_NULL) MPI_Comm_free(&node_);
-    MPI_Comm_free(&comm_);
-  }
-
-  // Where to write message k. Waits for an MPI message that is still under way.
-  Number* outgoing(int k, int& status) {
-    Port& port = ports_[k];
-    if (port.slots) return port.slot(port.count + 1, k).content() + 1;
-    wait(port.request, kMessages[k].target, status);
-    return port.buffer.data() + 1;
-  }
-
-  void send(int k, int& status) {
-    if (take_) {
-      if (take_->playing()) return void(take_->pass());
-      take_->note(k);
-    }
-    Port& port = ports_[k];
-    if (port.slots) {
-      Slot& slot = port.slot(++port.count, k);
-      slot.content()[0] = static_cast<Number>(status);
-      slot.number.store(port.count, std::memory_order_release);
-      return;
-    }
-    port.buffer[0] = static_cast<Number>(status);
-    MPI_Isend(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiNumber,
-              kMessages[k].target, k, comm_, &port.request);
-  }
-
-  // Waits for message k, patient: however long it takes, and returns its content; what its source
-  // knows of failures joins the status.
-  const Number* receive(int k, int& status, bool patient = false) {
-    if (take_ && take_->playing()) return opened(take_->pass(), status);
-    Port& port = ports_[k];
-    const Number* content;
-    if (port.slots) {
-      const std::uint64_t number = ++port.count;
-      Slot& slot = port.slot(number, k);
-      const auto is_there = [&] { return slot.number.load(std::memory_order_acquire) >= number; };
-      if (!wait_until(is_there, patient)) fail(status, failure(kNoAnswer, kMessages[k].source));
-      content = slot.content();
-    } else {
-      MPI_Irecv(port.buffer.data(), static_cast<int>(port.buffer.size()), kMpiNumber,
-                kMessages[k].source, k, comm_, &port.request);
-      wait(port.request, kMessages[k].source, status, [](const MPI_Status&) {}, patient);
-      content = port.buffer.data();
-    }
-    if (take_) take_->note(k, content);
-    return opened(content, status);
-  }
-
-  // Notes from here on what is sent and received, or plays it; null for neither.
-  void use(Take* take) { take_ = take; }
-
-  // Waits until a peer has done its part; then tells done of it. What never comes is given up.
-  template <class Done>
-  void wait(MPI_Request& request, int peer, int& status, Done done, bool patient = false) {
-    if (request == MPI_REQUEST_NULL) return;
-    MPI_Status found;
-    const auto is_done = [&] {
-      int flag = 0;
-      MPI_Test(&request, &flag, &found);
-      return flag != 0;
-    };
-    const bool in_time = wait_until(is_done, patient);
-    if (in_time) return done(found);
-    give_up(request);
-    fail(status, failure(kNoAnswer, peer));
-  }
-  void wait(MPI_Request& request, int peer, int& status) {
-    wait(request, peer, status, [](const MPI_Status&) {});
-  }
-
-  // To a process that has no part in evaluations: they are over. And there: waits for that, asleep.
-  void send_end(int target) { MPI_Send(nullptr, 0, kMpiNumber, target, kEndTag, comm_); }
-  void await_end() {
-    MPI_Request over;
-    MPI_Irecv(nullptr, 0, kMpiNumber, 0, kEndTag, comm_, &over);
-    for (int done = 0; MPI_Test(&over, &done, MPI_STATUS_IGNORE), !done;)
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-
-  static void give_up(MPI_Request& request) {
-    if (request != MPI_REQUEST_NULL) MPI_Cancel(&request), MPI_Request_free(&request);
-  }
-
-  static void fail(int& status, int failure) {
-    if (status == kFine) status = failure;
-  }
-
-  MPI_Comm comm() const { return comm_; }
-  int rank() const { return rank_; }
-  bool broken() const { return broken_; }
-  bool windowed() const { return window_ != MPI_WIN_NULL; }
-  bool on_one_host() const { return on_one_host_; }
-  const char* name() const { return name_; }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  // Behind those of all other messages, in batches, too.
-  static constexpr int kEndTag = static_cast<int>(kMessages.size()) + 3;
-  static constexpr std::chrono::milliseconds kPatience{100};
-
-  struct alignas(kCacheLine) Slot {
-    std::atomic<std::uint64_t> number;
-    Number* content() {
-      return reinterpret_cast<Number*>(reinterpret_cast<char*>(this) + kCacheLine);
-    }
-  };
-
-  struct Port {
-    char* slots = nullptr;
-    std::uint64_t count = 0;
-    Slot& slot(std::uint64_t number, int k) const {
-      return *reinterpret_cast<Slot*>(slots + (number & 1) * slot_bytes(kMessages[k]));
-    }
-    std::vector<Number> buffer;
-    MPI_Request request = MPI_REQUEST_NULL;
-  };
-
-  static const Number* opened(const Number* content, int& status) {
-    if (failure_kind(status) != kNoAnswer) fail(status, static_cast<int>(content[0]));
-    return content + 1;
-  }
-
-  static std::size_t slot_bytes(const MessageInfo& info) {
-    const std::size_t content = (static_cast<std::size_t>(info.size) + 1) * sizeof(Number);
-    return kCacheLine + (content + kCacheLine - 1) / kCacheLine * kCacheLine;
-  }
-
-  void find_node(int hosts) {
-    MPI_Comm real;
-    MPI_Comm_split_type(comm_, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &real);
-    MPI_Comm_split(real, rank_ * hosts / kProcesses, 0, &node_);
-    MPI_Comm_free(&real);
-    int size = 0;
-    MPI_Comm_size(node_, &size);
-    on_one_host_ = size == kProcesses;
-  }
-
-  // Each process holds the slots of the messages that it sends to processes on its node. Returns
-  // whether there was memory to share.
-  bool open_window() {
-    std::vector<int> on_node(kProcesses, MPI_UNDEFINED), all(kProcesses);
-    for (int p = 0; p < kProcesses; ++p) all[p] = p;
-    MPI_Group whole, near;
-    MPI_Comm_group(comm_, &whole);
-    MPI_Comm_group(node_, &near);
-    MPI_Group_translate_ranks(whole, kProcesses, all.data(), near, on_node.data());
-    MPI_Group_free(&whole);
-    MPI_Group_free(&near);
-    const auto near_pair = [&](const MessageInfo& info) {
-      return info.size > 0 && on_node[info.source] != MPI_UNDEFINED &&
-             on_node[info.target] != MPI_UNDEFINED;
-    };
-    if (std::none_of(kMessages.begin(), kMessages.end(), near_pair)) return true;
-    std::size_t own = 0;
-    for (const MessageInfo& info : kMessages)
-      if (info.source == rank_ && near_pair(info)) own += 2 * slot_bytes(info);
-    if (!share_memory(own)) return false;
-    std::vector<char*> next(kProcesses, nullptr);
-    for (int p = 0; p < kProcesses; ++p) {
-      if (on_node[p] == MPI_UNDEFINED) continue;
-      MPI_Aint bytes;
-      int unit;
-      MPI_Win_shared_query(window_, on_node[p], &bytes, &unit, &next[p]);
-    }
-    for (std::size_t k = 0; k < ports_.size(); ++k) {
-      const MessageInfo& info = kMessages[k];
-      if (!near_pair(info)) continue;
-      ports_[k].slots = next[info.source];
-      next[info.source] += 2 * slot_bytes(info);
-      if (info.source == rank_) {
-        std::memset(ports_[k].slots, 0, 2 * slot_bytes(info));  // first touch
-        for (std::uint64_t n : {0, 1}) new (&ports_[k].slot(n, static_cast<int>(k))) Slot{};
-      }
-    }
-    MPI_Win_sync(window_);
-    MPI_Barrier(node_);
-    MPI_Win_sync(window_);
-    return true;
-  }
-
-  // Returns whether all processes of the node could.
-  bool share_memory(std::size_t own) {
-    char* base = nullptr;
-    MPI_Info hints;
-    MPI_Info_create(&hints);
-    MPI_Info_set(hints, "alloc_shared_noncontig",
-                 "true");  // every part on pages of its own process
-    MPI_Comm_set_errhandler(node_, MPI_ERRORS_RETURN);
-    int good = MPI_Win_allocate_shared(static_cast<MPI_Aint>(own), 1, hints, node_, &base,
-                                       &window_) == MPI_SUCCESS;
-    MPI_Comm_set_errhandler(node_, MPI_ERRORS_ARE_FATAL);
-    MPI_Info_free(&hints);
-    MPI_Allreduce(MPI_IN_PLACE, &good, 1, MPI_INT, MPI_MIN, node_);
-    if (good != 0)
-      MPI_Win_lock_all(MPI_MODE_NOCHECK, window_);
-    else
-      window_ = MPI_WIN_NULL;
-    return good != 0;
-  }
-
-  // Spins briefly, then yields, so that more processes than cores still finish. Who waits without
-  // limit sleeps between looks once it has waited for long.
-  template <class Ready>
-  bool wait_until(Ready ready, bool patient) {
-    for (int k = 0; k < 4000; ++k) {
-      if (ready()) return true;
-      relax();
-    }
-    if (broken_) return false;  // a peer is gone: do not wait for it once more
-    const Clock::time_point end =
-        Clock::now() + (patient ? Clock::duration(kPatience) : time_limit_);
-    while (!ready()) {
-      std::this_thread::yield();
-      if (Clock::now() <= end) continue;
-      if (patient) {
-        std::this_thread::sleep_for(std::chrono::microseconds(50));
-      } else {
-        broken_ = true;
-        return false;
-      }
-    }
-    return true;
-  }
-
-  MPI_Comm comm_ = MPI_COMM_NULL, node_ = MPI_COMM_NULL;
-  MPI_Win window_ = MPI_WIN_NULL;
-  int rank_ = 0;
-  Clock::duration time_limit_{};
-  bool broken_ = false, on_one_host_ = true;
-  Take* take_ = nullptr;
-  const char* name_ = "message";
-  std::vector<Port> ports_;
-};
-
-// Time stamps between the stages of a process's work (--trace); nothing is stamped otherwise.
-std::chrono::steady_clock::rep* trace_stamps =
-    nullptr;  // where an evaluation puts them: its start, then each end
-
-[[maybe_unused]] inline void stamp(int k) {
-  if (trace_stamps) trace_stamps[k] = std::chrono::steady_clock::now().time_since_epoch().count();
-}
+#include "adagen/channel.hpp"
+#include "adagen/stamp.hpp"
 
 // ---- 4. kernels ---------------------------------------------------------------------------------
 // Vectors are in the axes of the base, which all its links share (of the ground, or of a floating
 // base's link), about each link's own origin. Links move as they would were all joint accelerations
 // zero (omega, alpha, a); joint accelerations are solved for as what comes on top.
 
+#include "adagen/kernels/tables.hpp"
+
+namespace {
+
 // What is computed with.
 using Value = Real;
 
-// A link's mass, that times its centre of mass, and its pseudo-inertia, sum of m x x^T: xx xy xz yy
-// yz zz. About the link's origin.
-struct LinkInertia {
-  Real mass, moments[3], tensor[6];
-};
+// Of each link its mass, that times its centre of mass, and its pseudo-inertia.
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {6.2, {0.0, 0.0, 0.12400000000000001},
      {0.01012665, 0.0, 0.0, 0.02500665, 0.0, 0.009920050000000001}},
@@ -1416,30 +524,23 @@ constexpr double kLosing = 256.0;  // times D: a trace from which on they do
 constexpr bool kPassesFree = false;  // whether mobilities pass floating joints
 constexpr bool kAgain = kRefine > 0 || kSlavedCount > 0;
 
-// What a process does at a link.
-struct LinkRole {
-  bool gathers;   // paths meet at it inwards
-  bool adds_own;  // its own inertia is this process's to add
-  bool parts;     // paths part at it outwards
-  bool oriented;  // the quaternion of the joint above it is this process's to take
-};
+// What each process does at each link: gathers, adds_own, parts, oriented.
 constexpr LinkRole kRoles[2][kLinkCount]{
     {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {1, 0, 1, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
 };
 
-// Where an evaluation finds the state, and puts what it answers.
-struct State {
-  const Value* q = nullptr;
-  const Value* v = nullptr;
-  const Value* tau = nullptr;
-  Value* qdd = nullptr;
-};
+}  // namespace
+
+#include "adagen/kernels/state.hpp"
+
+namespace {
 
 // What is kept where segments meet, with the joint that it belongs to.
 struct Cuts {
 };
 
+<<<<<<< HEAD
 // Constants of the model. What is set up for many links at once lies in blocks, side by side.
 constexpr int kPerBlock = static_cast<int>(sizeof(Lanes) / sizeof(Value));  // links in a block
 constexpr int kBlockCount = (kSlotCount + kPerBlock - 1) / kPerBlock;
@@ -3411,13 +2512,36 @@ void accelerate_group(Workspace& w) {
   });
 }
 
+=======
+}  // namespace
+
+#include "adagen/kernels/blocks.hpp"
+#include "adagen/kernels/inertias.hpp"
+#include "adagen/kernels/memory.hpp"
+#include "adagen/gravity.hpp"
+#include "adagen/kernels/guards.hpp"
+#include "adagen/kernels/kinds.hpp"
+#include "adagen/kernels/links.hpp"
+#include "adagen/kernels/outward.hpp"
+#include "adagen/kernels/keep_nothing.hpp"
+#include "adagen/kernels/factors.hpp"
+#include "adagen/kernels/spherical.hpp"
+#include "adagen/kernels/turned.hpp"
+#include "adagen/kernels/inward.hpp"
+#include "adagen/kernels/shuffles.hpp"
+#include "adagen/kernels/columns.hpp"
+#include "adagen/kernels/inward_columns.hpp"
+#include "adagen/kernels/accelerate.hpp"
+#include "adagen/kernels/groups.hpp"
+
+namespace {
+>>>>>>> refs/heads/headers
 
 // "left_hip_pitch" .. "left_ankle_roll", "right_hip_pitch" .. "right_ankle_roll"
 constexpr Limbs<2, 6> kLimbs0{0, {{1, 7}, {2, 8}, {3, 9}, {4, 10}, {5, 11}, {6, 12}}};
 
 // "left_shoulder_pitch" .. "left_wrist_pitch", "right_shoulder_pitch" .. "right_wrist_pitch"
 constexpr Limbs<2, 6> kLimbs1{16, {{16, 24}, {17, 25}, {18, 26}, {19, 27}, {20, 28}, {21, 29}}};
-
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
@@ -3527,176 +2651,11 @@ constexpr std::array<Range, 1> kTorque_1{ {{21, 14}} };
     {{2, kReadQ_1.data()}, {2, kReadV_1.data()}, {1, kOwn_1.data()}, {1, kTorque_1.data()}},
 } };
 
-// All constants are as they were emitted.
-constexpr int kParameterCount = 0;
-inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
-inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
-[[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
-
-// One process, or thread, of a solver: state and result in place.
-class InPlace {
- public:
-  Workspace w;
-  Channel channel;
-  Text text;  // of the last failure
-
-  static constexpr int kWorkspaces = 1;
-  Workspace& workspace(int) { return w; }
-
-  // Reads what this process needs, writes what it owns.
-  int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
-    if (kAlone && kProcesses > 1 && channel.rank() != 0) return finish(kFine);
-    if (channel.broken()) return finish(failure(kNoAnswer, 0));
-    prepare(q, v, tau, qdd);
-    run();
-    return finish(w.status);
-  }
-
- protected:
-  // A pose that a try cannot stand is known to all processes: they try the next way together.
-  void run() {
-    const std::size_t rank = kAlone ? 0 : static_cast<std::size_t>(channel.rank());
-    kRun[rank](w, channel);
-#ifdef ADAGEN_RECOVERS
-    for (std::size_t k = rank; k < kRecover.size(); k += std::size_t(kProcesses)) {
-      if (failure_kind(w.status) != kSingularPose) return;
-      w.status = kFine;
-      kRecover[k](w, channel);
-    }
-#endif
-  }
-
-  void prepare(const Number* q, const Number* v, const Number* tau, Number* qdd) {
-    w.q = q;
-    w.v = v;
-    w.tau = tau;
-    w.qdd = qdd;
-    w.status = kFine;
-  }
-
-  int finish(int status) {
-    if (status != kFine) text = describe(status);
-    return status;
-  }
-};
-
-// The entries of a vector that a process needs, one after another, and back.
-inline Number* pack(Number* to, const Ranges& which, const Number* x) {
-  for (int k = 0; k < which.count; ++k)
-    to = std::copy_n(x + which.ranges[k].first, which.ranges[k].count, to);
-  return to;
-}
-inline const Number* unpack(const Number* from, const Ranges& which, Number* x) {
-  for (int k = 0; k < which.count; ++k) {
-    const auto& [first, count] = which.ranges[k];
-    std::copy_n(from, count, x + first);
-    from += count;
-  }
-  return from;
-}
-
-// Hands states and accelerations between process 0 and the others. Messages behind the plan's own:
-// first the state to each process, then the accelerations from each.
-class Solver : public InPlace {
- public:
-  // Everything through process 0: it has the state and gets all accelerations.
-  int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
-    if constexpr (kAlone) return solve(q, v, tau, qdd);
-    if (channel.broken()) return finish(failure(kNoAnswer, 0));
-    return channel.rank() == 0 ? solve_as_root(q, v, tau, qdd) : solve_for_root();
-  }
-
-  // At process 0: the others' next solve_at_root returns kEnded, and so does this.
-  int end_at_root() {
-    if constexpr (kAlone) return kFine;
-    return solve_as_root(q_.data(), v_.data(), tau_.data(), qdd_.data(), failure(kEnded, 0));
-  }
-
-  // At the others: takes part in what process 0 evaluates until it ends that.
-  int serve() {
-    const int rank = channel.rank();
-    if (rank == 0) return kFine;
-    int status = kFine;
-    if (has_part(rank)) do
-        status = channel.broken() ? failure(kNoAnswer, 0) : solve_for_root(true);
-      while (failure_kind(status) != kEnded && failure_kind(status) != kNoAnswer);
-    else
-      channel.await_end();
-    return failure_kind(status) == kEnded ? kFine : finish(status);
-  }
-
-  // Collective.
-  void close() { channel.close(); }
-
-  // At process 0: the others serve no longer.
-  int end() {
-    if (channel.rank() != 0) return kFine;
-    const int status = end_at_root();
-    for (int p = 1; p < kProcesses; ++p)
-      if (!has_part(p)) channel.send_end(p);
-    return failure_kind(status) == kEnded ? kFine : finish(status);
-  }
-
- private:
-  // Whether a process takes part when all goes through process 0.
-  static bool has_part(int p) {
-    return !kAlone && kProcess[static_cast<std::size_t>(p)].own.count > 0;
-  }
-
-  // patient: however long process 0 lets it wait.
-  int solve_for_root(bool patient = false) {
-    const int rank = channel.rank();
-    const ProcessInfo& own = kProcess[static_cast<std::size_t>(rank)];
-    if (own.own.count == 0) return finish(kFine);
-    int status = kFine;
-    const Number* content = channel.receive(state_message(rank), status, patient);
-    content = unpack(content, own.q, q_.data());
-    content = unpack(content, own.v, v_.data());
-    content = unpack(content, own.tau, tau_.data());
-    unpack_parameters(content, w);
-    prepare(q_.data(), v_.data(), tau_.data(), qdd_.data());
-    Channel::fail(w.status, status);
-    run();
-    Number* result = channel.outgoing(result_message(rank), w.status);
-    pack(result, own.own, qdd_.data());
-    channel.send(result_message(rank), w.status);
-    return finish(w.status);
-  }
-
-  int solve_as_root(const Number* q, const Number* v, const Number* tau, Number* qdd,
-                    int status = kFine) {
-    for (int p = 1; p < kProcesses; ++p) {
-      const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
-      if (other.own.count == 0) continue;
-      Number* content = channel.outgoing(state_message(p), status);
-      content = pack(content, other.q, q);
-      content = pack(content, other.v, v);
-      content = pack(content, other.tau, tau);
-      pack_parameters(content, w);
-      channel.send(state_message(p), status);
-    }
-    prepare(q, v, tau, qdd_.data());
-    Channel::fail(w.status, status);
-    run();
-    for (int p = 1; p < kProcesses; ++p) {
-      const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
-      if (other.own.count == 0) continue;
-      const Number* result = channel.receive(result_message(p), w.status);
-      unpack(result, other.own, qdd_.data());
-    }
-    if (w.status == kFine) std::copy(qdd_.begin(), qdd_.end(), qdd);
-    return finish(w.status);
-  }
-
-  static int state_message(int process) { return kPlanMessages + 2 * (process - 1); }
-  static int result_message(int process) { return kPlanMessages + 2 * (process - 1) + 1; }
-
-  std::array<Number, kNq> q_{};
-  std::array<Number, kNv> v_{}, qdd_{};
-  std::array<Number, kNtau> tau_{};
-};
-
 }  // namespace
+
+#include "adagen/no_parameters.hpp"
+#include "adagen/solver.hpp"
+#include "adagen/open.hpp"
 
 static_assert(HUMANOID_P2_NQ == kNq && HUMANOID_P2_NV == kNv && HUMANOID_P2_NTAU == kNtau);
 static_assert(int(HUMANOID_P2_FINE) == int(kFine));
@@ -3717,52 +2676,6 @@ static_assert(int(HUMANOID_P2_LOOP_SINGULAR) == int(kLoopSingular));
 static_assert(int(HUMANOID_P2_LOOP_FREE) == int(kLoopFree));
 
 struct humanoid_p2_solver : Solver {};
-
-namespace {
-
-// Why the last open of a thread gave no solver.
-thread_local Text open_failure;
-
-// What is wrong with what was asked for; an empty string for nothing.
-inline std::string why_not_open(MPI_Comm comm, const std::string& kind, double time_limit) {
-  int ready = 0, size = 0;
-  MPI_Initialized(&ready);
-  if (ready == 0) return "MPI is not initialised: call MPI_Init first";
-  MPI_Comm_size(comm, &size);
-  if (size != kProcesses)
-    return "this solver is for exactly " + std::to_string(kProcesses) +
-           " processes, the communicator has " + std::to_string(size);
-  if (kind != "auto" && kind != "window" && kind != "message")
-    return "channel takes auto, window or message, not " + kind;
-  return time_limit > 0 ? "" : "the time limit must be more than 0 s";
-}
-
-inline ChannelMode mode_of(const std::string& kind) {
-  return kind == "window"    ? ChannelMode::kWindow
-         : kind == "message" ? ChannelMode::kMessage
-                             : ChannelMode::kAuto;
-}
-
-template <class AnySolver>
-AnySolver* opened(MPI_Comm comm, const char* channel, double time_limit) {
-  open_failure.clear();
-  try {
-    const std::string kind = channel == nullptr ? "auto" : channel;
-    std::string wrong = why_not_open(comm, kind, time_limit);
-    if (wrong.empty()) {
-      auto solver = std::make_unique<AnySolver>();
-      wrong = solver->channel.open(comm, mode_of(kind), time_limit);
-      if (wrong.empty()) return solver.release();
-      solver->channel.close();
-    }
-    open_failure += wrong.c_str();
-  } catch (const std::exception& error) {
-    open_failure += error.what();
-  }
-  return nullptr;
-}
-
-}  // namespace
 
 extern "C" {
 
@@ -3810,390 +2723,11 @@ void humanoid_p2_close(humanoid_p2_solver* solver) {
 // accelerations out; check; time; trace; simulate.
 
 #ifndef ADAGEN_NO_MAIN
-// What a solver tells the program around it (adagen_program.cpp), and what that asks of it.
-#ifndef ADAGEN_DESCRIPTION
-#define ADAGEN_DESCRIPTION
-namespace adagen {
-
-struct OneProcess {};  // in place of a communicator where there is no MPI
-
-template <class Item>
-struct Table {
-  const Item* items;
-  int count;
-
-  const Item* begin() const { return items; }
-  const Item* end() const { return items + count; }
-  const Item& operator[](int k) const { return items[k]; }
-};
-
-enum class JointKind { kRevolute, kPrismatic, kSpherical, kPlanar, kFloating };
-
-// Joints, links and outer forces as section 2 of the solver has them; rotations have 9 entries, row
-// by row.
-template <class Number>
-struct Joint {
-  const char* name;
-  JointKind kind;
-  int parent, q, nq, v, nv;
-  const Number *rotation, *translation;
-  int source;
-  double multiplier, offset;
-  double damping, friction, friction_speed, stiffness, rest, rotor;
-  bool prescribed;
-};
-
-template <class Number>
-struct Link {
-  double mass;
-  const Number *com, *tensor;
-};
-
-template <class Number>
-struct OuterForce {
-  const char* name;
-  int link;
-  const Number *rotation, *translation;
-};
-
-// A joint that closes a loop; axes of frame 1 along which it holds places together, and about which
-// it bars turns, as bits.
-template <class Number>
-struct Loop {
-  const char* name;
-  int link1, link2;
-  const Number *rotation1, *translation1, *rotation2, *translation2;
-  unsigned linear, angular;
-  bool universal;
-
-  bool holds(int axis) const { return (linear >> axis & 1u) != 0; }
-  bool bars(int axis) const { return (angular >> axis & 1u) != 0; }
-};
-
-// Coordinates of joints whose sum, each times its factor, is the offset.
-template <class Number>
-struct Coupling {
-  const char* name;
-  int count;
-  const int* joints;
-  const Number* factors;
-  Number offset;
-};
-
-struct Message {
-  int source, target, size;  // size in numbers, the status not counted
-};
-
-// Between two time stamps of a process.
-struct Stage {
-  const char* what;
-  int joint;    // that it ends or begins with; -1 for none
-  int message;  // sent or received; -1 for work
-};
-
-// What a message costs, ns: its sender, from sent to seen, and per number to put it in and take it
-// out again.
-struct Hop {
-  double send, latency, number;
-};
-
-template <class Number>
-struct Description {
-  const char *robot, *channel;
-  int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch, sets_gravity;
-  double tolerance;
-  const double* gravity;
-  Table<Joint<Number>> joints;
-  Table<Link<Number>> links;
-  Table<OuterForce<Number>> outer_forces;
-  Table<Loop<Number>> loops;
-  Table<Coupling<Number>> couplings;
-  Table<Message> messages;
-  const Table<Stage>* stages;  // of each process
-  Hop window_hop, message_hop;
-};
-
-// How a solver is opened: its channel, s that processes wait for each other, hosts to play, and
-// whether threads of its own are to stay on a core each.
-struct Opening {
-  const char* channel;
-  double time_limit;
-  int hosts;
-  bool pin;
-};
-
-// How long an evaluation took, ns, and its status: state and result in place, and everything
-// through process 0.
-struct Elapsed {
-  double in_place, at_root;
-  int status_in_place, status_at_root;
-};
-
-// The solver. What is measured is compiled with it.
-template <class Number, class Comm>
-class AnySolver {
- public:
-  using Ticks = std::chrono::steady_clock::rep;
-
-  virtual ~AnySolver() = default;
-
-  // Collective. Returns what is wrong, or an empty string.
-  virtual const char* open(Comm comm, const Opening& how) = 0;
-  virtual void close() = 0;
-  // For all evaluations to come, of this process: where it can be set.
-  virtual void set_gravity(const double*) {}
-  virtual Comm comm() const = 0;
-  virtual const char* channel_name() const = 0;
-  virtual bool windowed() const = 0;
-
-  // One evaluation; at the root: process 0 has the state and gets all accelerations. Returns a
-  // status.
-  virtual int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) = 0;
-  virtual int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) = 0;
-  virtual int end_at_root() = 0;
-  virtual bool has_part() const = 0;  // whether this process takes part in it
-
-  // Many at once, where the solver is for batches. The k-th state that failed, or -1; then, why.
-  virtual int solve_batch_at_root(int, const Number*, const Number*, const Number*, Number*) {
-    return 0;
-  }
-  virtual int failures() const { return 0; }
-  virtual int failed_state(int) { return -1; }
-  virtual const char* why() const { return ""; }
-
-  // A status in words, valid until the next; the names of the joints that one is joined with.
-  virtual const char* in_words(int status) = 0;
-  virtual const char* names_of_run(int joint) = 0;
-  // The size of the k-th correction of the last evaluation.
-  virtual double correction(int k) const = 0;
-  // 1 + the last joint of a run that has been near gimbal lock; 0: none.
-  virtual int near_lock() const = 0;
-
-  // Collective: processes start together. An evaluation; batches of so many states for each
-  // process, on the first of all processes; an evaluation with a stamp at its start, and at each
-  // end of a stage.
-  virtual Elapsed time(const Number* q, const Number* v, const Number* tau, Number* qdd) = 0;
-  virtual Elapsed time_batch(int, int, const Number*, const Number*, const Number*, Number*) {
-    return {};
-  }
-  virtual int trace(const Number* q, const Number* v, const Number* tau, Number* qdd,
-                    Ticks* stamps) = 0;
-
-  // Evaluations whose messages are noted once, and then played (take.hpp); numbered from 0 to
-  // count - 1. looks has room for the clock at the start, at each message and at the end.
-  virtual void forget(int count) = 0;
-  virtual int record(int k, bool at_root, const Number* q, const Number* v, const Number* tau,
-                     Number* qdd) = 0;
-  virtual void play(int k, bool at_root, const Number* q, const Number* v, const Number* tau,
-                    Number* qdd, Ticks* looks) = 0;
-  virtual Table<int> noted(int k) const = 0;
-};
-
-// The whole program; returns its exit status. Of a number and a communicator, as adagen_program.cpp
-// is compiled for them.
-template <class Number, class Comm>
-int program(const Description<Number>& description, AnySolver<Number, Comm>& solver, int count,
-            char** words);
-
-}  // namespace adagen
-#endif
+#include "adagen/description.hpp"
+#include "adagen/measured.hpp"
+#include "adagen/this_solver.hpp"
 
 namespace {
-
-// What is measured (--time, --stretches), of several processes.
-using Clock = std::chrono::steady_clock;
-
-Text open_solver(Solver& solver, MPI_Comm comm, const adagen::Opening& how) {
-  const std::string wrong =
-      solver.channel.open(comm, mode_of(how.channel), how.time_limit, how.hosts);
-  return Text(wrong.c_str());
-}
-
-// All processes that take part in an evaluation start it at the same instant of their common clock;
-// hosts have none. One alone starts at once: to meet others that it does not need would only cool
-// its caches.
-Clock::time_point start_together(const Channel& channel) {
-  if (kAlone) return Clock::now();
-  if (!channel.on_one_host()) {
-    MPI_Barrier(channel.comm());
-    return Clock::now();
-  }
-  Clock::rep start = 0;
-  if (channel.rank() == 0)
-    start = (Clock::now() + std::chrono::microseconds(5)).time_since_epoch().count();
-  MPI_Bcast(&start, static_cast<int>(sizeof start), MPI_BYTE, 0, channel.comm());
-  const Clock::time_point at{Clock::duration(start)};
-  const Clock::time_point latest = Clock::now() + std::chrono::microseconds(50);
-  Clock::time_point now;
-  while ((now = Clock::now()) < at && now < latest) relax();
-  return now;
-}
-
-// The same where an evaluation has just ended.
-Clock::time_point start_again(const Channel& channel) {
-  if (!kAlone) MPI_Barrier(channel.comm());
-  return Clock::now();
-}
-
-// Evaluations whose messages are noted once, and played as often as asked for.
-class Takes {
- public:
-  void forget(int count) { takes_.assign(static_cast<std::size_t>(count), Take()); }
-
-  template <class Evaluate>
-  int record(Channel& channel, int k, Evaluate evaluate) {
-    Take& take = takes_[static_cast<std::size_t>(k)];
-    take.record();
-    channel.use(&take);
-    const int status = evaluate();
-    channel.use(nullptr);
-    return status;
-  }
-
-  // looks: at the clock, at the start, at each message and at the end.
-  template <class Evaluate>
-  void play(Channel& channel, int k, Clock::rep* looks, Evaluate evaluate) {
-    Take& take = takes_[static_cast<std::size_t>(k)];
-    take.play();
-    channel.use(&take);
-    const Clock::rep start = Clock::now().time_since_epoch().count();
-    evaluate();
-    const Clock::rep end = Clock::now().time_since_epoch().count();
-    channel.use(nullptr);
-    *looks = start;
-    *std::copy(take.looks().begin(), take.looks().end(), looks + 1) = end;
-  }
-
-  adagen::Table<int> messages(int k) const {
-    const std::vector<int>& found = takes_[static_cast<std::size_t>(k)].messages();
-    return {found.data(), static_cast<int>(found.size())};
-  }
-
- private:
-  std::vector<Take> takes_;
-};
-
-// The model as the program takes it.
-adagen::Joint<Number> told(const JointConstants& joint) {
-  const Passive& own = joint.passive;
-  const auto kind = static_cast<adagen::JointKind>(joint.kind);
-  return {joint.name,       kind,         joint.parent,   joint.q,           joint.nq,
-          joint.v,          joint.nv,     joint.rotation, joint.translation, joint.source,
-          joint.multiplier, joint.offset, own.damping,    own.friction,      own.friction_speed,
-          own.stiffness,    own.rest,     own.rotor,      own.prescribed};
-}
-adagen::Link<Number> told(const LinkConstants& link) { return {link.mass, link.com, link.tensor}; }
-[[maybe_unused]] adagen::OuterForce<Number> told(const OuterForce& outer) {
-  return {outer.name, outer.link, outer.rotation, outer.translation};
-}
-[[maybe_unused]] adagen::Message told(const MessageInfo& message) {
-  return {message.source, message.target, message.size};
-}
-
-// All of a table, as long as the program runs.
-template <class Own, std::size_t n>
-auto table(const std::array<Own, n>& all) {
-  using Told = decltype(told(all[0]));
-  static std::array<Told, n> items{};
-  for (std::size_t k = 0; k < n; ++k) items[k] = told(all[k]);
-  return adagen::Table<Told>{items.data(), static_cast<int>(n)};
-}
-
-// Shapes that join no runs of joints as one are never near gimbal lock.
-template <class S>
-auto near_lock_of(const S& solver, int) -> decltype(solver.w.near_lock) {
-  return solver.w.near_lock;
-}
-template <class S>
-int near_lock_of(const S&, long) {
-  return 0;
-}
-
-class ThisSolver final : public adagen::AnySolver<Number, MPI_Comm> {
- public:
-  const char* open(MPI_Comm comm, const adagen::Opening& how) override {
-    words_ = open_solver(solver_, comm, how);
-    return words_.c_str();
-  }
-  void close() override { solver_.close(); }
-  MPI_Comm comm() const override { return solver_.channel.comm(); }
-  const char* channel_name() const override { return kAlone ? "none" : solver_.channel.name(); }
-  bool windowed() const override { return solver_.channel.windowed(); }
-
-  int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) override {
-    return in_place(q, v, tau, qdd);
-  }
-  int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) override {
-    return at_root(q, v, tau, qdd);
-  }
-  int end_at_root() override { return solver_.end_at_root(); }
-  bool has_part() const override {
-    return kProcess[static_cast<std::size_t>(solver_.channel.rank())].own.count > 0;
-  }
-
-  const char* in_words(int status) override {
-    words_ = describe(status);
-    return words_.c_str();
-  }
-  const char* names_of_run(int joint) override {
-    words_.clear();
-    add_names_of_run(words_, joint);
-    return words_.c_str();
-  }
-  double correction([[maybe_unused]] int k) const override {
-    return 0;
-  }
-  int near_lock() const override { return near_lock_of(solver_, 0); }
-
-  adagen::Elapsed time(const Number* q, const Number* v, const Number* tau, Number* qdd) override {
-    const Clock::time_point start = start_together(solver_.channel);
-    const int first = solver_.solve(q, v, tau, qdd);
-    const double in_place_ns = since(start);
-    const Clock::time_point again = start_again(solver_.channel);
-    const int second = solver_.solve_at_root(q, v, tau, qdd);
-    const double at_root_ns = since(again);
-    return {in_place_ns, at_root_ns, first, second};
-  }
-  int trace(const Number* q, const Number* v, const Number* tau, Number* qdd, Ticks* stamps) override {
-    start_together(solver_.channel);
-    trace_stamps = stamps;
-    const int status = in_place(q, v, tau, qdd);
-    trace_stamps = nullptr;
-    return status;
-  }
-
-  void forget(int count) override { takes_.forget(count); }
-  int record(int k, bool root, const Number* q, const Number* v, const Number* tau, Number* qdd) override {
-    return takes_.record(solver_.channel, k, [&] {
-      return root ? at_root(q, v, tau, qdd) : in_place(q, v, tau, qdd);
-    });
-  }
-  void play(int k, bool root, const Number* q, const Number* v, const Number* tau, Number* qdd, Ticks* looks) override {
-    if (root)
-      takes_.play(solver_.channel, k, looks, [&] { at_root(q, v, tau, qdd); });
-    else
-      takes_.play(solver_.channel, k, looks, [&] { in_place(q, v, tau, qdd); });
-  }
-  adagen::Table<int> noted(int k) const override { return takes_.messages(k); }
-
- private:
-  // For all but the clock: once in the code, whoever calls it.
-  ADAGEN_NOINLINE int in_place(const Number* q, const Number* v, const Number* tau, Number* qdd) {
-    return solver_.solve(q, v, tau, qdd);
-  }
-  ADAGEN_NOINLINE int at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
-    return solver_.solve_at_root(q, v, tau, qdd);
-  }
-
-  static double since(Clock::time_point start) {
-    return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-  }
-
-  Solver solver_;
-  Takes takes_;
-  Text words_;
-};
 
 // The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 6> kStages_0{ {
