@@ -32,8 +32,8 @@ class Solver:
     in q and v: quaternions x y z w, floating joints [linear; angular] in the body's frame.
 
     Many states are shared among the machine's cores. Other threads of Python run while many states
-    are solved; threads that call one solver take turns, and copies (``copy.copy``) work in parallel.
-    Solvers can be pickled. They are found in the cache, or built, where they arrive.
+    are solved; threads that call one solver take turns, and copies (``copy.copy``) work in
+    parallel. Solvers can be pickled. They are found in the cache, or built, where they arrive.
 
     Attributes:
         compiled: the ``Compiled`` from which it was built.
@@ -82,8 +82,8 @@ class Solver:
     def gravity(self) -> NDArray[Any]:
         """Acceleration of free fall in ground axes, shape (3,), m/s^2.
 
-        It can be set if the robot was compiled with ``runtime="gravity"``. It then holds for all later
-        calls, and for copies and pickles made later.
+        It can be set if the robot was compiled with ``runtime="gravity"``. It then holds for all
+        later calls, and for copies and pickles made later.
 
         Raises:
             UsageError: it is set and is a constant of the code.
