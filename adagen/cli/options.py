@@ -208,6 +208,12 @@ def add_emission(parser: Parser) -> None:
         help="refine answers N times, tell their error (mixed: 2)",
     )
     group.add_argument(
+        "--certify",
+        action="store_true",
+        help="tell a bound of its error with each answer, for at most half of the time more "
+        "(docs/certificates.md)",
+    )
+    group.add_argument(
         "--shape",
         choices=("auto", "unrolled", "kernels", "joints"),
         default="auto",

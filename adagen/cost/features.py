@@ -15,6 +15,7 @@ from adagen.plan.steps import (
     AccelerateRoot,
     ApplyCoupling,
     Articulate,
+    Certify,
     Deliver,
     Disassemble,
     FreeAcceleration,
@@ -72,6 +73,8 @@ def step_features(step: Step, joints: Sequence[PlanJoint]) -> Features:
     """
     if isinstance(step, Send | Receive | StartEmpty):
         return {}
+    if isinstance(step, Certify):
+        return added(_certified(joint) for joint in joints)
     plain = _PLAIN.get(type(step))
     if plain is not None:
         return {plain: 1}
@@ -116,6 +119,13 @@ def _join(step: Join, kind: str) -> Features:
         "join.block": rows * (len(step.blocks) - across),
         "join.across": rows * across,
     }
+
+
+def _certified(joint: PlanJoint) -> Features:
+    """Of a joint's share of a certificate: as much as forces that are handed on, and a bias."""
+    if joint.parent == 0 and joint.kind == "floating":
+        return {"root.solve": 1, "link.bias": 1}
+    return {f"deliver.{joint.kind}": 1, "link.bias": 1}
 
 
 def _turned(group: str, key: str, turned: bool) -> Features:

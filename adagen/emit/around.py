@@ -35,6 +35,7 @@ _PARTS = (
     "timing.hpp",
     "simulate.hpp",
     "corrections.hpp",
+    "certificates.hpp",
     "unreal.hpp",
     "verdict.hpp",
     "main.hpp",

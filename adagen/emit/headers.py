@@ -54,7 +54,14 @@ HOSTED = ("chrono", "cstdio")
 """Of a solver's, what an embedded one does without."""
 
 
-def of_solver(mpi: bool, threads: bool, reproducible: bool, *, embedded: bool = False) -> list[str]:
+def of_solver(
+    mpi: bool,
+    threads: bool,
+    reproducible: bool,
+    *,
+    embedded: bool = False,
+    tells_bounds: bool = False,
+) -> list[str]:
     """Return what a solver includes.
 
     Args:
@@ -62,8 +69,10 @@ def of_solver(mpi: bool, threads: bool, reproducible: bool, *, embedded: bool = 
         threads: whether its processes are threads.
         reproducible: whether its answers are the same everywhere.
         embedded: whether it needs no operating system.
+        tells_bounds: whether it tells the program around it how far many answers may be off.
     """
     if embedded:
         return sorted({*SOLVER} - {*HOSTED})
-    more = zip((MPI, THREADS, REPRODUCIBLE), (mpi, threads, reproducible), strict=True)
+    lists = (MPI, THREADS, REPRODUCIBLE, ("vector",))
+    more = zip(lists, (mpi, threads, reproducible, tells_bounds), strict=True)
     return sorted({*SOLVER, *(name for names, wanted in more if wanted for name in names)})

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from adagen.executor.certificate import Certificate
 from adagen.executor.closures import Closures
 from adagen.executor.joins import Joins
 from adagen.executor.kinematics import Motion
@@ -26,6 +27,7 @@ from adagen.plan.steps import (
     AccelerateHeld,
     ApplyCoupling,
     CarryRows,
+    Certify,
     CloseCoupling,
     CloseLoop,
     Disassemble,
@@ -102,6 +104,8 @@ class Machine(State):
                 self._solve_coupling()
             case ApplyCoupling():
                 self._apply_coupling()
+            case Certify():
+                Certificate(self, self.motion).carry_out()
             case _:
                 self.segments.step(step)
         return True
@@ -111,7 +115,8 @@ class Machine(State):
         results = [x for values in self.results.values() for x in values]
         contents = [x for content in self.sent.values() for x in content]
         pivots = [x for check in self.checks for x in (check.pivot, check.least)]
-        return [*results, *contents, *pivots, *(length for length, _ in self.lengths)]
+        lengths = (length for length, _ in self.lengths)
+        return [*results, *contents, *pivots, *lengths, *self.certificate]
 
     # -- messages ---------------------------------------------------------------------------------
 

@@ -40,6 +40,8 @@ class State:
         checks: pivots to be looked at.
         lengths: squared lengths of quaternions and their joints.
         results: accelerations by joints, known after the last step; of a row wide.
+        certificate: squares of the energy norms of the error, as bounded, and of the answer, where
+            the plan asks for them.
         limbs: those that share code, one in each lane.
         rows: joints that are treated as one.
         handed: what joints hand inwards, "IA" or "pA", by name and joint.
@@ -64,6 +66,7 @@ class State:
         self.checks: list[Check] = []
         self.lengths: list[tuple[Expression, int]] = []
         self.results: dict[int, Array] = {}
+        self.certificate: tuple[Any, ...] = ()
         self.limbs = tuple(all_limbs)
         self.handed: dict[tuple[str, int], Array] = {}
         self.rows = Rows(self, rows_of(all_limbs))

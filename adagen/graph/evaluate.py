@@ -39,6 +39,9 @@ class Algebra(Protocol):
     def sign(self, a: Any) -> Any:
         """Return 1 or -1."""
 
+    def absolute(self, a: Any) -> Any:
+        """Return the absolute value."""
+
     def tanh(self, a: Any) -> Any:
         """Return the hyperbolic tangent."""
 
@@ -93,6 +96,10 @@ class Floating:
         """Return 1 or -1."""
         return np.copysign(self.scalar(1), a)
 
+    def absolute(self, a: Any) -> Any:
+        """Return the absolute value."""
+        return np.abs(a)
+
     def tanh(self, a: Any) -> Any:
         """Return the C library's hyperbolic tangent."""
         return self.given(np.vectorize(math.tanh, otypes=[np.float64])(a))
@@ -134,6 +141,11 @@ class Balls:
     def sign(a: Any) -> Any:
         """Return 1 or -1; either will do where the ball does not tell."""
         return arb(-1 if a < 0 else 1)
+
+    @staticmethod
+    def absolute(a: Any) -> Any:
+        """Return the absolute value."""
+        return abs(a)
 
     @staticmethod
     def tanh(a: Any) -> Any:
@@ -218,7 +230,9 @@ class Evaluation:
             case "pack":
                 return tuple(args)
         lanes = zip(*(in_lanes(x, node.width) for x in args), strict=True)
-        return tuple(_ARITHMETIC[node.op](*own) for own in lanes)
+        if node.op in _ARITHMETIC:
+            return tuple(_ARITHMETIC[node.op](*own) for own in lanes)
+        return tuple(self._function(node.op, list(own)) for own in lanes)
 
     def _function(self, op: str, args: list[Any]) -> Any:
         algebra = self.algebra
@@ -229,6 +243,8 @@ class Evaluation:
                 return algebra.sqrt(args[0])
             case "sign":
                 return algebra.sign(args[0])
+            case "abs":
+                return algebra.absolute(args[0])
             case "tanh":
                 return algebra.tanh(args[0])
             case "max":

@@ -28,6 +28,7 @@ Op = Literal[
     "reciprocal",
     "sqrt",
     "sign",
+    "abs",
     "tanh",
     "max",
     "pack",
@@ -45,6 +46,7 @@ _CYCLES: dict[Op, int] = {
     "reciprocal": 14,
     "sqrt": 18,
     "sign": 2,
+    "abs": 1,
     "tanh": 60,
     "pack": 3,
     "lane": 3,
@@ -263,6 +265,15 @@ class Graph:
             return self.constant(1 if a.constant >= 0 else -1)
         return self._node("sign", (a.index,))
 
+    def absolute(self, a: Expression) -> Expression:
+        """Return the absolute value of a."""
+        x = a.constant
+        if x is not None:
+            return self.constant(tuple(map(abs, x)) if isinstance(x, tuple) else abs(x))
+        if a.negated is not None:
+            return self.absolute(a.negated)
+        return a if a.node.op == "abs" else self._node("abs", (a.index,))
+
     def tanh(self, a: Expression) -> Expression:
         """Return the hyperbolic tangent of a; an odd function."""
         if a.node.width > 1:
@@ -273,11 +284,9 @@ class Graph:
 
     def larger(self, a: Expression, b: Expression) -> Expression:
         """Return the larger of a and b."""
-        if max(a.node.width, b.node.width) > 1:
-            return self._by_lanes(self.larger, a, b)
         x, y = a.constant, b.constant
         if x is not None and y is not None:
-            return a if x >= y else b
+            return self.constant(_lanewise(max, x, y))
         if a.index == b.index:
             return a
         return self._node("max", (min(a.index, b.index), max(a.index, b.index)))

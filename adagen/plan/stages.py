@@ -15,6 +15,7 @@ from adagen.plan.steps import (
     AccelerateHeld,
     AccelerateRoot,
     ApplyCoupling,
+    Certify,
     Deliver,
     Disassemble,
     FreeAcceleration,
@@ -44,6 +45,7 @@ _DOWN = (
     AccelerateHeld,
     Release,
     FreeAcceleration,
+    Certify,
 )
 
 

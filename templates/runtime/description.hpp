@@ -89,7 +89,7 @@ template <class Number>
 struct Description {
   const char *robot, *channel;
   int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch, sets_gravity;
+  bool floating, alone, batch, certified, sets_gravity;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -155,6 +155,8 @@ class AnySolver {
   virtual const char* names_of_run(int joint) = 0;
   // The size of the k-th correction of the last evaluation.
   virtual double correction(int k) const = 0;
+  // A bound of the error of the last evaluation, or of the k-th state of the last batch.
+  virtual double error_bound(int) const { return 0; }
   // 1 + the last joint of a run that has been near gimbal lock; 0: none.
   virtual int near_lock() const = 0;
 

@@ -40,7 +40,14 @@ from adagen.plan.steps.joins import (
     LinkBias,
 )
 from adagen.plan.steps.names import Bias, Block, Force
-from adagen.plan.steps.process import ApplyCoupling, Kinematics, Receive, Send, SolveCoupling
+from adagen.plan.steps.process import (
+    ApplyCoupling,
+    Certify,
+    Kinematics,
+    Receive,
+    Send,
+    SolveCoupling,
+)
 
 __all__ = [
     "Accelerate",
@@ -53,6 +60,7 @@ __all__ = [
     "Block",
     "BlockUpdate",
     "CarryRows",
+    "Certify",
     "CloseCoupling",
     "CloseLoop",
     "Coupling",
@@ -119,6 +127,7 @@ Step = (
     | Eliminate
     | Release
     | AccelerateHeld
+    | Certify
 )
 
 
