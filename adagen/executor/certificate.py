@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.frames import Transform
-from adagen.executor.kinematics import Field, Motion
+from adagen.executor.kinematics import Motion
 from adagen.executor.segments import Articulated
 from adagen.executor.state import State
 from adagen.graph import Expression, Factors, factorize, matrix_times, total
@@ -36,27 +36,31 @@ Array = NDArray[Any]
 class Certificate:
     """Bounds the error of an answer from what a process's memory holds after it.
 
-    What is kept of links: ``("size", link)``, magnitudes of angular and linear acceleration, shape
+    What is kept of links: ``("size", link)``, squares of angular and linear accelerations, shape
     (2,); ``("left", link)``, the wrench that the motion of the link and of all beyond takes, shape
-    (6,); ``("noise", link)``, magnitudes of moments (3) and forces that are handed on to it, shape
+    (6,); ``("noise", link)``, squares of moments (3) and forces that are handed on to it, shape
     (4,); ``("bare", link)``, under floating bases, force that the reference field takes of the link
     and all beyond (3), and their mass, shape (4,).
+
+    Attributes:
+        seen: parts of the square of the error that shows.
+        rounded: parts of that of rounding, in units of the square of its unit.
     """
 
     def __init__(self, state: State, motion: Motion) -> None:
         self.state, self.motion = state, motion
         self.memory: dict[Any, Any] = state.memory
-        self.units = ROUNDING * EPSILON[FACTORS[state.plan.scalar]]
         self.bases = [
             j
             for j, joint in enumerate(state.plan.joints)
             if joint.kind == "floating" and joint.parent == 0
         ]
+        self.seen: list[Expression] = []
+        self.rounded: list[Expression] = []
 
     def carry_out(self) -> None:
         """Find the squares of the energy norms of the error, as bounded, and of the answer."""
         inwards = [name[1] for name in list(self.memory) if _is(name, "articulated")]
-        errors: list[Expression] = []
         energies: list[Expression] = []
         for base in self.bases:
             self._size_of_base(base)
@@ -64,20 +68,21 @@ class Certificate:
             self._size(j)
         for name in list(self.memory):
             if _is(name, "IA"):
-                errors.append(self._start(name[1]))
+                self._start(name[1])
         for j in inwards:
-            errors += self._inwards(j)
+            self._inwards(j)
             body: Articulated = self.memory["articulated", j]
             energies += [self._whole(j, x) for x in body.u[:, 0] * body.moved[:, 0]]
         for base in self.bases:
-            errors += self._error_of_base(base)
+            self._error_of_base(base)
             energies.append(self._energy_of_base(base))
-        self.state.certificate = (total(errors), total(energies))
+        unit = ROUNDING * EPSILON[FACTORS[self.state.plan.scalar]]
+        error = total(self.seen) + total(self.rounded) * unit**2
+        self.state.certificate = (error, total(energies))
 
-    def _sum(self, numbers: Iterable[Expression]) -> Expression:
-        """The sum of absolute values."""
-        nothing = self.state.graph.constant(0)
-        return total([nothing, *(self.state.graph.absolute(x) for x in numbers)])
+    def _square(self, numbers: Iterable[Expression]) -> Expression:
+        """The sum of squares."""
+        return total([self.state.graph.constant(0), *(x * x for x in numbers)])
 
     def _whole(self, j: int, x: Expression) -> Expression:
         """The sum of a row's numbers; of a single joint its own."""
@@ -86,55 +91,53 @@ class Certificate:
         found: Expression = self.state.graph.across(x, len(self.state.rows.own(j)))
         return found
 
-    # -- magnitudes -------------------------------------------------------------------------------
+    # -- how large accelerations are --------------------------------------------------------------
 
     def _turning(self, link: int) -> Expression:
-        """A magnitude of a link's angular acceleration, and of the square of its velocity."""
-        field: Field = self.memory["field", link]
-        squares = total(field.gradient[k, k] for k in range(3))  # -2 omega^2
-        return self._sum(self.memory["a", link][:3, 0]) - squares * 0.5
+        """The square of a link's angular acceleration."""
+        return self._square(self.memory["a", link][:3, 0])
 
     def _size_of_base(self, j: int) -> None:
-        size = [self._turning(j + 1), self._sum(self.memory["a", j + 1][3:, 0])]
+        size = [self._turning(j + 1), self._square(self.memory["a", j + 1][3:, 0])]
         self.memory["size", j + 1] = np.array(size, dtype=object)
 
     def _size(self, j: int) -> None:
-        """Magnitudes of the accelerations of a joint's child link, no less than its parent's."""
-        ground = np.array([self.state.graph.constant(0), self._sum(self.state.upwards())])
+        """What the accelerations of a joint's child link are added up from, no less than before."""
+        ground = np.array([self.state.graph.constant(0), self._square(self.state.upwards())])
         turning, sliding = self.state.rows.of_near("size", j, ground)
         x: Transform = self.memory["X", j]
-        terms = [sliding, turning * self._sum(x.origin)]
+        terms = [sliding, turning * self._square(x.origin)]
         linear = [k for k, place in enumerate(self.state.kind(j).free) if place >= 3]
         if linear:
             _, v = self.state.configuration(j)
-            spin = self._sum(self.memory["field", j + 1].omega)
-            terms.append(self._sum(self.state.results[j][linear]))
-            terms.append(spin * self._sum(v[k] for k in linear) * 2)
+            spin = self._square(self.memory["field", j + 1].omega)
+            terms.append(self._square(self.state.results[j][linear]))
+            terms.append(spin * self._square(v[k] for k in linear) * 4)
         turning = self.state.graph.larger(turning, self._turning(j + 1))
         self.memory["size", j + 1] = np.array([turning, total(terms)], dtype=object)
 
     # -- the sweep --------------------------------------------------------------------------------
 
-    def _start(self, link: int) -> Expression:
-        """What a link by itself takes; energy of what is uncertain of its acceleration."""
+    def _start(self, link: int) -> None:
+        """What a link by itself takes, and what is uncertain of its acceleration."""
         inertia, own = self.motion.link_inertia(link), self.motion.link_force(link)
         self.memory["left", link] = matrix_times(inertia, self.memory["a", link][:, 0]) + own
         self.memory["noise", link] = self.state.zeros(4)
         if self.bases:
             self.memory["bare", link] = np.array([*own[3:], inertia[3, 3]], dtype=object)
-        turning, sliding = self.memory["size", link] * self.units
+        turning, sliding = self.memory["size", link]
         trace = total(inertia[k, k] for k in range(3))
-        energy = total([trace * turning * turning, inertia[3, 3] * sliding * sliding])
-        return self._whole(link - 1, energy)
+        energy = total([trace * turning, inertia[3, 3] * sliding])
+        self.rounded.append(self._whole(link - 1, energy))
 
     def _noise(self, link: int) -> Array:
-        """Magnitudes of the moments and forces that come together at a link, shape (4,)."""
-        left = self.memory["left", link]
-        own = [*(self._sum([x]) for x in left[:3]), self._sum(left[3:])]
-        found: Array = self.memory["noise", link] + np.array(own, dtype=object)
-        return found
+        """Squares of the moments and forces that come together at a link, shape (4,)."""
+        left, handed = self.memory["left", link], self.memory["noise", link]
+        moments = [total([handed[k], left[k] * left[k]]) for k in range(3)]
+        force = total([handed[3], *(x * x for x in left[3:])])
+        return np.array([*moments, force], dtype=object)
 
-    def _inwards(self, j: int) -> list[Expression]:
+    def _inwards(self, j: int) -> None:
         """Hand on what a joint's far link takes; what that says of the error, squared."""
         x: Transform = self.memory["X", j]
         body: Articulated = self.memory["articulated", j]
@@ -143,56 +146,53 @@ class Certificate:
         given, rotor = self.state.torques(j)[:, 0], self.state.rotor(j)
         if rotor is not None:
             given = given - self.state.results[j] * rotor
-        units = [noise[min(k, 3)] * self.units for k in free]
-        errors = self._squares(body.factors, given - left[free], units)
-        if any(self.state.rows.near_links(j)):
-            # The joint is driven with what is left over and with the rounding of that.
-            driven = given + np.array(units, dtype=object) - left[free]
-            passed = left.copy()
-            for k in range(6):
-                if k not in free or rotor is not None:
-                    passed[k] = total([left[k], *(body.scaled[:, k] * driven)])
-                else:
-                    passed[k] = given[free.index(k)]
-            self.state.rows.hand_on("left", j, x.force(passed))
-            self.state.rows.hand_on("noise", j, self._handed_noise(x, free, given, noise))
-            if self.bases:
-                bare = self.memory["bare", j + 1]
-                own = np.array([*x.rotation.vector(bare[:3]), bare[3]], dtype=object)
-                self.state.rows.hand_on("bare", j, own)
-        return [self._whole(j, each) for each in errors]
+        driven = given - left[free]
+        self._weigh(j, body.factors, driven, noise[[min(k, 3) for k in free]])
+        if not any(self.state.rows.near_links(j)):
+            return
+        passed = left.copy()
+        for k in range(6):
+            if k not in free or rotor is not None:
+                passed[k] = total([left[k], *(body.scaled[:, k] * driven)])
+            else:
+                passed[k] = given[free.index(k)]
+        self.state.rows.hand_on("left", j, x.force(passed))
+        self.state.rows.hand_on("noise", j, self._handed_noise(x, free, given, noise))
+        if self.bases:
+            bare = self.memory["bare", j + 1]
+            own = np.array([*x.rotation.vector(bare[:3]), bare[3]], dtype=object)
+            self.state.rows.hand_on("bare", j, own)
 
     def _handed_noise(self, x: Transform, free: list[int], given: Array, noise: Array) -> Array:
-        """Magnitudes of what a joint hands on: its torques are exact, but not their directions."""
-        torque = self._sum(given)
-        moments = [torque if k in free else noise[k] + torque for k in range(3)]
+        """What a joint hands on of it: of its torques no more than they are themselves."""
+        torques = dict(zip(free, given * given, strict=True))
+        moments = [torques.get(k, noise[k]) for k in range(3)]
         turned = x.rotation.magnitudes(np.array(moments, dtype=object))
         arms = [[x.origin[(k + 1) % 3], x.origin[(k + 2) % 3]] for k in range(3)]
-        levers = [self._sum(arm) * noise[3] for arm in arms]
+        levers = [self._square(arm) * noise[3] for arm in arms]
         return np.array([*(turned + np.array(levers, dtype=object)), noise[3]], dtype=object)
 
-    def _squares(self, factors: Factors, u: Array, noise: list[Expression]) -> list[Expression]:
-        """The parts of u^T M^-1 u, each entry of u made larger by its noise."""
-        y, found = factors.forward(u.reshape(-1, 1))[:, 0], []
+    def _weigh(self, j: int, factors: Factors, u: Array, noise: Array) -> None:
+        """Add u^T M^-1 u to what is seen of the error, and what rounding may add to it."""
+        y = factors.forward(u.reshape(-1, 1))[:, 0]
         rest: list[Expression] = []
         for k, inverse in enumerate(factors.inverses):
-            handed = (self._sum([factors.lower[k, i]]) * rest[i] for i in range(k))
-            rest.append(total([noise[k], *handed]))
-            size = self.state.graph.absolute(y[k]) + rest[k]
-            found.append(size * size * inverse)
-        return found
+            row = factors.lower[k]
+            rest.append(total([noise[k], *(row[i] * row[i] * rest[i] for i in range(k))]))
+            self.seen.append(self._whole(j, y[k] * y[k] * inverse))
+            self.rounded.append(self._whole(j, rest[k] * inverse))
 
     # -- floating bases ---------------------------------------------------------------------------
 
-    def _error_of_base(self, j: int) -> list[Expression]:
+    def _error_of_base(self, j: int) -> None:
         """What is left over at a floating base, and what its acceleration of free fall rounds."""
         link, free = j + 1, list(self.state.kind(j).free)
         left, noise = self.memory["left", link].copy(), self._noise(link)
         left[free] = left[free] - self.state.torques(j)[:, 0]
-        units = [noise[min(k, 3)] * self.units for k in range(6)]
-        fall = self._sum([*self._fall(j), *self.memory["a", link][3:, 0]]) * self.units
-        mass = self.memory["bare", link][3]
-        return [*self._squares(factorize(self.memory["IA", link]), left, units), mass * fall * fall]
+        factors = factorize(self.memory["IA", link])
+        self._weigh(j, factors, left, noise[[0, 1, 2, 3, 3, 3]])
+        fall = self._square([*self._fall(j), *self.memory["a", link][3:, 0]])
+        self.rounded.append(self.memory["bare", link][3] * fall)
 
     def _energy_of_base(self, j: int) -> Expression:
         """What a floating base adds to the energy of the answer, that of free fall among it.
