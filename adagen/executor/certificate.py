@@ -58,17 +58,18 @@ class Certificate:
         self.seen: list[Expression] = []
         self.rounded: list[Expression] = []
 
+    def reach(self, j: int) -> None:
+        """Look at the link beyond a joint, whose acceleration is there: while it is at hand."""
+        if j in self.bases:
+            self._size_of_base(j)
+        else:
+            self._size(j)
+        self._start(j + 1)
+
     def carry_out(self) -> None:
         """Find the squares of the energy norms of the error, as bounded, and of the answer."""
         inwards = [name[1] for name in list(self.memory) if _is(name, "articulated")]
         energies: list[Expression] = []
-        for base in self.bases:
-            self._size_of_base(base)
-        for j in reversed(inwards):
-            self._size(j)
-        for name in list(self.memory):
-            if _is(name, "IA"):
-                self._start(name[1])
         for j in inwards:
             self._inwards(j)
             body: Articulated = self.memory["articulated", j]

@@ -24,6 +24,7 @@ from adagen.executor.state import Refining, State
 from adagen.graph import Expression, Graph, Numbers, total
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import (
+    Accelerate,
     AccelerateHeld,
     ApplyCoupling,
     CarryRows,
@@ -40,6 +41,7 @@ from adagen.plan.steps import (
     Release,
     Send,
     SolveCoupling,
+    SolveRoot,
     Step,
 )
 from adagen.plan.types import Message, Plan
@@ -73,6 +75,7 @@ class Machine(State):
         self.segments = Segments(self, self.motion)
         self.joins = Joins(self, self.motion)
         self.closures = Closures(self, self.motion)
+        self.bounds = Certificate(self, self.motion)
         self.take_angles_of_rows()
 
     def step(self, step: Step) -> bool:
@@ -105,10 +108,19 @@ class Machine(State):
             case ApplyCoupling():
                 self._apply_coupling()
             case Certify():
-                Certificate(self, self.motion).carry_out()
+                self.bounds.carry_out()
             case _:
                 self.segments.step(step)
+                if self.plan.certified:
+                    self._reach(step)
         return True
+
+    def _reach(self, step: Step) -> None:
+        match step:
+            case SolveRoot():
+                self.bounds.reach(step.link - 1)
+            case Accelerate():
+                self.bounds.reach(step.joint)
 
     def roots(self) -> list[Expression]:
         """Everything that is wanted: results, contents of messages, what is checked."""

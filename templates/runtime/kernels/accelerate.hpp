@@ -107,11 +107,13 @@ ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, M
 template <int p, int first, int last>
 void accelerate(Workspace& w) {
   Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
+  Reached<Value> reached = reached_at(w, kJoints[first].parent);
   each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     move<false>(w, single(first + k), kind, a);
     if constexpr (kRefine > 0) keep_force<false>(w, single(first + k), a);
+    reach(w, single(first + k), kind, a, reached);
     const std::size_t far = static_cast<std::size_t>(first + k + 1);
-    if (kRoles[p][far].parts) w.motions[far] = a;
+    if (kRoles[p][far].parts) w.motions[far] = a, keep_reached(w, far, reached);
   });
 }
 
