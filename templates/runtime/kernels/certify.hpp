@@ -80,23 +80,68 @@ struct Found {
   T seen, rounded;
 };
 
-// A joint of one freedom; see eliminate in inward.hpp.
-template <bool along, class T>
-ADAGEN_INLINE void weigh_freedom(Workspace& w, const Joints<T>& joints, Left<T>& X, Found<T>& found) {
-  const Vector<T> s = axis_at<T>(w.at(joints.slot, kAxes));
-  const T* const e = w.memory(joints).e;
-  const Vector<T>& r = w.memory(joints).r;
-  T u = each(joints, [&w](const JointConstants& own) { return torque(w, own); });
+// What drives a joint of one freedom, less what its rotor takes.
+template <class T>
+ADAGEN_INLINE T driving(Workspace& w, const Joints<T>& joints) {
+  T tau = each(joints, [&w](const JointConstants& own) { return torque(w, own); });
   if constexpr (kAnyPassive)
-    u -= each(joints, [&w](const JointConstants& own) {
+    tau -= each(joints, [&w](const JointConstants& own) {
       return Value{} + w.answer[static_cast<std::size_t>(own.v)] * Real(own.passive.rotor);
     });
-  u -= dot(s, along ? X.f : X.n);
+  return tau;
+}
+
+// A joint of one freedom that is left u, and has units of rounding; see eliminate in inward.hpp.
+template <class T>
+ADAGEN_INLINE void weigh_freedom(Workspace& w, const Joints<T>& joints, const T& u, const T& units,
+                                 Left<T>& X, Found<T>& found) {
+  const T* const e = w.memory(joints).e;
   found.seen += u * u * e[7];
-  found.rounded += (along ? X.forces : X.moments) * e[7];
-  X.n += cross(r, X.f);
+  found.rounded += units * e[7];
+  X.n += cross(w.memory(joints).r, X.f);
   X.n += Vector<T>{e[0], e[1], e[2]} * u;
   X.f += Vector<T>{e[3], e[4], e[5]} * u;
+}
+
+// What a bare link takes along its joint, told in its own axes; adds the squares of what that is
+// added up from. See add_own_link in turned.hpp.
+template <bool along, class T>
+ADAGEN_INLINE T own_share(Workspace& w, const Joints<T>& joints, T& units) {
+  const Matrix<T> back = transposed(matrix_at<T>(w.at(joints.slot, kAxes)));
+  const auto told = [&](Entry entry) { return back * vector_at<T>(w.at(joints.slot, entry)); };
+  T mass;
+  Vector<T> c, n, f;
+  Symmetric<T> J;
+  own_inertia(w, joints, mass, c, J);
+  bias_force(J, c, mass, told(kOmega), told(kAlpha), told(kAcceleration), n, f);
+  const Vector<T> alpha = told(kGained), a = told(kGainedAlong);
+  const T before = along ? f.z : n.z;
+  const T gained = along ? a.z * mass + (alpha.x * c.y - alpha.y * c.x)
+                         : alpha.z * (J.xx + J.yy) - (alpha.x * J.xz + alpha.y * J.yz) +
+                               (c.x * a.y - c.y * a.x);
+  units += before * before + gained * gained;
+  return before + gained;
+}
+
+// A joint that is swept in its own axes: what its bare link takes along it is exact there.
+template <bool along, class T>
+ADAGEN_INLINE void weigh_turned(Workspace& w, const Joints<T>& joints, Left<T>& X,
+                                Found<T>& found) {
+  const Vector<T> s = axis_at<T>(w.at(joints.slot, kAxes));
+  T units = along ? X.forces + dot(X.f, X.f) : X.moments + dot(X.n, X.n);
+  const T brought = dot(s, along ? X.f : X.n);
+  const T u = driving(w, joints) - own_share<along>(w, joints, units) - brought;
+  add_weighed_link(w, joints, X);
+  X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
+  weigh_freedom(w, joints, u, units, X, found);
+}
+template <bool along, class T>
+ADAGEN_INLINE void weigh_in_base(Workspace& w, const Joints<T>& joints, Left<T>& X,
+                                 Found<T>& found) {
+  X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
+  const T brought = dot(axis_at<T>(w.at(joints.slot, kAxes)), along ? X.f : X.n);
+  const T u = driving(w, joints) - brought;
+  weigh_freedom(w, joints, u, along ? X.forces : X.moments, X, found);
 }
 
 // A ball joint; see take_out_rotations in spherical.hpp. Of moments no more than its torque passes.
@@ -106,6 +151,7 @@ ADAGEN_INLINE void weigh_rotations(Workspace& w, const Joints<T>& joints, Left<T
   const T* const e = w.memory(joints).e;
   const Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * spherical_torque(w, joints);
   const Vector<T> u = torque - X.n;
+  X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
   found.seen += dot(u, solved(e + 12, u));
   found.rounded += X.moments * trace_of_inverse(e + 12);
   X.f += transposed_times(Matrix<T>{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}}, u);
@@ -114,15 +160,24 @@ ADAGEN_INLINE void weigh_rotations(Workspace& w, const Joints<T>& joints, Left<T
   X.n += cross(w.memory(joints).r, X.f);
 }
 
+// Whether what the bare link beyond a joint takes is added with the joint.
+ADAGEN_INLINE constexpr bool weighed_apart(int joint) { return turned<true>(joint); }
+
+// A joint whose far link's share is X, but for the bare link where that is added here.
 template <class T>
 ADAGEN_INLINE void weigh_joint(Workspace& w, const Joints<T>& joints, JointKind kind, Left<T>& X,
                                Found<T>& found) {
-  X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
-  const Vector<T>& r = w.memory(joints).r;
-  if (kind == JointKind::kRevolute) weigh_freedom<false>(w, joints, X, found);
-  if (kind == JointKind::kPrismatic) weigh_freedom<true>(w, joints, X, found);
-  if constexpr (kAnySpherical)
+  const bool along = kind == JointKind::kPrismatic;
+  if constexpr (kAnySpherical) {
     if (kind == JointKind::kSpherical) weigh_rotations(w, joints, X, found);
+  }
+  if (kind != JointKind::kSpherical) {
+    if (weighed_apart(joints.joint[0]))
+      along ? weigh_turned<true>(w, joints, X, found) : weigh_turned<false>(w, joints, X, found);
+    else
+      along ? weigh_in_base<true>(w, joints, X, found) : weigh_in_base<false>(w, joints, X, found);
+  }
+  const Vector<T>& r = w.memory(joints).r;
   X.moments += dot(r, r) * X.forces;
 }
 
@@ -131,7 +186,7 @@ template <int p>
 ADAGEN_INLINE void meet_left(Workspace& w, int link, Left<Value>& X) {
   const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
   if (role.gathers) X += w.lefts[static_cast<std::size_t>(link)];
-  if (role.adds_own) add_weighed_link(w, single(link - 1), X);
+  if (role.adds_own && !weighed_apart(link - 1)) add_weighed_link(w, single(link - 1), X);
 }
 template <bool starts>
 ADAGEN_INLINE void leave_left(Workspace& w, int link, const Left<Value>& X) {

@@ -11,7 +11,7 @@ ADAGEN_INLINE void meet_left_group(Workspace& w, const Joints<T>& joints, Left<T
     sides[lane] = gathers ? &w.lefts[link] : &none;
   }
   if (any) X += side_by_side<T, Left>(sides);
-  add_weighed_link(w, joints, X);
+  if (!weighed_apart(joints.joint[0])) add_weighed_link(w, joints, X);
 }
 
 // What is left for the links that the limbs hang on.

@@ -139,8 +139,8 @@ auto inward_group(Workspace& w) {
   return X;
 }
 
-template <class T, class L>
-ADAGEN_INLINE Reached<T> reached_at([[maybe_unused]] Workspace& w, [[maybe_unused]] const L& limbs) {
+template <class T, class W, class L>
+ADAGEN_INLINE Reached<T> reached_at([[maybe_unused]] const W& w, [[maybe_unused]] const L& limbs) {
   if constexpr (kCertified) {
     const Reached<Value>* sides[kWidth<T>];
     ADAGEN_FOR (lane, 0, kWidth<T>)
