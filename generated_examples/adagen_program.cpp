@@ -139,7 +139,7 @@ template <class Number>
 struct Description {
   const char *robot, *channel;
   int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch, sets_gravity;
+  bool floating, alone, batch, certified, sets_gravity;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -205,6 +205,8 @@ class AnySolver {
   virtual const char* names_of_run(int joint) = 0;
   // The size of the k-th correction of the last evaluation.
   virtual double correction(int k) const = 0;
+  // A bound of the error of the last evaluation, or of the k-th state of the last batch.
+  virtual double error_bound(int) const { return 0; }
   // 1 + the last joint of a run that has been near gimbal lock; 0: none.
   virtual int near_lock() const = 0;
 
@@ -3285,6 +3287,52 @@ class Corrections {
   std::vector<double> sizes_;
 };
 
+// The bounds of the errors of all states, for people and programs.
+class Certificates {
+ public:
+  void note(double bound) { bounds_.push_back(bound); }
+
+  // As a member of a JSON object, a comma before it; nothing where answers are not certified.
+  std::string json() const {
+    if (bounds_.empty()) return "";
+    return ", \"error_bound\": {\"median\": " + number(at(0.5)) + ", \"max\": " + number(at(1)) +
+           "}";
+  }
+
+  // The same of every state, for the result file.
+  std::string every() const {
+    if (bounds_.empty()) return "";
+    std::string text = ", \"error_bounds\": [";
+    for (std::size_t s = 0; s < bounds_.size(); ++s)
+      text += (s == 0 ? "" : ", ") + number(bounds_[s]);
+    return text + "]";
+  }
+
+  void print(std::FILE* out) const {
+    if (bounds_.empty()) return;
+    std::fprintf(out, "error bound: median %.1e, largest %.1e\n", at(0.5), at(1));
+  }
+
+ private:
+  // The least bound that a part of all states does not exceed; states without answers come last.
+  double at(double part) const {
+    std::vector<double> sorted = bounds_;
+    for (double& bound : sorted)
+      if (!(bound == bound)) bound = std::numeric_limits<double>::infinity();
+    std::sort(sorted.begin(), sorted.end());
+    return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
+  }
+
+  // Infinity is no JSON number, nor is the bound of a state that failed.
+  static std::string number(double x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", x);
+    return std::isfinite(x) ? text : "null";
+  }
+
+  std::vector<double> bounds_;
+};
+
 namespace check {
 
 // Whether a link could be a real body: second moments of its mass are not negative in any
@@ -3612,7 +3660,8 @@ class Program {
       if (loaded) status = solve_all();
       if ((status == kDone || (about.batch && loaded)) && session_.rank == 0) {
         const std::string path = options.result.empty() ? "/dev/stdout" : options.result;
-        if (!write_result(path, session_.qdd, session_.states.count, corrections_.every()))
+        if (!write_result(path, session_.qdd, session_.states.count,
+                          corrections_.every() + certificates_.every()))
           status = session_.complain(kFault, "cannot write the result", path);
       }
       MPI_Bcast(&status, 1, MPI_INT, 0, session_.comm());
@@ -3631,7 +3680,10 @@ class Program {
     on.use(std::move(on.states));
     if (about.batch) return solve_many();
     int at = 0;
-    const int failed = solve_each(at, [&] { corrections_.note(on.solver); });
+    const int failed = solve_each(at, [&] {
+      corrections_.note(on.solver);
+      if (about.certified) certificates_.note(on.solver.error_bound(0));
+    });
     if (failed != kFine)
       return on.complain(kInputAtFault,
                          "state " + std::to_string(at + 1) + ": " + on.solver.in_words(failed) +
@@ -3665,6 +3717,8 @@ class Program {
     Solver& solver = on.solver;
     int status = kDone;
     solve_batch();
+    for (int s = 0; s < on.states.count && about.certified; ++s)
+      certificates_.note(solver.error_bound(s));
     solved_ = on.states.count - solver.failures();
     if (solver.failures() > 0) status = kInputAtFault;
     for (int k = 0; k < kNamed && solver.failed_state(k) >= 0; ++k)
@@ -3747,13 +3801,14 @@ class Program {
       if (!options.states.empty() && options.simulation.seconds == 0)
         std::printf(", \"solved\": %d", solved_);
       if (!warning_.empty()) std::printf(", \"warnings\": [%s]", quoted(warning_.c_str()).c_str());
-      std::printf("%s%s%s%s}\n", verdict_.json().c_str(), corrections_.json().c_str(),
-                  timing_.json().c_str(), simulation_.json().c_str());
+      std::printf("%s%s%s%s%s}\n", verdict_.json().c_str(), corrections_.json().c_str(),
+                  certificates_.json().c_str(), timing_.json().c_str(), simulation_.json().c_str());
       return;
     }
     std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
     verdict_.print(out);
     corrections_.print(out);
+    certificates_.print(out);
     timing_.print(out);
     simulation_.print();
   }
@@ -3762,6 +3817,7 @@ class Program {
   Timing timing_{session_};
   Simulation simulation_{session_};
   Corrections corrections_;
+  Certificates certificates_;
   Verdict verdict_;
   int solved_ = 0;
   std::string warning_;

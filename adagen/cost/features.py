@@ -71,13 +71,11 @@ def step_features(step: Step, joints: Sequence[PlanJoint]) -> Features:
         step: a step of a plan.
         joints: the plan's joints.
     """
-    if isinstance(step, Send | Receive | StartEmpty):
-        return {}
     if isinstance(step, Certify):
         return added(_certified(joint) for joint in joints)
-    plain = _PLAIN.get(type(step))
-    if plain is not None:
-        return {plain: 1}
+    known = _without_joint(step)
+    if known is not None:
+        return known
     joint = joints[step.joint]  # type: ignore[union-attr]
     kind = PRESCRIBED if joint.prescribed else joint.kind
     match step:
@@ -119,6 +117,14 @@ def _join(step: Join, kind: str) -> Features:
         "join.block": rows * (len(step.blocks) - across),
         "join.across": rows * across,
     }
+
+
+def _without_joint(step: Step) -> Features | None:
+    """Of a step that is the same whatever joint it is about; None for others."""
+    if isinstance(step, Send | Receive | StartEmpty):
+        return {}
+    plain = _PLAIN.get(type(step))
+    return None if plain is None else {plain: 1}
 
 
 def _certified(joint: PlanJoint) -> Features:

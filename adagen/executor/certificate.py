@@ -15,7 +15,7 @@ the answer. Two terms allow for that (docs/certificates.md has the derivation):
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np

@@ -111,10 +111,9 @@ class Request:
         Raises:
             UsageError: it is asked for, too.
         """
-        if self.batch and self.procs > 1:
+        if self.procs > 1:
             raise UsageError(
-                "bounds of errors are not handed back by other processes: leave out --certify, or "
-                "give each process a batch of its own"
+                "answers are certified by one process: leave out --certify, or say --procs 1"
             )
         for name, asked in (
             ("reproducible", self.reproducible),

@@ -172,6 +172,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kBatch = true;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
+[[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
 [[maybe_unused]] constexpr int kPlanMessages = 0;
 constexpr std::size_t kCacheLine = 64, kTextSize = 1000;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
@@ -2353,6 +2354,11 @@ void to_rows(int states, const std::array<Value, width>& lanes, Number* rows) {
     for (std::size_t k = 0; k < width; ++k) *rows++ = lanes[k][s];
 }
 
+// The errors of these answers are not bounded.
+ADAGEN_INLINE double bound_of_state(const Group&, int) {
+  return std::numeric_limits<double>::infinity();
+}
+
 // Solves many states at once, one in each lane of a register. Each process solves states of its
 // own; where process 0 has them all, it hands them out (handout.hpp).
 class Solver {
@@ -2373,9 +2379,12 @@ class Solver {
   void close() { channel.close(); }
 
   // States one after the other, as are their accelerations; nothing is said to other processes.
-  // Accelerations of a state that fails are not numbers; the others are what they should be.
-  int solve_batch(int count, const Number* q, const Number* v, const Number* tau, Number* qdd) {
+  // Accelerations of a state that fails are not numbers; the others are what they should be. What
+  // bounds the errors of certified ones goes to bounds, a number for each state.
+  int solve_batch(int count, const Number* q, const Number* v, const Number* tau, Number* qdd,
+                  double* bounds = nullptr) {
     forget();
+    bounds_ = bounds;
     return solve_rows(count, q, v, tau, qdd) ? kFine : name_failures(count, q, v, tau, qdd);
   }
 
@@ -2462,7 +2471,7 @@ class Solver {
       run(groups);
       for (int g = 0; g < groups; ++g) {
         const int at = first + g * kLanes;
-        good &= give(groups_[size(g)], std::min(kLanes, count - at), qdd + size(at) * kNv);
+        good &= give(groups_[size(g)], std::min(kLanes, count - at), at, qdd);
       }
     }
     return good;
@@ -2478,9 +2487,12 @@ class Solver {
 
   // Where a group fails, each of its states is tried once more, by itself; returns whether all were
   // solved.
-  bool give(Group& group, int states, Number* qdd) {
+  bool give(Group& group, int states, int at, Number* qdd) {
+    qdd += size(at) * kNv;
     if (group.w.status == kFine) {
       to_rows(states, group.qdd, qdd);
+      for (int s = 0; s < states && bounds_ != nullptr; ++s)
+        bounds_[at + s] = bound_of_state(group, s);
       return true;
     }
     Group& alone = groups_.front();
@@ -2490,10 +2502,14 @@ class Solver {
     for (int s = 0; s < states; ++s, qdd += kNv) {
       everywhere(alone.q, all_q, s), everywhere(alone.v, all_v, s);
       everywhere(alone.tau, all_tau, s);
-      if (run(1) == kFine)
+      const bool solved = run(1) == kFine;
+      if (solved)
         to_rows(1, alone.qdd, qdd);
       else
         std::fill_n(qdd, kNv, std::numeric_limits<Number>::quiet_NaN());
+      if (bounds_ != nullptr)
+        bounds_[at + s] =
+            solved ? bound_of_state(alone, 0) : std::numeric_limits<double>::quiet_NaN();
     }
     return false;
   }
@@ -2547,6 +2563,7 @@ class Solver {
   }
 
   std::array<Group, kGroups> groups_;
+  double* bounds_ = nullptr;  // where those of the states that are solved go, if they are wanted
   static constexpr int kKept = 256;  // what fails beyond is only counted
   std::array<FailedState, kKept> failures_;
   int count_ = 0;
@@ -2760,7 +2777,7 @@ template <class Number>
 struct Description {
   const char *robot, *channel;
   int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch, sets_gravity;
+  bool floating, alone, batch, certified, sets_gravity;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -2826,6 +2843,8 @@ class AnySolver {
   virtual const char* names_of_run(int joint) = 0;
   // The size of the k-th correction of the last evaluation.
   virtual double correction(int k) const = 0;
+  // A bound of the error of the last evaluation, or of the k-th state of the last batch.
+  virtual double error_bound(int) const { return 0; }
   // 1 + the last joint of a run that has been near gimbal lock; 0: none.
   virtual int near_lock() const = 0;
 
@@ -3098,7 +3117,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
       "arm7", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
-      false, kAlone, kBatch, false, kTolerance, kGravity.data(),
+      false, kAlone, kBatch, false, false, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};
   auto* const solver = new ThisSolver;

@@ -188,6 +188,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
+[[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
 [[maybe_unused]] constexpr int kPlanMessages = 4;
 constexpr std::size_t kCacheLine = 64, kTextSize = 1000;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
@@ -1805,7 +1806,11 @@ enum Entry : int {
   kMoments = 33,       // mass times centre of mass: B of the bare link is its cross product
   kTorque = 36,        // bias force n
   kForce = 39,         // and f of the bare link
-  kEntries = 42
+  kGained = 42,        // with certificates: what it accelerates by beyond that, angular and
+  kGainedAlong = 45,   // linear, and
+  kReached = 48,       // squares of what is uncertain of it in the last place
+  kReachedAlong = 49,
+  kEntries = kCertified ? 50 : 42
 };
 
 struct alignas(64) Block {
@@ -3358,6 +3363,14 @@ void inward_in_columns_reversed(Workspace& w) {
   leave<starts>(w, last + 1, body(X));
 }
 
+// Without certificates nothing is kept of links' accelerations.
+template <class T>
+struct Reached {};
+ADAGEN_INLINE Reached<Value> reached_at(const Workspace&, int) { return {}; }
+template <class T>
+ADAGEN_INLINE void reach(Workspace&, const Joints<T>&, JointKind, const Motion<T>&, Reached<T>&) {}
+ADAGEN_INLINE void keep_reached(Workspace&, std::size_t, const Reached<Value>&) {}
+
 // Outwards again: the joints' accelerations.
 
 template <class T>
@@ -3467,11 +3480,13 @@ ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, M
 template <int p, int first, int last>
 void accelerate(Workspace& w) {
   Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
+  Reached<Value> reached = reached_at(w, kJoints[first].parent);
   each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     move<false>(w, single(first + k), kind, a);
     if constexpr (kRefine > 0) keep_force<false>(w, single(first + k), a);
+    reach(w, single(first + k), kind, a, reached);
     const std::size_t far = static_cast<std::size_t>(first + k + 1);
-    if (kRoles[p][far].parts) w.motions[far] = a;
+    if (kRoles[p][far].parts) w.motions[far] = a, keep_reached(w, far, reached);
   });
 }
 
@@ -3513,6 +3528,7 @@ void free_acceleration(Workspace& w) {
   qdd[3] = a.angular.x, qdd[4] = a.angular.y, qdd[5] = a.angular.z;
   as_joint_acceleration<j>(w);
 }
+
 
 
 // Nothing on the ground moves beyond its Frame, and the ground does not yield.
@@ -4574,7 +4590,7 @@ template <class Number>
 struct Description {
   const char *robot, *channel;
   int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch, sets_gravity;
+  bool floating, alone, batch, certified, sets_gravity;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -4640,6 +4656,8 @@ class AnySolver {
   virtual const char* names_of_run(int joint) = 0;
   // The size of the k-th correction of the last evaluation.
   virtual double correction(int k) const = 0;
+  // A bound of the error of the last evaluation, or of the k-th state of the last batch.
+  virtual double error_bound(int) const { return 0; }
   // 1 + the last joint of a run that has been near gimbal lock; 0: none.
   virtual int near_lock() const = 0;
 
@@ -4912,7 +4930,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
       "chain16", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
-      false, kAlone, kBatch, false, kTolerance, kGravity.data(),
+      false, kAlone, kBatch, false, false, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};
   auto* const solver = new ThisSolver;

@@ -214,6 +214,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kBatch = true;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
+[[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
 [[maybe_unused]] constexpr int kPlanMessages = 0;
 constexpr std::size_t kCacheLine = 64, kTextSize = 1000;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
@@ -1538,7 +1539,11 @@ enum Entry : int {
   kMoments = 33,       // mass times centre of mass: B of the bare link is its cross product
   kTorque = 36,        // bias force n
   kForce = 39,         // and f of the bare link
-  kEntries = 42
+  kGained = 42,        // with certificates: what it accelerates by beyond that, angular and
+  kGainedAlong = 45,   // linear, and
+  kReached = 48,       // squares of what is uncertain of it in the last place
+  kReachedAlong = 49,
+  kEntries = kCertified ? 50 : 42
 };
 
 struct alignas(64) Block {
@@ -2750,6 +2755,14 @@ void solve_root(Workspace& w) {
 }
 
 
+// Without certificates nothing is kept of links' accelerations.
+template <class T>
+struct Reached {};
+ADAGEN_INLINE Reached<Value> reached_at(const Workspace&, int) { return {}; }
+template <class T>
+ADAGEN_INLINE void reach(Workspace&, const Joints<T>&, JointKind, const Motion<T>&, Reached<T>&) {}
+ADAGEN_INLINE void keep_reached(Workspace&, std::size_t, const Reached<Value>&) {}
+
 // Outwards again: the joints' accelerations.
 
 template <class T>
@@ -2859,11 +2872,13 @@ ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, M
 template <int p, int first, int last>
 void accelerate(Workspace& w) {
   Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
+  Reached<Value> reached = reached_at(w, kJoints[first].parent);
   each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     move<false>(w, single(first + k), kind, a);
     if constexpr (kRefine > 0) keep_force<false>(w, single(first + k), a);
+    reach(w, single(first + k), kind, a, reached);
     const std::size_t far = static_cast<std::size_t>(first + k + 1);
-    if (kRoles[p][far].parts) w.motions[far] = a;
+    if (kRoles[p][far].parts) w.motions[far] = a, keep_reached(w, far, reached);
   });
 }
 
@@ -2905,6 +2920,7 @@ void free_acceleration(Workspace& w) {
   qdd[3] = a.angular.x, qdd[4] = a.angular.y, qdd[5] = a.angular.z;
   as_joint_acceleration<j>(w);
 }
+
 
 
 // ---- 5. processes -------------------------------------------------------------------------------
@@ -3231,6 +3247,11 @@ void to_rows(int states, const std::array<Value, width>& lanes, Number* rows) {
     for (std::size_t k = 0; k < width; ++k) *rows++ = lanes[k][s];
 }
 
+// The errors of these answers are not bounded.
+ADAGEN_INLINE double bound_of_state(const Group&, int) {
+  return std::numeric_limits<double>::infinity();
+}
+
 // Solves many states at once, one in each lane of a register. Each process solves states of its
 // own; where process 0 has them all, it hands them out (handout.hpp).
 class Solver {
@@ -3251,9 +3272,12 @@ class Solver {
   void close() { channel.close(); }
 
   // States one after the other, as are their accelerations; nothing is said to other processes.
-  // Accelerations of a state that fails are not numbers; the others are what they should be.
-  int solve_batch(int count, const Number* q, const Number* v, const Number* tau, Number* qdd) {
+  // Accelerations of a state that fails are not numbers; the others are what they should be. What
+  // bounds the errors of certified ones goes to bounds, a number for each state.
+  int solve_batch(int count, const Number* q, const Number* v, const Number* tau, Number* qdd,
+                  double* bounds = nullptr) {
     forget();
+    bounds_ = bounds;
     return solve_rows(count, q, v, tau, qdd) ? kFine : name_failures(count, q, v, tau, qdd);
   }
 
@@ -3340,7 +3364,7 @@ class Solver {
       run(groups);
       for (int g = 0; g < groups; ++g) {
         const int at = first + g * kLanes;
-        good &= give(groups_[size(g)], std::min(kLanes, count - at), qdd + size(at) * kNv);
+        good &= give(groups_[size(g)], std::min(kLanes, count - at), at, qdd);
       }
     }
     return good;
@@ -3356,9 +3380,12 @@ class Solver {
 
   // Where a group fails, each of its states is tried once more, by itself; returns whether all were
   // solved.
-  bool give(Group& group, int states, Number* qdd) {
+  bool give(Group& group, int states, int at, Number* qdd) {
+    qdd += size(at) * kNv;
     if (group.w.status == kFine) {
       to_rows(states, group.qdd, qdd);
+      for (int s = 0; s < states && bounds_ != nullptr; ++s)
+        bounds_[at + s] = bound_of_state(group, s);
       return true;
     }
     Group& alone = groups_.front();
@@ -3368,10 +3395,14 @@ class Solver {
     for (int s = 0; s < states; ++s, qdd += kNv) {
       everywhere(alone.q, all_q, s), everywhere(alone.v, all_v, s);
       everywhere(alone.tau, all_tau, s);
-      if (run(1) == kFine)
+      const bool solved = run(1) == kFine;
+      if (solved)
         to_rows(1, alone.qdd, qdd);
       else
         std::fill_n(qdd, kNv, std::numeric_limits<Number>::quiet_NaN());
+      if (bounds_ != nullptr)
+        bounds_[at + s] =
+            solved ? bound_of_state(alone, 0) : std::numeric_limits<double>::quiet_NaN();
     }
     return false;
   }
@@ -3425,6 +3456,7 @@ class Solver {
   }
 
   std::array<Group, kGroups> groups_;
+  double* bounds_ = nullptr;  // where those of the states that are solved go, if they are wanted
   static constexpr int kKept = 256;  // what fails beyond is only counted
   std::array<FailedState, kKept> failures_;
   int count_ = 0;
@@ -3638,7 +3670,7 @@ template <class Number>
 struct Description {
   const char *robot, *channel;
   int processes, threads, nq, nv, ntau, refine;
-  bool floating, alone, batch, sets_gravity;
+  bool floating, alone, batch, certified, sets_gravity;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -3704,6 +3736,8 @@ class AnySolver {
   virtual const char* names_of_run(int joint) = 0;
   // The size of the k-th correction of the last evaluation.
   virtual double correction(int k) const = 0;
+  // A bound of the error of the last evaluation, or of the k-th state of the last batch.
+  virtual double error_bound(int) const { return 0; }
   // 1 + the last joint of a run that has been near gimbal lock; 0: none.
   virtual int near_lock() const = 0;
 
@@ -3976,7 +4010,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
       "humanoid", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
-      true, kAlone, kBatch, false, kTolerance, kGravity.data(),
+      true, kAlone, kBatch, false, false, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};
   auto* const solver = new ThisSolver;

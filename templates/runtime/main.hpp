@@ -36,7 +36,8 @@ class Program {
       if (loaded) status = solve_all();
       if ((status == kDone || (about.batch && loaded)) && session_.rank == 0) {
         const std::string path = options.result.empty() ? "/dev/stdout" : options.result;
-        if (!write_result(path, session_.qdd, session_.states.count, corrections_.every() + certificates_.every()))
+        if (!write_result(path, session_.qdd, session_.states.count,
+                          corrections_.every() + certificates_.every()))
           status = session_.complain(kFault, "cannot write the result", path);
       }
       MPI_Bcast(&status, 1, MPI_INT, 0, session_.comm());

@@ -3,8 +3,8 @@ template <class T, class R = std::enable_if_t<(kWidth<T> > 1), T>>
 [[maybe_unused]] ADAGEN_INLINE R max_of(const T& x, const T& y) {
   const auto first = x > y;
   using Bits = std::decay_t<decltype(first)>;
-  const Bits bits = (first & reinterpret_cast<const Bits&>(x)) |
-                    (~first & reinterpret_cast<const Bits&>(y));
+  const Bits bits =
+      (first & reinterpret_cast<const Bits&>(x)) | (~first & reinterpret_cast<const Bits&>(y));
   return reinterpret_cast<const T&>(bits);
 }
 template <class T, class R = std::enable_if_t<(kWidth<T> > 1), T>>

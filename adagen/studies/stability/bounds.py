@@ -147,8 +147,9 @@ def _answers(
     opened = function("open", pointer)()
     try:
         if way.batch:
-            solve = function("solve_batch_certified", ctypes.c_int, pointer, ctypes.c_int,
-                             *[pointer] * 5)
+            solve = function(
+                "solve_batch_certified", ctypes.c_int, pointer, ctypes.c_int, *[pointer] * 5
+            )
             solve(opened, states.count, *(x.ctypes.data for x in (*rows, qdd, bounds)))
             return qdd.astype(float), bounds
         solve = function("solve", ctypes.c_int, *[pointer] * 5)

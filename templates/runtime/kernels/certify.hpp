@@ -116,9 +116,9 @@ ADAGEN_INLINE T own_share(Workspace& w, const Joints<T>& joints, T& units) {
   bias_force(J, c, mass, told(kOmega), told(kAlpha), told(kAcceleration), n, f);
   const Vector<T> alpha = told(kGained), a = told(kGainedAlong);
   const T before = along ? f.z : n.z;
-  const T gained = along ? a.z * mass + (alpha.x * c.y - alpha.y * c.x)
-                         : alpha.z * (J.xx + J.yy) - (alpha.x * J.xz + alpha.y * J.yz) +
-                               (c.x * a.y - c.y * a.x);
+  const T gained =
+      along ? a.z * mass + (alpha.x * c.y - alpha.y * c.x)
+            : alpha.z * (J.xx + J.yy) - (alpha.x * J.xz + alpha.y * J.yz) + (c.x * a.y - c.y * a.x);
   units += before * before + gained * gained;
   return before + gained;
 }
