@@ -64,14 +64,13 @@ def command_parser() -> Parser:
         choices=("host", "embedded"),
         default="host",
         help="embedded: a solver without heap, exceptions, threads and output, in memory that it "
-        "is given (docs/library.md)",
+        "is given",
     )
     parser.add_argument(
         "--runtime",
         default="",
         metavar="WORDS",
-        help="what can be set at run time, with commas between: gravity, mass:LINK, "
-        "center:LINK (docs/library.md)",
+        help="what can be set at run time, with commas between: gravity, mass:LINK, center:LINK",
     )
     parser.add_argument(
         "--single-file",

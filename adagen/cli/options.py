@@ -54,12 +54,12 @@ def add_model(parser: Parser, *, gravity: bool = True, several: bool = False) ->
     group.add_argument(
         "--scene",
         metavar="FILE",
-        help="model no more than this file asks for (docs/scenes.md)",
+        help="model no more than this file asks for",
     )
     group.add_argument(
         "--loops",
         metavar="FILE",
-        help="close loops by the frame pairs of this file (YAML, docs/loops.md)",
+        help="close loops by the frame pairs of this file (YAML)",
     )
     if gravity:
         group.add_argument(
@@ -194,7 +194,7 @@ def _add_algorithm(parser: Parser) -> None:
         "--reproducible",
         action="store_true",
         help="the same answers to the last bit on every number of processes, by every compiler and "
-        "on every x86-64 processor (docs/reproducible.md)",
+        "on every x86-64 processor",
     )
 
 

@@ -23,7 +23,7 @@ figure is not what it must be.
 examples:
   adagen stability                             all cases (about a minute)
   adagen stability --quick --case 1 --case 3   two of them, shorter chains
-  adagen stability --map docs/pictures         a map for each family of robots,
+  adagen stability --map build/maps            a map for each family of robots,
                                                errors against the condition of H
   adagen stability --map . --family light      one map"""
 

@@ -28,7 +28,7 @@ from adagen.program.summary import meeting
 from adagen.schedule import CostProfile, load_profile, step_costs
 
 # Largest backward error that an emitted self-check lets pass: what cuts may lose at most, with a
-# margin (adagen/plan/cuts.py, docs/accuracy.md).
+# margin (adagen/plan/cuts.py, docs/records/accuracy.md).
 TOLERANCE = {"double": 1e-9, "float": 1e-3, "mixed": 1e-9}
 
 __all__ = [

@@ -106,7 +106,7 @@ def read(
         gravity: acceleration of free fall in ground axes, three numbers, m/s^2; by default what the
             scene says, else (0, 0, -9.81).
         arguments: values of <xacro:arg>.
-        loops: path of a file of frame pairs (YAML, docs/loops.md) that close loops.
+        loops: path of a file of frame pairs (YAML, docs/how_to/loops.md) that close loops.
 
     Raises:
         InputError: the description, the scene or the loops are refused; it tells file and line.

@@ -28,7 +28,8 @@ class Solver:
 
     Called with arrays of one state, ``q`` of shape (nq,), ``v`` (nv,) and ``tau`` (ntau,), it
     returns accelerations of shape (nv,); with arrays of S states, (S, nq), (S, nv) and (S, ntau),
-    those of shape (S, nv). SI units; how joints lie in q and v stands in docs/command_line.md:
+    those of shape (S, nv). SI units; docs/reference/files.md says how joints lie
+    in q and v:
     quaternions x y z w, floating joints [linear; angular] in the body's frame.
 
     Many states are shared out to the machine's cores. Threads of Python take turns with one solver;

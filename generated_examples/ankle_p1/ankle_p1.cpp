@@ -11,8 +11,8 @@
 // The articulated-body algorithm: I^A and p^A (IA, pA), a link's inertia and bias force with all that
 // hangs on it, are swept to the base, and the accelerations come back. Where loops are closed,
 // accelerations of their joints and the constraint forces are held back as unknowns, and eliminated at
-// the last link that the joints have in common (docs/loops.md). Spatial vectors are [angular; linear], in
-// link frames turned so that every joint axis is z.
+// the last link that the joints have in common (docs/explanation/loops.md). Spatial vectors are [angular;
+// linear], in link frames turned so that every joint axis is z.
 //
 // How to read on:
 //   1. interface   what a program that links this file calls

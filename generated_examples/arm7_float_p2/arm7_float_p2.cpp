@@ -1727,6 +1727,8 @@ ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
     if (joint.kind == kind && (joint.parent > 0 || kind != JointKind::kFloating)) return true;
   return false;
 }
+// Asked once each, not where templates use it: g++ takes time quadratic in the joints there.
+[[maybe_unused]] constexpr bool kAnyPrismatic = any_of(JointKind::kPrismatic);
 [[maybe_unused]] constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
 [[maybe_unused]] constexpr bool kAnyPlanar = any_of(JointKind::kPlanar);
 [[maybe_unused]] constexpr bool kAnyFloating = any_of(JointKind::kFloating);
@@ -3204,7 +3206,7 @@ ADAGEN_INLINE void step_inward(Workspace& w, int j, JointKind kind, Columns& X, 
       eliminate<false, reversed>(w, j, X, due, arrive);
       return;
     case JointKind::kPrismatic:
-      if constexpr (any_of(JointKind::kPrismatic)) eliminate<true, reversed>(w, j, X, due, arrive);
+      if constexpr (kAnyPrismatic) eliminate<true, reversed>(w, j, X, due, arrive);
       return;
     default:
       if constexpr (kAnySpherical || kAnyPlanar || kAnyFloating) number_by_number();
