@@ -24,8 +24,6 @@ from adagen.studies.stability.audit import truths
 Array = NDArray[np.float64]
 FACTOR = 3.0
 """By how much an error may exceed its bound."""
-ROUNDING = {"double": 2.0**-53, "float": 2.0**-24}
-"""What an answer's own rounding is, relative to it: no error below counts."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +61,7 @@ class Bounded:
 
     @property
     def ratios(self) -> Array:
-        """Errors relative to their bounds, shape (S,); an answer's own rounding is none."""
+        """Errors relative to their bounds, shape (S,)."""
         return np.where(self.errors > 0, self.errors / self.bounds, 0.0)
 
 
