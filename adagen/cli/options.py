@@ -211,7 +211,7 @@ def add_emission(parser: Parser) -> None:
         "--certify",
         action="store_true",
         help="tell a bound of its error with each answer, for at most half of the time more "
-        "(docs/certificates.md)",
+        "(docs/explanation/certificates.md)",
     )
     group.add_argument(
         "--shape",

@@ -5,10 +5,10 @@ inwards with the factors at hand finds what the joints would have to be driven w
 sum u^T D^-1 u is the square of the error in the energy norm: what forward dynamics makes of the
 residual, r^T H^-1 r, without its accelerations. So are errors of the factors seen, whatever their
 cause. What the sweep cannot see is its own rounding, and that of the kinematics that it shares with
-the answer. Two terms allow for that (docs/certificates.md has the derivation):
+the answer. Two terms allow for that (docs/explanation/certificates.md has the derivation):
 
-* Wrenches that are handed on are uncertain by some units in their last place; each u is made larger
-  by those of all that comes together at its joint, without regard to signs.
+* Wrenches that are handed on are uncertain by some units in their last place; squares of all that
+  comes together at a joint, N, are summed inwards, and N / D are added to those of u.
 * Accelerations of links are uncertain by some units in the last place of the largest on the way
   from the ground. An error of them costs no more energy than it has itself: H^-1 J^T I projects.
 """

@@ -39,9 +39,6 @@ class Algebra(Protocol):
     def sign(self, a: Any) -> Any:
         """Return 1 or -1."""
 
-    def absolute(self, a: Any) -> Any:
-        """Return the absolute value."""
-
     def tanh(self, a: Any) -> Any:
         """Return the hyperbolic tangent."""
 
@@ -96,10 +93,6 @@ class Floating:
         """Return 1 or -1."""
         return np.copysign(self.scalar(1), a)
 
-    def absolute(self, a: Any) -> Any:
-        """Return the absolute value."""
-        return np.abs(a)
-
     def tanh(self, a: Any) -> Any:
         """Return the C library's hyperbolic tangent."""
         return self.given(np.vectorize(math.tanh, otypes=[np.float64])(a))
@@ -141,11 +134,6 @@ class Balls:
     def sign(a: Any) -> Any:
         """Return 1 or -1; either will do where the ball does not tell."""
         return arb(-1 if a < 0 else 1)
-
-    @staticmethod
-    def absolute(a: Any) -> Any:
-        """Return the absolute value."""
-        return abs(a)
 
     @staticmethod
     def tanh(a: Any) -> Any:
@@ -243,8 +231,6 @@ class Evaluation:
                 return algebra.sqrt(args[0])
             case "sign":
                 return algebra.sign(args[0])
-            case "abs":
-                return algebra.absolute(args[0])
             case "tanh":
                 return algebra.tanh(args[0])
             case "max":

@@ -28,7 +28,6 @@ Op = Literal[
     "reciprocal",
     "sqrt",
     "sign",
-    "abs",
     "tanh",
     "max",
     "pack",
@@ -46,7 +45,6 @@ _CYCLES: dict[Op, int] = {
     "reciprocal": 14,
     "sqrt": 18,
     "sign": 2,
-    "abs": 1,
     "tanh": 60,
     "pack": 3,
     "lane": 3,
@@ -264,15 +262,6 @@ class Graph:
         if a.constant is not None:
             return self.constant(1 if a.constant >= 0 else -1)
         return self._node("sign", (a.index,))
-
-    def absolute(self, a: Expression) -> Expression:
-        """Return the absolute value of a."""
-        x = a.constant
-        if x is not None:
-            return self.constant(tuple(map(abs, x)) if isinstance(x, tuple) else abs(x))
-        if a.negated is not None:
-            return self.absolute(a.negated)
-        return a if a.node.op == "abs" else self._node("abs", (a.index,))
 
     def tanh(self, a: Expression) -> Expression:
         """Return the hyperbolic tangent of a; an odd function."""

@@ -117,11 +117,6 @@ class Numbers:
         return Number(math.copysign(1.0, a.x), a.known)
 
     @staticmethod
-    def absolute(a: Number) -> Number:
-        """Return the absolute value."""
-        return Number(abs(a.x), a.known)
-
-    @staticmethod
     def tanh(a: Number) -> Number:
         """Return the hyperbolic tangent."""
         return Number(math.tanh(a.x), a.known)

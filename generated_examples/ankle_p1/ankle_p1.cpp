@@ -630,7 +630,6 @@ template <std::size_t owns>
 // What straight lines call beside sums, products and quotients.
 [[maybe_unused]] inline Real sqrt_of(Real x) { return std::sqrt(x); }
 [[maybe_unused]] inline Real sign_of(Real x) { return std::copysign(Real(1), x); }
-[[maybe_unused]] inline Real abs_of(Real x) { return std::fabs(x); }
 [[maybe_unused]] inline Real max_of(Real x, Real y) { return x > y ? x : y; }
 
 // Each function is a straight line. A value is called x and its number in the expression graph; zeros

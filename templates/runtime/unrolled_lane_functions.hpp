@@ -11,7 +11,6 @@ ADAGEN_INLINE Lanes in_each_lane(const Lanes& x, const F& f) {
 [[maybe_unused]] inline Lanes sign_of(const Lanes& x) {
   return in_each_lane(x, [](Real y) { return sign_of(y); });
 }
-[[maybe_unused]] inline Lanes abs_of(const Lanes& x) { return x < -x ? -x : x; }
 [[maybe_unused]] inline Lanes tanh_of(const Lanes& x) {
   return in_each_lane(x, [](Real y) { return tanh_of(y); });
 }

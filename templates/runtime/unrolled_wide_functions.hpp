@@ -15,7 +15,3 @@ template <class T, class R = std::enable_if_t<(kWidth<T> > 1), T>>
 [[maybe_unused]] ADAGEN_INLINE R max_of(const Real& x, const T& y) {
   return max_of(T{} + x, y);
 }
-template <class T, class R = std::enable_if_t<(kWidth<T> > 1), T>>
-[[maybe_unused]] ADAGEN_INLINE R abs_of(const T& x) {
-  return max_of(x, -x);
-}

@@ -12,13 +12,7 @@ from adagen.graph import Graph, Node
 _MOST = 6  # operands of one statement
 _LARGEST = {"double": 1.7976931348623157e308, "float": 3.4028234663852886e38}
 _LEAST = {"double": 5e-324, "float": 1.401298464324817e-45}
-FUNCTIONS = {
-    "sqrt": "sqrt_of",
-    "sign": "sign_of",
-    "abs": "abs_of",
-    "tanh": "tanh_of",
-    "max": "max_of",
-}
+FUNCTIONS = {"sqrt": "sqrt_of", "sign": "sign_of", "tanh": "tanh_of", "max": "max_of"}
 """Operations that are functions of the runtime, and their names there."""
 TYPES = {1: "Real", 2: "Two", 4: "Four", 8: "Eight"}
 """Names of the types of single states' values, by width."""
