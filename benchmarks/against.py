@@ -30,6 +30,7 @@ from adagen.build import build_executable, find_toolchain
 from adagen.cli.console import note, speaking
 from adagen.cli.contest import MOST_TEXT, VARIANTS, Entry
 from adagen.emit.around import PROGRAM_FILE, standalone
+from adagen.emit.runtime import FOLDER
 from adagen.model import Model
 from adagen.studies.bench.contest import WORDS, Contestant, Rules, Times, cores, hold
 from adagen.studies.bench.emitted import Emitted
@@ -152,8 +153,12 @@ def emitted(checkout: Path, kept: Path, entry: Entry, variant: str) -> Source:
                 file = next(Path(folder).glob("*_p[0-9]*.cpp"))
                 text = file.read_text(encoding="utf-8")
                 program = file.with_name(PROGRAM_FILE)
-                if program.is_file():  # of that revision, as the solver is
-                    text = standalone(text, program.read_text(encoding="utf-8"))
+                if program.is_file():  # of that revision, as the solver is, and its headers
+                    headers = {
+                        header.relative_to(folder).as_posix(): header.read_text(encoding="utf-8")
+                        for header in Path(folder, FOLDER).rglob("*.hpp")
+                    }
+                    text = standalone(text, program.read_text(encoding="utf-8"), headers)
                 found = Source(file.name, text, "")
             else:
                 found = Source("", "", done.stderr.strip())

@@ -50,7 +50,7 @@ def _help(match: re.Match[str]) -> str:
 
 
 def _program_help(_: re.Match[str]) -> str:
-    source = (ROOT / "generated_examples" / "adagen_program.cpp").read_text(encoding="utf-8")
+    source = (ROOT / "templates" / "include" / "adagen" / "options.hpp").read_text(encoding="utf-8")
     (literals,) = re.findall(r"kUsageText =\n(.*?);\n", source, flags=re.DOTALL)
     text = "".join(re.findall(r'^ *"(.*)"$', literals, flags=re.MULTILINE))
     return "```text\n" + text.replace("\\n", "\n").strip("\n") + "\n```"

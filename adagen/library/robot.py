@@ -190,7 +190,7 @@ def _with_frame_pairs(reading: Reading, path: Path, *, check: bool) -> Reading:
 
 def _check_agreement(scene: Scene, origin: Origin) -> None:
     if scene.base is not None and origin.floating:
-        raise UsageError("the scene says how the base is held: leave out --floating")
+        raise UsageError("the scene sets the base: leave out --floating")
     if scene.mimic is False and origin.mimic:
         raise UsageError("the scene leaves mimic joints free: leave out --mimic")
     gravity = origin.gravity

@@ -283,7 +283,7 @@ def built(compiled: Compiled, toolchain: Toolchain | None = None) -> Solver:
             f"{compiled.stem} is for {compiled.request.procs} processes, a Python program is one:"
             ' compile with procs=1, or channel="threads"'
         )
-    source = f"#define ADAGEN_NO_MAIN\n{compiled.source}\n{verbatim('runtime/python.hpp')}\n"
+    source = f"#define ADAGEN_NO_MAIN\n{compiled.source}\n{verbatim('python.hpp')}\n"
     toolchain = _with_python(find_toolchain() if toolchain is None else toolchain)
     name = f"{compiled.stem}.so"
     solver = _type_of(build_executable(source, name, toolchain))()

@@ -8,7 +8,7 @@ from adagen.errors import UsageError
 from adagen.plan.steps import Certify, FusedJoin
 from adagen.plan.types import Plan
 
-ROUNDING = 4.0
+ROUNDING = 8.0
 """How many units in the last place of what is added up are taken to be uncertain."""
 
 

@@ -94,7 +94,7 @@ def launch(
         raise EnvironmentFault(
             f"no answer within {timeout:g} s from {executable.name} on {processes} "
             f"process{'es' if processes > 1 else ''}; it was ended"
-            + (last and f" (it said: {last})")
+            + (last and f" (output: {last})")
         ) from None
     finally:
         _end_session(child)
@@ -172,7 +172,7 @@ def _completed(status: int, stdout: str, stderr: str, executable: Path) -> Compl
                 [*own.splitlines(), f"error: a process of {executable.name} died ({fault.name})"]
             )
     if "error:" not in own:
-        said = printable(notice)[:300] or f"it said nothing (status {status})"
+        said = printable(notice)[:300] or f"no output (status {status})"
         own = "\n".join([*own.splitlines(), f"error: {executable.name} failed: {said}"])
     return Completed(status if status in (1, 2) else 3, stdout, own)
 

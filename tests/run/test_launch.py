@@ -218,7 +218,7 @@ def test_a_launcher_that_has_lost_a_host_is_not_taken_at_its_word(
 
 def test_what_was_said_in_time_is_told(toolchain: Toolchain, tmp_path: Path) -> None:
     slow = made_up_launcher(tmp_path, toolchain, "echo 'so far' >&2; sleep 100")
-    with pytest.raises(EnvironmentFault, match=r"within 1 s .* \(it said: so far\)"):
+    with pytest.raises(EnvironmentFault, match=r"within 1 s .* \(output: so far\)"):
         launch(Path("program"), 2, [], slow, 1)
 
 
