@@ -3,20 +3,19 @@
 
 #include <limits>
 
-#include "common.hpp"
 #include "error_bound.hpp"
 
 namespace {
 
 // The bound of the error of one of the states of a group; infinite where answers are not certified.
 template <class G>
-ADAGEN_INLINE auto bound_of_state(const G& group, int state, int)
+auto bound_of_state(const G& group, int state, int)
     -> decltype(bound_of(group.w.certificate[0][state], group.w.certificate[1][state])) {
   const auto& squares = group.w.certificate;
   return bound_of(static_cast<double>(squares[0][state]), static_cast<double>(squares[1][state]));
 }
 template <class G>
-ADAGEN_INLINE double bound_of_state(const G&, int, long) {
+double bound_of_state(const G&, int, long) {
   return std::numeric_limits<double>::infinity();
 }
 
