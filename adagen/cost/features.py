@@ -21,6 +21,7 @@ from adagen.plan.steps import (
     FreeAcceleration,
     FreeBase,
     FusedJoin,
+    GiveOutput,
     HoldMobility,
     InvertRoot,
     Join,
@@ -121,7 +122,7 @@ def _join(step: Join, kind: str) -> Features:
 
 def _without_joint(step: Step) -> Features | None:
     """Of a step that is the same whatever joint it is about; None for others."""
-    if isinstance(step, Send | Receive | StartEmpty):
+    if isinstance(step, Send | Receive | StartEmpty | GiveOutput):
         return {}
     plain = _PLAIN.get(type(step))
     return None if plain is None else {plain: 1}

@@ -19,6 +19,7 @@ from adagen.executor.certificate import Certificate
 from adagen.executor.closures import Closures
 from adagen.executor.joins import Joins
 from adagen.executor.kinematics import Motion
+from adagen.executor.outputs import Outputs
 from adagen.executor.segments import Segments
 from adagen.executor.state import Refining, State
 from adagen.graph import Expression, Graph, Numbers, total
@@ -33,6 +34,7 @@ from adagen.plan.steps import (
     CloseLoop,
     Disassemble,
     Eliminate,
+    GiveOutput,
     HoldBack,
     Join,
     Kinematics,
@@ -76,6 +78,7 @@ class Machine(State):
         self.joins = Joins(self, self.motion)
         self.closures = Closures(self, self.motion)
         self.bounds = Certificate(self, self.motion)
+        self.given_outputs = Outputs(self, self.motion)
         self.take_angles_of_rows()
 
     def step(self, step: Step) -> bool:
@@ -107,13 +110,20 @@ class Machine(State):
                 self._solve_coupling()
             case ApplyCoupling():
                 self._apply_coupling()
-            case Certify():
-                self.bounds.carry_out()
+            case GiveOutput():
+                self.outputs[step.output] = self.given_outputs.output(step.output)
             case _:
-                self.segments.step(step)
-                if self.plan.certified:
-                    self._reach(step)
+                self._swept(step)
         return True
+
+    def _swept(self, step: Step) -> None:
+        """Do a step inside a segment; certificates look at links as their accelerations come."""
+        if isinstance(step, Certify):
+            self.bounds.carry_out()
+            return
+        self.segments.step(step)
+        if self.plan.certified:
+            self._reach(step)
 
     def _reach(self, step: Step) -> None:
         match step:
@@ -127,8 +137,9 @@ class Machine(State):
         results = [x for values in self.results.values() for x in values]
         contents = [x for content in self.sent.values() for x in content]
         pivots = [x for check in self.checks for x in (check.pivot, check.least)]
+        given = [x for values in self.outputs.values() for x in values]
         lengths = (length for length, _ in self.lengths)
-        return [*results, *contents, *pivots, *lengths, *self.certificate]
+        return [*results, *given, *contents, *pivots, *lengths, *self.certificate]
 
     # -- messages ---------------------------------------------------------------------------------
 
@@ -187,7 +198,7 @@ class Machine(State):
     def _apply_coupling(self) -> None:
         torques = self.memory["torques"]
         for name, qdd in list(self.memory.items()):
-            if isinstance(name, tuple) and name[0] == "qdd":
+            if isinstance(name, tuple) and name[0] == "qdd" and self.plan.wants(name[1]):
                 self.results[name[1]] = np.array(
                     [total([row[0], *(row[1:] * torques)]) for row in qdd], dtype=object
                 )

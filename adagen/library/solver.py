@@ -68,7 +68,8 @@ class Solver:
                     the same to the last bit.
 
             Returns:
-                Accelerations, shape (nv,) or (S, nv); m/s^2, rad/s^2.
+                Accelerations, shape (nv,) or (S, nv); m/s^2, rad/s^2. With the outputs of a scene
+                behind them, shape (nqdd,) or (S, nqdd); NaN of joints that it does not ask for.
 
             Raises:
                 SolveError: a state cannot be solved; it names the joint. Of one state nothing is
@@ -183,6 +184,11 @@ class Solver:
     def nv(self) -> int:
         """Numbers in v, and in accelerations."""
         return self.compiled.model.nv
+
+    @property
+    def nqdd(self) -> int:
+        """Numbers in an answer: accelerations, then the outputs of a scene, in its order."""
+        return self.compiled.model.nqdd
 
     @property
     def ntau(self) -> int:

@@ -42,6 +42,8 @@ def why_not(plan: Plan) -> str | None:
         return "several processes share the robot"
     if plan.slaved:
         return f'joint "{plan.joints[plan.slaved[0]].name}" is slaved to another'
+    if plan.wanted or plan.outputs:
+        return "a scene wants other outputs than all accelerations"
     if plan.wrenches:
         return "outer forces act on links"
     for joint in plan.joints:

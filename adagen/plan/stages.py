@@ -19,6 +19,7 @@ from adagen.plan.steps import (
     Deliver,
     Disassemble,
     FreeAcceleration,
+    GiveOutput,
     Join,
     Kinematics,
     Load,
@@ -46,6 +47,7 @@ _DOWN = (
     Release,
     FreeAcceleration,
     Certify,
+    GiveOutput,
 )
 
 

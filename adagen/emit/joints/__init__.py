@@ -27,6 +27,8 @@ def why_not(plan: Plan) -> str | None:
         return "its answers are not certified"
     if plan.closed:
         return "the robot has closed loops, which are straight lines"
+    if plan.outputs:
+        return "outputs beside accelerations are found in straight lines"
     return None
 
 

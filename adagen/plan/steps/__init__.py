@@ -43,6 +43,7 @@ from adagen.plan.steps.names import Bias, Block, Force
 from adagen.plan.steps.process import (
     ApplyCoupling,
     Certify,
+    GiveOutput,
     Kinematics,
     Receive,
     Send,
@@ -72,6 +73,7 @@ __all__ = [
     "FreeAcceleration",
     "FreeBase",
     "FusedJoin",
+    "GiveOutput",
     "HoldBack",
     "HoldMobility",
     "InvertRoot",
@@ -120,6 +122,7 @@ Step = (
     | Receive
     | SolveCoupling
     | ApplyCoupling
+    | GiveOutput
     | CloseLoop
     | CloseCoupling
     | HoldBack

@@ -153,7 +153,7 @@ class Solver {
   // Where a group fails, each of its states is tried once more, by itself; returns whether all were
   // solved.
   bool give(Group& group, int states, int at, Number* qdd) {
-    qdd += size(at) * kNv;
+    qdd += size(at) * kNqdd;
     if (group.w.status == kFine) {
       to_rows(states, group.qdd, qdd);
       for (int s = 0; s < states && bounds_ != nullptr; ++s)
@@ -164,14 +164,14 @@ class Solver {
     const auto all_q = group.q;
     const auto all_v = group.v;
     const auto all_tau = group.tau;
-    for (int s = 0; s < states; ++s, qdd += kNv) {
+    for (int s = 0; s < states; ++s, qdd += kNqdd) {
       everywhere(alone.q, all_q, s), everywhere(alone.v, all_v, s);
       everywhere(alone.tau, all_tau, s);
       const bool solved = run(1) == kFine;
       if (solved)
         to_rows(1, alone.qdd, qdd);
       else
-        std::fill_n(qdd, kNv, std::numeric_limits<Number>::quiet_NaN());
+        std::fill_n(qdd, kNqdd, std::numeric_limits<Number>::quiet_NaN());
       if (bounds_ != nullptr)
         bounds_[at + s] =
             solved ? bound_of_state(alone, 0, 0) : std::numeric_limits<double>::quiet_NaN();
@@ -184,7 +184,7 @@ class Solver {
   int name_failures(int count, const Number* q, const Number* v, const Number* tau,
                     const Number* qdd) {
     for (int s = 0; s < count; ++s) {
-      const Number first = qdd[size(s) * kNv];
+      const Number first = qdd[size(s) * kNqdd];
       if (first == first) continue;
       take(groups_.front(), s, 1, q, v, tau);
       const int status = run(1);
