@@ -40,6 +40,25 @@ struct Failed {
   }
 };
 
+// A reference that is given up in the end.
+class Owned {
+ public:
+  explicit Owned(PyObject* object = nullptr) : object_(object) {}
+  Owned(const Owned&) = delete;
+  Owned& operator=(const Owned&) = delete;
+  ~Owned() { Py_XDECREF(object_); }
+  PyObject* get() const { return object_; }
+  PyArrayObject* array() const { return reinterpret_cast<PyArrayObject*>(object_); }
+  void take(PyObject* object) {
+    Py_XDECREF(object_);
+    object_ = object;
+  }
+  PyObject* release() { return std::exchange(object_, nullptr); }
+
+ private:
+  PyObject* object_;
+};
+
 struct Held {
   Solver solver;
   // Of further threads, which share many states; what each could not solve.
@@ -47,6 +66,7 @@ struct Held {
   std::vector<std::thread> team;
   std::vector<Failed> failed;
   std::mutex mutex;  // threads of Python take turns
+  Owned bounds;      // of the errors of the last call's answers, where they are certified
 };
 constexpr int kMostThreads = 1024;
 constexpr bool kSharesThreads = kProcesses > 1;  // whether threads share each state already
@@ -65,25 +85,6 @@ Text start(AnySolver&, long) {
 struct Object {
   PyObject_HEAD vectorcallfunc call;
   Held* held;
-};
-
-// A reference that is given up in the end.
-class Owned {
- public:
-  explicit Owned(PyObject* object = nullptr) : object_(object) {}
-  Owned(const Owned&) = delete;
-  Owned& operator=(const Owned&) = delete;
-  ~Owned() { Py_XDECREF(object_); }
-  PyObject* get() const { return object_; }
-  PyArrayObject* array() const { return reinterpret_cast<PyArrayObject*>(object_); }
-  void take(PyObject* object) {
-    Py_XDECREF(object_);
-    object_ = object;
-  }
-  PyObject* release() { return std::exchange(object_, nullptr); }
-
- private:
-  PyObject* object_;
 };
 
 // One argument as rows of numbers.
@@ -166,6 +167,7 @@ struct Task {
   Number* qdd;
   npy_intp count;
   bool many;
+  double* bounds;  // of the errors, a number for each state; null where they are not certified
 
   // States from the one numbered first on.
   template <class AnySolver>
@@ -175,13 +177,17 @@ struct Task {
       const npy_intp end = first + states;
       for (npy_intp s = first; s < end; s += kMost) {
         solver.solve_batch(static_cast<int>(std::min(kMost, end - s)), q + s * kNq, v + s * kNv,
-                           tau + s * kNtau, qdd + s * kNqdd);
+                           tau + s * kNtau, qdd + s * kNqdd,
+                           bounds == nullptr ? nullptr : bounds + s);
         if (solver.failures() == 0) continue;
         failed.note(s + solver.failed_state(0), solver.failed_status(0), solver.failures());
       }
     } else {
       for (npy_intp s = first; s < first + states; ++s) {
         const int status = solver.solve(q + s * kNq, v + s * kNv, tau + s * kNtau, qdd + s * kNqdd);
+        if constexpr (kCertified)
+          bounds[s] =
+              status == kFine ? error_bound(solver.w) : std::numeric_limits<double>::quiet_NaN();
         if (status == kFine) continue;
         failed.note(s, status);
         if (many) std::fill_n(qdd + s * kNqdd, kNqdd, std::numeric_limits<Number>::quiet_NaN());
@@ -349,7 +355,14 @@ PyObject* call(PyObject* self, PyObject* const* given, std::size_t flags, PyObje
   const int threads = threads_for(placed[4], q.count);
   if (threads == 0) return nullptr;
   Held& held = *reinterpret_cast<Object*>(self)->held;
-  const Task task{q.data(), v.data(), tau.data(), qdd, q.count, q.dimensions == 2};
+  Owned bounds;
+  double* of_states = nullptr;
+  if constexpr (kCertified) {
+    bounds.take(PyArray_SimpleNew(q.dimensions - 1, &q.count, NPY_DOUBLE));
+    if (bounds.get() == nullptr) return nullptr;
+    of_states = static_cast<double*>(PyArray_DATA(bounds.array()));
+  }
+  const Task task{q.data(), v.data(), tau.data(), qdd, q.count, q.dimensions == 2, of_states};
   Failed failed;
   if (threads == 1 && q.count * kNv < kMany && held.mutex.try_lock()) {
     failed = solve(held, 1, task);
@@ -360,6 +373,7 @@ PyObject* call(PyObject* self, PyObject* const* given, std::size_t flags, PyObje
     held.mutex.unlock();
     Py_END_ALLOW_THREADS
   }
+  if constexpr (kCertified) held.bounds.take(bounds.release());
   return failed.count == 0 ? out.release() : raise(failed, q, out.get());
 }
 
@@ -394,7 +408,15 @@ PyObject* set(PyObject* self, PyObject* arguments) {
   return PyErr_Format(PyExc_ValueError, "%s", describe(status).c_str());
 }
 
-PyMethodDef methods[] = {{"_set", set, METH_VARARGS, nullptr}, {nullptr, nullptr, 0, nullptr}};
+// bounds(): of the errors of the last call's answers; None where there are none.
+PyObject* bounds(PyObject* self, PyObject*) {
+  PyObject* const held = reinterpret_cast<Object*>(self)->held->bounds.get();
+  return Py_NewRef(held == nullptr ? Py_None : held);
+}
+
+PyMethodDef methods[] = {{"_set", set, METH_VARARGS, nullptr},
+                         {"_bounds", bounds, METH_NOARGS, nullptr},
+                         {nullptr, nullptr, 0, nullptr}};
 
 PyObject* make(PyTypeObject* type, PyObject*, PyObject*) {
   auto* const self = reinterpret_cast<Object*>(type->tp_alloc(type, 0));

@@ -207,6 +207,12 @@ def add_emission(parser: Parser) -> None:
         help="refine answers N times and report their error",
     )
     group.add_argument(
+        "--certify",
+        action="store_true",
+        help="tell a bound of its error with each answer, for at most half of the time more "
+        "(docs/explanation/certificates.md)",
+    )
+    group.add_argument(
         "--shape",
         choices=("auto", "unrolled", "kernels", "joints"),
         default="auto",

@@ -15,6 +15,7 @@ from adagen.plan.steps import (
     AccelerateRoot,
     ApplyCoupling,
     Articulate,
+    Certify,
     Deliver,
     Disassemble,
     FreeAcceleration,
@@ -71,11 +72,11 @@ def step_features(step: Step, joints: Sequence[PlanJoint]) -> Features:
         step: a step of a plan.
         joints: the plan's joints.
     """
-    if isinstance(step, Send | Receive | StartEmpty | GiveOutput):
-        return {}
-    plain = _PLAIN.get(type(step))
-    if plain is not None:
-        return {plain: 1}
+    if isinstance(step, Certify):
+        return added(_certified(joint) for joint in joints)
+    known = _without_joint(step)
+    if known is not None:
+        return known
     joint = joints[step.joint]  # type: ignore[union-attr]
     kind = PRESCRIBED if joint.prescribed else joint.kind
     match step:
@@ -117,6 +118,21 @@ def _join(step: Join, kind: str) -> Features:
         "join.block": rows * (len(step.blocks) - across),
         "join.across": rows * across,
     }
+
+
+def _without_joint(step: Step) -> Features | None:
+    """Of a step that is the same whatever joint it is about; None for others."""
+    if isinstance(step, Send | Receive | StartEmpty | GiveOutput):
+        return {}
+    plain = _PLAIN.get(type(step))
+    return None if plain is None else {plain: 1}
+
+
+def _certified(joint: PlanJoint) -> Features:
+    """Of a joint's share of a certificate: as much as forces that are handed on, and a bias."""
+    if joint.parent == 0 and joint.kind == "floating":
+        return {"root.solve": 1, "link.bias": 1}
+    return {f"deliver.{joint.kind}": 1, "link.bias": 1}
 
 
 def _turned(group: str, key: str, turned: bool) -> Features:

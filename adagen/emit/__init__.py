@@ -33,6 +33,7 @@ TOLERANCE = {"double": 1e-9, "float": 1e-3, "mixed": 1e-9}
 
 __all__ = [
     "check_batch",
+    "check_certified",
     "check_reproducible",
     "emit",
     "file_stem",
@@ -212,6 +213,7 @@ def _texts(
         "threads": plan.threads,
         "batch": bool(batch),
         "reproducible": plan.reproducible,
+        "certified": plan.certified,
         "alone": _alone(program) and (not batch or processes == 1),
         "processes": process_rows(words) * (batch or 1),
         "run_list": ", ".join(
@@ -305,6 +307,26 @@ def check_batch(shape: str, refine: int, channel: str) -> None:
         raise UsageError("batches are not refined; leave out --batch, --refine or --scalar mixed")
     if shape not in ("auto", "kernels", "unrolled"):
         raise UsageError(f"batches are emitted in shapes kernels and unrolled, not {shape}")
+
+
+def check_certified(form: str, scalar: str, refine: int, shape: str) -> None:
+    """Refuse what is not certified, whatever the robot.
+
+    Raises:
+        UsageError: the form, scalar, refinement or shape has no certificates.
+    """
+    if form != "segment":
+        raise UsageError(
+            f"form {form} has no factors to certify answers with: leave out --certify or "
+            f"--form {form}"
+        )
+    if scalar == "mixed" or refine:
+        raise UsageError(
+            "refined answers come with an estimate of their own: leave out --certify, or --refine "
+            "and --scalar mixed"
+        )
+    if shape not in ("auto", "kernels", "unrolled"):
+        raise UsageError(f"certificates are emitted in shapes kernels and unrolled, not {shape}")
 
 
 def check_reproducible(form: str, scalar: str, refine: int, shape: str) -> None:

@@ -56,6 +56,14 @@ class Turn:
         v[i], v[k], v[m] = p * u[a] + q * u[b], r * u[a] + s * u[b], u[c] * self.lone
         return v
 
+    def magnitudes(self, u: Array) -> Array:
+        """Return no less than the entries of the matrix times u, whatever the turn and signs."""
+        (i, k, m), (a, b, c) = self.rows, self.columns
+        v = u.copy()
+        v[i] = v[k] = u[a].graph.larger(u[a], u[b])
+        v[m] = u[c]
+        return v
+
     def congruent(self, matrix: Array, symmetric: bool) -> Array:
         """Return Q M Q^T, shape (3, 3)."""
         (i, k, m), (a, b, c) = self.rows, self.columns
@@ -116,6 +124,11 @@ class Dense:
         """Return the matrix times u, shape (3,)."""
         return np.array([dot(row, u) for row in self.entries], dtype=object)
 
+    def magnitudes(self, u: Array) -> Array:
+        """Return no less than the entries of the matrix times u, whatever the turn and signs."""
+        larger = u[0].graph.larger
+        return np.array([larger(larger(u[0], u[1]), u[2])] * 3, dtype=object)
+
     def congruent(self, matrix: Array, symmetric: bool) -> Array:
         """Return E M E^T, shape (3, 3)."""
         half = np.array([[dot(row, column) for column in matrix.T] for row in self.entries])
@@ -141,6 +154,12 @@ class Rotation:
         """Return R u, shape (3,)."""
         for factor in reversed(self.factors):
             u = factor.vector(u)
+        return u
+
+    def magnitudes(self, u: Array) -> Array:
+        """Return no less than the entries of R u, whatever the turns and signs."""
+        for factor in reversed(self.factors):
+            u = factor.magnitudes(u)
         return u
 
     def congruent(self, matrix: Array, symmetric: bool) -> Array:

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from adagen.executor.certificate import Certificate
 from adagen.executor.closures import Closures
 from adagen.executor.joins import Joins
 from adagen.executor.kinematics import Motion
@@ -24,9 +25,11 @@ from adagen.executor.state import Refining, State
 from adagen.graph import Expression, Graph, Numbers, total
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import (
+    Accelerate,
     AccelerateHeld,
     ApplyCoupling,
     CarryRows,
+    Certify,
     CloseCoupling,
     CloseLoop,
     Disassemble,
@@ -40,6 +43,7 @@ from adagen.plan.steps import (
     Release,
     Send,
     SolveCoupling,
+    SolveRoot,
     Step,
 )
 from adagen.plan.types import Message, Plan
@@ -73,6 +77,7 @@ class Machine(State):
         self.segments = Segments(self, self.motion)
         self.joins = Joins(self, self.motion)
         self.closures = Closures(self, self.motion)
+        self.bounds = Certificate(self, self.motion)
         self.given_outputs = Outputs(self, self.motion)
         self.take_angles_of_rows()
 
@@ -108,8 +113,24 @@ class Machine(State):
             case GiveOutput():
                 self.outputs[step.output] = self.given_outputs.output(step.output)
             case _:
-                self.segments.step(step)
+                self._swept(step)
         return True
+
+    def _swept(self, step: Step) -> None:
+        """Do a step inside a segment; certificates look at links as their accelerations come."""
+        if isinstance(step, Certify):
+            self.bounds.carry_out()
+            return
+        self.segments.step(step)
+        if self.plan.certified:
+            self._reach(step)
+
+    def _reach(self, step: Step) -> None:
+        match step:
+            case SolveRoot():
+                self.bounds.reach(step.link - 1)
+            case Accelerate():
+                self.bounds.reach(step.joint)
 
     def roots(self) -> list[Expression]:
         """Everything that is wanted: results, contents of messages, what is checked."""
@@ -117,7 +138,8 @@ class Machine(State):
         contents = [x for content in self.sent.values() for x in content]
         pivots = [x for check in self.checks for x in (check.pivot, check.least)]
         given = [x for values in self.outputs.values() for x in values]
-        return [*results, *given, *contents, *pivots, *(length for length, _ in self.lengths)]
+        lengths = (length for length, _ in self.lengths)
+        return [*results, *given, *contents, *pivots, *lengths, *self.certificate]
 
     # -- messages ---------------------------------------------------------------------------------
 

@@ -123,15 +123,25 @@ class Rows:
 
     def near_motion(self, j: int) -> Array | None:
         """Return the acceleration of the links that joint j's row hangs on; None for the ground."""
-        near = self.near_links(j)
-        if not any(near):
+        if not any(self.near_links(j)):
             return None
-        if self.follows(j):
-            motion: Array = self.state.memory["a", near[0]]
-            return motion
-        each = {0: self.state.zeros(6, self.state.columns)}
+        return self.of_near("a", j, self.state.zeros(6, self.state.columns))
+
+    def of_near(self, name: str, j: int, ground: Array) -> Array:
+        """Return what is kept of the links that joint j's row hangs on.
+
+        Args:
+            name: what is asked for.
+            j: the joint.
+            ground: what holds of the ground.
+        """
+        near = self.near_links(j)
+        if any(near) and self.follows(j):
+            found: Array = self.state.memory[name, near[0]]
+            return found
+        each = {0: ground}
         for link in set(near) - {0}:
-            value, k = self.kept("a", link)
+            value, k = self.kept(name, link)
             each[link] = value if k is None else self.lane(value, k)
         return self.packed([each[link] for link in near])
 

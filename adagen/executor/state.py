@@ -43,6 +43,8 @@ class State:
         results: accelerations by joints, known after the last step; of a row wide. Those that
             are not wanted are not there.
         outputs: what is wanted beside them, by the place in the plan; known likewise.
+        certificate: squares of the energy norms of the error, as bounded, and of the answer, where
+            the plan asks for them.
         limbs: those that share code, one in each lane.
         rows: joints that are treated as one.
         handed: what joints hand inwards, "IA" or "pA", by name and joint.
@@ -68,6 +70,7 @@ class State:
         self.checks: list[Check] = []
         self.lengths: list[tuple[Expression, int]] = []
         self.results: dict[int, Array] = {}
+        self.certificate: tuple[Any, ...] = ()
         self.outputs: dict[int, Array] = {}
         self.limbs = tuple(all_limbs)
         self.handed: dict[tuple[str, int], Array] = {}

@@ -218,7 +218,9 @@ class Evaluation:
             case "pack":
                 return tuple(args)
         lanes = zip(*(in_lanes(x, node.width) for x in args), strict=True)
-        return tuple(_ARITHMETIC[node.op](*own) for own in lanes)
+        if node.op in _ARITHMETIC:
+            return tuple(_ARITHMETIC[node.op](*own) for own in lanes)
+        return tuple(self._function(node.op, list(own)) for own in lanes)
 
     def _function(self, op: str, args: list[Any]) -> Any:
         algebra = self.algebra

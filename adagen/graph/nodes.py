@@ -273,11 +273,9 @@ class Graph:
 
     def larger(self, a: Expression, b: Expression) -> Expression:
         """Return the larger of a and b."""
-        if max(a.node.width, b.node.width) > 1:
-            return self._by_lanes(self.larger, a, b)
         x, y = a.constant, b.constant
         if x is not None and y is not None:
-            return a if x >= y else b
+            return self.constant(_lanewise(max, x, y))
         if a.index == b.index:
             return a
         return self._node("max", (min(a.index, b.index), max(a.index, b.index)))

@@ -20,6 +20,7 @@ from adagen.library.robot import Origin, Robot
 from adagen.library.scheduling import given_schedule, schedule_of
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
+from adagen.plan.certificate import certified
 from adagen.program import Program
 from adagen.schedule import Schedule, Topology, load_profile
 from adagen.search.objective import predicted_digits, suited_shape
@@ -165,6 +166,7 @@ def planned(model: Model, schedule: Schedule, request: Request, source_hash: str
 
     Raises:
         InputError: the robot cannot be treated in this form.
+        UsageError: its answers cannot be certified, and are to be.
     """
     plan = make_plan(
         model,
@@ -176,6 +178,8 @@ def planned(model: Model, schedule: Schedule, request: Request, source_hash: str
         reproducible=request.reproducible,
         runtime=request.runtime,
     )
+    if request.certify:
+        plan = certified(plan)
     # Lanes of a batch cannot go different ways: they go the one that suits all closed poses.
     return plan.alternatives[-1] if request.batch and plan.closed else plan
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from adagen.emit import check_batch, check_reproducible
+from adagen.emit import check_batch, check_certified, check_reproducible
 from adagen.emit.embedded import TARGETS, check_target
 from adagen.emit.refine import checked_shape, refinement_steps
 from adagen.errors import UsageError
@@ -43,6 +43,7 @@ class Request:
         single_file: whether the source holds the program around the solver, too.
         reproducible: whether answers are the same to the last bit on every number of processes, in
             whatever lanes, by every compiler and on every machine with numbers of IEEE 754.
+        certify: whether a bound of its error comes with each answer.
     """
 
     procs: int = 1
@@ -68,6 +69,7 @@ class Request:
     tuned: bool = False
     single_file: bool = False
     reproducible: bool = False
+    certify: bool = False
 
     def __post_init__(self) -> None:
         """Refuse what cannot be had, whatever the robot.
@@ -96,9 +98,32 @@ class Request:
         checked_shape(self.refinement, self.shape)
         if self.batch:
             check_batch(self.shape, self.refinement, self.channel)
+        if self.certify:
+            check_certified(self.form, self.scalar, self.refinement, self.shape)
+            self._check_certified()
         if self.reproducible:
             check_reproducible(self.form, self.scalar, self.refinement, self.shape)
             self._check_bare()
+
+    def _check_certified(self) -> None:
+        """Refuse what is not certified beside them.
+
+        Raises:
+            UsageError: it is asked for, too.
+        """
+        if self.procs > 1:
+            raise UsageError(
+                "answers are certified by one process: leave out --certify, or say --procs 1"
+            )
+        for name, asked in (
+            ("reproducible", self.reproducible),
+            ("tune", self.tuned),
+            ("target", self.target != "host"),
+        ):
+            if asked:
+                raise UsageError(
+                    f"certified solvers are not emitted with --{name}: leave out one of both"
+                )
 
     def _check_bare(self) -> None:
         """Refuse what reproducible solvers do not have."""

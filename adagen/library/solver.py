@@ -76,8 +76,26 @@ class Solver:
                 TypeError: what is given holds no real numbers.
             """
 
+        def _bounds(self) -> NDArray[np.float64] | None:
+            """Return the bounds of the last call, shape () or (S,); None where there are none."""
+
         def _set(self, first: int, numbers: ArrayLike) -> None:
             """Set numbers of what can be set at run time, from the one numbered first on."""
+
+    @property
+    def error_bound(self) -> Any:
+        """Bound of the error of the last call's accelerations, a float; of many states (S,).
+
+        Of their energy norm relative to theirs, sqrt(e^T H e / qdd^T H qdd) with the joint-space
+        inertia H (docs/explanation/certificates.md). NaN for states that cannot be solved.
+
+        Raises:
+            UsageError: the robot was not compiled with ``certify=True``, or nothing was solved yet.
+        """
+        found = self._bounds()
+        if found is None:
+            raise UsageError("there is no bound: compile with certify=True, and solve something")
+        return float(found) if found.ndim == 0 else found
 
     @property
     def gravity(self) -> NDArray[Any]:

@@ -15,6 +15,7 @@ from adagen.plan.steps import (
     AccelerateHeld,
     AccelerateRoot,
     ApplyCoupling,
+    Certify,
     Deliver,
     Disassemble,
     FreeAcceleration,
@@ -45,6 +46,7 @@ _DOWN = (
     AccelerateHeld,
     Release,
     FreeAcceleration,
+    Certify,
     GiveOutput,
 )
 

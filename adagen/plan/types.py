@@ -12,7 +12,7 @@ from functools import cached_property
 
 from adagen.model import OUTPUT_SIZES
 from adagen.model.kinds import KINDS
-from adagen.plan.steps import Bias, Block, Force, Step
+from adagen.plan.steps import Bias, Block, Certify, Force, Step
 
 THREADS = "threads"
 """The channel between processes that are threads of one program."""
@@ -324,6 +324,11 @@ class Plan:
                 return f'{what} "{things[number].name}"'
             number -= len(things)
         raise IndexError(number)
+
+    @property
+    def certified(self) -> bool:
+        """Whether the error of each answer is bounded."""
+        return any(isinstance(p.steps[-1], Certify) for p in self.processes if p.steps)
 
     @property
     def closed(self) -> bool:

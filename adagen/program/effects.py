@@ -7,6 +7,7 @@ A place is a name: a ``Block``, ``Bias`` or ``Force`` of the plan, or a pair of 
 * ``("projected", joint)``: U, D and u of a joint that was swept inwards;
 * ``("load", link)``, ``("acceleration", link)``, ``("joined", joint)``, ``("qdd", joint)``;
 * ``("torques", 0)``: of slaved joints;
+* ``("certificate", 0)``: the bound of the error;
 * ``("loop", k)``, ``("coupling", k)``, ``("held", joint)``, ``("carried", joint)``: what they add
   to their closure; ``("closure", k)``: it, eliminated; ``("released", k)``: it, solved for.
 """
@@ -17,6 +18,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from adagen.model import LINK_ACCELERATION, REACTION_FORCE
+from adagen.plan.edges import is_base
 from adagen.plan.order import ends_of
 from adagen.plan.steps import (
     Accelerate,
@@ -27,6 +29,7 @@ from adagen.plan.steps import (
     Bias,
     Block,
     CarryRows,
+    Certify,
     CloseCoupling,
     CloseLoop,
     Deliver,
@@ -127,6 +130,8 @@ def effects(plan: Plan, step: Step, runs: Mapping[int, tuple[int, ...]]) -> Effe
             | AccelerateHeld()
         ):
             return _closed(plan, step)
+        case Certify():
+            return _certify(plan)
         case GiveOutput():
             return _output(plan, step)
         case Send() | Receive():
@@ -249,6 +254,15 @@ def _parts(plan: Plan, closure: int) -> tuple[tuple[str, int], ...]:
                 case CarryRows(k) if step.closure == closure:
                     found["carried", k] = None
     return tuple(found)
+
+
+def _certify(plan: Plan) -> Effects:
+    """All links' motions, and the factors of all joints that do not float on the ground."""
+    reads: list[Place] = []
+    for j, joint in enumerate(plan.joints):
+        reads += [("qdd", j), ("transform", j), ("velocity", j + 1), ("acceleration", j + 1)]
+        reads.append(("inertia" if is_base(joint) else "projected", j + is_base(joint)))
+    return Effects(tuple(reads), (("certificate", 0),))
 
 
 def contents(message: Message) -> tuple[Place, ...]:

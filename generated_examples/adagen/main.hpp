@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "certificates.hpp"
 #include "corrections.hpp"
 #include "json.hpp"
 #include "options.hpp"
@@ -58,7 +59,8 @@ class Program {
       if (loaded) status = solve_all();
       if ((status == kDone || (about.batch && loaded)) && session_.rank == 0) {
         const std::string path = options.result.empty() ? "/dev/stdout" : options.result;
-        if (!write_result(path, session_.qdd, session_.states.count, corrections_.every()))
+        if (!write_result(path, session_.qdd, session_.states.count,
+                          corrections_.every() + certificates_.every()))
           status = session_.complain(kFault, "cannot write the result", path);
       }
       MPI_Bcast(&status, 1, MPI_INT, 0, session_.comm());
@@ -77,7 +79,10 @@ class Program {
     on.use(std::move(on.states));
     if (about.batch) return solve_many();
     int at = 0;
-    const int failed = solve_each(at, [&] { corrections_.note(on.solver); });
+    const int failed = solve_each(at, [&] {
+      corrections_.note(on.solver);
+      if (about.certified) certificates_.note(on.solver.error_bound(0));
+    });
     if (failed != kFine)
       return on.complain(kInputAtFault,
                          "state " + std::to_string(at + 1) + ": " + on.solver.in_words(failed) +
@@ -111,6 +116,8 @@ class Program {
     Solver& solver = on.solver;
     int status = kDone;
     solve_batch();
+    for (int s = 0; s < on.states.count && about.certified; ++s)
+      certificates_.note(solver.error_bound(s));
     solved_ = on.states.count - solver.failures();
     if (solver.failures() > 0) status = kInputAtFault;
     for (int k = 0; k < kNamed && solver.failed_state(k) >= 0; ++k)
@@ -193,13 +200,14 @@ class Program {
       if (!options.states.empty() && options.simulation.seconds == 0)
         std::printf(", \"solved\": %d", solved_);
       if (!warning_.empty()) std::printf(", \"warnings\": [%s]", quoted(warning_.c_str()).c_str());
-      std::printf("%s%s%s%s}\n", verdict_.json().c_str(), corrections_.json().c_str(),
-                  timing_.json().c_str(), simulation_.json().c_str());
+      std::printf("%s%s%s%s%s}\n", verdict_.json().c_str(), corrections_.json().c_str(),
+                  certificates_.json().c_str(), timing_.json().c_str(), simulation_.json().c_str());
       return;
     }
     std::FILE* const out = options.states.empty() || !options.result.empty() ? stdout : stderr;
     verdict_.print(out);
     corrections_.print(out);
+    certificates_.print(out);
     timing_.print(out);
     simulation_.print();
   }
@@ -208,6 +216,7 @@ class Program {
   Timing timing_{session_};
   Simulation simulation_{session_};
   Corrections corrections_;
+  Certificates certificates_;
   Verdict verdict_;
   int solved_ = 0;
   std::string warning_;

@@ -144,6 +144,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
+[[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
 [[maybe_unused]] constexpr int kPlanMessages = 0;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
 
@@ -847,7 +848,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
       "arm7", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
-      false, kAlone, kBatch, false, false, kTolerance, kGravity.data(),
+      false, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};
   auto* const solver = new ThisSolver;

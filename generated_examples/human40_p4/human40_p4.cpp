@@ -177,6 +177,7 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
+[[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
 [[maybe_unused]] constexpr int kPlanMessages = 6;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
 
@@ -397,6 +398,7 @@ constexpr LinkRole kRoles[4][kLinkCount]{
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 1}, {1, 1, 1, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
 };
 
+
 }  // namespace
 
 #include "adagen/kernels/state.hpp"
@@ -472,6 +474,7 @@ struct Cuts {
 #include "adagen/kernels/spherical.hpp"
 #include "adagen/kernels/turned.hpp"
 #include "adagen/kernels/inward.hpp"
+#include "adagen/kernels/reach_nothing.hpp"
 #include "adagen/kernels/accelerate.hpp"
 #include "adagen/kernels/groups.hpp"
 #include "adagen/kernels/mobility.hpp"
@@ -918,7 +921,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
       "human40", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
-      false, kAlone, kBatch, false, false, kTolerance, kGravity.data(),
+      false, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};
   auto* const solver = new ThisSolver;

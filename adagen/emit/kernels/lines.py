@@ -69,9 +69,11 @@ class KernelLines:
     def all_lines(self) -> list[str]:
         """Return the lines of the process."""
         follows = ["slave(kJoints, w.q.data(), w.v.data());"] if self.words.plan.slaved else []
+        reaches = ["reach_ground(w);"] if self.words.plan.certified else []
         return [
             *follows,
             *guards.checks(self.words, self.process),
+            *reaches,
             *stamped(self.process, self.operations, self._lines_in_turn),
             *guards.results(self.words, self.process),
         ]
@@ -322,7 +324,53 @@ class KernelLines:
         return [mobility.delivery(self.words, operation.block) + self._names(operation.block)]
 
     def _solve_root(self, operation: Operation) -> list[str]:
-        return [f"solve_root<{self.p}, {_link(operation.steps[0])}>(w);"]
+        link = _link(operation.steps[0])
+        reaches = [f"reach_base<{link - 1}>(w);"] if self.words.plan.certified else []
+        return [f"solve_root<{self.p}, {link}>(w);", *reaches]
+
+    def _certify(self, _: Operation) -> list[str]:
+        """Sweep inwards once more, block by block, for what the equations of motion leave over."""
+        weigh = {
+            "link_inertia": self._weigh_links,
+            "place_inertia": self._weigh_placed,
+            "free_base": self._weigh_free_base,
+            "articulate": self._weigh,
+            "solve_root": self._weigh_root,
+        }
+        swept = [op for op in self.operations if op.does in weigh]
+        lines = [line for op in swept for line in weigh[op.does](op)]
+        return ["begin_weighing(w);", *lines, "end_weighing(w);"]
+
+    def _weigh_links(self, operation: Operation) -> list[str]:
+        assert isinstance(operation.block, Links)
+        blocks = self._blocks(link - 1 for link in operation.block.numbers)
+        return [f"weigh_links<{a}, {b}>(w);" for a, b in blocks]
+
+    def _weigh_placed(self, operation: Operation) -> list[str]:
+        assert isinstance(operation.block, Links)
+        (link,) = operation.block.numbers
+        return [f"weigh_placed<{link}, {_word(operation.first[0])}>(w);"]
+
+    def _weigh_free_base(self, operation: Operation) -> list[str]:
+        assert isinstance(operation.block, Run)
+        return [f"weigh_free_base<{operation.block.first}, {_word(operation.first[0])}>(w);"]
+
+    def _weigh_root(self, operation: Operation) -> list[str]:
+        return [f"weigh_root<{self.p}, {_link(operation.steps[0])}>(w);"]
+
+    def _weigh(self, operation: Operation) -> list[str]:
+        block = operation.block
+        if isinstance(block, Limbs):
+            sweep = f"weigh_group<{self.p}, {self._number(block)}>(w);"
+            nears = [self.joints[j].parent for j in block.rows[0]]
+            left = [
+                f"  leave_left<{_word(operation.first[k])}>(w, {near}, lane(X, {k + block.idle}));"
+                for k, near in enumerate(nears)
+                if near > 0
+            ]
+            return ["{", f"  const auto X = {sweep}", *left, "}"] if left else [sweep]
+        assert isinstance(block, Run)
+        return [self._sweep(block, "weigh", _word(operation.first[0])) + self._names(block)]
 
     def _load_root(self, operation: Operation) -> list[str]:
         (step,) = operation.steps

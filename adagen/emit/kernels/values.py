@@ -16,10 +16,13 @@ from adagen.emit.kernels.lines import KernelLines
 from adagen.emit.refine import refinement_values
 from adagen.emit.words import Words
 from adagen.plan import Plan
+from adagen.plan.certificate import ROUNDING
+from adagen.plan.digits import EPSILON
+from adagen.plan.edges import is_base
 from adagen.plan.gather import why_not_gather
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.turned import ENOUGH
-from adagen.plan.types import PlanLink
+from adagen.plan.types import FACTORS, PlanLink
 from adagen.program.slots import Slots
 from adagen.program.turned import turned_in_loops
 
@@ -40,7 +43,22 @@ def why_not(plan: Plan) -> str | None:
         return "the robot has closed loops, which are straight lines"
     if plan.outputs:
         return "outputs beside accelerations are found in straight lines"
+    if plan.certified:
+        return why_not_certified(plan)
     return why_not_gather([replace(joint, mimic=None) for joint in plan.joints])
+
+
+def why_not_certified(plan: Plan) -> str | None:
+    """Return why loops do not certify a plan's answers; None where they do."""
+    at_ground = [joint for joint in plan.joints if joint.parent == 0]
+    if len(at_ground) > 1 and any(map(is_base, at_ground)):
+        return "they certify one floating robot, with nothing beside it"
+    for joint in plan.joints:
+        if joint.kind == "planar" or (joint.kind == "floating" and not is_base(joint)):
+            return f'they do not certify {joint.kind} joint "{joint.name}"'
+        if joint.kind == "spherical" and joint.rotor_inertia:
+            return f'they do not certify ball joint "{joint.name}" with a rotor'
+    return None
 
 
 def values(words: Words) -> dict[str, object]:
@@ -77,6 +95,8 @@ def values(words: Words) -> dict[str, object]:
         "responses": [writer.responses() for writer in writers] if plan.slaved else [],
         **refined,
         "cuts": cuts,
+        "floating_bases": any(map(is_base, plan.joints)),
+        "unit": words.printer.number(ROUNDING * EPSILON[FACTORS[plan.scalar]]),
         "fused": mobility.has_fused(plan),
         "passes_free": mobility.passes_free(plan),
         "holds": mobility.holds_ground(plan),

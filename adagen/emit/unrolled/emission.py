@@ -74,6 +74,7 @@ def values(words: Words, chunk: int = 0) -> dict[str, object]:
         if sines_in_lanes
         else angles,
         "wide": wide,
+        "wide_functions": ["unrolled_wide_functions.hpp"] * (functions and wide),
         "sines_in_lanes": sines_in_lanes,
         "near_lock": not words.batch and any(c.near for s in line for c in s.machine.checks),
         "wide_results": max((row.count_of_lanes for row in rows), default=0),
@@ -158,6 +159,8 @@ class _ProcessText:
         for number, content in self.machine.sent.items():
             for k, x in enumerate(content):
                 lines[x.index].append(f"w.to[{number}][{k}] = {self.text.name(x.index)};")
+        for k, x in enumerate(self.machine.certificate):
+            lines[x.index].append(f"w.certificate[{k}] = {self._value(x.index)};")
         for index, results in self._results().items():
             lines[index] += results
         return lines

@@ -42,6 +42,7 @@ from adagen.plan.steps.joins import (
 from adagen.plan.steps.names import Bias, Block, Force
 from adagen.plan.steps.process import (
     ApplyCoupling,
+    Certify,
     GiveOutput,
     Kinematics,
     Receive,
@@ -60,6 +61,7 @@ __all__ = [
     "Block",
     "BlockUpdate",
     "CarryRows",
+    "Certify",
     "CloseCoupling",
     "CloseLoop",
     "Coupling",
@@ -128,6 +130,7 @@ Step = (
     | Eliminate
     | Release
     | AccelerateHeld
+    | Certify
 )
 
 

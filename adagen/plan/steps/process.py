@@ -61,3 +61,11 @@ class ApplyCoupling:
 
     does: ClassVar[str] = "apply_coupling"
     about: ClassVar[str] = "accelerations under these torques"
+
+
+@dataclass(frozen=True)
+class Certify:
+    """A bound of the answer's error, from what its links' equations of motion leave over."""
+
+    does: ClassVar[str] = "certify"
+    about: ClassVar[str] = "bound of the answer's error"

@@ -7,6 +7,7 @@
 #include "../constants.hpp"
 #include "../sample/keep.hpp"
 #include "../sample/layout.hpp"
+#include "../sample/reach.hpp"
 #include "../sample/robot.hpp"
 #include "../sample/sizes.hpp"
 #include "../sample/value.hpp"
@@ -16,6 +17,7 @@
 #include "lanes.hpp"
 #include "memory.hpp"
 #include "spherical.hpp"
+#include "weights.hpp"
 
 namespace {
 
@@ -128,11 +130,13 @@ ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, M
 template <int p, int first, int last>
 void accelerate(Workspace& w) {
   Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
+  Reached<Value> reached = reached_at(w, kJoints[first].parent);
   each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     move<false>(w, single(first + k), kind, a);
     if constexpr (kRefine > 0) keep_force<false>(w, single(first + k), a);
+    reach(w, single(first + k), kind, a, reached);
     const std::size_t far = static_cast<std::size_t>(first + k + 1);
-    if (kRoles[p][far].parts) w.motions[far] = a;
+    if (kRoles[p][far].parts) w.motions[far] = a, keep_reached(w, far, reached);
   });
 }
 

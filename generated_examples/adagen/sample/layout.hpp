@@ -18,6 +18,8 @@ constexpr bool kAnyTurned = true, kAnyTurnedIfLost = true;
 constexpr bool kTurned[kJointCount]{}, kTurnedIfLost[kJointCount]{};
 constexpr double kLosing = 1e6;
 constexpr bool kPassesFree = true, kAgain = true;
+constexpr bool kFloats = true;  // whether a base floats
+constexpr Real kUnit = 1e-15;
 constexpr LinkRole kRoles[2][kLinkCount]{};
 
 }  // namespace

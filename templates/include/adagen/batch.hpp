@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "bounds.hpp"
 #include "failures.hpp"
 #include "group.hpp"
 #include "kernels/lanes.hpp"
@@ -43,9 +44,12 @@ class Solver {
   void close() { channel.close(); }
 
   // States one after the other, as are their accelerations; nothing is said to other processes.
-  // Accelerations of a state that fails are not numbers; the others are what they should be.
-  int solve_batch(int count, const Number* q, const Number* v, const Number* tau, Number* qdd) {
+  // Accelerations of a state that fails are not numbers; the others are what they should be. What
+  // bounds the errors of certified ones goes to bounds, a number for each state.
+  int solve_batch(int count, const Number* q, const Number* v, const Number* tau, Number* qdd,
+                  double* bounds = nullptr) {
     forget();
+    bounds_ = bounds;
     return solve_rows(count, q, v, tau, qdd) ? kFine : name_failures(count, q, v, tau, qdd);
   }
 
@@ -132,7 +136,7 @@ class Solver {
       run(groups);
       for (int g = 0; g < groups; ++g) {
         const int at = first + g * kLanes;
-        good &= give(groups_[size(g)], std::min(kLanes, count - at), qdd + size(at) * kNqdd);
+        good &= give(groups_[size(g)], std::min(kLanes, count - at), at, qdd);
       }
     }
     return good;
@@ -148,9 +152,12 @@ class Solver {
 
   // Where a group fails, each of its states is tried once more, by itself; returns whether all were
   // solved.
-  bool give(Group& group, int states, Number* qdd) {
+  bool give(Group& group, int states, int at, Number* qdd) {
+    qdd += size(at) * kNqdd;
     if (group.w.status == kFine) {
       to_rows(states, group.qdd, qdd);
+      for (int s = 0; s < states && bounds_ != nullptr; ++s)
+        bounds_[at + s] = bound_of_state(group, s, 0);
       return true;
     }
     Group& alone = groups_.front();
@@ -160,10 +167,14 @@ class Solver {
     for (int s = 0; s < states; ++s, qdd += kNqdd) {
       everywhere(alone.q, all_q, s), everywhere(alone.v, all_v, s);
       everywhere(alone.tau, all_tau, s);
-      if (run(1) == kFine)
+      const bool solved = run(1) == kFine;
+      if (solved)
         to_rows(1, alone.qdd, qdd);
       else
         std::fill_n(qdd, kNqdd, std::numeric_limits<Number>::quiet_NaN());
+      if (bounds_ != nullptr)
+        bounds_[at + s] =
+            solved ? bound_of_state(alone, 0, 0) : std::numeric_limits<double>::quiet_NaN();
     }
     return false;
   }
@@ -217,6 +228,7 @@ class Solver {
   }
 
   std::array<Group, kGroups> groups_;
+  double* bounds_ = nullptr;  // where those of the states that are solved go, if they are wanted
   static constexpr int kKept = 256;  // what fails beyond is only counted
   std::array<FailedState, kKept> failures_;
   int count_ = 0;

@@ -99,7 +99,7 @@ template <class Number>
 struct Description {
   const char *robot, *channel;
   int processes, threads, nq, nv, ntau, nqdd, refine;
-  bool floating, alone, batch, sets_gravity, at_rest;
+  bool floating, alone, batch, certified, sets_gravity, at_rest;
   double tolerance;
   const double* gravity;
   Table<Joint<Number>> joints;
@@ -166,6 +166,8 @@ class AnySolver {
   virtual const char* names_of_run(int joint) = 0;
   // The size of the k-th correction of the last evaluation.
   virtual double correction(int k) const = 0;
+  // A bound of the error of the last evaluation, or of the k-th state of the last batch.
+  virtual double error_bound(int) const { return 0; }
   // 1 + the last joint of a run that has been near gimbal lock; 0: none.
   virtual int near_lock() const = 0;
 

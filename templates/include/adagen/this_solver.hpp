@@ -2,9 +2,12 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
+#include <vector>
 
 #include "common.hpp"
 #include "description.hpp"
+#include "error_bound.hpp"
 #include "failures.hpp"
 #include "sample/channel.hpp"
 #include "sample/measured.hpp"
@@ -32,6 +35,17 @@ auto correction_of(const S& solver, int k, int) -> decltype(double(solver.w.refi
 }
 template <class S>
 double correction_of(const S&, int, long) {
+  return 0;
+}
+
+// Nor have those bounds of errors whose answers are not certified.
+template <class S>
+auto error_bound_of(const S& solver, int)
+    -> decltype(bound_of(double(solver.w.certificate[0]), double(solver.w.certificate[1]))) {
+  return bound_of(double(solver.w.certificate[0]), double(solver.w.certificate[1]));
+}
+template <class S>
+double error_bound_of(const S&, long) {
   return 0;
 }
 
@@ -71,11 +85,16 @@ class ThisSolver final : public adagen::AnySolver<Number, Comm> {
 
   int solve_batch_at_root(int count, const Number* q, const Number* v, const Number* tau,
                           Number* qdd) override {
-    return solver_.solve_batch_at_root(count, q, v, tau, qdd);
+    if (!kCertified) return solver_.solve_batch_at_root(count, q, v, tau, qdd);
+    bounds_.resize(static_cast<std::size_t>(count));
+    return solver_.solve_batch(count, q, v, tau, qdd, bounds_.data());
   }
+  double error_bound(int k) const override { return bounds_[static_cast<std::size_t>(k)]; }
   int failures() const override { return solver_.failures(); }
   int failed_state(int k) override { return solver_.failed_state(k); }
   const char* why() const override { return solver_.text.c_str(); }
+#else
+  double error_bound(int) const override { return error_bound_of(solver_, 0); }
 #endif
 
   const char* in_words(int status) override {
@@ -150,6 +169,7 @@ class ThisSolver final : public adagen::AnySolver<Number, Comm> {
   }
 
   Solver solver_;
+  std::vector<double> bounds_;  // of the errors of the last batch, where they are told
   Takes takes_;
   Text words_;
 };

@@ -21,6 +21,7 @@
 #include "memory.hpp"
 #include "outward.hpp"
 #include "turned.hpp"
+#include "weights.hpp"
 
 namespace {
 
@@ -165,6 +166,18 @@ auto inward_group(Workspace& w) {
   return X;
 }
 
+template <class T, class W, class L>
+ADAGEN_INLINE Reached<T> reached_at([[maybe_unused]] const W& w, [[maybe_unused]] const L& limbs) {
+  if constexpr (kCertified) {
+    const Reached<Value>* sides[kWidth<T>];
+    ADAGEN_FOR (lane, 0, kWidth<T>)
+      sides[lane] = &w.reached[static_cast<std::size_t>(limbs.near(lane))];
+    return side_by_side<T, Reached>(sides);
+  } else {
+    return {};
+  }
+}
+
 template <int p, const auto& limbs>
 void accelerate_group(Workspace& w) {
   using T = typename std::decay_t<decltype(limbs)>::T;
@@ -172,13 +185,18 @@ void accelerate_group(Workspace& w) {
   ADAGEN_FOR (lane, 0, kWidth<T>)
     sides[lane] = &w.motions[static_cast<std::size_t>(limbs.near(lane))];
   Motion<T> a = side_by_side<T, Motion>(sides);
+  Reached<T> reached = reached_at<T>(w, limbs);
   each_row<LimbRows<limbs>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     const Joints<T> joints = limbs.at(k);
     move<false>(w, joints, kind, a);
     if constexpr (kRefine > 0) keep_force<false>(w, joints, a);
+    reach(w, joints, kind, a, reached);
     ADAGEN_FOR (side, 0, kWidth<T>) {
       const std::size_t link = static_cast<std::size_t>(joints.joint[side] + 1);
-      if (kRoles[p][link].parts) w.motions[link] = lane(a, side);
+      if (kRoles[p][link].parts) {
+        w.motions[link] = lane(a, side);
+        if constexpr (kCertified) keep_reached(w, link, lane(reached, side));
+      }
     }
   });
 }

@@ -74,7 +74,11 @@ enum Entry : int {
   kMoments = 33,       // mass times centre of mass: B of the bare link is its cross product
   kTorque = 36,        // bias force n
   kForce = 39,         // and f of the bare link
-  kEntries = 42
+  kGained = 42,        // with certificates: what it accelerates by beyond that, angular and
+  kGainedAlong = 45,   // linear, and
+  kReached = 48,       // squares of what is uncertain of it in the last place
+  kReachedAlong = 49,
+  kEntries = kCertified ? 50 : 42
 };
 
 struct alignas(64) Block {

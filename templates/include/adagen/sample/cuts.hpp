@@ -6,6 +6,7 @@
 #include <array>
 
 #include "../first_parameters.hpp"
+#include "../kernels/weights.hpp"
 #include "value.hpp"
 #if defined(ADAGEN_SAMPLE_CUTS)
 #include "../refine.hpp"
@@ -19,6 +20,11 @@ struct Cuts {
   std::array<Number, kParameterCount> parameters = first_parameters<Number>();
   std::array<std::array<Value, kNv>, kSlavedCount> responses{};
   std::array<Real, kSlavedCount> coupling{};
+  std::array<Value, 2> certificate{};
+  Value seen{}, rounded{}, energy{};
+  Vector<Value> fall{};
+  std::array<Reached<Value>, kLinkCount> reached{};
+  std::array<Left<Value>, kLinkCount> lefts{};
 #if defined(ADAGEN_SAMPLE_CUTS)
   std::array<Columns6, kLinkCount> loads;
   Refinement refinement;

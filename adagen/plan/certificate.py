@@ -1,0 +1,55 @@
+"""Which plans can be certified, and how much rounding a certificate allows for."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from adagen.errors import UsageError
+from adagen.plan.steps import Certify, FusedJoin
+from adagen.plan.types import Plan
+
+ROUNDING = 8.0
+"""How many units in the last place of what is added up are taken to be uncertain."""
+
+
+def certified(plan: Plan) -> Plan:
+    """Return a plan whose process bounds the error of each answer after it.
+
+    Raises:
+        UsageError: the plan cannot be certified; the message says why.
+    """
+    reason = why_not(plan)
+    if reason is not None:
+        raise UsageError(f"answers cannot be certified: {reason}; leave out --certify")
+    processes = tuple(
+        replace(process, steps=(*process.steps, Certify())) if process.steps else process
+        for process in plan.processes
+    )
+    return replace(plan, processes=processes)
+
+
+def why_not(plan: Plan) -> str | None:
+    """Return why a plan cannot be certified, None where it can."""
+    if plan.form != "segment":
+        return f"that is for form segment, not {plan.form}"
+    if plan.scalar == "mixed":
+        return "answers of scalar mixed are refined, and say their error themselves"
+    if plan.closed:
+        return "the robot has closed loops"
+    if plan.reproducible:
+        return "reproducible solvers share out a straight line that has no certificate"
+    if sum(bool(process.steps) for process in plan.processes) > 1:
+        return "several processes share the robot"
+    if plan.slaved:
+        return f'joint "{plan.joints[plan.slaved[0]].name}" is slaved to another'
+    if plan.wanted or plan.outputs:
+        return "a scene wants other outputs than all accelerations"
+    if plan.wrenches:
+        return "outer forces act on links"
+    for joint in plan.joints:
+        if joint.prescribed:
+            return f'the motion of joint "{joint.name}" is prescribed'
+    steps = [step for process in plan.processes for step in process.steps]
+    if any(isinstance(step, FusedJoin) for step in steps):
+        return "joints are joined as one over links without mass"
+    return None

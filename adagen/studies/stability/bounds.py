@@ -1,0 +1,160 @@
+"""Bounds of errors that emitted solvers tell, beside the errors that their answers have."""
+
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.build import Toolchain, build_executable
+from adagen.emit import emit, stem_of
+from adagen.errors import AdagenError
+from adagen.executor.refine import WideLinks
+from adagen.model import Model
+from adagen.plan import Plan, make_plan
+from adagen.plan.certificate import certified
+from adagen.schedule import Topology, load_profile
+from adagen.search import named_schedule
+from adagen.states import States
+from adagen.studies.stability.audit import truths
+
+Array = NDArray[np.float64]
+FACTOR = 3.0
+"""By how much an error may exceed its bound."""
+
+
+@dataclass(frozen=True)
+class Certified:
+    """How a robot is solved.
+
+    Attributes:
+        shape: "kernels" or "unrolled".
+        batch: whether states are solved many at once.
+        scalar: "double" or "float".
+    """
+
+    shape: str
+    batch: bool = False
+    scalar: str = "double"
+
+    def __str__(self) -> str:
+        words = [self.shape] + ["batch"] * self.batch
+        return ", ".join(words + [self.scalar] * (self.scalar != "double"))
+
+
+@dataclass(frozen=True, eq=False)
+class Bounded:
+    """Answered states.
+
+    Attributes:
+        errors: true relative errors in the energy norm, shape (S,).
+        bounds: what the solver said of them, shape (S,).
+        refused: how many states were not answered, or have no answer.
+    """
+
+    errors: Array
+    bounds: Array
+    refused: int
+
+    @property
+    def ratios(self) -> Array:
+        """Errors relative to their bounds, shape (S,)."""
+        return np.where(self.errors > 0, self.errors / self.bounds, 0.0)
+
+
+def certified_plan(model: Model, scalar: str = "double") -> Plan:
+    """Return the certified plan of one process.
+
+    Raises:
+        AdagenError: the robot has none.
+    """
+    profile = load_profile("default")
+    schedule = named_schedule("balanced", Topology.of(model), 1, profile=profile)
+    return certified(make_plan(model, schedule, scalar=scalar))
+
+
+def bounded(
+    model: Model, states: States, ways: list[Certified], toolchain: Toolchain
+) -> dict[Certified, Bounded]:
+    """Solve states of a robot in some ways and compare bounds with true errors.
+
+    Errors are told against certified accelerations of 25 digits, for states as the solver reads
+    them. Ways that a robot cannot be emitted in are left out.
+
+    Raises:
+        EnvironmentFault: a solver cannot be built.
+    """
+    found: dict[Certified, Bounded] = {}
+    known: dict[str, tuple[States, list[Array | None]]] = {}
+    for way in ways:
+        try:
+            plan = certified_plan(model, way.scalar)
+            text = emit(plan, name="certified", shape=way.shape, batch=int(way.batch))
+        except AdagenError:
+            continue
+        if way.scalar not in known:
+            kind = np.float64 if way.scalar == "double" else np.float32
+            parts = (x.astype(kind).astype(float) for x in (states.q, states.v, states.tau))
+            given = States(*parts)
+            known[way.scalar] = given, truths(model, given)
+        given, truth = known[way.scalar]
+        answers, bounds = _answers(text[f"{_STEM}.cpp"], plan, way, given, toolchain)
+        rows = [
+            (_error(plan, given.q[k], given.v[k], answers[k], true), bounds[k])
+            for k, true in enumerate(truth)
+            if true is not None and np.isfinite(answers[k]).all()
+        ]
+        errors, told = np.array(rows, dtype=float).reshape(-1, 2).T
+        found[way] = Bounded(errors, told, len(truth) - len(rows))
+    return found
+
+
+_STEM = "certified_p1"
+
+
+def _error(plan: Plan, q: Array, v: Array, answer: Array, true: Array) -> float:
+    """The relative error of an answer in the energy norm."""
+    chain = WideLinks(plan, q, v, np.longdouble)
+    off, whole = chain.energy(answer.astype(np.longdouble) - true), chain.energy(true)
+    return float(np.sqrt(off / whole)) if whole > 0 else 0.0
+
+
+def _answers(
+    source: str, plan: Plan, way: Certified, states: States, toolchain: Toolchain
+) -> tuple[Array, Array]:
+    """Accelerations, shape (S, nv), and their bounds, shape (S,); NaN where there is none."""
+    assert stem_of(plan, "certified") == _STEM
+    flags = (*toolchain.flags, "-shared", "-fPIC", "-DADAGEN_NO_MAIN")
+    built = build_executable(
+        f"#define ADAGEN_NO_MAIN\n{source}", f"{_STEM}.so", replace(toolchain, flags=flags)
+    )
+    library = ctypes.CDLL(str(built))
+    number = np.dtype(np.float64 if way.scalar == "double" else np.float32)
+    pointer = ctypes.c_void_p
+
+    def function(name: str, result: Any, *arguments: Any) -> Any:
+        called = getattr(library, f"{_STEM}_{name}")
+        called.restype, called.argtypes = result, arguments
+        return called
+
+    rows = [np.ascontiguousarray(x, number) for x in (states.q, states.v, states.tau)]
+    qdd, bounds = np.full(states.v.shape, np.nan, number), np.full(states.count, np.nan)
+    opened = function("open", pointer)()
+    try:
+        if way.batch:
+            solve = function(
+                "solve_batch_certified", ctypes.c_int, pointer, ctypes.c_int, *[pointer] * 5
+            )
+            solve(opened, states.count, *(x.ctypes.data for x in (*rows, qdd, bounds)))
+            return qdd.astype(float), bounds
+        solve = function("solve", ctypes.c_int, *[pointer] * 5)
+        bound = function("error_bound", ctypes.c_double, pointer)
+        for k, state in enumerate(zip(*rows, qdd, strict=True)):
+            if solve(opened, *(x.ctypes.data for x in state)) == 0:
+                bounds[k] = bound(opened)
+        return qdd.astype(float), bounds
+    finally:
+        function("close", None, pointer)(opened)

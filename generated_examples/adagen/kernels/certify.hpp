@@ -1,0 +1,280 @@
+// adagen's runtime, the same for all robots.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstring>
+
+#include "../common.hpp"
+#include "../constants.hpp"
+#include "../sample/layout.hpp"
+#include "../sample/robot.hpp"
+#include "../sample/sizes.hpp"
+#include "../sample/value.hpp"
+#include "algebra.hpp"
+#include "blocks.hpp"
+#include "factors.hpp"
+#include "inward.hpp"
+#include "kinds.hpp"
+#include "lanes.hpp"
+#include "links.hpp"
+#include "memory.hpp"
+#include "spherical.hpp"
+#include "turned.hpp"
+#include "weights.hpp"
+
+namespace {
+
+// A bound of the answer's error: what the links' equations of motion leave over is swept inwards by
+// the factors at hand, u at each joint, and sum u D^-1 u is the square of the error in the energy
+// norm. Of rounding, which that does not see, the squares of what is added up are swept beside it.
+
+template <class T>
+ADAGEN_INLINE void operator+=(Left<T>& a, const Left<T>& b) {
+  a.n += b.n, a.f += b.f;
+  a.moments += b.moments, a.forces += b.forces;
+}
+
+// Whether a slot is filled: what others hold is nobody's.
+constexpr std::array<PerJoint, kBlockCount> kFilled = [] {
+  std::array<PerJoint, kBlockCount> result{};
+  for (int j = 0; j < kJointCount; ++j)
+    result[static_cast<std::size_t>(slot_of(j) / kPerBlock)]
+          [static_cast<std::size_t>(slot_of(j) % kPerBlock)] = 1;
+  return result;
+}();
+
+// The sum of the numbers of a block's links.
+ADAGEN_INLINE Value over_links(const Lanes& x) {
+  Value found{};
+  for (int k = 0; k < kPerBlock; ++k) {
+    Value own;
+    std::memcpy(&own, reinterpret_cast<const char*>(&x) + std::size_t(k) * sizeof own, sizeof own);
+    found += own;
+  }
+  return found;
+}
+
+// What links of blocks first .. last - 1 take, n and f with all that they gain; what of it may be
+// rounding, as their inertia is told in axes of the base; the energy of the answer, and of what is
+// uncertain of it.
+template <int first, int last>
+void weigh_links(Workspace& w) {
+  Lanes energy{}, rounded{};
+  const Vector<Lanes> fall{Lanes{} + w.fall.x, Lanes{} + w.fall.y, Lanes{} + w.fall.z};
+  for (int b = first; b < last; ++b) {
+    Block& block = w.blocks[static_cast<std::size_t>(b)];
+    const auto& entries = block.entries;
+    const auto at = [&](int entry) { return wide_vector(entries + entry); };
+    const Vector<Lanes> Ax = at(kRotational), Ay = at(kRotational + 3), c = at(kMoments);
+    const Symmetric<Lanes> A{Ax.x, Ax.y, Ax.z, Ay.x, Ay.y, Ay.z};
+    const Lanes mass = wide(w.constants_of(b).mass), filled = wide(kFilled[std::size_t(b)]);
+    const Vector<Lanes> alpha = at(kGained), gained = at(kGainedAlong), a = gained - fall;
+    Vector<Lanes> n = A * alpha + cross(c, a), f = a * mass + cross(alpha, c);
+    energy += filled * (dot(alpha, n) + dot(a, f));
+    if constexpr (kFloats) n += cross(c, fall), f += fall * mass;
+    n += at(kTorque), f += at(kForce);
+    narrow(n, block.entries + kTorque), narrow(f, block.entries + kForce);
+    const Lanes trace = A.xx + A.yy + A.zz;
+    rounded += filled * (trace * wide(entries[kReached]) + mass * wide(entries[kReachedAlong]));
+    const Vector<Lanes> omega = at(kOmega), ahead = at(kAlpha), above = at(kAcceleration);
+    const Lanes spin = dot(omega, omega);
+    const Lanes turning = dot(alpha, alpha) + dot(ahead, ahead) + spin * spin;
+    narrow(trace * trace * turning + dot(c, c) * (dot(gained, gained) + dot(above, above)),
+           block.entries[kReached]);
+  }
+  w.energy += over_links(energy), w.rounded += over_links(rounded);
+}
+
+template <class T>
+ADAGEN_INLINE void add_weighed_link(Workspace& w, const Joints<T>& joints, Left<T>& X) {
+  X.n += vector_at<T>(w.at(joints.slot, kTorque));
+  X.f += vector_at<T>(w.at(joints.slot, kForce));
+  X.moments += number_at<T>(w.at(joints.slot, kReached));
+}
+
+// The trace of the inverse of a matrix, by its factors.
+template <class T>
+ADAGEN_INLINE T trace_of_inverse(const T* factors) {
+  const T *d = factors, *l = factors + 3;
+  const T corner = l[0] * l[2] - l[1];
+  return d[0] + d[1] * (1 + l[0] * l[0]) + d[2] * (1 + l[2] * l[2] + corner * corner);
+}
+
+// What was seen of the error at some joints, and what rounding may be.
+template <class T>
+struct Found {
+  T seen, rounded;
+};
+
+// What drives a joint of one freedom, less what its rotor takes.
+template <class T>
+ADAGEN_INLINE T driving(Workspace& w, const Joints<T>& joints) {
+  T tau = each(joints, [&w](const JointConstants& own) { return torque(w, own); });
+  if constexpr (kAnyPassive)
+    tau -= each(joints, [&w](const JointConstants& own) {
+      return Value{} + w.answer[static_cast<std::size_t>(own.v)] * Real(own.passive.rotor);
+    });
+  return tau;
+}
+
+// A joint of one freedom that is left u, and has units of rounding; see eliminate in inward.hpp.
+template <class T>
+ADAGEN_INLINE void weigh_freedom(Workspace& w, const Joints<T>& joints, const T& u, const T& units,
+                                 Left<T>& X, Found<T>& found) {
+  const T* const e = w.memory(joints).e;
+  found.seen += u * u * e[7];
+  found.rounded += units * e[7];
+  X.n += cross(w.memory(joints).r, X.f);
+  X.n += Vector<T>{e[0], e[1], e[2]} * u;
+  X.f += Vector<T>{e[3], e[4], e[5]} * u;
+}
+
+// What a bare link takes along its joint, told in its own axes; adds the squares of what that is
+// added up from. See add_own_link in turned.hpp.
+template <bool along, class T>
+ADAGEN_INLINE T own_share(Workspace& w, const Joints<T>& joints, T& units) {
+  const Matrix<T> back = transposed(matrix_at<T>(w.at(joints.slot, kAxes)));
+  const auto told = [&](Entry entry) { return back * vector_at<T>(w.at(joints.slot, entry)); };
+  T mass;
+  Vector<T> c, n, f;
+  Symmetric<T> J;
+  own_inertia(w, joints, mass, c, J);
+  bias_force(J, c, mass, told(kOmega), told(kAlpha), told(kAcceleration), n, f);
+  const Vector<T> alpha = told(kGained), a = told(kGainedAlong);
+  const T before = along ? f.z : n.z;
+  const T gained =
+      along ? a.z * mass + (alpha.x * c.y - alpha.y * c.x)
+            : alpha.z * (J.xx + J.yy) - (alpha.x * J.xz + alpha.y * J.yz) + (c.x * a.y - c.y * a.x);
+  units += before * before + gained * gained;
+  return before + gained;
+}
+
+// A joint that is swept in its own axes: what its bare link takes along it is exact there.
+template <bool along, class T>
+ADAGEN_INLINE void weigh_turned(Workspace& w, const Joints<T>& joints, Left<T>& X,
+                                Found<T>& found) {
+  const Vector<T> s = axis_at<T>(w.at(joints.slot, kAxes));
+  T units = along ? X.forces + dot(X.f, X.f) : X.moments + dot(X.n, X.n);
+  const T brought = dot(s, along ? X.f : X.n);
+  const T u = driving(w, joints) - own_share<along>(w, joints, units) - brought;
+  add_weighed_link(w, joints, X);
+  X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
+  weigh_freedom(w, joints, u, units, X, found);
+}
+template <bool along, class T>
+ADAGEN_INLINE void weigh_in_base(Workspace& w, const Joints<T>& joints, Left<T>& X,
+                                 Found<T>& found) {
+  X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
+  const T brought = dot(axis_at<T>(w.at(joints.slot, kAxes)), along ? X.f : X.n);
+  const T u = driving(w, joints) - brought;
+  weigh_freedom(w, joints, u, along ? X.forces : X.moments, X, found);
+}
+
+// A ball joint; see take_out_rotations in spherical.hpp. Of moments no more than its torque passes.
+template <class T>
+ADAGEN_INLINE void weigh_rotations(Workspace& w, const Joints<T>& joints, Left<T>& X,
+                                   Found<T>& found) {
+  const T* const e = w.memory(joints).e;
+  const Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * spherical_torque(w, joints);
+  const Vector<T> u = torque - X.n;
+  X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
+  found.seen += dot(u, solved(e + 12, u));
+  found.rounded += X.moments * trace_of_inverse(e + 12);
+  X.f += transposed_times(Matrix<T>{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}}, u);
+  X.n = torque;
+  X.moments = dot(torque, torque);
+  X.n += cross(w.memory(joints).r, X.f);
+}
+
+// Whether what the bare link beyond a joint takes is added with the joint.
+ADAGEN_INLINE constexpr bool weighed_apart(int joint) { return turned<true>(joint); }
+
+// A joint whose far link's share is X, but for the bare link where that is added here.
+template <class T>
+ADAGEN_INLINE void weigh_joint(Workspace& w, const Joints<T>& joints, JointKind kind, Left<T>& X,
+                               Found<T>& found) {
+  const bool along = kind == JointKind::kPrismatic;
+  if constexpr (kAnySpherical) {
+    if (kind == JointKind::kSpherical) weigh_rotations(w, joints, X, found);
+  }
+  if (kind != JointKind::kSpherical) {
+    if (weighed_apart(joints.joint[0]))
+      along ? weigh_turned<true>(w, joints, X, found) : weigh_turned<false>(w, joints, X, found);
+    else
+      along ? weigh_in_base<true>(w, joints, X, found) : weigh_in_base<false>(w, joints, X, found);
+  }
+  const Vector<T>& r = w.memory(joints).r;
+  X.moments += dot(r, r) * X.forces;
+}
+
+// Adds what is found at a link; see meet.
+template <int p>
+ADAGEN_INLINE void meet_left(Workspace& w, int link, Left<Value>& X) {
+  const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
+  if (role.gathers) X += w.lefts[static_cast<std::size_t>(link)];
+  if (role.adds_own && !weighed_apart(link - 1)) add_weighed_link(w, single(link - 1), X);
+}
+template <bool starts>
+ADAGEN_INLINE void leave_left(Workspace& w, int link, const Left<Value>& X) {
+  Left<Value>& left = w.lefts[static_cast<std::size_t>(link)];
+  if constexpr (starts)
+    left = X;
+  else
+    left += X;
+}
+template <int link, bool starts>
+void weigh_placed(Workspace& w) {
+  Left<Value> X{};
+  add_weighed_link(w, single(link - 1), X);
+  leave_left<starts>(w, link, X);
+}
+template <int j, bool starts>
+void weigh_free_base(Workspace& w) {
+  const Value* tau = w.tau + kJoints[j].v;
+  Left<Value> X{};
+  X.n = {-tau[3], -tau[4], -tau[5]}, X.f = {-tau[0], -tau[1], -tau[2]};
+  leave_left<starts>(w, j + 1, X);
+}
+
+// Joints last .. first, each on the link of the one before; see inward.
+template <int p, int first, int last, bool starts>
+void weigh(Workspace& w) {
+  Left<Value> X{};
+  Found<Value> found{};
+  each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
+    meet_left<p>(w, first + k + 1, X);
+    weigh_joint(w, single(first + k), kind, X, found);
+  });
+  w.seen += found.seen, w.rounded += found.rounded;
+  constexpr int near = kJoints[first].parent;
+  if constexpr (near > 0) leave_left<starts>(w, near, X);
+}
+
+// A body that nothing holds: what is left over is its own to take.
+template <int p, int link>
+void weigh_root(Workspace& w) {
+  Left<Value> X{};
+  meet_left<p>(w, link, X);
+  X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
+  const Body<Value> body = whole<p>(w, link);
+  Value turning[6], sliding[6], checks[4];
+  factorize(body.A, turning, checks);
+  Symmetric<Value> C = body.C;
+  const Matrix<Value> K = complement(C, body.B, turning);
+  factorize(C, sliding, checks);
+  const Vector<Value> rest = X.f - transposed_times(K, X.n);
+  w.seen += dot(X.n, solved(turning, X.n)) + dot(rest, solved(sliding, rest));
+  const Vector<Value>&x = K.x, &y = K.y, &z = K.z;
+  const Value passed =
+      dot(x, solved(sliding, x)) + dot(y, solved(sliding, y)) + dot(z, solved(sliding, z));
+  w.rounded += X.moments * (trace_of_inverse(turning) + passed);
+  w.rounded += X.forces * trace_of_inverse(sliding);
+}
+
+inline void begin_weighing(Workspace& w) { w.seen = w.rounded = w.energy = Value{}; }
+inline void end_weighing(Workspace& w) {
+  w.certificate = {w.seen + kUnit * kUnit * w.rounded, w.energy};
+}
+
+}  // namespace

@@ -1,0 +1,64 @@
+// adagen's runtime, the same for all robots.
+#pragma once
+
+#include <cstddef>
+
+#include "../gravity.hpp"
+#include "../sample/layout.hpp"
+#include "../sample/robot.hpp"
+#include "../sample/sizes.hpp"
+#include "../sample/value.hpp"
+#include "algebra.hpp"
+#include "lanes.hpp"
+#include "memory.hpp"
+#include "outward.hpp"
+#include "weights.hpp"
+
+namespace {
+
+// What certificates take of the sweep of accelerations.
+template <class T>
+ADAGEN_INLINE T larger(const T& x, const T& y) {
+  return x > y ? x : y;
+}
+
+ADAGEN_INLINE Reached<Value> reached_at(const Workspace& w, int link) {
+  return w.reached[static_cast<std::size_t>(link)];
+}
+inline void reach_ground(Workspace& w) {
+  const Frame<Value> at = ground(w);
+  w.reached[0] = {Value{}, dot(at.a, at.a)};
+}
+
+// Keeps what the link beyond each of the joints gains beyond its Frame, for its certificate.
+template <class T>
+ADAGEN_INLINE void keep_gained(Workspace& w, int slot, const Motion<T>& a, const Reached<T>& to) {
+  put_at(w.at(slot, kGained), a.angular);
+  put_at(w.at(slot, kGainedAlong), a.linear);
+  put_at(w.at(slot, kReached), to.turning);
+  put_at(w.at(slot, kReachedAlong), to.sliding);
+}
+template <class T>
+ADAGEN_INLINE void reach(Workspace& w, const Joints<T>& joints, JointKind kind, const Motion<T>& a,
+                         Reached<T>& to) {
+  const Vector<T>& r = w.memory(joints).r;
+  to.sliding += dot(r, r) * to.turning;
+  if (kind == JointKind::kPrismatic) to.sliding = larger(to.sliding, dot(a.linear, a.linear));
+  to.turning = larger(to.turning, dot(a.angular, a.angular));
+  keep_gained(w, joints.slot, a, to);
+}
+ADAGEN_INLINE void keep_reached(Workspace& w, std::size_t link, const Reached<Value>& to) {
+  w.reached[link] = to;
+}
+
+// A floating base: its joint's acceleration is less by what turns with its axes, the fall.
+template <int j>
+void reach_base(Workspace& w) {
+  const Value* v = w.v + kJoints[j].v;
+  w.fall = cross(Vector<Value>{v[3], v[4], v[5]}, Vector<Value>{v[0], v[1], v[2]});
+  const Motion<Value>& a = w.motions[j + 1];
+  w.reached[j + 1] = {dot(a.angular, a.angular), dot(a.linear, a.linear) + dot(w.fall, w.fall)};
+  keep_gained(w, slot_of(j), a, w.reached[j + 1]);
+}
+
+}  // namespace

@@ -1,0 +1,30 @@
+// adagen's runtime, the same for all robots.
+#pragma once
+
+#include <type_traits>
+
+#include "common.hpp"
+#include "sample/sizes.hpp"
+#include "unrolled_wide.hpp"
+
+namespace {
+
+// The same of limbs, lane by lane; a single number stands for all lanes.
+template <class T, class R = std::enable_if_t<(kWidth<T> > 1), T>>
+[[maybe_unused]] ADAGEN_INLINE R max_of(const T& x, const T& y) {
+  const auto first = x > y;
+  using Bits = std::decay_t<decltype(first)>;
+  const Bits bits =
+      (first & reinterpret_cast<const Bits&>(x)) | (~first & reinterpret_cast<const Bits&>(y));
+  return reinterpret_cast<const T&>(bits);
+}
+template <class T, class R = std::enable_if_t<(kWidth<T> > 1), T>>
+[[maybe_unused]] ADAGEN_INLINE R max_of(const T& x, const Real& y) {
+  return max_of(x, T{} + y);
+}
+template <class T, class R = std::enable_if_t<(kWidth<T> > 1), T>>
+[[maybe_unused]] ADAGEN_INLINE R max_of(const Real& x, const T& y) {
+  return max_of(T{} + x, y);
+}
+
+}  // namespace

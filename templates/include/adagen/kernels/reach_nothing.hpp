@@ -1,0 +1,20 @@
+// adagen's runtime, the same for all robots.
+#pragma once
+
+#include <cstddef>
+
+#include "../sample/value.hpp"
+#include "algebra.hpp"
+#include "lanes.hpp"
+#include "memory.hpp"
+#include "weights.hpp"
+
+namespace {
+
+// Without certificates nothing is kept of links' accelerations.
+ADAGEN_INLINE Reached<Value> reached_at(const Workspace&, int) { return {}; }
+template <class T>
+ADAGEN_INLINE void reach(Workspace&, const Joints<T>&, JointKind, const Motion<T>&, Reached<T>&) {}
+ADAGEN_INLINE void keep_reached(Workspace&, std::size_t, const Reached<Value>&) {}
+
+}  // namespace

@@ -1,0 +1,80 @@
+"""``--certify`` on the command line: what is emitted, said, solved and refused."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from adagen.cli import main
+from adagen.library.command import command_in
+from adagen.states import random_states, read_result, write_states
+from adagen.urdf import read_robot
+from tests.golden.make_models import MODELS
+
+ARM, CHAIN, FOURBAR, MOBILE = (
+    str(MODELS / f"{name}.urdf") for name in ("arm7", "chain16", "fourbar", "mobile")
+)
+
+
+def test_the_head_makes_it_again(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([MOBILE, "--certify", "--procs", "1", "--out", str(tmp_path)]) == 0
+    source = (tmp_path / "mobile_p1.cpp").read_text()
+    assert ", certified, channel" in source
+    assert "double mobile_p1_error_bound(" in (tmp_path / "mobile_p1.h").read_text()
+    assert "--certify" in (command_in(source) or ())
+    assert main(["verify", str(tmp_path)]) == 0
+    assert capsys.readouterr().err.endswith("1 solver: as emitted now\n")
+
+
+@pytest.mark.parametrize("more", [("--shape", "kernels"), ("--shape", "unrolled"), ("--batch",)])
+def test_a_bound_for_each_state_is_in_the_result(tmp_path: Path, more: tuple[str, ...]) -> None:
+    model = read_robot(Path(CHAIN)).model
+    given, found = tmp_path / "states.json", tmp_path / "result.json"
+    write_states(random_states(model, 5, seed=1), model, given)
+    words = ["--procs", "1", "--certify", *more, "--states", str(given), "--result", str(found)]
+    assert main(["solve", CHAIN, *words]) == 0
+    bounds = json.loads(found.read_text())["error_bounds"]
+    assert len(bounds) == 5
+    assert all(1e-17 < bound < 1e-12 for bound in bounds)
+    assert read_result(found, model).shape == (5, model.nv)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--form", "ada"), "form ada has no factors to certify answers with"),
+        (("--scalar", "mixed"), "refined answers come with an estimate of their own"),
+        (("--refine", "1"), "refined answers come with an estimate of their own"),
+        (("--shape", "joints"), "certificates are emitted in shapes kernels and unrolled"),
+        (("--reproducible",), "certified solvers are not emitted with --reproducible"),
+        (("--target", "embedded"), "certified solvers are not emitted with --target"),
+        (("--tune",), "certified solvers are not emitted with --tune"),
+        (("--procs", "2"), "answers are certified by one process"),
+        (("--batch", "--procs", "2"), "answers are certified by one process"),
+        (("--mimic",), 'joint "right_finger_slide" is slaved to another'),
+    ],
+)
+def test_what_is_not_certified_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], words: tuple[str, ...], said: str
+) -> None:
+    given = [ARM, "--certify", "--procs", "1", *words, "--out", str(tmp_path)]
+    assert main(given) == 2
+    assert said in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
+
+
+def test_closed_loops_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    scene = str(MODELS / "fourbar.toml")
+    given = [FOURBAR, "--scene", scene, "--certify", "--procs", "1", "--out", str(tmp_path)]
+    assert main(given) == 2
+    assert "the robot has closed loops" in capsys.readouterr().err
+
+
+def test_loops_refuse_what_straight_lines_certify(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    given = [MOBILE, "--shape", "kernels", "--certify", "--procs", "1", "--out", str(tmp_path)]
+    assert main(given) == 2
+    assert 'they do not certify planar joint "drive"' in capsys.readouterr().err

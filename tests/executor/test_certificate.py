@@ -1,0 +1,157 @@
+"""Certificates as the executor carries them out: bounds beside true errors, and what they see."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from adagen.errors import UsageError
+from adagen.executor.grouping import offered_groupings
+from adagen.executor.lanes import Grouping
+from adagen.executor.refine import WideLinks
+from adagen.executor.run import each_for_itself
+from adagen.executor.segments import Articulated, Segments
+from adagen.executor.solve import Run
+from adagen.graph import BALLS, DOUBLE, FLOAT, Algebra
+from adagen.model import SPHERICAL, Model
+from adagen.plan import Plan, plan_from_json, plan_to_json
+from adagen.plan.certificate import certified
+from adagen.plan.steps import Articulate, Certify
+from adagen.program import check, lower
+from adagen.reference import exact_forward_dynamics
+from adagen.states import random_states
+from adagen.studies.stability.adversary import FAMILIES, hard_states, robots
+from tests.emitted import plan_of
+from tests.models import human_figure, random_tree, serial_chain, star
+
+Array = NDArray[np.float64]
+FIGURES: dict[str, Callable[[], Model]] = {
+    "chain": lambda: serial_chain(7),
+    "balls": lambda: serial_chain(5, kind=SPHERICAL),
+    "tree": lambda: random_tree(np.random.default_rng(4), 12),
+    "floating tree": lambda: random_tree(np.random.default_rng(5), 9, floating=True),
+    "floating star": lambda: star(4, 3, floating=True),
+    "figure": human_figure,
+}
+
+
+def _squares(
+    plan: Plan, state: tuple[Array, ...], algebra: Algebra = DOUBLE, lanes: Grouping | bool = False
+) -> tuple[Array, float, float]:
+    """Accelerations, and the squares of the norms of error and answer."""
+    q, v, tau = state
+    run = Run(plan, {"q": q, "v": v, "tau": tau}, algebra, lanes=lanes)
+    run.check()
+    error, answer = (float(x) for x in run.of(0, list(run.machines[0].certificate)))
+    return np.array(run.accelerations(), dtype=float), error, answer
+
+
+def _norm(plan: Plan, state: tuple[Array, ...], qdd: Array) -> float:
+    chain = WideLinks(plan, state[0], state[1], np.longdouble)
+    return float(np.sqrt(chain.energy(qdd.astype(np.longdouble))))
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_the_norm_of_the_answer_is_that_of_its_links(name: str) -> None:
+    model = FIGURES[name]()
+    plan = certified(plan_of(model, 1))
+    states = random_states(model, 4, seed=2)
+    for state in zip(states.q, states.v, states.tau, strict=True):
+        qdd, _, answer = _squares(plan, state)
+        assert np.sqrt(answer) == pytest.approx(_norm(plan, state, qdd), rel=1e-11)
+
+
+@pytest.mark.parametrize("k", range(len(FAMILIES)), ids=lambda k: FAMILIES[k].__name__)
+def test_hard_states_keep_their_bounds(k: int) -> None:
+    for model in robots(3 * len(FAMILIES), seed=21)[k :: len(FAMILIES)]:
+        plan = certified(plan_of(model, 1))
+        states = hard_states(model, 6, seed=21)
+        for state in zip(states.q, states.v, states.tau, strict=True):
+            try:
+                qdd, error, answer = _squares(plan, state)
+            except FloatingPointError:
+                continue
+            true = exact_forward_dynamics(model, *state, digits=25).value
+            off = _norm(plan, state, qdd - true) / _norm(plan, state, true)
+            assert off <= 3 * np.sqrt(error / answer), (model.name, off)
+
+
+def test_without_rounding_no_error_shows() -> None:
+    """In balls of many digits nothing shows of an error: the allowance for rounding is left."""
+    model = FIGURES["tree"]()
+    plan = certified(plan_of(model, 1))
+    states = random_states(model, 1, seed=1)
+    state = (states.q[0], states.v[0], states.tau[0])
+    _, in_balls, answer = _squares(plan, state, BALLS)
+    _, in_float, _ = _squares(certified(plan_of(model, 1, scalar="float")), state, FLOAT)
+    assert np.sqrt(in_balls / answer) < 1e-13
+    assert 1e-7 < np.sqrt(in_float / answer) < 1e-4
+
+
+def test_a_factor_that_is_off_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With D^-1 U^T of a joint 1e-5 off answers are wrong by as much; the bound tells."""
+    model = serial_chain(7)
+    plan, states = certified(plan_of(model, 1)), random_states(model, 3, seed=3)
+    articulate = Segments._articulate
+
+    def spoilt(self: Segments, step: Articulate) -> None:
+        articulate(self, step)
+        if step.joint == 3:
+            body: Articulated = self.memory["articulated", 3]
+            off = body.scaled * self.state.graph.constant(1 + 1e-5)
+            self.memory["articulated", 3] = replace(body, scaled=off)
+
+    for articulates in (articulate, spoilt):
+        monkeypatch.setattr(Segments, "_articulate", articulates)
+        each_for_itself.cache_clear()
+        for state in zip(states.q, states.v, states.tau, strict=True):
+            qdd, error, answer = _squares(plan, state)
+            true = exact_forward_dynamics(model, *state).value
+            off = _norm(plan, state, qdd - true) / _norm(plan, state, true)
+            bound = np.sqrt(error / answer)
+            assert off <= 3 * bound
+            assert (off > 1e-8 and bound < 1e-3) if articulates is spoilt else bound < 1e-12
+    each_for_itself.cache_clear()
+
+
+def test_limbs_in_lanes_have_the_same_bounds() -> None:
+    model = FIGURES["floating star"]()
+    plan = certified(plan_of(model, 1))
+    grouping = next(offer for offer in offered_groupings(plan) if any(offer))
+    states = random_states(model, 3, seed=6)
+    for state in zip(states.q, states.v, states.tau, strict=True):
+        _, error, answer = _squares(plan, state)
+        _, in_lanes, answer_in_lanes = _squares(plan, state, lanes=grouping)
+        assert np.sqrt(in_lanes / error) == pytest.approx(1, abs=0.5)
+        assert answer_in_lanes == pytest.approx(answer, rel=1e-10)
+
+
+def test_a_certified_plan_is_written_and_checked() -> None:
+    plan = certified(plan_of(human_figure(), 1))
+    assert plan.certified
+    assert isinstance(plan.processes[0].steps[-1], Certify)
+    assert plan_from_json(plan_to_json(plan)) == plan
+    for shape in ("kernels", "unrolled"):
+        check(lower(plan, shape))
+
+
+@pytest.mark.parametrize(
+    ("model", "options", "said"),
+    [
+        (serial_chain(8), {"form": "ada"}, "that is for form segment"),
+        (serial_chain(8), {"scalar": "mixed"}, "answers of scalar mixed are refined"),
+        (random_tree(np.random.default_rng(1), 8, mimics=1), {}, "is slaved to another"),
+    ],
+)
+def test_what_is_not_certified_is_refused(model: Model, options: dict[str, str], said: str) -> None:
+    with pytest.raises(UsageError, match=said):
+        certified(plan_of(model, 1, **options))
+
+
+def test_several_processes_are_refused() -> None:
+    with pytest.raises(UsageError, match="several processes share the robot"):
+        certified(plan_of(serial_chain(12), 2))

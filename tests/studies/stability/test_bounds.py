@@ -1,0 +1,90 @@
+"""Bounds that emitted solvers tell beside true errors, in hard states of random robots."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from adagen.build import Toolchain
+from adagen.build.toolchain import STANDARD
+from adagen.executor import certificate
+from adagen.executor.run import each_for_itself
+from adagen.studies.stability.adversary import FAMILIES, hard_states, robots
+from adagen.studies.stability.bounds import FACTOR, Bounded, Certified, bounded
+from adagen.urdf import read_robot
+from tests.emitted import QUICK, Builder
+from tests.golden.make_models import MODELS
+from tests.real import real_robot
+
+LOOPS, LINE = Certified("kernels"), Certified("unrolled")
+WAYS = [LOOPS, LINE, Certified("kernels", batch=True), Certified("unrolled", batch=True)]
+IN_FLOAT = [Certified("kernels", scalar="float"), Certified("unrolled", scalar="float")]
+
+
+@pytest.fixture(scope="module")
+def quick(builder: Builder) -> Toolchain:
+    return replace(builder.toolchain, flags=(*STANDARD, *QUICK))
+
+
+def _hold(found: dict[Certified, Bounded]) -> None:
+    for way, one in found.items():
+        assert (one.ratios <= FACTOR).all(), f"{way}: {one.ratios.max()}"
+
+
+@pytest.mark.parametrize("k", range(len(FAMILIES)), ids=lambda k: FAMILIES[k].__name__)
+def test_no_bound_is_exceeded_by_more_than_three(k: int, quick: Toolchain) -> None:
+    model = robots(k + 1, seed=8)[k]
+    way = WAYS[k % len(WAYS)]
+    found = bounded(model, hard_states(model, 40, seed=8), [LINE, way], quick)
+    assert LINE in found
+    assert found[LINE].errors.size + found[LINE].refused == 40
+    _hold(found)
+
+
+@pytest.mark.parametrize(
+    ("name", "ways"), [("chain16", WAYS), ("humanoid", WAYS[:2]), ("human40", WAYS[:1])]
+)
+def test_bounds_of_ordinary_robots_are_small_in_every_shape(
+    name: str, ways: list[Certified], quick: Toolchain
+) -> None:
+    model = read_robot(MODELS / f"{name}.urdf").model
+    found = bounded(model, hard_states(model, 11, seed=1), ways, quick)
+    assert set(found) == set(ways)
+    _hold(found)
+    for one in found.values():
+        assert one.refused == 0
+        assert np.median(one.bounds) < 1e-12
+
+
+@pytest.mark.parametrize(
+    "name", ["go1_description/urdf/go1.urdf", "ur_description/urdf/ur5_robot.urdf"]
+)
+def test_bounds_of_real_robots(name: str, quick: Toolchain) -> None:
+    model = read_robot(real_robot(name), floating=True).model
+    found = bounded(model, hard_states(model, 11, seed=2), [LOOPS, LINE, *IN_FLOAT], quick)
+    assert {LOOPS, LINE} <= set(found)
+    _hold(found)
+
+
+def test_there_is_something_to_be_bounded(
+    quick: Toolchain, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Without its allowance for rounding the certificate would not hold: the tests can fail."""
+    model = robots(10, seed=8)[9]
+    states = hard_states(model, 40, seed=8)
+    kept = bounded(model, states, [LINE], quick)[LINE]
+    monkeypatch.setattr(certificate, "ROUNDING", 1e-9)
+    each_for_itself.cache_clear()
+    bare = bounded(model, states, [LINE], quick)[LINE]
+    each_for_itself.cache_clear()
+    assert (kept.ratios <= FACTOR).all()
+    assert (bare.ratios > FACTOR).any()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(10, 13))
+def test_no_bound_is_exceeded_on_many(seed: int, quick: Toolchain) -> None:
+    for model in robots(2 * len(FAMILIES), seed):
+        _hold(bounded(model, hard_states(model, 60, seed), [*WAYS, *IN_FLOAT], quick))
