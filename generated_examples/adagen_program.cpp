@@ -138,7 +138,7 @@ struct Hop {
 template <class Number>
 struct Description {
   const char *robot, *channel;
-  int processes, threads, nq, nv, ntau, refine;
+  int processes, threads, nq, nv, ntau, nqdd, refine;
   bool floating, alone, batch, sets_gravity;
   double tolerance;
   const double* gravity;
@@ -1004,6 +1004,34 @@ class StatesReader : private JsonReader {
   }
 };
 
+// One number, or several in brackets.
+void write_numbers(std::FILE* file, const Number* x, int count) {
+  if (count > 1) std::fputs("[", file);
+  for (int k = 0; k < count; ++k)
+    if (x[k] == x[k])
+      std::fprintf(file, "%s%.17g", k == 0 ? "" : ", ", static_cast<double>(x[k]));
+    else  // of a batch, a state that failed
+      std::fputs(k == 0 ? "null" : ", null", file);
+  if (count > 1) std::fputs("]", file);
+}
+
+// The forces of loops or couplings, which start at an entry of each state; returns where they end.
+template <class Things>
+int write_forces(std::FILE* file, const char* what, const Things& things, int numbers,
+                 const std::vector<Number>& qdd, int count, int at) {
+  if (things.count > 0) std::fprintf(file, ",\n\"%s\": {", what);
+  for (int k = 0; k < things.count; ++k, at += numbers) {
+    std::fprintf(file, "%s\n%s: {\"force\": [", k == 0 ? "" : ",", quoted(things[k].name).c_str());
+    for (int s = 0; s < count; ++s) {
+      std::fputs(s == 0 ? "" : ", ", file);
+      write_numbers(file, qdd.data() + static_cast<long>(s) * about.nqdd + at, numbers);
+    }
+    std::fputs("]}", file);
+  }
+  if (things.count > 0) std::fputs("\n}", file);
+  return at;
+}
+
 // more: further members of the file, each after a comma.
 bool write_result(const std::string& path, const std::vector<Number>& qdd, int count,
                   const std::string& more) {
@@ -1014,19 +1042,20 @@ bool write_result(const std::string& path, const std::vector<Number>& qdd, int c
     std::fprintf(file, "%s\n%s: {\"qdd\": [", j == 0 ? "" : ",",
                  quoted(about.joints[j].name).c_str());
     for (int s = 0; s < count; ++s) {
-      const Number* x = qdd.data() + static_cast<long>(s) * about.nv + about.joints[j].v;
+      const Number* x = qdd.data() + static_cast<long>(s) * about.nqdd + about.joints[j].v;
       std::fputs(s == 0 ? "" : ", ", file);
-      if (about.joints[j].nv > 1) std::fputs("[", file);
-      for (int k = 0; k < about.joints[j].nv; ++k)
-        if (x[k] == x[k])
-          std::fprintf(file, "%s%.17g", k == 0 ? "" : ", ", static_cast<double>(x[k]));
-        else  // of a batch, a state that failed
-          std::fputs(k == 0 ? "null" : ", null", file);
-      if (about.joints[j].nv > 1) std::fputs("]", file);
+      write_numbers(file, x, about.joints[j].nv);
     }
     std::fputs("]}", file);
   }
-  std::fprintf(file, "\n}%s}\n", more.c_str());
+  std::fputs("\n}", file);
+  if (about.nqdd >
+      about.nv) {  // behind the accelerations: six numbers of each loop, one of each coupling
+    int at = about.nv;
+    at = write_forces(file, "loops", about.loops, 6, qdd, count, at);
+    write_forces(file, "couplings", about.couplings, 1, qdd, count, at);
+  }
+  std::fprintf(file, "%s}\n", more.c_str());
   const bool good = std::ferror(file) == 0;
   return std::fclose(file) == 0 && good;
 }
@@ -2399,7 +2428,7 @@ States random_states(int count, std::uint64_t seed, Solver& solver) {
     slave(about.joints, q, v);
   }
   if (loops::any()) {
-    std::vector<Number> qdd(static_cast<std::size_t>(std::max(1, about.nv)));
+    std::vector<Number> qdd(static_cast<std::size_t>(std::max(1, about.nqdd)));
     close(states, uniform, [&](int s) {
       const long row = s;
       return solver.solve(states.q.data() + row * about.nq, states.v.data() + row * about.nv,
@@ -2451,7 +2480,7 @@ struct Session {
   Watch watch;
   Solver& solver;
   States states;
-  std::vector<Number> qdd;  // one acceleration after the other
+  std::vector<Number> qdd;  // of each state accelerations, and forces of loops where asked for
   bool pinned = false;
 
   Session(Options given, Solver& own, int own_rank)
@@ -2461,7 +2490,7 @@ struct Session {
   const Number* q(int s) const { return states.q.data() + static_cast<long>(s) * about.nq; }
   const Number* v(int s) const { return states.v.data() + static_cast<long>(s) * about.nv; }
   const Number* tau(int s) const { return states.tau.data() + static_cast<long>(s) * about.ntau; }
-  Number* acceleration(int s) { return qdd.data() + static_cast<long>(s) * about.nv; }
+  Number* acceleration(int s) { return qdd.data() + static_cast<long>(s) * about.nqdd; }
 
   // The states file; where it says another gravity, and that can be set, it holds from now on.
   int load_states() {
@@ -2475,7 +2504,7 @@ struct Session {
 
   void use(States given) {
     states = std::move(given);
-    qdd.assign(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(about.nv),
+    qdd.assign(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(about.nqdd),
                Number(0));
   }
 
@@ -3112,7 +3141,8 @@ class Simulation {
   int integrate() {
     q_.assign(on_.q(0), on_.q(0) + about.nq);
     v_.assign(on_.v(0), on_.v(0) + about.nv);
-    real_q_.resize(q_.size()), real_v_.resize(v_.size()), real_a_.resize(v_.size());
+    real_q_.resize(q_.size()), real_v_.resize(v_.size()),
+        real_a_.resize(static_cast<std::size_t>(about.nqdd));
     real_tau_.resize(static_cast<std::size_t>(about.ntau));
     const Clock::time_point began = next_ = Clock::now();
     next_shown_ = began + std::chrono::seconds(1);
@@ -3168,7 +3198,7 @@ class Simulation {
       real_tau_[k] = static_cast<Number>(double(real_tau_[k]) + extra[k]);
     const int status =
         on_.solver.solve_at_root(real_q_.data(), real_v_.data(), real_tau_.data(), real_a_.data());
-    std::copy(real_a_.begin(), real_a_.end(), a.begin());
+    std::copy_n(real_a_.begin(), a.size(), a.begin());
     ++evaluations_;
     return status;
   }

@@ -90,6 +90,7 @@ def _tables(words: Words, p: int, process: Process) -> list[_Table]:
     q, v = entries_of(words, "q", read), entries_of(words, "v", read)
     own = entries_of(words, "v", process.owns)
     torques = [*own, *entries_of(words, "v", process.shares)]
+    own = [*own, *words.plan.force_entries(process)]
     links = {step.link for step in process.steps if isinstance(step, LinkBias | StartLink)}
     torques += effects.pushed_entries(words, links)
     return [

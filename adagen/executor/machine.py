@@ -109,6 +109,7 @@ class Machine(State):
     def roots(self) -> list[Expression]:
         """Everything that is wanted: results, contents of messages, what is checked."""
         results = [x for values in self.results.values() for x in values]
+        results += [x for values in self.forces.values() for x in values]
         contents = [x for content in self.sent.values() for x in content]
         pivots = [x for check in self.checks for x in (check.pivot, check.least)]
         return [*results, *contents, *pivots, *(length for length, _ in self.lengths)]

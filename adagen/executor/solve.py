@@ -17,7 +17,6 @@ from adagen.executor.state import Refining
 from adagen.executor.straight import simulate, straight_line
 from adagen.graph import DOUBLE, Algebra, Evaluation, Numbers
 from adagen.graph.evaluate import in_lanes
-from adagen.model.kinds import KINDS
 from adagen.plan.steps import FusedJoin
 from adagen.plan.types import Plan
 
@@ -55,7 +54,7 @@ def interpret(
         lanes: whether limbs may share a straight line, as they may in emitted code, or which do.
 
     Returns:
-        Accelerations, shape (nv,) or (nv, S).
+        Accelerations, shape (nv,) or (nv, S); behind them forces of loops, where the plan has them.
 
     Raises:
         PlanError: a process waits for a message that never comes, or reads what it does not have.
@@ -132,16 +131,18 @@ class Run:
         return np.asarray(values).reshape(*array.shape, *np.shape(values)[1:])
 
     def accelerations(self) -> Array:
-        """Return the accelerations of all joints, shape (nv,) or (nv, S)."""
-        rows: list[Any] = [np.nan] * sum(KINDS[joint.kind].nv for joint in self.plan.joints)
+        """Return the accelerations of all joints, shape (nv,) or (nv, S); then forces of loops."""
+        rows: list[Any] = [np.nan] * self.plan.nqdd
         for p, (process, machine) in enumerate(
             zip(self.plan.processes, self.machines, strict=True)
         ):
             for j in set(process.owns) & machine.results.keys():
-                own = machine.lanes_of_result(j)
+                lanes = machine.lanes_of_result(j)
                 for k, value in enumerate(self._values(p, machine.results[j])):
-                    for each, x in zip(own, in_lanes(value, len(own)), strict=True):
+                    for each, x in zip(lanes, in_lanes(value, len(lanes)), strict=True):
                         rows[self.plan.joints[each].v + k] = x
+            for first, force in machine.forces.items():
+                rows[first : first + len(force)] = self._values(p, force)
         return np.asarray(self.algebra.together(rows))
 
     def check(self, *, digits: bool = True) -> None:

@@ -40,6 +40,7 @@ class State:
         checks: pivots to be looked at.
         lengths: squared lengths of quaternions and their joints.
         results: accelerations by joints, known after the last step; of a row wide.
+        forces: of loops and couplings, by where they are given behind the accelerations.
         limbs: those that share code, one in each lane.
         rows: joints that are treated as one.
         handed: what joints hand inwards, "IA" or "pA", by name and joint.
@@ -64,6 +65,7 @@ class State:
         self.checks: list[Check] = []
         self.lengths: list[tuple[Expression, int]] = []
         self.results: dict[int, Array] = {}
+        self.forces: dict[int, Array] = {}
         self.limbs = tuple(all_limbs)
         self.handed: dict[tuple[str, int], Array] = {}
         self.rows = Rows(self, rows_of(all_limbs))

@@ -171,6 +171,7 @@ def planned(model: Model, schedule: Schedule, request: Request, source_hash: str
         source_hash=source_hash,
         reproducible=request.reproducible,
         runtime=request.runtime,
+        loop_forces=request.loop_forces,
     )
     # Lanes of a batch cannot go different ways: they go the one that suits all closed poses.
     return plan.alternatives[-1] if request.batch and plan.closed else plan

@@ -43,6 +43,7 @@ class Request:
         single_file: whether the source holds the program around the solver, too.
         reproducible: whether answers are the same to the last bit on every number of processes, in
             whatever lanes, by every compiler and on every machine with numbers of IEEE 754.
+        loop_forces: whether forces of loops and couplings are given behind the accelerations.
     """
 
     procs: int = 1
@@ -68,6 +69,7 @@ class Request:
     tuned: bool = False
     single_file: bool = False
     reproducible: bool = False
+    loop_forces: bool = False
 
     def __post_init__(self) -> None:
         """Refuse what cannot be had, whatever the robot.

@@ -67,7 +67,8 @@ class Solver:
                     the same to the last bit.
 
             Returns:
-                Accelerations, shape (nv,) or (S, nv); m/s^2, rad/s^2.
+                Accelerations, shape (nv,) or (S, nv); m/s^2, rad/s^2. Behind them forces of loops
+                where they were asked for: shape (nqdd,) or (S, nqdd).
 
             Raises:
                 SolveError: a state cannot be solved; it names the joint. Of one state nothing is
@@ -169,6 +170,37 @@ class Solver:
     def ntau(self) -> int:
         """Numbers in tau: behind those of the joints, six of each outer force of a scene."""
         return self.compiled.model.ntau
+
+    @property
+    def nqdd(self) -> int:
+        """Numbers that are returned: accelerations, and forces of loops behind them (``force``)."""
+        return self.compiled.plan.nqdd
+
+    def force(self, name: str) -> int | slice:
+        """Return where the force of a loop or coupling is in what is returned.
+
+        The robot was compiled with ``loop_forces=True``. A loop's is [force; moment] on its link 2
+        at frame 2, in the axes of frame 2, N and N m; a coupling's the effort along a coordinate of
+        factor 1. Where constraints follow from each other, the one of least squares.
+
+        Args:
+            name: of the loop or coupling.
+
+        Raises:
+            UsageError: there is no such force.
+        """
+        plan = self.compiled.plan
+        if plan.loop_forces:
+            for k, loop in enumerate(plan.loops):
+                if loop.name == name:
+                    return slice(plan.entry_of_loop(k), plan.entry_of_loop(k) + 6)
+            for k, coupling in enumerate(plan.couplings):
+                if coupling.name == name:
+                    return plan.entry_of_coupling(k)
+        raise UsageError(
+            f'there is no force of "{printable(name)}": compile with loop_forces=True, and name a '
+            "loop or coupling"
+        )
 
     @property
     def dtype(self) -> np.dtype[Any]:

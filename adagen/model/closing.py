@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from adagen.exact import exact, rotation_from_rpy, rotation_taking_z_to
+from adagen.exact import exact, rotation_from_rpy, rotation_taking_z_to, rounded
 from adagen.model.loops import LOOP_WORDS, Coupling, Loop, open_by
 from adagen.model.model import Frame, Model
 from adagen.model.rigid import Pose
@@ -91,7 +91,9 @@ def closed(
         first = said.axis if kind.axes else z
         second = said.axis2 if kind.axes == 2 else first
         (link1, frame1), (link2, frame2) = placed(said.end1, first), placed(said.end2, second)
-        return Loop(said.name, kind, link1, frame1, link2, frame2, said.tolerance)
+        turn = rounded(rotation_taking_z_to(second)).tolist() if kind.axes else []
+        turn2 = tuple(map(tuple, turn))
+        return Loop(said.name, kind, link1, frame1, link2, frame2, said.tolerance, turn2)
 
     tied = [
         Coupling(c.name, tuple((joint(name), x) for name, x in c.terms), c.offset, c.tolerance)

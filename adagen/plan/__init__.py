@@ -53,6 +53,7 @@ def make_plan(
     meeting: str = "auto",
     reproducible: bool = False,
     runtime: str = "",
+    loop_forces: bool = False,
 ) -> Plan:
     """Return what each process of a schedule does.
 
@@ -67,6 +68,7 @@ def make_plan(
             gathered at a small core, in one exchange; "auto": as the schedule says.
         reproducible: whether answers are the same to the last bit on any number of processes.
         runtime: what can be set at run time (see ``parameters_of``).
+        loop_forces: whether forces of loops and couplings are given behind the accelerations.
 
     Raises:
         InputError: a link's inertia cannot be inverted where the form needs it.
@@ -81,6 +83,8 @@ def make_plan(
     ):
         if word not in known:
             raise UsageError(f'unknown {what} "{word}"; known: {", ".join(known)}')
+    if loop_forces:
+        _check_forces(model)
     joints, parameters = joints_of(model), parameters_of(model, runtime)
     planner = planner_of(model, schedule, form, meeting)
     processes, messages = planner.plan()
@@ -107,6 +111,7 @@ def make_plan(
         couplings=couplings_of(model),
         reproducible=reproducible,
         parameters=parameters,
+        loop_forces=loop_forces,
     )
     if reproducible:
         gathered = planner.gathered() if isinstance(planner, GatherPlanner) else None
@@ -162,6 +167,17 @@ def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto
             raise UsageError(f"processes cannot gather: {reason}")
         return GatherPlanner(joints, schedule)
     return FORMS[form](joints, schedule, runs)
+
+
+def _check_forces(model: Model) -> None:
+    """Refuse forces of loops where there are none, or not all of them are known."""
+    if not model.closed:
+        raise UsageError("the robot has no loops and couplings: leave --loop-forces out")
+    if any(joint.mimic is not None for joint in model.joints):
+        raise UsageError(
+            "forces of loops are not told beside mimic joints: say these as couplings, or leave "
+            "--loop-forces out"
+        )
 
 
 def _check_closed(schedule: Schedule, form: str) -> None:

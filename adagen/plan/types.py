@@ -153,6 +153,7 @@ class PlanLoop:
         rotation2: likewise, 3x3.
         translation2: likewise, 3 numbers, m.
         tolerance: how far it may be open in a state, m and rad.
+        turn2: of frame 2 in the frame that its description has there, 3x3; empty for the same.
     """
 
     name: str
@@ -164,6 +165,7 @@ class PlanLoop:
     rotation2: tuple[tuple[float, ...], ...]
     translation2: tuple[float, ...]
     tolerance: float
+    turn2: tuple[tuple[float, ...], ...] = field(default=(), metadata=OPTIONAL)
 
 
 @dataclass(frozen=True)
@@ -259,6 +261,7 @@ class Plan:
         reproducible: whether its processes share out the straight line of one, so that answers are
             the same to the last bit on any number of them (adagen/plan/serial.py).
         parameters: constants that can be set at run time.
+        loop_forces: whether forces of loops and couplings are given behind the accelerations.
     """
 
     name: str
@@ -280,6 +283,7 @@ class Plan:
     couplings: tuple[PlanCoupling, ...] = field(default=(), metadata=OPTIONAL)
     reproducible: bool = field(default=False, metadata=OPTIONAL)
     parameters: tuple[PlanParameter, ...] = field(default=(), metadata=OPTIONAL)
+    loop_forces: bool = field(default=False, metadata=OPTIONAL)
 
     def place(self, number: int) -> str:
         """Return what can fail by number in words: joints, then loops, then couplings."""
@@ -344,9 +348,40 @@ class Plan:
             plans.append(plans[-1].recovering())
         return tuple(plans)
 
+    @property
+    def nv(self) -> int:
+        """Degrees of freedom: numbers in v."""
+        return sum(KINDS[joint.kind].nv for joint in self.joints)
+
+    @property
+    def nqdd(self) -> int:
+        """Numbers that are given: accelerations, and forces of loops where they are asked for."""
+        return self.entry_of_coupling(len(self.couplings)) if self.loop_forces else self.nv
+
     def entry_of_wrench(self, k: int) -> int:
         """Return where the six numbers of outer force ``k`` start in tau."""
-        return sum(KINDS[joint.kind].nv for joint in self.joints) + 6 * k
+        return self.nv + 6 * k
+
+    def entry_of_loop(self, k: int) -> int:
+        """Return where the six numbers of the force of loop ``k`` start, behind accelerations."""
+        return self.nv + 6 * k
+
+    def entry_of_coupling(self, k: int) -> int:
+        """Return where the force of coupling ``k`` is, behind those of the loops."""
+        return self.entry_of_loop(len(self.loops)) + k
+
+    def force_entries(self, process: Process) -> list[int]:
+        """Return where forces are that a process gives, ascending: those at its own joints."""
+        if not self.loop_forces:
+            return []
+        found: list[int] = []
+        for k, loop in enumerate(self.loops):
+            if max(loop.link1, loop.link2) - 1 in process.owns:
+                found += range(self.entry_of_loop(k), self.entry_of_loop(k) + 6)
+        for k, coupling in enumerate(self.couplings):
+            if coupling.terms[0][0] in process.owns:
+                found.append(self.entry_of_coupling(k))
+        return found
 
     @property
     def parameter_values(self) -> tuple[float, ...]:

@@ -72,7 +72,10 @@ def read_result(path: Path | str, model: Model) -> Array:
         InputError: the file cannot be read, is not JSON, or is not a result for this model.
     """
     try:
-        joints = as_object(load_object(path, ("joints", "corrections")).get("joints"), "'joints'")
+        joints = as_object(
+            load_object(path, ("joints", "corrections", "loops", "couplings")).get("joints"),
+            "'joints'",
+        )
         _check_names(joints, model, every=True)
         count = _count(joints, ("qdd",))
         result = np.zeros((count, model.nv))

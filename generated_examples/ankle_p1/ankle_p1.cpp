@@ -141,6 +141,7 @@ constexpr int kProcesses = 1;
 constexpr int kJointCount = 8, kLinkCount = kJointCount + 1;
 constexpr int kNq = 14, kNv = 12;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
+constexpr int kNqdd = 12;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
@@ -520,7 +521,7 @@ struct Workspace {
   Value* qdd = nullptr;
   int status = kFine;
   alignas(kCacheLine) std::array<Value, 6> angle{}, sine{}, cosine{};
-  std::array<Value, kNv> result{};
+  std::array<Value, kNqdd> result{};
   std::array<Real*, kPlanMessages> to{};          // messages to be sent
   std::array<const Real*, kPlanMessages> from{};  // messages received
   alignas(kCacheLine) std::array<Value, 269> x{};
@@ -3268,7 +3269,7 @@ ADAGEN_NOINLINE void part_1_2(Workspace& w) {
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 8 of 8 joints: "hip", "knee", "ankle_pitch", "ankle_roll", "left_motor", "left_ball", ...
+// Process 0: 8 of 8 joints: "hip", "knee", "ankle_pitch", "ankle_roll", "left_motor", "left_ball", ...; all of them in a singular pose
 constexpr std::array<int, 8> kRead_0{0, 1, 2, 3, 4, 5, 6, 7};
 constexpr std::array<int, 8> kOwned_0{0, 1, 2, 3, 4, 5, 6, 7};
 
@@ -3568,7 +3569,7 @@ struct Hop {
 template <class Number>
 struct Description {
   const char *robot, *channel;
-  int processes, threads, nq, nv, ntau, refine;
+  int processes, threads, nq, nv, ntau, nqdd, refine;
   bool floating, alone, batch, sets_gravity;
   double tolerance;
   const double* gravity;
@@ -3850,7 +3851,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 // Compiled for size: it runs once.
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
-      "ankle", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
+      "ankle", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
       false, kAlone, kBatch, false, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), {kLoops.data(), kLoopCount}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};

@@ -168,6 +168,7 @@ constexpr int kProcesses = 2;
 constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
 constexpr int kNq = 9, kNv = 9;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
+constexpr int kNqdd = 9;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kBatch = true;  // whether many states are solved at once
@@ -1004,7 +1005,7 @@ struct Workspace {
   Value* qdd = nullptr;
   int status = kFine;
   alignas(kCacheLine) std::array<Value, 7> angle{}, sine{}, cosine{};
-  std::array<Value, kNv> result{};
+  std::array<Value, kNqdd> result{};
   std::array<Real*, kPlanMessages> to{};          // messages to be sent
   std::array<const Real*, kPlanMessages> from{};  // messages received
   alignas(kCacheLine) std::array<Value, 58> x{};
@@ -2178,7 +2179,7 @@ class Handout {
       const Number* const v = piece.states.data() + count * kNq;
       take_parameters(piece.states.data() + count * kNumbers);
       const bool good = solve(count, piece.states.data(), v, v + count * kNv, piece.qdd.data());
-      MPI_Isend(piece.qdd.data(), count * kNv, kMpiNumber, 0, good ? kSolved : kFailed,
+      MPI_Isend(piece.qdd.data(), count * kNqdd, kMpiNumber, 0, good ? kSolved : kFailed,
                 channel.comm(), &piece.answered);
       ask(channel, piece);
     }
@@ -2198,7 +2199,7 @@ class Handout {
   };
   struct Taken {
     std::array<Number, static_cast<std::size_t>(kMost) * kNumbers + kParameterCount> states;
-    std::array<Number, static_cast<std::size_t>(kMost) * kNv> qdd;
+    std::array<Number, static_cast<std::size_t>(kMost) * kNqdd> qdd;
     MPI_Request asked = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
   };
 
@@ -2244,7 +2245,7 @@ class Handout {
     channel.wait(given.sent, p, status);
     MPI_Isend(MPI_BOTTOM, 1, rows, p, kStates, channel.comm(), &given.sent);
     MPI_Type_free(&rows);
-    MPI_Irecv(batch.qdd + row * kNv, count * kNv, kMpiNumber, p, MPI_ANY_TAG, channel.comm(),
+    MPI_Irecv(batch.qdd + row * kNqdd, count * kNqdd, kMpiNumber, p, MPI_ANY_TAG, channel.comm(),
               &given.answered);
   }
 
@@ -2252,7 +2253,7 @@ class Handout {
   static bool solve_in_place(const Batch& batch, int first, int count, Solve solve) {
     const long row = first;
     return solve(count, batch.q + row * kNq, batch.v + row * kNv, batch.tau + row * kNtau,
-                 batch.qdd + row * kNv);
+                 batch.qdd + row * kNqdd);
   }
 
   static void ask(Channel& channel, Taken& piece) {
@@ -2300,7 +2301,8 @@ ADAGEN_INLINE void transpose(V (&rows)[n]) {
 struct Group {
   Workspace w;
   std::array<Value, kNq> q{};
-  std::array<Value, kNv> v{}, qdd{};
+  std::array<Value, kNv> v{};
+  std::array<Value, kNqdd> qdd{};
   std::array<Value, kNtau> tau{};
 };
 
@@ -2462,7 +2464,7 @@ class Solver {
       run(groups);
       for (int g = 0; g < groups; ++g) {
         const int at = first + g * kLanes;
-        good &= give(groups_[size(g)], std::min(kLanes, count - at), qdd + size(at) * kNv);
+        good &= give(groups_[size(g)], std::min(kLanes, count - at), qdd + size(at) * kNqdd);
       }
     }
     return good;
@@ -2487,13 +2489,13 @@ class Solver {
     const auto all_q = group.q;
     const auto all_v = group.v;
     const auto all_tau = group.tau;
-    for (int s = 0; s < states; ++s, qdd += kNv) {
+    for (int s = 0; s < states; ++s, qdd += kNqdd) {
       everywhere(alone.q, all_q, s), everywhere(alone.v, all_v, s);
       everywhere(alone.tau, all_tau, s);
       if (run(1) == kFine)
         to_rows(1, alone.qdd, qdd);
       else
-        std::fill_n(qdd, kNv, std::numeric_limits<Number>::quiet_NaN());
+        std::fill_n(qdd, kNqdd, std::numeric_limits<Number>::quiet_NaN());
     }
     return false;
   }
@@ -2503,7 +2505,7 @@ class Solver {
   int name_failures(int count, const Number* q, const Number* v, const Number* tau,
                     const Number* qdd) {
     for (int s = 0; s < count; ++s) {
-      const Number first = qdd[size(s) * kNv];
+      const Number first = qdd[size(s) * kNqdd];
       if (first == first) continue;
       take(groups_.front(), s, 1, q, v, tau);
       const int status = run(1);
@@ -2759,7 +2761,7 @@ struct Hop {
 template <class Number>
 struct Description {
   const char *robot, *channel;
-  int processes, threads, nq, nv, ntau, refine;
+  int processes, threads, nq, nv, ntau, nqdd, refine;
   bool floating, alone, batch, sets_gravity;
   double tolerance;
   const double* gravity;
@@ -3097,7 +3099,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 // Compiled for size: it runs once.
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
-      "arm7", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
+      "arm7", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
       false, kAlone, kBatch, false, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};

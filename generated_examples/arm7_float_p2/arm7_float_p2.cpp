@@ -169,6 +169,7 @@ constexpr int kProcesses = 2;
 constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
 constexpr int kNq = 9, kNv = 9;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
+constexpr int kNqdd = 9;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
@@ -4168,7 +4169,8 @@ class Solver : public InPlace {
   static int result_message(int process) { return kPlanMessages + 2 * (process - 1) + 1; }
 
   std::array<Number, kNq> q_{};
-  std::array<Number, kNv> v_{}, qdd_{};
+  std::array<Number, kNv> v_{};
+  std::array<Number, kNqdd> qdd_{};
   std::array<Number, kNtau> tau_{};
 };
 
@@ -4376,7 +4378,7 @@ struct Hop {
 template <class Number>
 struct Description {
   const char *robot, *channel;
-  int processes, threads, nq, nv, ntau, refine;
+  int processes, threads, nq, nv, ntau, nqdd, refine;
   bool floating, alone, batch, sets_gravity;
   double tolerance;
   const double* gravity;
@@ -4702,7 +4704,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 // Compiled for size: it runs once.
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
-      "arm7", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
+      "arm7", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
       false, kAlone, kBatch, false, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};

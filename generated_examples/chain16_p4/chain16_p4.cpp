@@ -183,6 +183,7 @@ constexpr int kProcesses = 4;
 constexpr int kJointCount = 16, kLinkCount = kJointCount + 1;
 constexpr int kNq = 16, kNv = 16;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
+constexpr int kNqdd = 16;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
@@ -2708,7 +2709,8 @@ class Solver : public InPlace {
   static int result_message(int process) { return kPlanMessages + 2 * (process - 1) + 1; }
 
   std::array<Number, kNq> q_{};
-  std::array<Number, kNv> v_{}, qdd_{};
+  std::array<Number, kNv> v_{};
+  std::array<Number, kNqdd> qdd_{};
   std::array<Number, kNtau> tau_{};
 };
 
@@ -2916,7 +2918,7 @@ struct Hop {
 template <class Number>
 struct Description {
   const char *robot, *channel;
-  int processes, threads, nq, nv, ntau, refine;
+  int processes, threads, nq, nv, ntau, nqdd, refine;
   bool floating, alone, batch, sets_gravity;
   double tolerance;
   const double* gravity;
@@ -3266,7 +3268,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 // Compiled for size: it runs once.
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
-      "chain16", "message", kProcesses, 1, kNq, kNv, kNtau, kRefine,
+      "chain16", "message", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
       false, kAlone, kBatch, false, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};

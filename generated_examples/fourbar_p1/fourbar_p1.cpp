@@ -131,6 +131,7 @@ constexpr int kProcesses = 1;
 constexpr int kJointCount = 3, kLinkCount = kJointCount + 1;
 constexpr int kNq = 3, kNv = 3;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
+constexpr int kNqdd = 3;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
@@ -479,7 +480,7 @@ struct Workspace {
   Value* qdd = nullptr;
   int status = kFine;
   alignas(kCacheLine) std::array<Value, 3> angle{}, sine{}, cosine{};
-  std::array<Value, kNv> result{};
+  std::array<Value, kNqdd> result{};
   std::array<Real*, kPlanMessages> to{};          // messages to be sent
   std::array<const Real*, kPlanMessages> from{};  // messages received
   alignas(kCacheLine) std::array<Value, 0> x{};
@@ -812,7 +813,7 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 3 of 3 joints: "crank_pin", "coupler_pin", "rocker_pin"
+// Process 0: 3 of 3 joints: "crank_pin", "coupler_pin", "rocker_pin"; all of them in a singular pose
 constexpr std::array<int, 3> kRead_0{0, 1, 2};
 constexpr std::array<int, 3> kOwned_0{0, 1, 2};
 
@@ -1097,7 +1098,7 @@ struct Hop {
 template <class Number>
 struct Description {
   const char *robot, *channel;
-  int processes, threads, nq, nv, ntau, refine;
+  int processes, threads, nq, nv, ntau, nqdd, refine;
   bool floating, alone, batch, sets_gravity;
   double tolerance;
   const double* gravity;
@@ -1376,7 +1377,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 // Compiled for size: it runs once.
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
-      "fourbar", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
+      "fourbar", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
       false, kAlone, kBatch, false, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), {kLoops.data(), kLoopCount}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};

@@ -210,6 +210,7 @@ constexpr int kProcesses = 2;
 constexpr int kJointCount = 30, kLinkCount = kJointCount + 1;
 constexpr int kNq = 36, kNv = 35;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
+constexpr int kNqdd = 35;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kBatch = true;  // whether many states are solved at once
@@ -3056,7 +3057,7 @@ class Handout {
       const Number* const v = piece.states.data() + count * kNq;
       take_parameters(piece.states.data() + count * kNumbers);
       const bool good = solve(count, piece.states.data(), v, v + count * kNv, piece.qdd.data());
-      MPI_Isend(piece.qdd.data(), count * kNv, kMpiNumber, 0, good ? kSolved : kFailed,
+      MPI_Isend(piece.qdd.data(), count * kNqdd, kMpiNumber, 0, good ? kSolved : kFailed,
                 channel.comm(), &piece.answered);
       ask(channel, piece);
     }
@@ -3076,7 +3077,7 @@ class Handout {
   };
   struct Taken {
     std::array<Number, static_cast<std::size_t>(kMost) * kNumbers + kParameterCount> states;
-    std::array<Number, static_cast<std::size_t>(kMost) * kNv> qdd;
+    std::array<Number, static_cast<std::size_t>(kMost) * kNqdd> qdd;
     MPI_Request asked = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
   };
 
@@ -3122,7 +3123,7 @@ class Handout {
     channel.wait(given.sent, p, status);
     MPI_Isend(MPI_BOTTOM, 1, rows, p, kStates, channel.comm(), &given.sent);
     MPI_Type_free(&rows);
-    MPI_Irecv(batch.qdd + row * kNv, count * kNv, kMpiNumber, p, MPI_ANY_TAG, channel.comm(),
+    MPI_Irecv(batch.qdd + row * kNqdd, count * kNqdd, kMpiNumber, p, MPI_ANY_TAG, channel.comm(),
               &given.answered);
   }
 
@@ -3130,7 +3131,7 @@ class Handout {
   static bool solve_in_place(const Batch& batch, int first, int count, Solve solve) {
     const long row = first;
     return solve(count, batch.q + row * kNq, batch.v + row * kNv, batch.tau + row * kNtau,
-                 batch.qdd + row * kNv);
+                 batch.qdd + row * kNqdd);
   }
 
   static void ask(Channel& channel, Taken& piece) {
@@ -3178,7 +3179,8 @@ ADAGEN_INLINE void transpose(V (&rows)[n]) {
 struct Group {
   Workspace w;
   std::array<Value, kNq> q{};
-  std::array<Value, kNv> v{}, qdd{};
+  std::array<Value, kNv> v{};
+  std::array<Value, kNqdd> qdd{};
   std::array<Value, kNtau> tau{};
 };
 
@@ -3340,7 +3342,7 @@ class Solver {
       run(groups);
       for (int g = 0; g < groups; ++g) {
         const int at = first + g * kLanes;
-        good &= give(groups_[size(g)], std::min(kLanes, count - at), qdd + size(at) * kNv);
+        good &= give(groups_[size(g)], std::min(kLanes, count - at), qdd + size(at) * kNqdd);
       }
     }
     return good;
@@ -3365,13 +3367,13 @@ class Solver {
     const auto all_q = group.q;
     const auto all_v = group.v;
     const auto all_tau = group.tau;
-    for (int s = 0; s < states; ++s, qdd += kNv) {
+    for (int s = 0; s < states; ++s, qdd += kNqdd) {
       everywhere(alone.q, all_q, s), everywhere(alone.v, all_v, s);
       everywhere(alone.tau, all_tau, s);
       if (run(1) == kFine)
         to_rows(1, alone.qdd, qdd);
       else
-        std::fill_n(qdd, kNv, std::numeric_limits<Number>::quiet_NaN());
+        std::fill_n(qdd, kNqdd, std::numeric_limits<Number>::quiet_NaN());
     }
     return false;
   }
@@ -3381,7 +3383,7 @@ class Solver {
   int name_failures(int count, const Number* q, const Number* v, const Number* tau,
                     const Number* qdd) {
     for (int s = 0; s < count; ++s) {
-      const Number first = qdd[size(s) * kNv];
+      const Number first = qdd[size(s) * kNqdd];
       if (first == first) continue;
       take(groups_.front(), s, 1, q, v, tau);
       const int status = run(1);
@@ -3637,7 +3639,7 @@ struct Hop {
 template <class Number>
 struct Description {
   const char *robot, *channel;
-  int processes, threads, nq, nv, ntau, refine;
+  int processes, threads, nq, nv, ntau, nqdd, refine;
   bool floating, alone, batch, sets_gravity;
   double tolerance;
   const double* gravity;
@@ -3975,7 +3977,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 // Compiled for size: it runs once.
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
-      "humanoid", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
+      "humanoid", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
       true, kAlone, kBatch, false, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};

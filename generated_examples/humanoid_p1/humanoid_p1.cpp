@@ -185,6 +185,7 @@ constexpr int kProcesses = 1;
 constexpr int kJointCount = 30, kLinkCount = kJointCount + 1;
 constexpr int kNq = 36, kNv = 35;
 constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
+constexpr int kNqdd = 35;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
@@ -3357,7 +3358,7 @@ struct Hop {
 template <class Number>
 struct Description {
   const char *robot, *channel;
-  int processes, threads, nq, nv, ntau, refine;
+  int processes, threads, nq, nv, ntau, nqdd, refine;
   bool floating, alone, batch, sets_gravity;
   double tolerance;
   const double* gravity;
@@ -3628,7 +3629,7 @@ constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 // Compiled for size: it runs once.
 [[gnu::cold]] int main(int count, char** words) {
   const adagen::Description<Number> description{
-      "humanoid", "auto", kProcesses, 1, kNq, kNv, kNtau, kRefine,
+      "humanoid", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
       true, kAlone, kBatch, false, kTolerance, kGravity.data(),
       table(kJoints), table(kLinks), table(kOuterForces), {}, {}, table(kMessages), kStages.data(), kWindowHop,
       kMessageHop};

@@ -88,7 +88,7 @@ struct Hop {
 template <class Number>
 struct Description {
   const char *robot, *channel;
-  int processes, threads, nq, nv, ntau, refine;
+  int processes, threads, nq, nv, ntau, nqdd, refine;
   bool floating, alone, batch, sets_gravity;
   double tolerance;
   const double* gravity;

@@ -133,16 +133,16 @@ bool take(PyObject* given, const char* name, int width, Rows& rows) {
 
 // Where accelerations go: a new array, or the one that was given.
 PyObject* output(PyObject* given, const Rows& q) {
-  npy_intp shape[2] = {kNv, kNv};
+  npy_intp shape[2] = {kNqdd, kNqdd};
   if (q.dimensions == 2) shape[0] = q.count;
   if (given == nullptr || given == Py_None) return PyArray_SimpleNew(q.dimensions, shape, kType);
   auto* const array = reinterpret_cast<PyArrayObject*>(given);
   if (!PyArray_Check(given) || PyArray_TYPE(array) != kType || !PyArray_ISCARRAY(array) ||
       PyArray_NDIM(array) != q.dimensions ||
       !PyArray_CompareLists(PyArray_DIMS(array), shape, q.dimensions)) {
-    PyErr_Format(PyExc_ValueError,
-                 "out must be an array of %s, written row behind row, in the shape of v",
-                 kType == NPY_DOUBLE ? "float64" : "float32");
+    PyErr_Format(
+        PyExc_ValueError, "out must be an array of %s, written row behind row, in the shape of %s",
+        kType == NPY_DOUBLE ? "float64" : "float32", kNqdd == kNv ? "v" : "what is returned");
     return nullptr;
   }
   Py_INCREF(given);
@@ -165,16 +165,16 @@ struct Task {
       const npy_intp end = first + states;
       for (npy_intp s = first; s < end; s += kMost) {
         solver.solve_batch(static_cast<int>(std::min(kMost, end - s)), q + s * kNq, v + s * kNv,
-                           tau + s * kNtau, qdd + s * kNv);
+                           tau + s * kNtau, qdd + s * kNqdd);
         if (solver.failures() == 0) continue;
         failed.note(s + solver.failed_state(0), solver.failed_status(0), solver.failures());
       }
     } else {
       for (npy_intp s = first; s < first + states; ++s) {
-        const int status = solver.solve(q + s * kNq, v + s * kNv, tau + s * kNtau, qdd + s * kNv);
+        const int status = solver.solve(q + s * kNq, v + s * kNv, tau + s * kNtau, qdd + s * kNqdd);
         if (status == kFine) continue;
         failed.note(s, status);
-        if (many) std::fill_n(qdd + s * kNv, kNv, std::numeric_limits<Number>::quiet_NaN());
+        if (many) std::fill_n(qdd + s * kNqdd, kNqdd, std::numeric_limits<Number>::quiet_NaN());
       }
     }
   }

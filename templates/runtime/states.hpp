@@ -143,6 +143,34 @@ class StatesReader : private JsonReader {
   }
 };
 
+// One number, or several in brackets.
+void write_numbers(std::FILE* file, const Number* x, int count) {
+  if (count > 1) std::fputs("[", file);
+  for (int k = 0; k < count; ++k)
+    if (x[k] == x[k])
+      std::fprintf(file, "%s%.17g", k == 0 ? "" : ", ", static_cast<double>(x[k]));
+    else  // of a batch, a state that failed
+      std::fputs(k == 0 ? "null" : ", null", file);
+  if (count > 1) std::fputs("]", file);
+}
+
+// The forces of loops or couplings, which start at an entry of each state; returns where they end.
+template <class Things>
+int write_forces(std::FILE* file, const char* what, const Things& things, int numbers,
+                 const std::vector<Number>& qdd, int count, int at) {
+  if (things.count > 0) std::fprintf(file, ",\n\"%s\": {", what);
+  for (int k = 0; k < things.count; ++k, at += numbers) {
+    std::fprintf(file, "%s\n%s: {\"force\": [", k == 0 ? "" : ",", quoted(things[k].name).c_str());
+    for (int s = 0; s < count; ++s) {
+      std::fputs(s == 0 ? "" : ", ", file);
+      write_numbers(file, qdd.data() + static_cast<long>(s) * about.nqdd + at, numbers);
+    }
+    std::fputs("]}", file);
+  }
+  if (things.count > 0) std::fputs("\n}", file);
+  return at;
+}
+
 // more: further members of the file, each after a comma.
 bool write_result(const std::string& path, const std::vector<Number>& qdd, int count,
                   const std::string& more) {
@@ -153,19 +181,20 @@ bool write_result(const std::string& path, const std::vector<Number>& qdd, int c
     std::fprintf(file, "%s\n%s: {\"qdd\": [", j == 0 ? "" : ",",
                  quoted(about.joints[j].name).c_str());
     for (int s = 0; s < count; ++s) {
-      const Number* x = qdd.data() + static_cast<long>(s) * about.nv + about.joints[j].v;
+      const Number* x = qdd.data() + static_cast<long>(s) * about.nqdd + about.joints[j].v;
       std::fputs(s == 0 ? "" : ", ", file);
-      if (about.joints[j].nv > 1) std::fputs("[", file);
-      for (int k = 0; k < about.joints[j].nv; ++k)
-        if (x[k] == x[k])
-          std::fprintf(file, "%s%.17g", k == 0 ? "" : ", ", static_cast<double>(x[k]));
-        else  // of a batch, a state that failed
-          std::fputs(k == 0 ? "null" : ", null", file);
-      if (about.joints[j].nv > 1) std::fputs("]", file);
+      write_numbers(file, x, about.joints[j].nv);
     }
     std::fputs("]}", file);
   }
-  std::fprintf(file, "\n}%s}\n", more.c_str());
+  std::fputs("\n}", file);
+  if (about.nqdd >
+      about.nv) {  // behind the accelerations: six numbers of each loop, one of each coupling
+    int at = about.nv;
+    at = write_forces(file, "loops", about.loops, 6, qdd, count, at);
+    write_forces(file, "couplings", about.couplings, 1, qdd, count, at);
+  }
+  std::fprintf(file, "%s}\n", more.c_str());
   const bool good = std::ferror(file) == 0;
   return std::fclose(file) == 0 && good;
 }

@@ -55,12 +55,17 @@ axis = [0, 1, 0]
 @pytest.fixture
 def bars(tmp_path: Path) -> Path:
     """A four-bar linkage: bars.urdf, bars.toml and its states in a folder."""
-    (tmp_path / "bars.urdf").write_text(URDF)
-    (tmp_path / "bars.toml").write_text(SCENE)
-    model = read(tmp_path / "bars.urdf", scene=tmp_path / "bars.toml").model
+    return write_bars(tmp_path)
+
+
+def write_bars(folder: Path) -> Path:
+    """Write a four-bar linkage: bars.urdf, bars.toml and its states; return the folder."""
+    (folder / "bars.urdf").write_text(URDF)
+    (folder / "bars.toml").write_text(SCENE)
+    model = read(folder / "bars.urdf", scene=folder / "bars.toml").model
     q, v = closed_states(model, 3, seed=2)
-    write_states(tmp_path / "states.json", q, v)
-    return tmp_path
+    write_states(folder / "states.json", q, v)
+    return folder
 
 
 def write_states(path: Path, q: np.ndarray, v: np.ndarray) -> None:

@@ -96,6 +96,7 @@ class _ProcessText:
         self.words, self.p, self.machine, self.wide = words, p, simulated.machine, wide
         self.process = process
         self.owner = p % len(words.plan.processes)  # processes come again for their recovery
+        self.forces = words.plan.force_entries(process)
         self.graph = simulated.machine.graph
         self.operations = simulated.operations
         self.layout: Layout = laid_out(
@@ -158,6 +159,14 @@ class _ProcessText:
         for number, content in self.machine.sent.items():
             for k, x in enumerate(content):
                 lines[x.index].append(f"w.to[{number}][{k}] = {self.text.name(x.index)};")
+        self._give_results(lines)
+        return lines
+
+    def _give_results(self, lines: dict[int, list[str]]) -> None:
+        """Add the lines that put down accelerations, and forces of loops."""
+        for first, force in self.machine.forces.items():
+            for k, x in enumerate(force):
+                lines[x.index].append(f"w.result[{first + k}] = {self._value(x.index)};")
         # A reproducible zero has no sign: whether one does depends on what is known beforehand.
         zero = " + Real(0)" if self.words.plan.reproducible else ""
         for joint, values in self.machine.results.items():
@@ -171,7 +180,6 @@ class _ProcessText:
                     if x.node.width == 1:  # the same in all lanes
                         value = f"{TYPES[self._width(joint)]}{{}} + {value}"
                     lines[x.index].append(f"put({value}{zero}, w.lanes.data() + {place});")
-        return lines
 
     def _width(self, joint: int) -> int:
         return len(self.machine.lanes_of_result(joint))
@@ -345,7 +353,8 @@ class _ProcessText:
     def _single_results(self) -> list[tuple[int, int]]:
         """Ranges of accelerations that are computed by themselves."""
         rows = {j for joint, _ in self.wide_results for j in self.machine.rows.own(joint)}
-        return ranges(entries_of(self.words, "v", [j for j in self.process.owns if j not in rows]))
+        own = entries_of(self.words, "v", [j for j in self.process.owns if j not in rows])
+        return ranges([*own, *self.forces])
 
     def _scattered(self) -> list[tuple[int, int]]:
         """Entries of the result that are computed in lanes, and where they are kept."""
