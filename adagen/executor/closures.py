@@ -48,6 +48,10 @@ class Closures:
         self.state, self.motion = state, motion
         self.memory: dict[Any, Any] = state.memory
         self.fronts: dict[int, Front] = {}
+        # Where loops are solved for at the end, each kept row has a right-hand side.
+        first = 1 + len(state.plan.slaved)
+        self.column_of = {u: first + k for k, u in enumerate(state.plan.tied_rows)}
+        self.solves_at_end = state.plan.form == "ada"
 
     def step(self, step: ClosedStep) -> None:
         """Do one step."""
@@ -94,6 +98,9 @@ class Closures:
                 bias = bias + part * sign
                 if link > 0:
                     front.add_column(link, unknown, column * sign)
+                    if unknown in self.column_of:
+                        pushed = self.state.tied_links.setdefault(link, [])
+                        pushed.append((self.column_of[unknown], column * sign))
             front.places[unknown] = place
             front.add_bias(unknown, self.state.column(np.array([bias], dtype=object))[0])
             in_frame = matrix_times(frames.two.axes.T, directions[1])
@@ -140,6 +147,9 @@ class Closures:
         front.add_bias(step.unknown, self.state.zeros(self.state.columns))
         for j, factor in coupling.terms:
             front.ties.setdefault(j, []).append((step.unknown, factor))
+            if step.unknown in self.column_of:
+                tied = self.state.tied_joints.setdefault(j, [])
+                tied.append((self.column_of[step.unknown], factor))
 
     # -- inwards ----------------------------------------------------------------------------------
 

@@ -20,6 +20,7 @@ from adagen.executor.joins import Joins
 from adagen.executor.kinematics import Motion
 from adagen.executor.segments import Segments
 from adagen.executor.state import Refining, State
+from adagen.executor.tied_rows import TiedRows
 from adagen.graph import Expression, Graph, Numbers, total
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import (
@@ -157,13 +158,20 @@ class Machine(State):
     # -- slaved joints ----------------------------------------------------------------------------
 
     def _solve_coupling(self) -> None:
-        """Solve A qdd = 0 for the coupling torques; a row is qdd_slaved - multiplier qdd_source."""
+        """Solve A qdd = 0 for the coupling torques; a row is qdd_slaved - multiplier qdd_source.
+
+        Rows of loops come behind these where they have right-hand sides, too.
+        """
         rows = []
         for slaved in self.plan.slaved:
             mimic = self.plan.joints[slaved].mimic
             assert mimic is not None
             source = self.memory["qdd", mimic[0]][0]
             rows.append(self.memory["qdd", slaved][0] - source * mimic[1])
+        if self.plan.closed and self.closures.solves_at_end:
+            tied = TiedRows(self, self.motion, self.closures.fronts[0])
+            self.memory["torques"] = tied.solve(rows, list(self.plan.slaved))
+            return
         a = np.array(rows, dtype=object)
         factors = self.factorize(a[:, 1:], self.plan.slaved[0])
         self.memory["torques"] = factors.solve(-a[:, :1])[:, 0]

@@ -40,6 +40,8 @@ class State:
         checks: pivots to be looked at.
         lengths: squared lengths of quaternions and their joints.
         results: accelerations by joints, known after the last step; of a row wide.
+        tied_joints: right-hand sides that push a joint, with factors (plan.tied_rows).
+        tied_links: right-hand sides that push a link, each with a force, shape (6,).
         forces: of loops and couplings, by where they are given behind the accelerations.
         limbs: those that share code, one in each lane.
         rows: joints that are treated as one.
@@ -66,6 +68,8 @@ class State:
         self.lengths: list[tuple[Expression, int]] = []
         self.results: dict[int, Array] = {}
         self.forces: dict[int, Array] = {}
+        self.tied_joints: dict[int, list[tuple[int, float]]] = {}
+        self.tied_links: dict[int, list[tuple[int, Array]]] = {}
         self.limbs = tuple(all_limbs)
         self.handed: dict[tuple[str, int], Array] = {}
         self.rows = Rows(self, rows_of(all_limbs))
@@ -193,6 +197,8 @@ class State:
         result = self.column(self.given(j)[: self.kind(j).nv])
         for k, lost in enumerate(self._lost(j)):
             result[k, 0] = total([result[k, 0], *lost])
+        for column, factor in self.tied_joints.get(j, ()):
+            result[0, column] = result[0, column] - factor
         for column, slaved in enumerate(self.plan.slaved, start=1):
             mimic = self.plan.joints[slaved].mimic
             assert mimic is not None
@@ -250,9 +256,9 @@ class State:
         if self.plan.joints[j].prescribed:
             qdd = self.column(self.given(j))
         self.memory.update((("qdd", each), own) for each, own in self.rows.apart(j, qdd))
-        if not self.plan.slaved:
+        if self.columns == 1:
             self.results[j] = qdd[:, 0]
 
     def lanes_of_result(self, j: int) -> tuple[int, ...]:
         """Return the joints whose accelerations ``results`` has for joint j, lane by lane."""
-        return (j,) if self.plan.slaved else self.rows.lanes(j)
+        return (j,) if self.columns > 1 else self.rows.lanes(j)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from adagen.errors import UsageError
@@ -9,6 +10,7 @@ from adagen.model import Model
 from adagen.model.fuse import runs_of, settled
 from adagen.plan.ada import AdaPlanner
 from adagen.plan.closed import ClosedPlanner
+from adagen.plan.closed_ada import ClosedAdaPlanner
 from adagen.plan.closures import closures_of
 from adagen.plan.clusters import ClusterPlanner, clusters_of
 from adagen.plan.constants import couplings_of, joints_of, links_of, loops_of, wrenches_of
@@ -112,6 +114,7 @@ def make_plan(
         reproducible=reproducible,
         parameters=parameters,
         loop_forces=loop_forces,
+        tied_rows=planner.tied_rows(),
     )
     if reproducible:
         gathered = planner.gathered() if isinstance(planner, GatherPlanner) else None
@@ -149,8 +152,12 @@ def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto
         meeting: one of ``MEETINGS``.
     """
     joints, runs = joints_of(model), runs_of(model)
+    if model.closed and form == "ada":
+        _check_invertible(model, runs)
+        closures = closures_of(model)
+        return ClosedAdaPlanner(joints, schedule, closures, loops_of(model), couplings_of(model))
     if model.closed:
-        _check_closed(schedule, form)
+        _check_closed(schedule)
         return ClosedPlanner(
             joints,
             schedule,
@@ -180,9 +187,16 @@ def _check_forces(model: Model) -> None:
         )
 
 
-def _check_closed(schedule: Schedule, form: str) -> None:
-    """Refuse what closed loops cannot be had with."""
-    if form != "segment":
-        raise UsageError(f"form {form} does not take closed loops: leave --form out")
+def _check_invertible(model: Model, runs: Sequence[Sequence[int]]) -> None:
+    """Refuse links whose inertia form ada would have to put together with others'."""
+    if any(len(run) > 1 for run in runs) or clusters_of(model, runs):
+        raise UsageError(
+            "form ada does not take closed loops beside links whose inertia cannot be inverted: "
+            "leave --form out"
+        )
+
+
+def _check_closed(schedule: Schedule) -> None:
+    """Refuse schedules that cut robots with closed loops."""
     if len({node.processes[0] for node in postorder(schedule.root)}) > 1:
         raise UsageError("a robot with closed loops is solved by one process: leave --schedule out")

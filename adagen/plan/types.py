@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from adagen.model.kinds import KINDS
-from adagen.plan.steps import Bias, Block, Force, Step
+from adagen.plan.steps import Bias, Block, Force, SolveCoupling, Step
 
 THREADS = "threads"
 """The channel between processes that are threads of one program."""
@@ -262,6 +262,8 @@ class Plan:
             the same to the last bit on any number of them (adagen/plan/serial.py).
         parameters: constants that can be set at run time.
         loop_forces: whether forces of loops and couplings are given behind the accelerations.
+        tied_rows: constraints of loops and couplings that have a right-hand side each, as slaved
+            joints have: numbers of their forces in the plan's one closure (form ada).
     """
 
     name: str
@@ -284,6 +286,7 @@ class Plan:
     reproducible: bool = field(default=False, metadata=OPTIONAL)
     parameters: tuple[PlanParameter, ...] = field(default=(), metadata=OPTIONAL)
     loop_forces: bool = field(default=False, metadata=OPTIONAL)
+    tied_rows: tuple[int, ...] = field(default=(), metadata=OPTIONAL)
 
     def place(self, number: int) -> str:
         """Return what can fail by number in words: joints, then loops, then couplings."""
@@ -301,8 +304,11 @@ class Plan:
 
     @property
     def right_hand_sides(self) -> int:
-        """Columns of every bias, force and acceleration: the motion, and one per slaved joint."""
-        return 1 + len(self.slaved)
+        """Columns of every bias, force and acceleration.
+
+        One is the motion; then there is one for each slaved joint, and for each tied row.
+        """
+        return 1 + len(self.slaved) + len(self.tied_rows)
 
     @cached_property
     def bound_by_loops(self) -> frozenset[int]:
@@ -374,6 +380,9 @@ class Plan:
         """Return where forces are that a process gives, ascending: those at its own joints."""
         if not self.loop_forces:
             return []
+        if self.tied_rows:  # they are found where all is solved for
+            solves = any(isinstance(step, SolveCoupling) for step in process.steps)
+            return list(range(self.nv, self.nqdd)) if solves else []
         found: list[int] = []
         for k, loop in enumerate(self.loops):
             if max(loop.link1, loop.link2) - 1 in process.owns:

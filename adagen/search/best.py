@@ -56,6 +56,8 @@ def best_schedule(
     topology, costs = Topology.of(model), profile
     if form == "ada":
         profile = profile.joins_only()
+    if model.closed and form == "ada":  # loops are solved for at the end, whatever the order
+        return find_schedule(topology, processes, profile=profile, **search)
     if model.closed:
         return closed_schedule(model, processes, profile, scalar, **search)
     if form == "segment" and processes == 1:
