@@ -37,12 +37,11 @@ def _summary(words: Words, process: Process) -> str:
     names = [words.quoted_joint(j) for j in process.owns[:_NAMED]]
     more = ", ..." if len(process.owns) > _NAMED else ""
     shared = len(process.shares)
-    if words.plan.closed and process.recovery:
-        own = f"{len(process.owns)} of {len(words.plan.joints)} joints: {', '.join(names)}{more}"
-        return f"{own}; all of them in a singular pose"
     core = f"; {shared} more that every process computes for itself" if shared else ""
     passing = len(process.reads) - len(process.owns) - shared
     path = f"; kinematics of {passing} more on the way to the ground" if passing else ""
+    if process.spares:
+        path = "; all of them in a singular pose"
     own = f"{len(process.owns)} of {len(words.plan.joints)} joints: {', '.join(names)}{more}"
     return f"{own}{core}{path}"
 
@@ -89,7 +88,7 @@ def _tables(words: Words, p: int, process: Process) -> list[_Table]:
     read = read_joints(words, process)
     q, v = entries_of(words, "q", read), entries_of(words, "v", read)
     own = entries_of(words, "v", process.owns)
-    torques = [*own, *entries_of(words, "v", process.shares)]
+    torques = [*own, *entries_of(words, "v", [*process.shares, *process.spares])]
     own = [*own, *words.plan.force_entries(process)]
     links = {step.link for step in process.steps if isinstance(step, LinkBias | StartLink)}
     torques += effects.pushed_entries(words, links)

@@ -187,7 +187,7 @@ def _check_forces(model: Model) -> None:
         )
 
 
-def _check_invertible(model: Model, runs: Sequence[Sequence[int]]) -> None:
+def _check_invertible(model: Model, runs: Sequence[tuple[int, ...]]) -> None:
     """Refuse links whose inertia form ada would have to put together with others'."""
     if any(len(run) > 1 for run in runs) or clusters_of(model, runs):
         raise UsageError(

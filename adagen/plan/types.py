@@ -220,6 +220,8 @@ class Process:
         recovery: what is done instead in a pose in which that cannot be done: a mobility cannot be
             held, or a closure's choice is poor there; empty where there is nothing else.
         others: what is done where that cannot be done either, in the order in which it is tried.
+        spares: further joints whose torque it reads, and whose acceleration it computes, only in
+            what is done instead.
     """
 
     steps: tuple[Step, ...]
@@ -228,6 +230,7 @@ class Process:
     shares: tuple[int, ...] = ()
     recovery: tuple[Step, ...] = field(default=(), metadata=OPTIONAL)
     others: tuple[tuple[Step, ...], ...] = field(default=(), metadata=OPTIONAL)
+    spares: tuple[int, ...] = field(default=(), metadata=OPTIONAL)
 
     @property
     def treated(self) -> list[int]:
