@@ -79,7 +79,9 @@ class TiedRows:
             names: what is to blame for these.
         """
         values, tied = self.values(), self.state.plan.tied_rows
-        rows = np.array([*others, *(values[u] for u in tied)], dtype=object)
+        rows = self.state.zeros(len(others) + len(tied), self.state.columns)
+        for k, row in enumerate([*others, *(values[u] for u in tied)]):
+            rows[k] = row
         forces, diagonal = solved_by_reflections(rows[:, 1:], -rows[:, :1])
         blamed = [*names, *(self.front.places[u] for u in tied)]
         lost = (16 * EPSILON[FACTORS[self.state.plan.scalar]]) ** 2
