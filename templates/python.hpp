@@ -135,14 +135,24 @@ bool take(PyObject* given, const char* name, int width, Rows& rows) {
 PyObject* output(PyObject* given, const Rows& q) {
   npy_intp shape[2] = {kNqdd, kNqdd};
   if (q.dimensions == 2) shape[0] = q.count;
-  if (given == nullptr || given == Py_None) return PyArray_SimpleNew(q.dimensions, shape, kType);
+  if (given == nullptr || given == Py_None) {
+    PyObject* const made = PyArray_SimpleNew(q.dimensions, shape, kType);
+    if (made == nullptr || kGivesAll) return made;
+    auto* const first = static_cast<Number*>(PyArray_DATA(reinterpret_cast<PyArrayObject*>(made)));
+    std::fill_n(first, PyArray_SIZE(reinterpret_cast<PyArrayObject*>(made)),
+                std::numeric_limits<Number>::quiet_NaN());  // of joints that nobody asks for
+    return made;
+  }
   auto* const array = reinterpret_cast<PyArrayObject*>(given);
   if (!PyArray_Check(given) || PyArray_TYPE(array) != kType || !PyArray_ISCARRAY(array) ||
       PyArray_NDIM(array) != q.dimensions ||
       !PyArray_CompareLists(PyArray_DIMS(array), shape, q.dimensions)) {
     PyErr_Format(
-        PyExc_ValueError, "out must be an array of %s, written row behind row, in the shape of %s",
-        kType == NPY_DOUBLE ? "float64" : "float32", kNqdd == kNv ? "v" : "what is returned");
+        PyExc_ValueError,
+        kNqdd == kNv
+            ? "out must be an array of %s, written row behind row, in the shape of v"
+            : "out must be an array of %s, written row behind row, nqdd numbers for each state",
+        kType == NPY_DOUBLE ? "float64" : "float32");
     return nullptr;
   }
   Py_INCREF(given);

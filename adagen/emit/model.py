@@ -7,6 +7,7 @@ from adagen.emit.names import identifiers, quoted
 from adagen.emit.words import Words
 from adagen.model.kinds import KINDS
 from adagen.model.loops import LOOP_KINDS
+from adagen.plan import Plan
 from adagen.plan.steps import LinkBias, StartLink
 
 
@@ -26,7 +27,6 @@ def model_values(words: Words) -> dict[str, object]:
         "nq": sum(KINDS[joint.kind].nq for joint in plan.joints),
         "nv": nv,
         "ntau": nv + 6 * len(plan.wrenches),
-        "nqdd": plan.nqdd,
         "loop_forces": _forces(words) if plan.loop_forces else [],
         "links": _links(words),
         "joints": _joints(words),
@@ -34,6 +34,10 @@ def model_values(words: Words) -> dict[str, object]:
         "closed": plan.closed,
         "loops": _loops(words),
         "couplings": _couplings(words),
+        "nqdd": plan.nqdd,
+        "outputs": [_output(plan, k) for k in range(len(plan.outputs))],
+        "wanted": [quoted(plan.joints[j].name) for j in plan.wanted],
+        "at_rest": plan.at_rest,
         "prescribed": [quoted(joint.name) for joint in plan.joints if joint.prescribed],
     }
 
@@ -103,6 +107,7 @@ def _joints(words: Words) -> list[dict[str, object]]:
                 "multiplier": repr(multiplier),
                 "offset": repr(offset),
                 "effects": effects.constants(words, j),
+                "given": words.plan.wants(j),
             }
         )
     return rows
@@ -119,6 +124,18 @@ def _outer_forces(words: Words) -> list[dict[str, object]]:
         }
         for wrench in words.plan.wrenches
     ]
+
+
+def _output(plan: Plan, k: int) -> dict[str, object]:
+    output = plan.outputs[k]
+    first = plan.entry_of_output(k)
+    return {
+        "quoted": quoted(output.name),
+        "what": output.what,
+        "first": first,
+        "last": first + output.size - 1,
+        "size": output.size,
+    }
 
 
 def _loops(words: Words) -> list[dict[str, object]]:

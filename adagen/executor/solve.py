@@ -54,7 +54,8 @@ def interpret(
         lanes: whether limbs may share a straight line, as they may in emitted code, or which do.
 
     Returns:
-        Accelerations, shape (nv,) or (nv, S); behind them forces of loops, where the plan has them.
+        Accelerations, outputs and forces of loops, shape (nqdd,) or (nqdd, S); NaN where they are
+        not wanted.
 
     Raises:
         PlanError: a process waits for a message that never comes, or reads what it does not have.
@@ -131,8 +132,8 @@ class Run:
         return np.asarray(values).reshape(*array.shape, *np.shape(values)[1:])
 
     def accelerations(self) -> Array:
-        """Return the accelerations of all joints, shape (nv,) or (nv, S); then forces of loops."""
-        rows: list[Any] = [np.nan] * self.plan.nqdd
+        """Return qdd, shape (nqdd,) or (nqdd, S): NaN for joints of which it is not wanted."""
+        rows: list[Any] = [self.algebra.given(np.nan)] * self.plan.nqdd
         for p, (process, machine) in enumerate(
             zip(self.plan.processes, self.machines, strict=True)
         ):
@@ -140,7 +141,11 @@ class Run:
                 lanes = machine.lanes_of_result(j)
                 for k, value in enumerate(self._values(p, machine.results[j])):
                     for each, x in zip(lanes, in_lanes(value, len(lanes)), strict=True):
-                        rows[self.plan.joints[each].v + k] = x
+                        if self.plan.wants(each):
+                            rows[self.plan.joints[each].v + k] = x
+            for place, output in machine.outputs.items():
+                first = self.plan.entry_of_output(place)
+                rows[first : first + len(output)] = self._values(p, output)
             for first, force in machine.forces.items():
                 rows[first : first + len(force)] = self._values(p, force)
         return np.asarray(self.algebra.together(rows))

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
+from adagen.model import OUTPUT_SIZES
 from adagen.model.kinds import KINDS
 from adagen.plan.steps import Bias, Block, Force, SolveCoupling, Step
 
@@ -140,6 +141,30 @@ class PlanWrench:
 
 
 @dataclass(frozen=True)
+class PlanOutput:
+    """What is computed beside accelerations: in qdd behind all of them (``model.Output``).
+
+    Attributes:
+        what: a key of ``adagen.model.OUTPUT_SIZES``.
+        name: of the link in whose frame it is told, or of the joint of a reaction force.
+        link: the link; of a reaction force the joint's child link.
+        rotation: of the named frame in the link's, 3x3.
+        translation: of the named frame in the link's, 3 numbers, m.
+    """
+
+    what: str
+    name: str
+    link: int
+    rotation: tuple[tuple[float, ...], ...]
+    translation: tuple[float, ...]
+
+    @property
+    def size(self) -> int:
+        """How many numbers it is."""
+        return OUTPUT_SIZES[self.what]
+
+
+@dataclass(frozen=True)
 class PlanLoop:
     """A joint that closes a loop.
 
@@ -267,6 +292,9 @@ class Plan:
         loop_forces: whether forces of loops and couplings are given behind the accelerations.
         tied_rows: constraints of loops and couplings that have a right-hand side each, as slaved
             joints have: numbers of their forces in the plan's one closure (form ada).
+        wanted: joints whose accelerations are given, ascending; none stands for all.
+        outputs: what is given beside accelerations, behind them in qdd.
+        at_rest: whether all velocities are zero.
     """
 
     name: str
@@ -290,6 +318,13 @@ class Plan:
     parameters: tuple[PlanParameter, ...] = field(default=(), metadata=OPTIONAL)
     loop_forces: bool = field(default=False, metadata=OPTIONAL)
     tied_rows: tuple[int, ...] = field(default=(), metadata=OPTIONAL)
+    wanted: tuple[int, ...] = field(default=(), metadata=OPTIONAL)
+    outputs: tuple[PlanOutput, ...] = field(default=(), metadata=OPTIONAL)
+    at_rest: bool = field(default=False, metadata=OPTIONAL)
+
+    def wants(self, joint: int) -> bool:
+        """Return whether a joint's acceleration is given."""
+        return not self.wanted or joint in self.wanted
 
     def place(self, number: int) -> str:
         """Return what can fail by number in words: joints, then loops, then couplings."""
@@ -359,21 +394,23 @@ class Plan:
 
     @property
     def nv(self) -> int:
-        """Degrees of freedom: numbers in v."""
+        """Degrees of freedom."""
         return sum(KINDS[joint.kind].nv for joint in self.joints)
 
     @property
     def nqdd(self) -> int:
-        """Numbers that are given: accelerations, and forces of loops where they are asked for."""
-        return self.entry_of_coupling(len(self.couplings)) if self.loop_forces else self.nv
+        """Numbers in qdd: accelerations, then outputs, then forces of loops if asked for."""
+        if self.loop_forces:
+            return self.entry_of_coupling(len(self.couplings))
+        return self.entry_of_output(len(self.outputs))
 
     def entry_of_wrench(self, k: int) -> int:
         """Return where the six numbers of outer force ``k`` start in tau."""
         return self.nv + 6 * k
 
     def entry_of_loop(self, k: int) -> int:
-        """Return where the six numbers of the force of loop ``k`` start, behind accelerations."""
-        return self.nv + 6 * k
+        """Return where the six numbers of the force of loop ``k`` start, behind outputs."""
+        return self.entry_of_output(len(self.outputs)) + 6 * k
 
     def entry_of_coupling(self, k: int) -> int:
         """Return where the force of coupling ``k`` is, behind those of the loops."""
@@ -385,7 +422,7 @@ class Plan:
             return []
         if self.tied_rows:  # they are found where all is solved for
             solves = any(isinstance(step, SolveCoupling) for step in process.steps)
-            return list(range(self.nv, self.nqdd)) if solves else []
+            return list(range(self.entry_of_loop(0), self.nqdd)) if solves else []
         found: list[int] = []
         for k, loop in enumerate(self.loops):
             if max(loop.link1, loop.link2) - 1 in process.owns:
@@ -394,6 +431,10 @@ class Plan:
             if coupling.terms[0][0] in process.owns:
                 found.append(self.entry_of_coupling(k))
         return found
+
+    def entry_of_output(self, k: int) -> int:
+        """Return where the numbers of output ``k`` start in qdd."""
+        return self.nv + sum(output.size for output in self.outputs[:k])
 
     @property
     def parameter_values(self) -> tuple[float, ...]:

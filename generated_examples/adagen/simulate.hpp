@@ -64,6 +64,12 @@ class Simulation {
 
   // The initial state and the file to write; process 0's status counts.
   int start() {
+    const auto& joints = about.joints;
+    if (about.at_rest ||
+        !std::all_of(joints.begin(), joints.end(), [](const Joint& joint) { return joint.given; }))
+      return on_.complain(kUsage, about.at_rest
+                                      ? "--simulate: this solver is for states at rest"
+                                      : "--simulate: this solver does not give all accelerations");
     if (on_.options.states.empty()) {
       on_.use(random_states(1, on_.options.seed, on_.solver));
     } else {

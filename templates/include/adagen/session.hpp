@@ -86,7 +86,7 @@ States random_states(int count, std::uint64_t seed, Solver& solver) {
           q[joint.q + joint.nq - 4 + k] = static_cast<Number>(p[k] / std::sqrt(squared));
       }
       for (int k = 0; k < joint.nv; ++k) {
-        v[joint.v + k] = static_cast<Number>(uniform());
+        v[joint.v + k] = about.at_rest ? Number(0) : static_cast<Number>(uniform());
         tau[joint.v + k] = static_cast<Number>(uniform());
       }
     }
