@@ -88,7 +88,8 @@ def _show(found: Across) -> None:
     best = found.best_batches
     print(
         wrapped(
-            f"batches of {STATES} states handed out by process 0: {best.hosts} host{'s' if best.hosts > 1 else ''} "
+            f"batches of {STATES} states handed out by process 0: "
+            f"{best.hosts} host{'s' if best.hosts > 1 else ''} "
             f"pay{'' if best.hosts > 1 else 's'} ({found.state:.3g} us a state on one process); "
             "states that each process has itself are not sent, and all hosts pay "
             f"({found.profile} profile)"
