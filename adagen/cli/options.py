@@ -91,6 +91,7 @@ RARE = frozenset(
         "--tuned",
         "--channel",
         "--reproducible",
+        "--loop-forces",
         "--runtime",
         "--target",
         "--single-file",
@@ -200,6 +201,11 @@ def _add_algorithm(parser: Parser) -> None:
 def add_emission(parser: Parser) -> None:
     """Add how the code is shaped."""
     group = parser.add_argument_group("emitted code")
+    group.add_argument(
+        "--loop-forces",
+        action="store_true",
+        help="give the forces of loops and couplings behind the accelerations (docs/loops.md)",
+    )
     group.add_argument(
         "--refine",
         type=whole(0, 9),

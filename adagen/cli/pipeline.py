@@ -98,7 +98,7 @@ def request_of(options: argparse.Namespace) -> Request:
 _ASKED = (
     *("form", "scalar", "channel", "shape", "refine", "batch", "profile", "schedule", "objective"),
     *("tie", "strategy", "split", "naive", "expansions", "name", "single_file"),
-    *("reproducible", "certify"),
+    *("reproducible", "certify", "loop_forces"),
     *("runtime", "target"),
 )
 """Members of a request that are options of the same name."""

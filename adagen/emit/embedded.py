@@ -66,8 +66,7 @@ def _number(value: object) -> int:
 def _bytes(words: Words, values: dict[str, object]) -> int:
     """Bytes of a solver's memory, at most, wherever they begin."""
     size = 4 if words.number == "float" else 8
-    nv = sum(words.kind(j).nv for j in range(len(words.plan.joints)))
-    numbers = nv + len(words.plan.parameter_values)
+    numbers = words.plan.nqdd + len(words.plan.parameter_values)
     if words.program.shape == LOOPS:
         whole = _in_loops(words, values, size)
     else:

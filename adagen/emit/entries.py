@@ -34,7 +34,7 @@ def given_entries(words: Words, process: Process) -> list[int]:
     plan = words.plan
     found = entries_of(words, "v", (j for j in process.owns if plan.wants(j)))
     if any(isinstance(step, GiveOutput) for step in process.steps):
-        found += range(plan.nv, plan.nqdd)
+        found += range(plan.nv, plan.entry_of_output(len(plan.outputs)))
     return found
 
 

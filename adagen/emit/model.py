@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from adagen.emit import effects
-from adagen.emit.names import quoted
+from adagen.emit.names import identifiers, quoted
 from adagen.emit.words import Words
 from adagen.model.kinds import KINDS
 from adagen.model.loops import LOOP_KINDS
@@ -27,6 +27,7 @@ def model_values(words: Words) -> dict[str, object]:
         "nq": sum(KINDS[joint.kind].nq for joint in plan.joints),
         "nv": nv,
         "ntau": nv + 6 * len(plan.wrenches),
+        "loop_forces": _forces(words) if plan.loop_forces else [],
         "links": _links(words),
         "joints": _joints(words),
         "outer_forces": _outer_forces(words),
@@ -158,6 +159,20 @@ def _loops(words: Words) -> list[dict[str, object]]:
             }
         )
     return rows
+
+
+def _forces(words: Words) -> list[dict[str, object]]:
+    """Where forces of loops and couplings are in qdd."""
+    plan = words.plan
+    found = [("loop", tie.name, plan.entry_of_loop(k), 6) for k, tie in enumerate(plan.loops)]
+    found += [
+        ("coupling", tie.name, plan.entry_of_coupling(k), 1) for k, tie in enumerate(plan.couplings)
+    ]
+    names = identifiers(name for _, name, _, _ in found)
+    return [
+        {"word": word, "what": what, "quoted": quoted(name), "entry": entry, "count": count}
+        for word, (what, name, entry, count) in zip(names, found, strict=True)
+    ]
 
 
 def _couplings(words: Words) -> list[dict[str, object]]:

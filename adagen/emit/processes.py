@@ -37,12 +37,11 @@ def _summary(words: Words, process: Process) -> str:
     names = [words.quoted_joint(j) for j in process.owns[:_NAMED]]
     more = ", ..." if len(process.owns) > _NAMED else ""
     shared = len(process.shares)
-    if words.plan.closed and process.recovery:
-        own = f"{len(process.owns)} of {len(words.plan.joints)} joints: {', '.join(names)}{more}"
-        return f"{own}; all of them in a singular pose"
     core = f"; {shared} more that every process computes for itself" if shared else ""
     passing = len(process.reads) - len(process.owns) - shared
     path = f"; kinematics of {passing} more on the way to the ground" if passing else ""
+    if process.spares:
+        path = "; all of them in a singular pose"
     own = f"{len(process.owns)} of {len(words.plan.joints)} joints: {', '.join(names)}{more}"
     return f"{own}{core}{path}"
 
@@ -88,8 +87,8 @@ def _tables(words: Words, p: int, process: Process) -> list[_Table]:
     """What a process reads of q and v (a slaved joint's from its source), and its own entries."""
     read = read_joints(words, process)
     q, v = entries_of(words, "q", read), entries_of(words, "v", read)
-    own = given_entries(words, process)
-    torques = entries_of(words, "v", (*process.owns, *process.shares))
+    own = [*given_entries(words, process), *words.plan.force_entries(process)]
+    torques = entries_of(words, "v", (*process.owns, *process.shares, *process.spares))
     links = {step.link for step in process.steps if isinstance(step, LinkBias | StartLink)}
     torques += effects.pushed_entries(words, links)
     return [

@@ -20,6 +20,7 @@ from adagen.executor.elimination import Elimination
 from adagen.executor.frames import Transform, columnwise
 from adagen.executor.front import Front
 from adagen.executor.kinematics import Field, Motion
+from adagen.executor.loop_forces import give_forces
 from adagen.executor.loop_frames import LoopFrames
 from adagen.executor.state import State
 from adagen.graph import Expression, cross, dot, matrix_times, total
@@ -47,6 +48,10 @@ class Closures:
         self.state, self.motion = state, motion
         self.memory: dict[Any, Any] = state.memory
         self.fronts: dict[int, Front] = {}
+        # Where loops are solved for at the end, each kept row has a right-hand side.
+        first = 1 + len(state.plan.slaved)
+        self.column_of = {u: first + k for k, u in enumerate(state.plan.tied_rows)}
+        self.solves_at_end = state.plan.form == "ada"
 
     def step(self, step: ClosedStep) -> None:
         """Do one step."""
@@ -76,6 +81,7 @@ class Closures:
         joints = (*frames.one.joints, *frames.two.joints)
         self._refuse_open(place, frames.gap(), frames.rate(), joints, loop.tolerance)
         fields = [self._field(link) for link in (loop.link1, loop.link2)]
+        front.loops[step.loop] = []
         for unknown, number in enumerate(step.rows, start=step.first):
             linear, *directions = frames.row(number)
             bias = frames.turned(number, fields[0].omega, fields[1].omega)
@@ -92,8 +98,15 @@ class Closures:
                 bias = bias + part * sign
                 if link > 0:
                     front.add_column(link, unknown, column * sign)
+                    if unknown in self.column_of:
+                        pushed = self.state.tied_links.setdefault(link, [])
+                        pushed.append((self.column_of[unknown], column * sign))
             front.places[unknown] = place
             front.add_bias(unknown, self.state.column(np.array([bias], dtype=object))[0])
+            in_frame = matrix_times(frames.two.axes.T, directions[1])
+            if loop.turn2:
+                in_frame = matrix_times(self.state.constants(loop.turn2), in_frame)
+            front.loops[step.loop].append((unknown, linear, in_frame))
 
     def _field(self, link: int) -> Field:
         return self.memory["field", link] if link else self.motion.ground()
@@ -127,12 +140,16 @@ class Closures:
         place = len(plan.joints) + len(plan.loops) + step.coupling
         joints = [j for j, _ in coupling.terms]
         self._refuse_open(place, gap * gap, rate * rate, joints, coupling.tolerance)
+        front.couplings[step.coupling] = step.unknown
         if step.unknown is None:
             return
         front.places[step.unknown] = place
         front.add_bias(step.unknown, self.state.zeros(self.state.columns))
         for j, factor in coupling.terms:
             front.ties.setdefault(j, []).append((step.unknown, factor))
+            if step.unknown in self.column_of:
+                tied = self.state.tied_joints.setdefault(j, [])
+                tied.append((self.column_of[step.unknown], factor))
 
     # -- inwards ----------------------------------------------------------------------------------
 
@@ -217,6 +234,8 @@ class Closures:
                 others = np.array([front.found[u] for u in solved.others], dtype=object)
                 found = found + matrix_times(solved.more, others)
             front.found.update(zip(solved.unknowns, found, strict=True))
+        if self.state.plan.loop_forces:
+            give_forces(self.state, front, step.link)
         for j, columns in front.carried.items():
             body = self.memory["articulated", j]
             pushed = None

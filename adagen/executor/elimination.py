@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.checks import SINGULAR, Check
-from adagen.executor.front import Front, Solved
+from adagen.executor.front import Front, Pushed, Solved
 from adagen.executor.state import State
 from adagen.graph import (
     Expression,
@@ -67,8 +67,10 @@ class Elimination:
         if any(self.front.entry(i, k) is not None for i in forces for k in forces):
             self._solve_all()
         elif step.rows and not step.moved:
+            self._keep_forces(step.singles)
             self._follow_basis()
         else:
+            self._keep_forces(step.moved)
             self._follow()
 
     # -- the closure's function -------------------------------------------------------------------
@@ -107,6 +109,26 @@ class Elimination:
     def _scales(self) -> Array:
         """What brings the kept rows to one size, shape (rows, 1)."""
         return self.state.constants(self.step.scales)[:, None]
+
+    def _keep_forces(self, moving: Sequence[int]) -> None:
+        """Keep what forces follow from, where they are asked for: how rows push accelerations."""
+        if not self.state.plan.loop_forces:
+            return
+        step, others = self.step, (*self.step.singles, *self.step.moved)
+        rows, left_out = self._block(step.rows, moving), self._block(step.followers, moving)
+        by_kept = left_out[:, :0]
+        if step.rows:
+            by_kept = solved_by_reflections(rows.T.copy(), left_out.T.copy())[0].T
+        self.front.pushed = Pushed(
+            step.rows,
+            rows,
+            others,
+            self._block(moving, others),
+            self._at_top(moving),
+            self._biases(moving),
+            step.followers,
+            by_kept,
+        )
 
     # -- three ways -------------------------------------------------------------------------------
 
@@ -177,6 +199,12 @@ class Elimination:
         self._check_inverse(every, matrix, diagonal)
         count = 6 + self.state.columns
         self._check_pushed(pushed, whole[:, count:])
+        if self.state.plan.loop_forces:
+            by_kept = whole[len(every) - len(step.rows) :, count:].T
+            none = self.state.zeros(0, 0)
+            self.front.pushed = Pushed(
+                step.rows, None, (), none, none, none, step.followers, by_kept
+            )
         self._found(every, across, whole[:, :count])
 
     # -- what is left -----------------------------------------------------------------------------

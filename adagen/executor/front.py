@@ -31,6 +31,32 @@ class Solved:
     bias: Array
 
 
+@dataclass(frozen=True)
+class Pushed:
+    """What forces of kept rows follow from: rows^T w = -(inertia w' + across a + bias).
+
+    Attributes:
+        kept: numbers of their forces.
+        rows: what they do to some accelerations, shape (kept, n); None where forces are found with
+            the accelerations.
+        others: numbers w' of all accelerations.
+        inertia: shape (n, m).
+        across: shape (n, 6).
+        bias: shape (n, columns).
+        left_out: numbers of the forces of rows that follow from these.
+        by_kept: the rows that were left out by those kept, shape (left_out, kept).
+    """
+
+    kept: tuple[int, ...]
+    rows: Array | None
+    others: tuple[int, ...]
+    inertia: Array
+    across: Array
+    bias: Array
+    left_out: tuple[int, ...]
+    by_kept: Array
+
+
 @dataclass
 class Front:
     """A closure on its way inwards.
@@ -45,6 +71,10 @@ class Front:
         ties: unknowns of couplings with factors, by joint.
         places: what each unknown is blamed on: its joint; a loop, coupling, counted behind joints.
         first: number of the first unknown of each joint that was held back.
+        pushed: what forces of rows follow from, where they are asked for.
+        loops: rows of loops, where forces are asked for: by loop the force's number, whether it is
+            a force and no moment, and its direction in frame 2, shape (3,).
+        couplings: by coupling the number of its force, None for none.
     """
 
     columns: dict[int, dict[int, Array]] = field(default_factory=dict)
@@ -56,6 +86,9 @@ class Front:
     ties: dict[int, list[tuple[int, float]]] = field(default_factory=dict)
     places: dict[int, int] = field(default_factory=dict)
     first: dict[int, int] = field(default_factory=dict)
+    pushed: Pushed | None = None
+    loops: dict[int, list[tuple[int, bool, Array]]] = field(default_factory=dict)
+    couplings: dict[int, int | None] = field(default_factory=dict)
 
     def add_column(self, link: int, unknown: int, column: Array) -> None:
         """Add to what an unknown and a link's acceleration do to each other."""

@@ -55,6 +55,8 @@ class Joins:
     def link_bias(self, number: int) -> None:
         """Deviation of a bare link from the reference field when nothing acts on it: -Phi p."""
         p = self.state.column(self.motion.link_force(number))
+        for column, force in self.state.tied_links.get(number, ()):
+            p[:, column] = p[:, column] + force
         self.memory[Bias(None, number)] = -matrix_times(self._block(Block(None, number, number)), p)
 
     def join(self, step: Join) -> None:

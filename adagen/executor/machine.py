@@ -22,6 +22,7 @@ from adagen.executor.kinematics import Motion
 from adagen.executor.outputs import Outputs
 from adagen.executor.segments import Segments
 from adagen.executor.state import Refining, State
+from adagen.executor.tied_rows import TiedRows
 from adagen.graph import Expression, Graph, Numbers, total
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import (
@@ -135,6 +136,7 @@ class Machine(State):
     def roots(self) -> list[Expression]:
         """Everything that is wanted: results, contents of messages, what is checked."""
         results = [x for values in self.results.values() for x in values]
+        results += [x for values in self.forces.values() for x in values]
         contents = [x for content in self.sent.values() for x in content]
         pivots = [x for check in self.checks for x in (check.pivot, check.least)]
         given = [x for values in self.outputs.values() for x in values]
@@ -184,13 +186,20 @@ class Machine(State):
     # -- slaved joints ----------------------------------------------------------------------------
 
     def _solve_coupling(self) -> None:
-        """Solve A qdd = 0 for the coupling torques; a row is qdd_slaved - multiplier qdd_source."""
+        """Solve A qdd = 0 for the coupling torques; a row is qdd_slaved - multiplier qdd_source.
+
+        Rows of loops come behind these where they have right-hand sides, too.
+        """
         rows = []
         for slaved in self.plan.slaved:
             mimic = self.plan.joints[slaved].mimic
             assert mimic is not None
             source = self.memory["qdd", mimic[0]][0]
             rows.append(self.memory["qdd", slaved][0] - source * mimic[1])
+        if self.plan.closed and self.closures.solves_at_end:
+            tied = TiedRows(self, self.motion, self.closures.fronts[0])
+            self.memory["torques"] = tied.solve(rows, list(self.plan.slaved))
+            return
         a = np.array(rows, dtype=object)
         factors = self.factorize(a[:, 1:], self.plan.slaved[0])
         self.memory["torques"] = factors.solve(-a[:, :1])[:, 0]

@@ -96,6 +96,8 @@ def after_all_steps(plan: Plan, machines: Sequence[Machine]) -> tuple[Simulated,
     for p, (process, order) in enumerate(zip(plan.processes, orders, strict=True)):
         if done[p] < len(order):
             raise PlanError(f"process {p} waits for ever at {process.steps[order[done[p]]]}")
+        own = plan.force_entries(process)
+        machines[p].forces = {k: x for k, x in machines[p].forces.items() if k in own}
     return tuple(
         Simulated(machine, tuple(accumulate(own, max)))
         for machine, own in zip(machines, ends, strict=True)

@@ -54,7 +54,8 @@ def interpret(
         lanes: whether limbs may share a straight line, as they may in emitted code, or which do.
 
     Returns:
-        Accelerations and outputs, shape (nqdd,) or (nqdd, S); NaN where they are not wanted.
+        Accelerations, outputs and forces of loops, shape (nqdd,) or (nqdd, S); NaN where they are
+        not wanted.
 
     Raises:
         PlanError: a process waits for a message that never comes, or reads what it does not have.
@@ -137,14 +138,16 @@ class Run:
             zip(self.plan.processes, self.machines, strict=True)
         ):
             for j in set(process.owns) & machine.results.keys():
-                own = machine.lanes_of_result(j)
+                lanes = machine.lanes_of_result(j)
                 for k, value in enumerate(self._values(p, machine.results[j])):
-                    for each, x in zip(own, in_lanes(value, len(own)), strict=True):
+                    for each, x in zip(lanes, in_lanes(value, len(lanes)), strict=True):
                         if self.plan.wants(each):
                             rows[self.plan.joints[each].v + k] = x
             for place, output in machine.outputs.items():
                 first = self.plan.entry_of_output(place)
                 rows[first : first + len(output)] = self._values(p, output)
+            for first, force in machine.forces.items():
+                rows[first : first + len(force)] = self._values(p, force)
         return np.asarray(self.algebra.together(rows))
 
     def check(self, *, digits: bool = True) -> None:

@@ -45,6 +45,9 @@ class State:
         outputs: what is wanted beside them, by the place in the plan; known likewise.
         certificate: squares of the energy norms of the error, as bounded, and of the answer, where
             the plan asks for them.
+        tied_joints: right-hand sides that push a joint, with factors (plan.tied_rows).
+        tied_links: right-hand sides that push a link, each with a force, shape (6,).
+        forces: of loops and couplings, by where they are given behind the accelerations.
         limbs: those that share code, one in each lane.
         rows: joints that are treated as one.
         handed: what joints hand inwards, "IA" or "pA", by name and joint.
@@ -71,6 +74,9 @@ class State:
         self.lengths: list[tuple[Expression, int]] = []
         self.results: dict[int, Array] = {}
         self.certificate: tuple[Any, ...] = ()
+        self.forces: dict[int, Array] = {}
+        self.tied_joints: dict[int, list[tuple[int, float]]] = {}
+        self.tied_links: dict[int, list[tuple[int, Array]]] = {}
         self.outputs: dict[int, Array] = {}
         self.limbs = tuple(all_limbs)
         self.handed: dict[tuple[str, int], Array] = {}
@@ -200,6 +206,8 @@ class State:
         result = self.column(self.given(j)[: self.kind(j).nv])
         for k, lost in enumerate(self._lost(j)):
             result[k, 0] = total([result[k, 0], *lost])
+        for column, factor in self.tied_joints.get(j, ()):
+            result[0, column] = result[0, column] - factor
         for column, slaved in enumerate(self.plan.slaved, start=1):
             mimic = self.plan.joints[slaved].mimic
             assert mimic is not None
@@ -257,9 +265,9 @@ class State:
         if self.plan.joints[j].prescribed:
             qdd = self.column(self.given(j))
         self.memory.update((("qdd", each), own) for each, own in self.rows.apart(j, qdd))
-        if not self.plan.slaved and any(map(self.plan.wants, self.rows.own(j))):
+        if self.columns == 1 and any(map(self.plan.wants, self.rows.own(j))):
             self.results[j] = qdd[:, 0]
 
     def lanes_of_result(self, j: int) -> tuple[int, ...]:
         """Return the joints whose accelerations ``results`` has for joint j, lane by lane."""
-        return (j,) if self.plan.slaved else self.rows.lanes(j)
+        return (j,) if self.columns > 1 else self.rows.lanes(j)

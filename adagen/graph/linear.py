@@ -173,17 +173,18 @@ def solve_by_reflections(matrix: Array, right: Array) -> Array:
 
 
 def solved_by_reflections(matrix: Array, right: Array) -> tuple[Array, list[Expression]]:
-    """Return M^-1 x of a square matrix of any kind, shape (n, k), and the diagonal of its R.
+    """Return M^-1 x of a matrix of any kind, shape (m, k), and the diagonal of its R.
 
-    One entry of that is next to nothing where the matrix is next to singular.
+    One entry of that is next to nothing where the matrix is next to singular. Of a matrix of shape
+    (n, m) with more rows than columns it is what comes closest, by least squares.
     """
-    r, x = matrix.copy(), right.copy()
-    for k in range(len(r)):
+    r, x, count = matrix.copy(), right.copy(), matrix.shape[1]
+    for k in range(count):
         reflect(k, r, x)
-    diagonal = [r[i, i] for i in range(len(r))]
-    for i in reversed(range(len(r))):
+    diagonal = [r[i, i] for i in range(count)]
+    for i in reversed(range(count)):
         over = r[i, i].graph.reciprocal(r[i, i])
         for c in range(x.shape[1]):
-            terms = [-(r[i, k] * x[k, c]) for k in range(i + 1, len(r))]
+            terms = [-(r[i, k] * x[k, c]) for k in range(i + 1, count)]
             x[i, c] = total([x[i, c], *terms]) * over
-    return x, diagonal
+    return x[:count], diagonal

@@ -177,6 +177,7 @@ def planned(model: Model, schedule: Schedule, request: Request, source_hash: str
         source_hash=source_hash,
         reproducible=request.reproducible,
         runtime=request.runtime,
+        loop_forces=request.loop_forces,
     )
     if request.certify:
         plan = certified(plan)

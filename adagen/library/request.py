@@ -44,6 +44,7 @@ class Request:
         reproducible: whether answers are the same to the last bit on every number of processes, in
             whatever lanes, by every compiler and on every machine with numbers of IEEE 754.
         certify: whether a bound of its error comes with each answer.
+        loop_forces: whether forces of loops and couplings are given behind the accelerations.
     """
 
     procs: int = 1
@@ -70,6 +71,7 @@ class Request:
     single_file: bool = False
     reproducible: bool = False
     certify: bool = False
+    loop_forces: bool = False
 
     def __post_init__(self) -> None:
         """Refuse what cannot be had, whatever the robot.

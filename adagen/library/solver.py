@@ -67,7 +67,8 @@ class Solver:
 
             Returns:
                 Accelerations, shape (nv,) or (S, nv); m/s^2, rad/s^2. With the outputs of a scene
-                behind them, shape (nqdd,) or (S, nqdd); NaN of joints that it does not ask for.
+                and forces of loops behind them, shape (nqdd,) or (S, nqdd); NaN of joints that it
+                does not ask for.
 
             Raises:
                 SolveError: a state cannot be solved; it names the joint. Of one state nothing is
@@ -185,13 +186,39 @@ class Solver:
 
     @property
     def nqdd(self) -> int:
-        """Numbers in an answer: accelerations, then the outputs of a scene, in its order."""
-        return self.compiled.model.nqdd
+        """Numbers in an answer: accelerations, outputs of a scene, then forces of loops."""
+        return self.compiled.plan.nqdd
 
     @property
     def ntau(self) -> int:
         """Numbers in tau: behind those of the joints, six of each outer force of a scene."""
         return self.compiled.model.ntau
+
+    def force(self, name: str) -> int | slice:
+        """Return where the force of a loop or coupling is in what is returned.
+
+        The robot was compiled with ``loop_forces=True``. A loop's is [force; moment] on its link 2
+        at frame 2, in the axes of frame 2, N and N m; a coupling's the effort along a coordinate of
+        factor 1. Where constraints follow from each other, the one of least squares.
+
+        Args:
+            name: of the loop or coupling.
+
+        Raises:
+            UsageError: there is no such force.
+        """
+        plan = self.compiled.plan
+        if plan.loop_forces:
+            for k, loop in enumerate(plan.loops):
+                if loop.name == name:
+                    return slice(plan.entry_of_loop(k), plan.entry_of_loop(k) + 6)
+            for k, coupling in enumerate(plan.couplings):
+                if coupling.name == name:
+                    return plan.entry_of_coupling(k)
+        raise UsageError(
+            f'there is no force of "{printable(name)}": compile with loop_forces=True, and name a '
+            "loop or coupling"
+        )
 
     @property
     def dtype(self) -> np.dtype[Any]:

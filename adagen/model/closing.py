@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from adagen.exact import exact, rotation_from_rpy, rotation_taking_z_to
+from adagen.exact import exact, rotation_from_rpy, rotation_taking_z_to, rounded
 from adagen.model.loops import LOOP_WORDS, Coupling, Loop, open_by
 from adagen.model.model import Frame, Model
 from adagen.model.rigid import Pose
@@ -66,7 +66,7 @@ def closed(
     link: Callable[[str], tuple[int, Frame | None]],
     joint: Callable[[str], int],
 ) -> Model:
-    """Return a model with further loops and couplings.
+    """Return a model with further loops and couplings; mimic joints at them are couplings, too.
 
     Args:
         model: the robot.
@@ -91,17 +91,52 @@ def closed(
         first = said.axis if kind.axes else z
         second = said.axis2 if kind.axes == 2 else first
         (link1, frame1), (link2, frame2) = placed(said.end1, first), placed(said.end2, second)
-        return Loop(said.name, kind, link1, frame1, link2, frame2, said.tolerance)
+        turn = rounded(rotation_taking_z_to(second)).tolist() if kind.axes else []
+        turn2 = tuple(map(tuple, turn))
+        return Loop(said.name, kind, link1, frame1, link2, frame2, said.tolerance, turn2)
 
     tied = [
         Coupling(c.name, tuple((joint(name), x) for name, x in c.terms), c.offset, c.tolerance)
         for c in couplings
     ]
-    return replace(
-        model,
-        loops=(*model.loops, *map(made, loops)),
-        couplings=(*model.couplings, *tied),
+    return _coupled_mimics(
+        replace(
+            model,
+            loops=(*model.loops, *map(made, loops)),
+            couplings=(*model.couplings, *tied),
+        )
     )
+
+
+def _coupled_mimics(model: Model) -> Model:
+    """Return a model whose mimic joints at loops are couplings, named as the joints.
+
+    A loop cannot go over a joint that has no say in its motion; as a coupling, the mimic is one of
+    the constraints.
+    """
+    on_loops = set().union(*(_between(model, loop) for loop in model.loops))
+    on_loops |= {j for coupling in model.couplings for j, _ in coupling.terms}
+    for j, joint in enumerate(model.joints):
+        if joint.mimic is not None and on_loops & {j, joint.mimic.source}:
+            terms = ((j, 1.0), (joint.mimic.source, -joint.mimic.multiplier))
+            coupling = Coupling(joint.name, terms, joint.mimic.offset)
+            free = replace(joint, mimic=None)
+            joints = (*model.joints[:j], free, *model.joints[j + 1 :])
+            couplings = (*model.couplings, coupling)
+            return _coupled_mimics(replace(model, joints=joints, couplings=couplings))
+    return model
+
+
+def _between(model: Model, loop: Loop) -> set[int]:
+    """Joints between the ends of a loop."""
+    ways: list[set[int]] = []
+    for link in (loop.link1, loop.link2):
+        way, at = set[int](), link
+        while at > 0:
+            way.add(at - 1)
+            at = model.joints[at - 1].parent
+        ways.append(way)
+    return ways[0] ^ ways[1]
 
 
 def places(model: Model) -> dict[str, tuple[int, Frame | None]]:

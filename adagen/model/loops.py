@@ -73,6 +73,7 @@ class Loop:
         link2: index of the link that frame 2 is fixed to.
         frame2: likewise; z is the axis, of a universal joint the second one.
         tolerance: how far it may be open in a state, m and rad.
+        turn2: of frame 2 in the frame that its description has there, 3x3; empty for the same.
     """
 
     name: str
@@ -82,6 +83,7 @@ class Loop:
     link2: int
     frame2: Frame
     tolerance: float = 1e-4
+    turn2: tuple[tuple[float, ...], ...] = ()
 
     @property
     def ends(self) -> tuple[tuple[int, Frame], tuple[int, Frame]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from adagen.errors import UsageError
@@ -9,6 +10,7 @@ from adagen.model import Model
 from adagen.model.fuse import runs_of, settled
 from adagen.plan.ada import AdaPlanner
 from adagen.plan.closed import ClosedPlanner
+from adagen.plan.closed_ada import ClosedAdaPlanner
 from adagen.plan.closures import closures_of
 from adagen.plan.clusters import ClusterPlanner, clusters_of
 from adagen.plan.constants import (
@@ -61,6 +63,7 @@ def make_plan(
     meeting: str = "auto",
     reproducible: bool = False,
     runtime: str = "",
+    loop_forces: bool = False,
 ) -> Plan:
     """Return what each process of a schedule does.
 
@@ -75,6 +78,7 @@ def make_plan(
             gathered at a small core, in one exchange; "auto": as the schedule says.
         reproducible: whether answers are the same to the last bit on any number of processes.
         runtime: what can be set at run time (see ``parameters_of``).
+        loop_forces: whether forces of loops and couplings are given behind the accelerations.
 
     Raises:
         InputError: a link's inertia cannot be inverted where the form needs it.
@@ -89,6 +93,8 @@ def make_plan(
     ):
         if word not in known:
             raise UsageError(f'unknown {what} "{word}"; known: {", ".join(known)}')
+    if loop_forces:
+        _check_forces(model)
     joints, parameters = joints_of(model), parameters_of(model, runtime)
     refuse_outputs(model, form)
     planner = planner_of(model, schedule, form, meeting)
@@ -120,6 +126,8 @@ def make_plan(
         couplings=couplings_of(model),
         reproducible=reproducible,
         parameters=parameters,
+        loop_forces=loop_forces,
+        tied_rows=planner.tied_rows(),
         wanted=model.wanted,
         outputs=outputs,
         at_rest=model.at_rest,
@@ -160,8 +168,12 @@ def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto
         meeting: one of ``MEETINGS``.
     """
     joints, runs = joints_of(model), runs_of(model)
+    if model.closed and form == "ada":
+        _check_invertible(model, runs)
+        closures = closures_of(model)
+        return ClosedAdaPlanner(joints, schedule, closures, loops_of(model), couplings_of(model))
     if model.closed:
-        _check_closed(schedule, form)
+        _check_closed(schedule)
         return ClosedPlanner(
             joints,
             schedule,
@@ -180,9 +192,27 @@ def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto
     return FORMS[form](joints, schedule, runs)
 
 
-def _check_closed(schedule: Schedule, form: str) -> None:
-    """Refuse what closed loops cannot be had with."""
-    if form != "segment":
-        raise UsageError(f"form {form} does not take closed loops: leave --form out")
+def _check_forces(model: Model) -> None:
+    """Refuse forces of loops where there are none, or not all of them are known."""
+    if not model.closed:
+        raise UsageError("the robot has no loops and couplings: leave --loop-forces out")
+    if any(joint.mimic is not None for joint in model.joints):
+        raise UsageError(
+            "forces of loops are not told beside mimic joints: say these as couplings, or leave "
+            "--loop-forces out"
+        )
+
+
+def _check_invertible(model: Model, runs: Sequence[tuple[int, ...]]) -> None:
+    """Refuse links whose inertia form ada would have to put together with others'."""
+    if any(len(run) > 1 for run in runs) or clusters_of(model, runs):
+        raise UsageError(
+            "form ada does not take closed loops beside links whose inertia cannot be inverted: "
+            "leave --form out"
+        )
+
+
+def _check_closed(schedule: Schedule) -> None:
+    """Refuse schedules that cut robots with closed loops."""
     if len({node.processes[0] for node in postorder(schedule.root)}) > 1:
         raise UsageError("a robot with closed loops is solved by one process: leave --schedule out")

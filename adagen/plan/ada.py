@@ -116,6 +116,10 @@ class AdaPlanner:
             self.open[joint.parent] += 1
             self.open[j + 1] += 1
 
+    def tied_rows(self) -> tuple[int, ...]:
+        """Return constraints of loops that have a right-hand side each."""
+        return ()
+
     def gathered(self) -> Gathered | None:
         """Return where processes gather; None where they are joined, or one has it all."""
         return None
@@ -259,15 +263,17 @@ class AdaPlanner:
 
     # --- slaved joints -------------------------------------------------------------------------
 
+    def coupled(self) -> set[int]:
+        """Return the joints whose accelerations depend on each other: slaved ones and sources."""
+        slaved = {j for j, joint in enumerate(self.joints) if joint.mimic is not None}
+        sources = {joint.mimic[0] for joint in self.joints if joint.mimic is not None}
+        return slaved | sources
+
     def _couple_slaved(self) -> None:
         """Process 0 solves for the torques between slaved joints and their sources."""
-        slaved = [j for j, joint in enumerate(self.joints) if joint.mimic is not None]
-        if not slaved:
+        involved = self.coupled()
+        if not involved:
             return
-        involved = set(slaved)
-        for joint in self.joints:
-            if joint.mimic is not None:
-                involved.add(joint.mimic[0])
         owners = [p for p, owns in enumerate(self.owns) if owns]
         for p in owners:
             joints = tuple(sorted(involved.intersection(self.owns[p])))

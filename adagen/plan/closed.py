@@ -11,6 +11,7 @@ nothing of it. In poses in which what follows is found poorly, each process does
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 
 from adagen.errors import InputError
 from adagen.plan.ada import AdaPlanner
@@ -149,8 +150,9 @@ def _recovering(process: Process, ways: Sequence[tuple[Step, ...]], count: int) 
     if not process.owns or not ways:
         return process
     every = tuple(range(count))
-    others = tuple(j for j in every if j not in process.owns)
-    return Process(process.steps, every, process.owns, others, ways[0], tuple(ways[1:]))
+    spares = tuple(j for j in every if j not in process.treated)
+    first, *others = ways
+    return replace(process, reads=every, recovery=first, others=tuple(others), spares=spares)
 
 
 def _refuse_divided(trees: Sequence[Tree], way: ClosedWay, loops: Sequence[PlanLoop]) -> None:

@@ -100,6 +100,7 @@ def loops_of(model: Model) -> tuple[PlanLoop, ...]:
             _rows(loop.frame2.rotation),
             _tuple(loop.frame2.translation),
             loop.tolerance,
+            loop.turn2,
         )
         for loop in (canonical(model).loops if model.loops else ())
     )

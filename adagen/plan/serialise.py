@@ -53,6 +53,8 @@ def _processes(plan: Plan) -> str:
                 for steps_of in process.others
             )
             more += f', "others": [{", ".join(each)}]'
+        if process.spares:
+            more += f', "spares": {_dump(list(process.spares))}'
         parts.append(f'{{{joints}, "steps": {steps}{more}}}')
     return ",\n".join(parts)
 

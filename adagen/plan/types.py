@@ -12,7 +12,7 @@ from functools import cached_property
 
 from adagen.model import OUTPUT_SIZES
 from adagen.model.kinds import KINDS
-from adagen.plan.steps import Bias, Block, Certify, Force, Step
+from adagen.plan.steps import Bias, Block, Certify, Force, SolveCoupling, Step
 
 THREADS = "threads"
 """The channel between processes that are threads of one program."""
@@ -178,6 +178,7 @@ class PlanLoop:
         rotation2: likewise, 3x3.
         translation2: likewise, 3 numbers, m.
         tolerance: how far it may be open in a state, m and rad.
+        turn2: of frame 2 in the frame that its description has there, 3x3; empty for the same.
     """
 
     name: str
@@ -189,6 +190,7 @@ class PlanLoop:
     rotation2: tuple[tuple[float, ...], ...]
     translation2: tuple[float, ...]
     tolerance: float
+    turn2: tuple[tuple[float, ...], ...] = field(default=(), metadata=OPTIONAL)
 
 
 @dataclass(frozen=True)
@@ -243,6 +245,8 @@ class Process:
         recovery: what is done instead in a pose in which that cannot be done: a mobility cannot be
             held, or a closure's choice is poor there; empty where there is nothing else.
         others: what is done where that cannot be done either, in the order in which it is tried.
+        spares: further joints whose torque it reads, and whose acceleration it computes, only in
+            what is done instead.
     """
 
     steps: tuple[Step, ...]
@@ -251,6 +255,7 @@ class Process:
     shares: tuple[int, ...] = ()
     recovery: tuple[Step, ...] = field(default=(), metadata=OPTIONAL)
     others: tuple[tuple[Step, ...], ...] = field(default=(), metadata=OPTIONAL)
+    spares: tuple[int, ...] = field(default=(), metadata=OPTIONAL)
 
     @property
     def treated(self) -> list[int]:
@@ -284,6 +289,9 @@ class Plan:
         reproducible: whether its processes share out the straight line of one, so that answers are
             the same to the last bit on any number of them (adagen/plan/serial.py).
         parameters: constants that can be set at run time.
+        loop_forces: whether forces of loops and couplings are given behind the accelerations.
+        tied_rows: constraints of loops and couplings that have a right-hand side each, as slaved
+            joints have: numbers of their forces in the plan's one closure (form ada).
         wanted: joints whose accelerations are given, ascending; none stands for all.
         outputs: what is given beside accelerations, behind them in qdd.
         at_rest: whether all velocities are zero.
@@ -308,6 +316,8 @@ class Plan:
     couplings: tuple[PlanCoupling, ...] = field(default=(), metadata=OPTIONAL)
     reproducible: bool = field(default=False, metadata=OPTIONAL)
     parameters: tuple[PlanParameter, ...] = field(default=(), metadata=OPTIONAL)
+    loop_forces: bool = field(default=False, metadata=OPTIONAL)
+    tied_rows: tuple[int, ...] = field(default=(), metadata=OPTIONAL)
     wanted: tuple[int, ...] = field(default=(), metadata=OPTIONAL)
     outputs: tuple[PlanOutput, ...] = field(default=(), metadata=OPTIONAL)
     at_rest: bool = field(default=False, metadata=OPTIONAL)
@@ -337,8 +347,11 @@ class Plan:
 
     @property
     def right_hand_sides(self) -> int:
-        """Columns of every bias, force and acceleration: the motion, and one per slaved joint."""
-        return 1 + len(self.slaved)
+        """Columns of every bias, force and acceleration.
+
+        One is the motion; then there is one for each slaved joint, and for each tied row.
+        """
+        return 1 + len(self.slaved) + len(self.tied_rows)
 
     @cached_property
     def bound_by_loops(self) -> frozenset[int]:
@@ -391,12 +404,38 @@ class Plan:
 
     @property
     def nqdd(self) -> int:
-        """Numbers in qdd: accelerations, then outputs."""
+        """Numbers in qdd: accelerations, then outputs, then forces of loops if asked for."""
+        if self.loop_forces:
+            return self.entry_of_coupling(len(self.couplings))
         return self.entry_of_output(len(self.outputs))
 
     def entry_of_wrench(self, k: int) -> int:
         """Return where the six numbers of outer force ``k`` start in tau."""
         return self.nv + 6 * k
+
+    def entry_of_loop(self, k: int) -> int:
+        """Return where the six numbers of the force of loop ``k`` start, behind outputs."""
+        return self.entry_of_output(len(self.outputs)) + 6 * k
+
+    def entry_of_coupling(self, k: int) -> int:
+        """Return where the force of coupling ``k`` is, behind those of the loops."""
+        return self.entry_of_loop(len(self.loops)) + k
+
+    def force_entries(self, process: Process) -> list[int]:
+        """Return where forces are that a process gives, ascending: those at its own joints."""
+        if not self.loop_forces:
+            return []
+        if self.tied_rows:  # they are found where all is solved for
+            solves = any(isinstance(step, SolveCoupling) for step in process.steps)
+            return list(range(self.entry_of_loop(0), self.nqdd)) if solves else []
+        found: list[int] = []
+        for k, loop in enumerate(self.loops):
+            if max(loop.link1, loop.link2) - 1 in process.owns:
+                found += range(self.entry_of_loop(k), self.entry_of_loop(k) + 6)
+        for k, coupling in enumerate(self.couplings):
+            if coupling.terms[0][0] in process.owns:
+                found.append(self.entry_of_coupling(k))
+        return found
 
     def entry_of_output(self, k: int) -> int:
         """Return where the numbers of output ``k`` start in qdd."""

@@ -14,7 +14,7 @@ A place is a name: a ``Block``, ``Bias`` or ``Force`` of the plan, or a pair of 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from adagen.model import LINK_ACCELERATION, REACTION_FORCE
@@ -329,4 +329,17 @@ def _coupled(plan: Plan) -> tuple[Place, ...]:
         mimic = plan.joints[slaved].mimic
         assert mimic is not None  # that is what slaved means
         found["qdd", slaved] = found["qdd", mimic[0]] = None
+    if plan.tied_rows:
+        found.update(dict.fromkeys(_between_ends(plan)))
     return tuple(found)
+
+
+def _between_ends(plan: Plan) -> Iterator[Place]:
+    """Accelerations of joints between ends of loops, and what their rows are."""
+    for k, loop in enumerate(plan.loops):
+        yield "loop", k
+        ways = [plan.paths([link - 1]) for link in (loop.link1, loop.link2)]
+        yield from (("qdd", j) for j in sorted(ways[0] ^ ways[1]))
+    for k, coupling in enumerate(plan.couplings):
+        yield "coupling", k
+        yield from (("qdd", j) for j, _ in coupling.terms)

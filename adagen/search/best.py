@@ -58,9 +58,8 @@ def best_schedule(
         profile = profile.joins_only()
     if model.outputs:  # one process has it all
         search["cuttable"] = [False] * len(topology)
-        return find_schedule(topology, processes, profile=profile, **search)
-    if model.closed:
-        return closed_schedule(model, processes, profile, scalar, **search)
+    if model.outputs or model.closed:
+        return _held_together(model, processes, profile, form, scalar, **search)
     if form == "segment" and processes == 1:
         return find_schedule(topology, 1, profile=profile, **search)
     seen = fold_of(model, form)
@@ -102,3 +101,12 @@ def best_schedule(
         families.gather(cuttable if alike else cuttable_joints(model, scalar))
     families.bound_joined(cuttable)
     return families.taken()
+
+
+def _held_together(
+    model: Model, processes: int, profile: CostProfile, form: str, scalar: str, **search: Any
+) -> Schedule:
+    """The schedule of a robot with outputs, or with closed loops."""
+    if model.outputs or form == "ada":  # loops are solved for at the end, whatever the order
+        return find_schedule(Topology.of(model), processes, profile=profile, **search)
+    return closed_schedule(model, processes, profile, scalar, **search)

@@ -22,7 +22,7 @@ from adagen.schedule.tree import Gathered
 from adagen.search.dealt import cheapest_of, joint_weights, layouts_at
 from adagen.search.schedules import find_schedule
 
-_SHARES = (0.48, 0.42)
+_SHARES = (0.46, 0.38, 0.31)
 """Parts of a tree's arithmetic that may be beyond its root, where that is in the middle."""
 
 

@@ -74,7 +74,8 @@ def read_result(path: Path | str, model: Model) -> Array:
         InputError: the file cannot be read, is not JSON, or is not a result for this model.
     """
     try:
-        document = load_object(path, ("joints", "outputs", "corrections", "error_bounds"))
+        known = ("joints", "outputs", "corrections", "error_bounds", "loops", "couplings")
+        document = load_object(path, known)
         joints = as_object(document.get("joints"), "'joints'")
         unasked = {j.name for k, j in enumerate(model.joints) if k not in model.wanted}
         _check_names(joints, model, every=True, unasked=unasked if model.wanted else ())

@@ -146,7 +146,7 @@ struct Session {
   Watch watch;
   Solver& solver;
   States states;
-  std::vector<Number> qdd;  // one acceleration after the other
+  std::vector<Number> qdd;  // of each state accelerations, and forces of loops where asked for
   bool pinned = false;
 
   Session(Options given, Solver& own, int own_rank)

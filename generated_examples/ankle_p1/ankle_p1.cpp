@@ -2910,7 +2910,7 @@ ADAGEN_NOINLINE void part_1_2(Workspace& w) {
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 8 of 8 joints: "hip", "knee", "ankle_pitch", "ankle_roll", "left_motor", "left_ball", ...; all of them in a singular pose
+// Process 0: 8 of 8 joints: "hip", "knee", "ankle_pitch", "ankle_roll", "left_motor", "left_ball", ...
 constexpr std::array<int, 8> kRead_0{0, 1, 2, 3, 4, 5, 6, 7};
 constexpr std::array<int, 8> kOwned_0{0, 1, 2, 3, 4, 5, 6, 7};
 

@@ -454,7 +454,7 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 3 of 3 joints: "crank_pin", "coupler_pin", "rocker_pin"; all of them in a singular pose
+// Process 0: 3 of 3 joints: "crank_pin", "coupler_pin", "rocker_pin"
 constexpr std::array<int, 3> kRead_0{0, 1, 2};
 constexpr std::array<int, 3> kOwned_0{0, 1, 2};
 

@@ -55,12 +55,17 @@ axis = [0, 1, 0]
 @pytest.fixture
 def bars(tmp_path: Path) -> Path:
     """A four-bar linkage: bars.urdf, bars.toml and its states in a folder."""
-    (tmp_path / "bars.urdf").write_text(URDF)
-    (tmp_path / "bars.toml").write_text(SCENE)
-    model = read(tmp_path / "bars.urdf", scene=tmp_path / "bars.toml").model
+    return write_bars(tmp_path)
+
+
+def write_bars(folder: Path) -> Path:
+    """Write a four-bar linkage: bars.urdf, bars.toml and its states; return the folder."""
+    (folder / "bars.urdf").write_text(URDF)
+    (folder / "bars.toml").write_text(SCENE)
+    model = read(folder / "bars.urdf", scene=folder / "bars.toml").model
     q, v = closed_states(model, 3, seed=2)
-    write_states(tmp_path / "states.json", q, v)
-    return tmp_path
+    write_states(folder / "states.json", q, v)
+    return folder
 
 
 def write_states(path: Path, q: np.ndarray, v: np.ndarray) -> None:
@@ -167,3 +172,32 @@ def test_mechanisms_with_true_answers(shared: Path) -> None:
                 assert max(answers) <= told["tolerance"], (name, mode)
             count += 1
     assert count >= 60
+
+
+def test_a_mimic_at_a_loop_is_a_coupling(tmp_path: Path) -> None:
+    """A five-bar whose second crank mimics the first one has one freedom left."""
+    scene = SCENE.replace("eye pin", "pin")
+    urdf = URDF.replace(
+        '<joint name="rocker_pin" type="continuous">',
+        '<joint name="rocker_pin" type="continuous"><mimic joint="crank_pin" multiplier="-0.5"/>',
+    )
+    fifth = """  <link name="second">{body}</link>
+  <joint name="second_pin" type="continuous">
+    <parent link="rocker"/><child link="second"/><origin xyz="0.3 0 0"/><axis xyz="0 1 0"/>
+  </joint>
+</robot>""".replace("{body}", URDF.split('<link name="crank">')[1].split("</link>")[0])
+    (tmp_path / "five.urdf").write_text(urdf.replace("</robot>", fifth))
+    (tmp_path / "five.toml").write_text(scene.replace('link2 = "rocker"', 'link2 = "second"'))
+    model = read(tmp_path / "five.urdf", scene=tmp_path / "five.toml", mimic=True).model
+    assert [coupling.name for coupling in model.couplings] == ["rocker_pin"]
+    assert not any(joint.mimic for joint in model.joints)
+    plan = plan_of(model)
+    q, v = closed_states(model, 3, seed=2, starts=60)
+    tau = np.full(model.ntau, 0.5)
+    for s in range(3):
+        truth = closed_forward_dynamics(model, q[s], v[s], tau)
+        found = interpret(plan, q[s], v[s], tau)
+        names = [joint.name for joint in model.joints]
+        crank, rocker = names.index("crank_pin"), names.index("rocker_pin")
+        assert found[rocker] == pytest.approx(-0.5 * found[crank])
+        np.testing.assert_allclose(found, truth, atol=1e-10 * np.abs(truth).max())

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.errors import InputError, UsageError
+from adagen.errors import InputError
 from adagen.executor import interpret
 from adagen.executor.closed_trial import tried_closed
 from adagen.graph import BALLS
@@ -130,13 +130,6 @@ def test_one_process_has_all_of_a_closed_robot(processes: int) -> None:
     plan = plan_of(model, processes)
     assert [len(process.owns) for process in plan.processes] == [3] + [0] * (processes - 1)
     assert worst(model, plan, states_of(model, 2)) < 1e-9
-
-
-def test_form_ada_does_not_take_loops() -> None:
-    model = four_bar()
-    schedule = best_schedule(model, 1, load_profile("default"))
-    with pytest.raises(UsageError, match="form ada does not take closed loops"):
-        make_plan(model, schedule, form="ada")
 
 
 def test_an_open_loop_is_refused_by_name() -> None:

@@ -97,6 +97,7 @@ class _ProcessText:
         self.words, self.p, self.machine, self.wide = words, p, simulated.machine, wide
         self.process = process
         self.owner = p % len(words.plan.processes)  # processes come again for their recovery
+        self.forces = words.plan.force_entries(process)
         self.graph = simulated.machine.graph
         self.operations = simulated.operations
         self.layout: Layout = laid_out(
@@ -168,6 +169,9 @@ class _ProcessText:
     def _results(self) -> dict[int, list[str]]:
         """By index, the lines that put values down as accelerations and outputs."""
         lines: dict[int, list[str]] = defaultdict(list)
+        for first, force in self.machine.forces.items():
+            for k, x in enumerate(force):
+                lines[x.index].append(f"w.result[{first + k}] = {self._value(x.index)};")
         # A reproducible zero has no sign: whether one does depends on what is known beforehand.
         zero = " + Real(0)" if self.words.plan.reproducible else ""
         for joint, values in self.machine.results.items():
@@ -360,7 +364,8 @@ class _ProcessText:
         """Ranges of accelerations that are computed by themselves."""
         rows = {j for joint, _ in self.wide_results for j in self.machine.rows.own(joint)}
         wide = set(entries_of(self.words, "v", rows))
-        return ranges(k for k in given_entries(self.words, self.process) if k not in wide)
+        own = [k for k in given_entries(self.words, self.process) if k not in wide]
+        return ranges([*own, *self.forces])
 
     def _scattered(self) -> list[tuple[int, int]]:
         """Entries of the result that are computed in lanes, and where they are kept."""

@@ -184,6 +184,20 @@ void write_numbers(std::FILE* file, const std::vector<Number>& qdd, int count, i
   std::fputs("]", file);
 }
 
+// The forces of loops or couplings, which start at an entry of each state; returns where they end.
+template <class Things>
+int write_forces(std::FILE* file, const char* what, const Things& things, int numbers,
+                 const std::vector<Number>& qdd, int count, int at) {
+  if (things.count > 0) std::fprintf(file, ",\n\"%s\": {", what);
+  for (int k = 0; k < things.count; ++k, at += numbers) {
+    std::fprintf(file, "%s\n%s: {\"force\": ", k == 0 ? "" : ",", quoted(things[k].name).c_str());
+    write_numbers(file, qdd, count, at, numbers);
+    std::fputs("}", file);
+  }
+  if (things.count > 0) std::fputs("\n}", file);
+  return at;
+}
+
 // more: further members of the file, each after a comma.
 bool write_result(const std::string& path, const std::vector<Number>& qdd, int count,
                   const std::string& more) {
@@ -209,6 +223,10 @@ bool write_result(const std::string& path, const std::vector<Number>& qdd, int c
     first += output.size;
   }
   if (about.outputs.count > 0) std::fputs("\n]", file);
+  if (about.nqdd > first) {  // behind outputs: six numbers of each loop, one of each coupling
+    first = write_forces(file, "loops", about.loops, 6, qdd, count, first);
+    write_forces(file, "couplings", about.couplings, 1, qdd, count, first);
+  }
   std::fprintf(file, "%s}\n", more.c_str());
   const bool good = std::ferror(file) == 0;
   return std::fclose(file) == 0 && good;

@@ -1,0 +1,122 @@
+"""Constraints of loops that are solved for at the end, each with a right-hand side (form ada).
+
+Every acceleration is one of the motion, and what a unit of each constraint force adds to it. How
+fast a loop's frames would part follows from these, link by link from where the loop closes; the
+forces are those with which no row parts. Accelerations of links are deviations from the reference
+field, as everywhere: what both ends share does not part them.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.executor.checks import Check
+from adagen.executor.frames import columnwise
+from adagen.executor.front import Front, Pushed
+from adagen.executor.kinematics import Motion
+from adagen.executor.loop_forces import give_forces
+from adagen.executor.state import State
+from adagen.graph import Expression, matrix_times, solved_by_reflections, total
+from adagen.plan.digits import EPSILON
+from adagen.plan.types import FACTORS
+
+Array = NDArray[Any]
+
+FOLLOWS = 1e-3
+"""How much a row that is left out may part, beside what rows would without forces."""
+
+
+class TiedRows:
+    """The rows of all loops and couplings, once accelerations of all right-hand sides are known.
+
+    Args:
+        state: whose process it is.
+        motion: its kinematics.
+        front: has the rows; it is the only closure.
+    """
+
+    def __init__(self, state: State, motion: Motion, front: Front) -> None:
+        self.state, self.motion, self.front = state, motion, front
+        self.memory: dict[Any, Any] = state.memory
+        self.links: dict[int, Array] = {}
+
+    def values(self) -> dict[int, Array]:
+        """Return what each row is in every right-hand side, shape (columns,), by its number."""
+        found = {unknown: bias.copy() for unknown, bias in self.front.bias.items()}
+        for link, columns in self.front.columns.items():
+            a = self._acceleration(link)
+            for unknown, column in columns.items():
+                found[unknown] = found[unknown] + matrix_times(column[None, :], a)[0]
+        for j, ties in self.front.ties.items():
+            for unknown, factor in ties:
+                found[unknown] = found[unknown] + self.memory["qdd", j][0] * factor
+        return found
+
+    def _acceleration(self, link: int) -> Array:
+        """A link's acceleration, shape (6, columns)."""
+        if link == 0:
+            return self.state.zeros(6, self.state.columns)
+        if link not in self.links:
+            j, parent = link - 1, self.state.plan.joints[link - 1].parent
+            a = columnwise(self.memory["X", j].motion, self._acceleration(parent))
+            drift = self.motion.drift(j)
+            if drift is not None:
+                a = a + drift
+            a = a.copy()
+            for k, row in enumerate(self.state.kind(j).free):
+                a[row] = a[row] + self.memory["qdd", j][k]
+            self.links[link] = a
+        return self.links[link]
+
+    def solve(self, others: list[Array], names: list[int]) -> Array:
+        """Return what right-hand sides are taken by so that no row parts, shape (columns - 1,).
+
+        Args:
+            others: further rows that have to vanish, shape (columns,) each; they come first.
+            names: what is to blame for these.
+        """
+        values, tied = self.values(), self.state.plan.tied_rows
+        rows = self.state.zeros(len(others) + len(tied), self.state.columns)
+        for k, row in enumerate([*others, *(values[u] for u in tied)]):
+            rows[k] = row
+        forces, diagonal = solved_by_reflections(rows[:, 1:], -rows[:, :1])
+        blamed = [*names, *(self.front.places[u] for u in tied)]
+        lost = (16 * EPSILON[FACTORS[self.state.plan.scalar]]) ** 2
+        for k, (place, pivot) in enumerate(zip(blamed, diagonal, strict=True)):
+            least = total([x * x for x in rows[:, 1 + k]]) * lost
+            self.state.checks.append(Check(pivot * pivot, least, place, "kLoopSingular"))
+        self._check_left_out(values, forces[:, 0])
+        first = len(others)
+        for k, unknown in enumerate(tied):
+            self.front.found[unknown] = forces[first + k]
+        if self.state.plan.loop_forces:
+            self._give(values)
+        return forces[:, 0]
+
+    def _check_left_out(self, values: dict[int, Array], forces: Array) -> None:
+        """Rows that follow from the others may not part, either."""
+        zero: Expression = self.state.graph.constant(0)
+        free = total([zero, *(value[0] * value[0] for value in values.values())])
+        for unknown, value in values.items():
+            if unknown not in self.state.plan.tied_rows:
+                rest = total([value[0], *(value[1:] * forces)])
+                left = (free + 1.0) * FOLLOWS**2 - rest * rest
+                place = self.front.places[unknown]
+                self.state.checks.append(Check(left, zero, place, "kLoopSingular"))
+
+    def _give(self, values: dict[int, Array]) -> None:
+        """Give forces: rows that follow from the kept ones by F part as F says."""
+        tied = self.state.plan.tied_rows
+        left_out = tuple(unknown for unknown in values if unknown not in tied)
+        none = self.state.zeros(0, 0)
+        by_kept = self.state.zeros(len(left_out), len(tied))
+        if left_out:
+            first = len(self.state.plan.slaved) + 1
+            kept = np.array([values[u][first:] for u in tied], dtype=object)
+            others = np.array([values[u][first:] for u in left_out], dtype=object)
+            by_kept = solved_by_reflections(kept.T.copy(), others.T.copy())[0].T
+        self.front.pushed = Pushed(tied, None, (), none, none, none, left_out, by_kept)
+        give_forces(self.state, self.front, 0)

@@ -1,0 +1,92 @@
+"""Form `ada` of a robot with closed loops: the tree joint by joint, and its loops at the end.
+
+The chain is assembled and taken apart as without loops, but with one more right-hand side for each
+constraint: what a unit of its force does. Process 0 then solves for the forces that keep all loops
+closed, as it does for the torques of slaved joints. So loops may go through any chains on any
+processes, and no other step knows of them; all links must have inertias that can be inverted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from adagen.model.loops import LOOP_KINDS
+from adagen.plan.ada import AdaPlanner
+from adagen.plan.closures import Closure
+from adagen.plan.edges import on_the_way
+from adagen.plan.steps import CloseCoupling, CloseLoop, Join, Kinematics, LinkBias, Step
+from adagen.plan.types import Message, PlanCoupling, PlanJoint, PlanLoop, Process
+from adagen.schedule import Schedule
+
+
+class ClosedAdaPlanner(AdaPlanner):
+    """Builds the processes of form `ada` of a robot with loops.
+
+    Args:
+        joints: the robot's joints.
+        schedule: a schedule of its joints.
+        closures: its closures.
+        loops: its loop joints.
+        couplings: its couplings.
+    """
+
+    def __init__(
+        self,
+        joints: tuple[PlanJoint, ...],
+        schedule: Schedule,
+        closures: Sequence[Closure],
+        loops: Sequence[PlanLoop],
+        couplings: Sequence[PlanCoupling],
+    ) -> None:
+        super().__init__(joints, schedule)
+        self.closures, self.loops, self.couplings = closures, loops, couplings
+        rows = sorted(row for closure in closures for row in closure.rows)
+        self._number = {row: number for number, row in enumerate(rows)}
+        self._firsts = [0]
+        for loop in loops:
+            self._firsts.append(self._firsts[-1] + LOOP_KINDS[loop.kind].rows)
+
+    def tied_rows(self) -> tuple[int, ...]:
+        """Return the constraints that others follow from, by number."""
+        kept = (row for closure in self.closures for row in closure.choices[0].rows)
+        return tuple(sorted(self._number[row] for row in kept))
+
+    def coupled(self) -> set[int]:
+        """Return the joints whose accelerations depend on each other."""
+        return super().coupled().union(*(closure.path for closure in self.closures))
+
+    def plan(self) -> tuple[tuple[Process, ...], tuple[Message, ...]]:
+        """Return every process's steps, and the messages between them."""
+        processes, messages = super().plan()
+        closed = (self._with_loops(process, p == 0) for p, process in enumerate(processes))
+        return tuple(closed), messages
+
+    def _with_loops(self, process: Process, all_of_them: bool) -> Process:
+        """A process that knows the constraints at its links and joints before it needs them."""
+        if not process.steps:
+            return process
+        bare = {step.link for step in process.steps if isinstance(step, LinkBias)}
+        joined = {step.joint for step in process.steps if isinstance(step, Join)}
+        steps: list[Step] = []
+        passed = set(process.reads)
+        for k, loop in enumerate(self.loops):
+            ends = {loop.link1, loop.link2}
+            if all_of_them or bare & ends:
+                steps.append(self._close_loop(k))
+                passed |= {link - 1 for link in ends if link > 0}
+        for k, coupling in enumerate(self.couplings):
+            tied = {j for j, _ in coupling.terms}
+            if all_of_them or joined & tied:
+                unknown = self._number.get(self._firsts[-1] + k)
+                steps.append(CloseCoupling(k, 0, unknown))
+                passed |= tied
+        reads = on_the_way(self.joints, passed)
+        rest = [step for step in process.steps if not isinstance(step, Kinematics)]
+        moved = [Kinematics(j) for j in reads]
+        return Process((*moved, *steps, *rest), reads, process.owns, process.shares)
+
+    def _close_loop(self, k: int) -> CloseLoop:
+        first, end = self._firsts[k], self._firsts[k + 1]
+        kept = [row for row in range(first, end) if row in self._number]
+        start = self._number[kept[0]] if kept else 0
+        return CloseLoop(k, 0, tuple(row - first for row in kept), start)
