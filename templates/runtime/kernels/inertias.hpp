@@ -4,6 +4,6 @@ struct Inertias {
     return kInertias[static_cast<std::size_t>(joint)];
   }
   static const BlockConstants& constants_of(int block) {
-    return kBlockConstants[static_cast<std::size_t>(block)];
+    return kBlockConstants[static_cast<std::size_t>(constants_at(block))];
   }
 };
