@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import groupby
 from typing import Any
 
+from adagen.plan.carried import carried_runs, holds, mentions
 from adagen.plan.edges import is_base
 from adagen.plan.order import inward_order, outward_order
-from adagen.plan.carried import carried_runs, holds, mentions
 from adagen.plan.simd_groups import Limbs, placed_links
 from adagen.plan.stages import stages
 from adagen.plan.steps import (

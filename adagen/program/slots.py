@@ -100,20 +100,14 @@ class Slots:
             costs: what the methods take that runs can be passed by.
             again: whether sweeps are done again, so that all joints keep what they are swept with.
         """
-        segments = tuple(segments_of(plan, limbs, costs))
-        tile = TILE if segments and not again and fits_tiles(plan, segments, costs) else 0
-        if tile:
-            (whole,) = segments
-            segments = tuple(tiles_of(whole, tile))
+        segments, tile = tuple(segments_of(plan, limbs, costs)), 0
+        if not again and fits_tiles(plan, segments, costs):
+            segments, tile = tuple(tiles_of(segments[0], TILE)), TILE
         count, width = len(plan.joints), LANES[FACTORS[plan.scalar]]
         if not segments and not any(limbs):
             return Slots(tuple(range(count)), count, limbs, segments)
-        slots, next_ = [-1] * count, 0
-        for run in segments:
-            own_slots = slots_of(run, width)
-            for j, slot in enumerate(own_slots, start=run.first):
-                slots[j] = next_ + slot
-            next_ = _up(next_ + max(own_slots) + 1, width)
+        slots = [-1] * count
+        next_ = _lay_segments(segments, width, slots)
         for process, own in zip(plan.processes, limbs, strict=True):
             next_ = _up(next_, width)  # blocks of its own
             widest = sorted(own, key=lambda each: -each.lanes)  # so that all are aligned
@@ -129,6 +123,17 @@ class Slots:
             if slots[j] < 0:
                 slots[j], next_ = next_, next_ + 1
         return Slots(tuple(slots), next_, limbs, segments, tile)
+
+
+def _lay_segments(segments: Iterable[Run], width: int, slots: list[int]) -> int:
+    """Give the joints of runs in segments their slots, and return the first one that is left."""
+    next_ = 0
+    for run in segments:
+        own_slots = slots_of(run, width)
+        for j, slot in enumerate(own_slots, start=run.first):
+            slots[j] = next_ + slot
+        next_ = _up(next_ + max(own_slots) + 1, width)
+    return next_
 
 
 _MANY_BLOCKS = 32

@@ -13,9 +13,10 @@ from adagen.program.runs import Run, pays_columns
 from adagen.program.turned import turned_in_loops
 from adagen.schedule.costs import StepCosts
 
-TILE = 512
+TILE = 128
 """Joints of a tile: what they are swept with, some 500 bytes each, stays in the second-level cache
-beside what is kept of all. Whole blocks, in double and in float."""
+beside what is kept of all. A chain of 10,000 takes 46, 43 and 41 ns a joint by tiles of 512, 256
+and 128. Whole blocks, in double and in float."""
 
 LONGEST = 1500
 """Joints up to which a run is swept as a whole: some 900 bytes each still lie in a second-level

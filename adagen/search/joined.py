@@ -75,9 +75,7 @@ def least_profile(
             for kind in ("spherical", "floating"):
                 table[f"{group}.{kind}"] = min(table[f"{group}.{kind}"], run)
     for kind in profile.steps.kinds:  # carried through a run, with its handle forces
-        table[f"propagate.{kind}"] = min(
-            table[f"propagate.{kind}"], table[f"propagate_run.{kind}"]
-        )
+        table[f"propagate.{kind}"] = min(table[f"propagate.{kind}"], table[f"propagate_run.{kind}"])
         table["propagate.ground"] = min(table["propagate.ground"], table[f"propagate_run.{kind}"])
     table["propagate.spread"] = table["deliver.load"] = 0.0
     for group in ("kinematics", "articulate", "accelerate"):

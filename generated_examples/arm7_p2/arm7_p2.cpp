@@ -4,7 +4,7 @@
 // command   adagen ../models/arm7.urdf --procs 2 --schedule=balanced --shape=kernels
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI
-// program   2 processes, joined at cuts; 1.39 us predicted (default profile)
+// program   2 processes, joined at cuts; 0.953 us predicted (default profile)
 //           process 0: base_yaw .. forearm_roll
 //           process 1: wrist_pitch .. right_finger_slide
 // schedule  forearm_roll@0-1(shoulder_pitch@0(base_yaw | upper_arm_roll(|elbow_pitch)) | flange_roll@1(wrist_pitch | left_finger_slide(right_finger_slide|)))
@@ -1534,10 +1534,16 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
 // Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
 // segments of long runs.
 constexpr int kSlotCount = 9;
+constexpr int kTile = 0;  // joints that are swept before others take their memory; 0: all
 constexpr bool kAbreast = false;  // whether there are such
 constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
 constexpr bool kReordered = false;  // whether joints lie in another order than they have
 constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8 };
+// Blocks of slots of equal constants: the number of kinds (0: not looked at), each block's, and the
+// first block of each.
+constexpr int kBlockKindCount = 0;
+[[maybe_unused]] constexpr int kBlockKinds[]{ 0 };
+[[maybe_unused]] constexpr int kFirstOfKind[]{ 0 };
 constexpr bool kByColumns = true;  // whether runs are taken by columns
 // Joints that are eliminated in their own axes; others that are where those of the base lose digits.
 constexpr bool kAnyTurned = false;
@@ -1571,12 +1577,6 @@ struct State {
 
 // What is kept where segments meet, with the joint that it belongs to.
 struct Joint_shoulder_pitch {
-  Mat6 Phi_turret;
-  Columns6 b_turret;
-  Mat6 Phi_upper_arm;
-  Columns6 b_upper_arm;
-  Mat6 Phi_elbow_housing;
-  Columns6 b_elbow_housing;
   Mat6 Phi_forearm;
   Columns6 b_forearm;
   Columns6 F_on_forearm;
@@ -1608,27 +1608,39 @@ constexpr int slot_of(int j) { return kReordered ? kSlots[j] : j; }
 using PerJoint = std::array<Real, sizeof(Value) == sizeof(Real) ? kPerBlock : 1>;
 
 struct alignas(64) BlockConstants {
-  PerJoint rotation[6];  // joint frame to parent link's axes, columns x and y
-  PerJoint x, y, z;      // of the joint's origin in the parent link's frame
+  PerJoint rotation[kTile > 0 ? 9 : 6];  // joint frame to parent link's axes: columns x, y, and z
+                                         // in tiles
+  PerJoint x, y, z;                      // of the joint's origin in the parent link's frame
   PerJoint mass, moments[3], tensor[6];
 };
 
 constexpr void fill(PerJoint& numbers, Real x) {
   for (Real& number : numbers) number = x;
 }
-constexpr std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
-  std::array<BlockConstants, kBlockCount> result{};
+
+// The constants of blocks that are alike stand once: which ones a block has, and a block that does.
+constexpr int constants_at(int block) { return kBlockKindCount > 0 ? kBlockKinds[block] : block; }
+constexpr bool has_own_constants(int block) {
+  return kBlockKindCount == 0 || kFirstOfKind[kBlockKinds[block]] == block;
+}
+constexpr int kConstantsCount = kBlockKindCount > 0 ? kBlockKindCount : kBlockCount;
+constexpr std::array<BlockConstants, kConstantsCount> kBlockConstants = [] {
+  std::array<BlockConstants, kConstantsCount> result{};
   for (BlockConstants& block : result) {  // slots that are not filled do not turn, but weigh
     for (const int k : {0, 4}) fill(block.rotation[k], 1);
+    if constexpr (kTile > 0) fill(block.rotation[8], 1);
     fill(block.mass, 1);
     for (const int k : {0, 3, 5}) fill(block.tensor[k], 1);
   }
   for (int j = 0; j < kJointCount; ++j) {
-    BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
+    const int place = slot_of(j) / kPerBlock;
+    if (!has_own_constants(place)) continue;
+    BlockConstants& block = result[static_cast<std::size_t>(constants_at(place))];
     const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);
     const LinkInertia& link = kInertias[static_cast<std::size_t>(j)];
     const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    for (int k = 0; k < 6; ++k) block.rotation[k][lane] = joint.rotation[k % 3 * 3 + k / 3];
+    for (int k = 0; k < (kTile > 0 ? 9 : 6); ++k)
+      block.rotation[k][lane] = joint.rotation[k % 3 * 3 + k / 3];
     block.x[lane] = joint.translation[0];
     block.y[lane] = joint.translation[1];
     block.z[lane] = joint.translation[2];
@@ -1645,7 +1657,7 @@ struct Inertias {
     return kInertias[static_cast<std::size_t>(joint)];
   }
   static const BlockConstants& constants_of(int block) {
-    return kBlockConstants[static_cast<std::size_t>(block)];
+    return kBlockConstants[static_cast<std::size_t>(constants_at(block))];
   }
 };
 
@@ -1688,6 +1700,10 @@ ADAGEN_INLINE T each(const Joints<T>& joints, const Number& number) {
   }
 }
 
+// Blocks in memory: all, or those of a tile, which the tiles of a run take in turn (tiles.hpp).
+constexpr int kWindow = kTile > 0 ? kTile / kPerBlock : kBlockCount;
+[[maybe_unused]] constexpr int kColumnCount = kTile > 0 ? kTile : kJointCount;
+
 // What a block holds of each link j + 1, joint j being the one above it; in the axes of its base.
 enum Entry : int {
   kTurn = 0,           // rotation from the child's to the parent link's axes, row by row
@@ -1701,6 +1717,14 @@ enum Entry : int {
   kForce = 39,         // and f of the bare link
   kEntries = 42
 };
+
+// Whether joints have one freedom each, so that their numbers are those of their freedoms.
+[[maybe_unused]] constexpr bool one_each() {
+  for (int j = 0; j < kJointCount; ++j)
+    if (kJoints[static_cast<std::size_t>(j)].v != j) return false;
+  return kJointCount == kNv;
+}
+[[maybe_unused]] constexpr bool kOneEach = one_each();
 
 struct alignas(64) Block {
   Value entries[kEntries][kPerBlock];
@@ -1774,13 +1798,13 @@ struct Workspace : State, Cuts, Inertias {
   int status = kFine;
   bool lost = false;   // whether a sweep in axes of the base found too few digits left
   bool again = false;  // whether links feel the forces in their blocks, and no motion's
-  alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
-  std::array<Block, kBlockCount> blocks{};
+  alignas(64) std::array<Value, kWindow * kPerBlock> angle{};  // of each joint that turns
+  std::array<Block, kWindow> blocks{};
   std::array<Memory, kJointCount> joints{};
   std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
   std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
   // Of the link beyond each joint, and one for slots that are not filled.
-  std::array<LinkColumns, kByColumns ? kJointCount + 1 : 0> columns{};
+  std::array<LinkColumns, kByColumns ? kColumnCount + 1 : 0> columns{};
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
@@ -1797,7 +1821,8 @@ struct Workspace : State, Cuts, Inertias {
 
   Value* of(int joint, Entry entry) { return at(slot_of(joint), entry); }
   Value* at(int slot, Entry entry) {
-    return &blocks[static_cast<std::size_t>(slot / kPerBlock)].entries[entry][slot % kPerBlock];
+    const int block = slot / kPerBlock % kWindow;
+    return &blocks[static_cast<std::size_t>(block)].entries[entry][slot % kPerBlock];
   }
 
   template <class T>
@@ -1881,7 +1906,12 @@ ADAGEN_INLINE Lanes wide(const Value* x) {
 
 // The torque along one of a joint's freedoms that reaches the links: less damping, spring and
 // friction.
-ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint, int freedom = 0) {
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint, int freedom = 0);
+ADAGEN_INLINE Value torque(const Workspace& w, int joint) {
+  if constexpr (kOneEach && !kAnyPassive) return w.tau[joint];
+  return torque(w, kJoints[static_cast<std::size_t>(joint)]);
+}
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint, int freedom) {
   Value tau = w.tau[joint.v + freedom];
   if constexpr (kAnyPassive) {
     const Passive& own = joint.passive;
@@ -2053,7 +2083,8 @@ ADAGEN_INLINE void each_row(const Step& step) {
 // Constants of each of the joints.
 template <class T>
 ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
-  const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
+  const int place = constants_at(joints.slot / kPerBlock);
+  const auto& block = kBlockConstants[static_cast<std::size_t>(place)];
   return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);
 }
 template <class T>
@@ -2106,17 +2137,21 @@ void take_angles(Workspace& w) {
 }
 
 // Turns the joints of blocks first .. last - 1 by their angles: columns x and y of the rotation.
+// Of tiles beyond the first one blocks lie behind by as many as told.
 template <int first, int last>
-void turn(Workspace& w) {
+void turn(Workspace& w, int beyond = 0) {
   for (int b = first; b < last; ++b) {
     Block& block = w.blocks[static_cast<std::size_t>(b)];
-    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    const int place = constants_at(b + beyond);
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(place)];
     Lanes s, c;
     sine_and_cosine(wide(&w.angle[static_cast<std::size_t>(b * kPerBlock)]), s, c);
     ADAGEN_FOR (k, 0, 3) {
       const Lanes x = wide(constants.rotation[k]), y = wide(constants.rotation[3 + k]);
       narrow(x * c + y * s, block.entries[kTurn + 3 * k]);
       narrow(y * c - x * s, block.entries[kTurn + 3 * k + 1]);
+      if constexpr (kTile > 0)
+        narrow(wide(constants.rotation[6 + k]), block.entries[kTurn + 3 * k + 2]);
     }
   }
 }
@@ -2142,10 +2177,10 @@ ADAGEN_INLINE void bias_force(const Symmetric<T>& J, const Vector<T>& c, const T
 // Inertia and bias force of the bare links of blocks first .. last - 1 in the axes of their base.
 // With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J.
 template <int first, int last>
-void set_up_links(Workspace& w) {
+void set_up_links(Workspace& w, int beyond = 0) {
   for (int b = first; b < last; ++b) {
     Block& block = w.blocks[static_cast<std::size_t>(b)];
-    const BlockConstants& constants = w.constants_of(b);
+    const BlockConstants& constants = w.constants_of(b + beyond);
     const auto& entries = block.entries;
     const Matrix<Lanes> R{wide_vector(entries + kAxes), wide_vector(entries + kAxes + 3),
                           wide_vector(entries + kAxes + 6)};
@@ -3085,17 +3120,24 @@ constexpr std::array<std::size_t, kBlockCount * kPerBlock> kJointAt = [] {
   return result;
 }();
 
+// Where a joint's columns lie: all joints have a place, or those of a tile.
+ADAGEN_INLINE constexpr std::size_t columns_place(std::size_t joint) {
+  if constexpr (kTile == 0) return joint;
+  return joint == kJointCount ? kColumnCount : joint % kColumnCount;
+}
+
 // What set_up_links found of the links of blocks first .. last - 1, as it is added to columns.
 template <int first, int last>
-void set_up_columns(Workspace& w) {
+void set_up_columns(Workspace& w, int beyond = 0) {
   if constexpr (!kInColumns) return;
-  for (int slot = first * kPerBlock; slot < last * kPerBlock; slot += 8) {
+  for (int slot = (first + beyond) * kPerBlock; slot < (last + beyond) * kPerBlock; slot += 8) {
     const auto row = [&](int entry) {
       return number_at<Column>(w.at(slot, static_cast<Entry>(entry)));
     };
     const auto put = [&](Real(LinkColumns::* place)[8], const Column(&found)[8]) {
       ADAGEN_FOR (k, 0, 8) {
-        LinkColumns& link = w.columns[kJointAt[static_cast<std::size_t>(slot + k)]];
+        const std::size_t joint = kJointAt[static_cast<std::size_t>(slot + k)];
+        LinkColumns& link = w.columns[kTile > 0 ? columns_place(joint) : joint];
         std::memcpy(link.*place, &found[k], sizeof found[k]);
       }
     };
@@ -3117,7 +3159,7 @@ void set_up_columns(Workspace& w) {
 }
 
 ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Columns& X) {
-  const LinkColumns& own = w.columns[static_cast<std::size_t>(link - 1)];
+  const LinkColumns& own = w.columns[columns_place(static_cast<std::size_t>(link - 1))];
   const Column a = number_at<Column>(own.tensor);   // xx xy xz yy yz zz m 0
   const Column b = number_at<Column>(own.moments);  // x y z -x -y -z 0 0
   X.angular[0] += shuffled<0, 1, 2, 7, 7, 13, 9, 7>(a, b);
@@ -3169,7 +3211,7 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Ar
   const Column before = due.U * due.inverse;
   subtract(X, due);
   Column U = V - before * q;
-  const Real tau = torque(w, joint);
+  const Real tau = torque(w, j);
   const Real u = ((reversed ? -tau : tau) - component<along>(s, X.force)) * inverse;
   constexpr int first = along ? 4 : 0;  // D beside the trace tells what digits are left
   const Real trace = side[0][first] + side[1][first + 1] + side[2][first + 2];
@@ -3266,7 +3308,8 @@ ADAGEN_INLINE T freedom(const T* e, const Motion<T>& a) {
 template <class T>
 ADAGEN_INLINE void answer(Workspace& w, const Joints<T>& joints, int k, const T& x) {
   const auto place = [&](int lane) -> Value& {
-    const int v = kJoints[static_cast<std::size_t>(joints.joint[lane])].v;
+    const int j = joints.joint[lane];
+    const int v = kOneEach ? j : kJoints[static_cast<std::size_t>(j)].v;
     return w.answer[static_cast<std::size_t>(v + k)];
   };
   if constexpr (kWidth<T> == 1)
@@ -3750,23 +3793,28 @@ void store_acceleration(Workspace& w, int, int v,
 
 // Forces at handles: what they do inside a run.
 
+// How a wrench drives a joint: S^T and D^-1 S^T times it, freedom by freedom.
+template <class T>
+struct Driven {
+  Vector<T> along, by;
+};
+
 // A wrench on the far link becomes what the near link feels of it, L^T times it; what it drives the
-// joint with, D^-1 S^T times it, is returned.
+// joint with is returned.
 template <bool reversed, class T>
-ADAGEN_INLINE Vector<T> hand_on(Workspace& w, int j, Vector<T>& n, Vector<T>& f) {
-  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+ADAGEN_INLINE Driven<T> hand_on(Workspace& w, int j, JointKind kind, Vector<T>& n, Vector<T>& f) {
   const Memory& memory = w.joints[static_cast<std::size_t>(j)];
   const Value* const e = memory.e;
   const Vector<Value>& r = memory.r;
   if constexpr (reversed) n += cross(f, r);
-  Vector<T> driven{};
+  Driven<T> driven{};
   if (kind == JointKind::kSpherical) {
     if constexpr (kAnySpherical) {
-      driven = solved(e + 12, n);
+      driven = {n, solved(e + 12, n)};
       f.x -= e[0] * n.x + e[3] * n.y + e[6] * n.z;
       f.y -= e[1] * n.x + e[4] * n.y + e[7] * n.z;
       f.z -= e[2] * n.x + e[5] * n.y + e[8] * n.z;
-      n = kSphericalRotors ? driven * rotor_of(single(j)) : Vector<T>{};
+      n = kSphericalRotors ? driven.by * rotor_of(single(j)) : Vector<T>{};
       if constexpr (!reversed) n += -cross(f, r);
     }
     return driven;
@@ -3779,15 +3827,19 @@ ADAGEN_INLINE Vector<T> hand_on(Workspace& w, int j, Vector<T>& n, Vector<T>& f)
         f.x -= of[3] * x, f.y -= of[4] * x, f.z -= of[5] * x;
         return x * of[7];
       };
-      driven.x = taken(e, dot(f, Vector<Value>{R.x.x, R.y.x, R.z.x}));
-      driven.y = taken(e + 8, dot(f, Vector<Value>{R.x.y, R.y.y, R.z.y}));
-      driven.z = taken(e + 16, dot(n, Vector<Value>{R.x.z, R.y.z, R.z.z}));
+      driven.along.x = dot(f, Vector<Value>{R.x.x, R.y.x, R.z.x});
+      driven.by.x = taken(e, driven.along.x);
+      driven.along.y = dot(f, Vector<Value>{R.x.y, R.y.y, R.z.y});
+      driven.by.y = taken(e + 8, driven.along.y);
+      driven.along.z = dot(n, Vector<Value>{R.x.z, R.y.z, R.z.z});
+      driven.by.z = taken(e + 16, driven.along.z);
     }
     if constexpr (!reversed) n += -cross(f, r);
     return driven;
   }
-  const T x = dot(kind == JointKind::kPrismatic ? f : n, axis_at(w.of(j, kAxes)));
-  driven.x = x * e[7];
+  const T x = dot(kind == JointKind::kPrismatic ? f : n, axis_of(w, single(j)));
+  driven.along.x = x;
+  driven.by.x = x * e[7];
   if constexpr (!reversed) n += -cross(f, r);
   n.x -= e[0] * x, n.y -= e[1] * x, n.z -= e[2] * x;
   f.x -= e[3] * x, f.y -= e[4] * x, f.z -= e[5] * x;
@@ -3823,12 +3875,13 @@ ADAGEN_INLINE void deliver(Workspace& w, int j, Vector<Value>& n, Vector<Value>&
     if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kFloating)
       return push_free<reversed>(w, j, n, f);
   }
-  const Vector<Value> driven = hand_on<reversed>(w, j, n, f);
-  if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kPlanar) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Vector<Value> driven = hand_on<reversed>(w, j, kind, n, f).by;
+  if (kind == JointKind::kPlanar) {
     if constexpr (kAnyPlanar) e[6] += driven.x, e[14] += driven.y, e[22] += driven.z;
     return;
   }
-  if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kSpherical) {
+  if (kind == JointKind::kSpherical) {
     if constexpr (kAnySpherical) e[9] += driven.x, e[10] += driven.y, e[11] += driven.z;
   } else {
     e[6] += driven.x;
@@ -3836,27 +3889,88 @@ ADAGEN_INLINE void deliver(Workspace& w, int j, Vector<Value>& n, Vector<Value>&
 }
 
 // The loads of links beyond joints first .. last, each on the link of the one before, from the last
-// link to the one that the first joint is on.
-template <int first, int last>
+// link to the one that the first joint is on; through: of the last link alone.
+template <int first, int last, bool through = false>
 void deliver(Workspace& w) {
   Vector<Value> n{}, f{};
   for (int j = last; j >= first; --j) {
-    take_load(w, j + 1, n, f);
+    if (!through || j == last) take_load(w, j + 1, n, f);
     if constexpr (kRefine > 0) keep_load(w, j, n, f);
     deliver<false>(w, j, n, f);
   }
   w.loads[kJoints[first].parent] += columns_of({n, f});
 }
 // The same where the ground's side lies beyond: from the first joint's link to the last one's.
-template <int first, int last>
+template <int first, int last, bool through = false>
 void deliver_reversed(Workspace& w) {
   Vector<Value> n{}, f{};
   for (int j = first; j <= last; ++j) {
-    take_load(w, kJoints[static_cast<std::size_t>(j)].parent, n, f);
+    if (!through || j == first) take_load(w, kJoints[static_cast<std::size_t>(j)].parent, n, f);
     if constexpr (kRefine > 0) keep_load(w, j, n, f);
     deliver<true>(w, j, n, f);
   }
   w.loads[last + 1] += columns_of({n, f});
+}
+
+// The mobility of a run's last link, by unit wrenches on it that are carried to the run's first
+// one, each in a lane: no mobility of the links between is needed, and nothing is subtracted.
+
+// What wrenches on the far link of a run find on their way, told in axes of the base.
+struct Way {
+  Mat6 moved;     // how the far link moves as the near one does: L of the whole run
+  Mat6 own;       // mobility of the far link, the near one being held
+  Columns6 free;  // acceleration of the far link by itself, the near one being held
+};
+
+// Joints first .. last, each on the link of the one before. With x = S^T times the wrenches on a
+// joint, its share of the mobility is x^T D^-1 x, and of the acceleration x^T times the joint's.
+template <bool reversed, int first, int last>
+ADAGEN_NOINLINE Way carry(Workspace& w) {
+  static_assert(sizeof(Value) == sizeof(Real));
+  Vector<Lanes> n{}, f{};
+  n.x[0] = 1, n.y[1] = 1, n.z[2] = 1, f.x[3] = 1, f.y[4] = 1, f.z[5] = 1;
+  Lanes own[6]{}, free{};
+  each_row<RunRows<first, last>, !reversed>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const Value* const e = w.joints[static_cast<std::size_t>(first + k)].e;
+    const auto take = [&](const Lanes& x, const Lanes& driven, Value drive) ADAGEN_ALWAYS {
+      ADAGEN_FOR (i, 0, 6) own[i] += driven * x[i];
+      free += x * drive;
+    };
+    const auto [along, by] = hand_on<reversed>(w, first + k, kind, n, f);
+    if (kind == JointKind::kSpherical) {
+      if constexpr (kAnySpherical)
+        take(along.x, by.x, e[9]), take(along.y, by.y, e[10]), take(along.z, by.z, e[11]);
+    } else if (kind == JointKind::kPlanar) {
+      if constexpr (kAnyPlanar)
+        take(along.x, by.x, e[6]), take(along.y, by.y, e[14]), take(along.z, by.z, e[22]);
+    } else {
+      take(along.x, by.x, e[6]);
+    }
+  });
+  Way way;
+  way.moved = from_rows({n, f});
+  ADAGEN_FOR (i, 0, 6) {
+    ADAGEN_FOR (k, 0, 6) way.own(i, k) = own[i < k ? i : k][i < k ? k : i];
+    way.free[i] = free[i];
+  }
+  return way;
+}
+
+// Phi and b of the last link of a run that hangs on the ground.
+template <int link>
+void show(Workspace& w, const Way& way, Mat6& Phi, Columns6& b) {
+  Phi = mobility_as_told(w, link, way.own);
+  b = as_told(w, link, way.free);
+}
+// The same beyond a link whose Phi and b are known: Phi = L Phi L^T and what the run itself lets
+// the far link do.
+[[maybe_unused]] inline void show(const Way& way, const Mat6& near, const Columns6& near_bias,
+                                  Mat6& Phi, Columns6& b) {
+  const Mat6 half = way.moved * near;
+  Phi = way.own;
+  Phi.noalias() += half * way.moved.transpose();
+  b = way.free;
+  b.noalias() += way.moved * near_bias;
 }
 
 // What goes into a message, and out of one.
@@ -3900,10 +4014,10 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   set_up_links<block(0), block(3) + 1>(w);
   set_up_columns<block(0), block(3) + 1>(w);
   inward_in_columns<0, 0, 3, true>(w);  // "base_yaw" .. "elbow_pitch"
-  propagate<false>(w, 0, kZero, kGround, w.j_shoulder_pitch.Phi_turret, w.j_shoulder_pitch.b_turret);
-  propagate<false>(w, 1, w.j_shoulder_pitch.Phi_turret, w.j_shoulder_pitch.b_turret, w.j_shoulder_pitch.Phi_upper_arm, w.j_shoulder_pitch.b_upper_arm);
-  propagate<false>(w, 2, w.j_shoulder_pitch.Phi_upper_arm, w.j_shoulder_pitch.b_upper_arm, w.j_shoulder_pitch.Phi_elbow_housing, w.j_shoulder_pitch.b_elbow_housing);
-  propagate<false>(w, 3, w.j_shoulder_pitch.Phi_elbow_housing, w.j_shoulder_pitch.b_elbow_housing, w.j_shoulder_pitch.Phi_forearm, w.j_shoulder_pitch.b_forearm);
+  {  // "base_yaw" .. "elbow_pitch"
+    const Way way = carry<false, 0, 3>(w);
+    show<4>(w, way, w.j_shoulder_pitch.Phi_forearm, w.j_shoulder_pitch.b_forearm);
+  }
   stamp(2);
   {  // from process 1: assembled: chain of "flange_roll"
     const Number* from = channel.receive(0, w.status);
@@ -3938,11 +4052,8 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     channel.send(1, w.status);
   }
   stamp(6);
-  w.loads[1] = Columns6::Zero();
-  w.loads[2] = Columns6::Zero();
-  w.loads[3] = Columns6::Zero();
   w.loads[4] = in_base(w, 4, w.j_shoulder_pitch.F_on_forearm);
-  deliver<0, 3>(w);  // "base_yaw" .. "elbow_pitch"
+  deliver<0, 3, true>(w);  // "base_yaw" .. "elbow_pitch"
   accelerate<0, 0, 3>(w);  // "base_yaw" .. "elbow_pitch"
   stamp(7);
   require_finite(w, w.answer.data(), 0, 5, &JointConstants::v, kOverflow);

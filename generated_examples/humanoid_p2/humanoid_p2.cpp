@@ -1401,10 +1401,16 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
 // Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
 // segments of long runs.
 constexpr int kSlotCount = 30;
+constexpr int kTile = 0;  // joints that are swept before others take their memory; 0: all
 constexpr bool kAbreast = true;  // whether there are such
 constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
 constexpr bool kReordered = true;  // whether joints lie in another order than they have
 constexpr int kSlots[kJointCount]{ 12, 0, 2, 4, 6, 8, 10, 1, 3, 5, 7, 9, 11, 13, 14, 15, 16, 18, 20, 22, 24, 26, 28, 29, 17, 19, 21, 23, 25, 27 };
+// Blocks of slots of equal constants: the number of kinds (0: not looked at), each block's, and the
+// first block of each.
+constexpr int kBlockKindCount = 0;
+[[maybe_unused]] constexpr int kBlockKinds[]{ 0 };
+[[maybe_unused]] constexpr int kFirstOfKind[]{ 0 };
 constexpr bool kByColumns = true;  // whether runs are taken by columns
 // Joints that are eliminated in their own axes; others that are where those of the base lose digits.
 constexpr bool kAnyTurned = false;
@@ -1450,27 +1456,39 @@ constexpr int slot_of(int j) { return kReordered ? kSlots[j] : j; }
 using PerJoint = std::array<Real, sizeof(Value) == sizeof(Real) ? kPerBlock : 1>;
 
 struct alignas(64) BlockConstants {
-  PerJoint rotation[6];  // joint frame to parent link's axes, columns x and y
-  PerJoint x, y, z;      // of the joint's origin in the parent link's frame
+  PerJoint rotation[kTile > 0 ? 9 : 6];  // joint frame to parent link's axes: columns x, y, and z
+                                         // in tiles
+  PerJoint x, y, z;                      // of the joint's origin in the parent link's frame
   PerJoint mass, moments[3], tensor[6];
 };
 
 constexpr void fill(PerJoint& numbers, Real x) {
   for (Real& number : numbers) number = x;
 }
-constexpr std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
-  std::array<BlockConstants, kBlockCount> result{};
+
+// The constants of blocks that are alike stand once: which ones a block has, and a block that does.
+constexpr int constants_at(int block) { return kBlockKindCount > 0 ? kBlockKinds[block] : block; }
+constexpr bool has_own_constants(int block) {
+  return kBlockKindCount == 0 || kFirstOfKind[kBlockKinds[block]] == block;
+}
+constexpr int kConstantsCount = kBlockKindCount > 0 ? kBlockKindCount : kBlockCount;
+constexpr std::array<BlockConstants, kConstantsCount> kBlockConstants = [] {
+  std::array<BlockConstants, kConstantsCount> result{};
   for (BlockConstants& block : result) {  // slots that are not filled do not turn, but weigh
     for (const int k : {0, 4}) fill(block.rotation[k], 1);
+    if constexpr (kTile > 0) fill(block.rotation[8], 1);
     fill(block.mass, 1);
     for (const int k : {0, 3, 5}) fill(block.tensor[k], 1);
   }
   for (int j = 0; j < kJointCount; ++j) {
-    BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
+    const int place = slot_of(j) / kPerBlock;
+    if (!has_own_constants(place)) continue;
+    BlockConstants& block = result[static_cast<std::size_t>(constants_at(place))];
     const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);
     const LinkInertia& link = kInertias[static_cast<std::size_t>(j)];
     const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    for (int k = 0; k < 6; ++k) block.rotation[k][lane] = joint.rotation[k % 3 * 3 + k / 3];
+    for (int k = 0; k < (kTile > 0 ? 9 : 6); ++k)
+      block.rotation[k][lane] = joint.rotation[k % 3 * 3 + k / 3];
     block.x[lane] = joint.translation[0];
     block.y[lane] = joint.translation[1];
     block.z[lane] = joint.translation[2];
@@ -1487,7 +1505,7 @@ struct Inertias {
     return kInertias[static_cast<std::size_t>(joint)];
   }
   static const BlockConstants& constants_of(int block) {
-    return kBlockConstants[static_cast<std::size_t>(block)];
+    return kBlockConstants[static_cast<std::size_t>(constants_at(block))];
   }
 };
 
@@ -1530,6 +1548,10 @@ ADAGEN_INLINE T each(const Joints<T>& joints, const Number& number) {
   }
 }
 
+// Blocks in memory: all, or those of a tile, which the tiles of a run take in turn (tiles.hpp).
+constexpr int kWindow = kTile > 0 ? kTile / kPerBlock : kBlockCount;
+[[maybe_unused]] constexpr int kColumnCount = kTile > 0 ? kTile : kJointCount;
+
 // What a block holds of each link j + 1, joint j being the one above it; in the axes of its base.
 enum Entry : int {
   kTurn = 0,           // rotation from the child's to the parent link's axes, row by row
@@ -1543,6 +1565,14 @@ enum Entry : int {
   kForce = 39,         // and f of the bare link
   kEntries = 42
 };
+
+// Whether joints have one freedom each, so that their numbers are those of their freedoms.
+[[maybe_unused]] constexpr bool one_each() {
+  for (int j = 0; j < kJointCount; ++j)
+    if (kJoints[static_cast<std::size_t>(j)].v != j) return false;
+  return kJointCount == kNv;
+}
+[[maybe_unused]] constexpr bool kOneEach = one_each();
 
 struct alignas(64) Block {
   Value entries[kEntries][kPerBlock];
@@ -1616,13 +1646,13 @@ struct Workspace : State, Cuts, Inertias {
   int status = kFine;
   bool lost = false;   // whether a sweep in axes of the base found too few digits left
   bool again = false;  // whether links feel the forces in their blocks, and no motion's
-  alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
-  std::array<Block, kBlockCount> blocks{};
+  alignas(64) std::array<Value, kWindow * kPerBlock> angle{};  // of each joint that turns
+  std::array<Block, kWindow> blocks{};
   std::array<Memory, kJointCount> joints{};
   std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
   std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
   // Of the link beyond each joint, and one for slots that are not filled.
-  std::array<LinkColumns, kByColumns ? kJointCount + 1 : 0> columns{};
+  std::array<LinkColumns, kByColumns ? kColumnCount + 1 : 0> columns{};
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
@@ -1639,7 +1669,8 @@ struct Workspace : State, Cuts, Inertias {
 
   Value* of(int joint, Entry entry) { return at(slot_of(joint), entry); }
   Value* at(int slot, Entry entry) {
-    return &blocks[static_cast<std::size_t>(slot / kPerBlock)].entries[entry][slot % kPerBlock];
+    const int block = slot / kPerBlock % kWindow;
+    return &blocks[static_cast<std::size_t>(block)].entries[entry][slot % kPerBlock];
   }
 
   template <class T>
@@ -1723,7 +1754,12 @@ ADAGEN_INLINE Lanes wide(const Value* x) {
 
 // The torque along one of a joint's freedoms that reaches the links: less damping, spring and
 // friction.
-ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint, int freedom = 0) {
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint, int freedom = 0);
+ADAGEN_INLINE Value torque(const Workspace& w, int joint) {
+  if constexpr (kOneEach && !kAnyPassive) return w.tau[joint];
+  return torque(w, kJoints[static_cast<std::size_t>(joint)]);
+}
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint, int freedom) {
   Value tau = w.tau[joint.v + freedom];
   if constexpr (kAnyPassive) {
     const Passive& own = joint.passive;
@@ -1895,7 +1931,8 @@ ADAGEN_INLINE void each_row(const Step& step) {
 // Constants of each of the joints.
 template <class T>
 ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
-  const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
+  const int place = constants_at(joints.slot / kPerBlock);
+  const auto& block = kBlockConstants[static_cast<std::size_t>(place)];
   return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);
 }
 template <class T>
@@ -1948,17 +1985,21 @@ void take_angles(Workspace& w) {
 }
 
 // Turns the joints of blocks first .. last - 1 by their angles: columns x and y of the rotation.
+// Of tiles beyond the first one blocks lie behind by as many as told.
 template <int first, int last>
-void turn(Workspace& w) {
+void turn(Workspace& w, int beyond = 0) {
   for (int b = first; b < last; ++b) {
     Block& block = w.blocks[static_cast<std::size_t>(b)];
-    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    const int place = constants_at(b + beyond);
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(place)];
     Lanes s, c;
     sine_and_cosine(wide(&w.angle[static_cast<std::size_t>(b * kPerBlock)]), s, c);
     ADAGEN_FOR (k, 0, 3) {
       const Lanes x = wide(constants.rotation[k]), y = wide(constants.rotation[3 + k]);
       narrow(x * c + y * s, block.entries[kTurn + 3 * k]);
       narrow(y * c - x * s, block.entries[kTurn + 3 * k + 1]);
+      if constexpr (kTile > 0)
+        narrow(wide(constants.rotation[6 + k]), block.entries[kTurn + 3 * k + 2]);
     }
   }
 }
@@ -1984,10 +2025,10 @@ ADAGEN_INLINE void bias_force(const Symmetric<T>& J, const Vector<T>& c, const T
 // Inertia and bias force of the bare links of blocks first .. last - 1 in the axes of their base.
 // With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J.
 template <int first, int last>
-void set_up_links(Workspace& w) {
+void set_up_links(Workspace& w, int beyond = 0) {
   for (int b = first; b < last; ++b) {
     Block& block = w.blocks[static_cast<std::size_t>(b)];
-    const BlockConstants& constants = w.constants_of(b);
+    const BlockConstants& constants = w.constants_of(b + beyond);
     const auto& entries = block.entries;
     const Matrix<Lanes> R{wide_vector(entries + kAxes), wide_vector(entries + kAxes + 3),
                           wide_vector(entries + kAxes + 6)};
@@ -2927,17 +2968,24 @@ constexpr std::array<std::size_t, kBlockCount * kPerBlock> kJointAt = [] {
   return result;
 }();
 
+// Where a joint's columns lie: all joints have a place, or those of a tile.
+ADAGEN_INLINE constexpr std::size_t columns_place(std::size_t joint) {
+  if constexpr (kTile == 0) return joint;
+  return joint == kJointCount ? kColumnCount : joint % kColumnCount;
+}
+
 // What set_up_links found of the links of blocks first .. last - 1, as it is added to columns.
 template <int first, int last>
-void set_up_columns(Workspace& w) {
+void set_up_columns(Workspace& w, int beyond = 0) {
   if constexpr (!kInColumns) return;
-  for (int slot = first * kPerBlock; slot < last * kPerBlock; slot += 8) {
+  for (int slot = (first + beyond) * kPerBlock; slot < (last + beyond) * kPerBlock; slot += 8) {
     const auto row = [&](int entry) {
       return number_at<Column>(w.at(slot, static_cast<Entry>(entry)));
     };
     const auto put = [&](Real(LinkColumns::* place)[8], const Column(&found)[8]) {
       ADAGEN_FOR (k, 0, 8) {
-        LinkColumns& link = w.columns[kJointAt[static_cast<std::size_t>(slot + k)]];
+        const std::size_t joint = kJointAt[static_cast<std::size_t>(slot + k)];
+        LinkColumns& link = w.columns[kTile > 0 ? columns_place(joint) : joint];
         std::memcpy(link.*place, &found[k], sizeof found[k]);
       }
     };
@@ -2959,7 +3007,7 @@ void set_up_columns(Workspace& w) {
 }
 
 ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Columns& X) {
-  const LinkColumns& own = w.columns[static_cast<std::size_t>(link - 1)];
+  const LinkColumns& own = w.columns[columns_place(static_cast<std::size_t>(link - 1))];
   const Column a = number_at<Column>(own.tensor);   // xx xy xz yy yz zz m 0
   const Column b = number_at<Column>(own.moments);  // x y z -x -y -z 0 0
   X.angular[0] += shuffled<0, 1, 2, 7, 7, 13, 9, 7>(a, b);
@@ -3011,7 +3059,7 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Ar
   const Column before = due.U * due.inverse;
   subtract(X, due);
   Column U = V - before * q;
-  const Real tau = torque(w, joint);
+  const Real tau = torque(w, j);
   const Real u = ((reversed ? -tau : tau) - component<along>(s, X.force)) * inverse;
   constexpr int first = along ? 4 : 0;  // D beside the trace tells what digits are left
   const Real trace = side[0][first] + side[1][first + 1] + side[2][first + 2];
@@ -3108,7 +3156,8 @@ ADAGEN_INLINE T freedom(const T* e, const Motion<T>& a) {
 template <class T>
 ADAGEN_INLINE void answer(Workspace& w, const Joints<T>& joints, int k, const T& x) {
   const auto place = [&](int lane) -> Value& {
-    const int v = kJoints[static_cast<std::size_t>(joints.joint[lane])].v;
+    const int j = joints.joint[lane];
+    const int v = kOneEach ? j : kJoints[static_cast<std::size_t>(j)].v;
     return w.answer[static_cast<std::size_t>(v + k)];
   };
   if constexpr (kWidth<T> == 1)

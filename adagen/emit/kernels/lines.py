@@ -181,7 +181,10 @@ class KernelLines:
         assert isinstance(block, Run)
         if operation.method == "tiles":
             ends = f"{block.first}, {block.last}"
-            return [f"Starts<{ends}> starts;", f"pass_tiles<{ends}>(w, starts);" + self._names(block)]
+            return [
+                f"Starts<{ends}> starts;",
+                f"pass_tiles<{ends}>(w, starts);" + self._names(block),
+            ]
         if operation.method == "base":
             return [f"free_base_frame<{block.first}>(w);"]
         verb = "pass_outward" if operation.does == PASSING else "outward"

@@ -8,8 +8,9 @@ constexpr int slot_of(int j) { return kReordered ? kSlots[j] : j; }
 using PerJoint = std::array<Real, sizeof(Value) == sizeof(Real) ? kPerBlock : 1>;
 
 struct alignas(64) BlockConstants {
-  PerJoint rotation[kTile > 0 ? 9 : 6];  // joint frame to parent link's axes: columns x, y, and z in tiles
-  PerJoint x, y, z;      // of the joint's origin in the parent link's frame
+  PerJoint rotation[kTile > 0 ? 9 : 6];  // joint frame to parent link's axes: columns x, y, and z
+                                         // in tiles
+  PerJoint x, y, z;                      // of the joint's origin in the parent link's frame
   PerJoint mass, moments[3], tensor[6];
 };
 
@@ -18,9 +19,7 @@ constexpr void fill(PerJoint& numbers, Real x) {
 }
 
 // The constants of blocks that are alike stand once: which ones a block has, and a block that does.
-constexpr int constants_at(int block) {
-  return kBlockKindCount > 0 ? kBlockKinds[block] : block;
-}
+constexpr int constants_at(int block) { return kBlockKindCount > 0 ? kBlockKinds[block] : block; }
 constexpr bool has_own_constants(int block) {
   return kBlockKindCount == 0 || kFirstOfKind[kBlockKinds[block]] == block;
 }

@@ -1,5 +1,5 @@
-// The mobility of a run's last link, by unit wrenches on it that are carried to the run's first one,
-// each in a lane: no mobility of the links between is needed, and nothing is subtracted.
+// The mobility of a run's last link, by unit wrenches on it that are carried to the run's first
+// one, each in a lane: no mobility of the links between is needed, and nothing is subtracted.
 
 // What wrenches on the far link of a run find on their way, told in axes of the base.
 struct Way {

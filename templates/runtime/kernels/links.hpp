@@ -70,7 +70,8 @@ void turn(Workspace& w, int beyond = 0) {
       const Lanes x = wide(constants.rotation[k]), y = wide(constants.rotation[3 + k]);
       narrow(x * c + y * s, block.entries[kTurn + 3 * k]);
       narrow(y * c - x * s, block.entries[kTurn + 3 * k + 1]);
-      if constexpr (kTile > 0) narrow(wide(constants.rotation[6 + k]), block.entries[kTurn + 3 * k + 2]);
+      if constexpr (kTile > 0)
+        narrow(wide(constants.rotation[6 + k]), block.entries[kTurn + 3 * k + 2]);
     }
   }
 }

@@ -22,8 +22,7 @@ struct Segments {
   }
   template <std::size_t... lane>
   static constexpr Joints<Lanes> row_of(int row, int beyond, std::index_sequence<lane...>) {
-    return {(kBlock + row) * kPerBlock + beyond,
-            {joint(static_cast<int>(lane), row) + beyond...}};
+    return {(kBlock + row) * kPerBlock + beyond, {joint(static_cast<int>(lane), row) + beyond...}};
   }
   static constexpr Joints<Lanes> row(int k, int beyond) {
     return row_of(k, beyond, std::make_index_sequence<kPerBlock>{});
@@ -58,8 +57,7 @@ ADAGEN_INLINE Lanes speeds(const Workspace& w, int row, int beyond, int k,
   return Lanes{(Run::filled(lane, row) ? speed(lane) : 0)...};
 }
 template <class Run>
-ADAGEN_INLINE Vector<Lanes> spins(const Workspace& w, int row, int beyond,
-                                  const Matrix<Lanes>& R) {
+ADAGEN_INLINE Vector<Lanes> spins(const Workspace& w, int row, int beyond, const Matrix<Lanes>& R) {
   const Lanes z = speeds<Run>(w, row, beyond, 2, kEachLane);
   if constexpr (Run::kAllRevolute) return Vector<Lanes>{R.x.z, R.y.z, R.z.z} * z;
   const Lanes x = speeds<Run>(w, row, beyond, 0, kEachLane);

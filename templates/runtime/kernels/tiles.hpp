@@ -38,8 +38,8 @@ ADAGEN_NOINLINE void pass_tiles(Workspace& w, Starts<first, last>& starts) {
   for (int tile = 0; tile + 1 < All::kCount; ++tile) {
     const int beyond = tile * kTile;
     turn_tile<first, All::kEnd>(w, beyond);
-    starts[static_cast<std::size_t>(tile) + 1] =
-        past_segments<Segments<first, All::kEnd>>(w, beyond, starts[static_cast<std::size_t>(tile)]);
+    starts[static_cast<std::size_t>(tile) + 1] = past_segments<Segments<first, All::kEnd>>(
+        w, beyond, starts[static_cast<std::size_t>(tile)]);
   }
 }
 
