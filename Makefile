@@ -22,7 +22,7 @@ export EIGEN
 endif
 
 .DEFAULT_GOAL := help
-.PHONY: help setup demo test test-all lint format golden paper bench charts clean
+.PHONY: help setup demo test test-all lint format golden paper bench charts docs clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-9s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -66,6 +66,10 @@ golden: setup ## write generated_examples anew
 
 charts: setup ## accuracy beside speed of the shipped robots, into build/charts
 	$(BIN)/python -m adagen chart generated_examples/models/*.urdf --out build/charts $(ARGS)
+
+docs: setup ## the documents as a site with search, into build/site
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[docs]'
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --quiet
 
 paper: setup ## the paper's tables and figures, predicted and measured here
 	$(BIN)/python -m benchmarks.paper all

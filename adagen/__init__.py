@@ -6,7 +6,7 @@ From Python::
     solver = adagen.compile(robot).build()
     qdd = solver(q, v, tau)
 
-docs/library.md goes on from there.
+docs/how_to/python.md goes on from there.
 """
 
 from __future__ import annotations

@@ -59,7 +59,7 @@ def remove(path: Path) -> None:
 
 
 def write_files(folder: Path, files: Mapping[str, str]) -> None:
-    """Write all of ``files`` (name to text) into ``folder``, which is made where it is missing.
+    """Write all of ``files`` (path to text) into ``folder``, which is made where it is missing.
 
     Every text is first written beside its place and only then, when all are complete, renamed: a
     failure leaves what was there. A file that adagen did not write is not overwritten.
@@ -69,17 +69,20 @@ def write_files(folder: Path, files: Mapping[str, str]) -> None:
         EnvironmentFault: writing failed.
     """
     for name in files:
-        if not name or name in (".", "..") or any(c in name for c in "/\\\0"):
-            raise ValueError(f"not a plain file name: {name!r}")
+        if any(part in ("", ".", "..") for part in name.split("/")) or any(
+            c in name for c in "\\\0"
+        ):
+            raise ValueError(f"not a file inside a folder: {name!r}")
     waiting: list[tuple[Path, Path]] = []
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        for parent in sorted({(folder / name).parent for name in files} | {folder}):
+            parent.mkdir(parents=True, exist_ok=True)
         for name, text in files.items():
             _check_ours(folder / name, text)
         for name, text in files.items():
             if _is_right(folder / name, text):
                 continue  # its time stays, and nothing that depends on it is built anew
-            waiting.append((write_beside(folder, text), folder / name))
+            waiting.append((write_beside((folder / name).parent, text), folder / name))
         while waiting:
             temporary, place = waiting[0]
             os.replace(temporary, place)  # noqa: PTH105 (a symlink is replaced, not followed)

@@ -1,6 +1,7 @@
 """Forward error and residual of emitted solvers, beside composite bodies and a dense solve.
 
-    python -m benchmarks.accuracy [URDF ...] [--procs 1,2] [--states 5] [--write docs/accuracy.md]
+    python -m benchmarks.accuracy [URDF ...] [--procs 1,2] [--states 5]
+                                  [--write docs/records/accuracy.md]
 
 The truth is computed with 60 certified digits from the same model; errors are in the energy norm
 sqrt(e^T H e / t^T H t) and, as the residual, of inverse dynamics. Without URDFs: the robots of

@@ -2,12 +2,12 @@
 
     python -m benchmarks.against REVISION [--robots NAME ...] [--build] [--page] [--kept]
 
-The robots and variants of ``benchmarks.bench`` (docs/benchmarks.md). The other revision is checked
-out into a temporary git worktree and emits its solvers itself. All solvers are built first (--build
-ends there); sources and executables are kept, so that a run that was ended goes on. Then they are
-timed by turns, robot by robot, each figure's two solvers one after the other. --page writes the
-table into docs/against.md, --kept from what was measured before. Nothing is asserted: figures of
-one machine are no test.
+The robots and variants of ``benchmarks.bench`` (docs/records/benchmarks.md). The other revision is
+checked out into a temporary git worktree and emits its solvers itself. All solvers are built first
+(--build ends there); sources and executables are kept, so that a run that was ended goes on. Then
+they are timed by turns, robot by robot, each figure's two solvers one after the other. --page
+writes the table into docs/records/against.md, --kept from what was measured before. Nothing is
+asserted: figures of one machine are no test.
 """
 
 from __future__ import annotations
@@ -30,6 +30,7 @@ from adagen.build import build_executable, find_toolchain
 from adagen.cli.console import note, speaking
 from adagen.cli.contest import MOST_TEXT, VARIANTS, Entry
 from adagen.emit.around import PROGRAM_FILE, standalone
+from adagen.emit.runtime import FOLDER
 from adagen.model import Model
 from adagen.studies.bench.contest import WORDS, Contestant, Rules, Times, cores, hold
 from adagen.studies.bench.emitted import Emitted
@@ -40,7 +41,7 @@ from benchmarks.page import write_between_marks
 
 ROOT = Path(__file__).resolve().parents[1]
 WORK = ROOT / "build" / "against"
-PAGE, RECORD = ROOT / "docs" / "against.md", WORK / "record.json"
+PAGE, RECORD = ROOT / "docs" / "records" / "against.md", WORK / "record.json"
 SLOWER = 1.03
 """Ratio of times from which a figure is said to be slower."""
 THIS = "this"
@@ -152,8 +153,12 @@ def emitted(checkout: Path, kept: Path, entry: Entry, variant: str) -> Source:
                 file = next(Path(folder).glob("*_p[0-9]*.cpp"))
                 text = file.read_text(encoding="utf-8")
                 program = file.with_name(PROGRAM_FILE)
-                if program.is_file():  # of that revision, as the solver is
-                    text = standalone(text, program.read_text(encoding="utf-8"))
+                if program.is_file():  # of that revision, as the solver is, and its headers
+                    headers = {
+                        header.relative_to(folder).as_posix(): header.read_text(encoding="utf-8")
+                        for header in Path(folder, FOLDER).rglob("*.hpp")
+                    }
+                    text = standalone(text, program.read_text(encoding="utf-8"), headers)
                 found = Source(file.name, text, "")
             else:
                 found = Source("", "", done.stderr.strip())
@@ -286,7 +291,9 @@ def main() -> None:
     parser.add_argument("--robots", nargs="+", metavar="NAME", help="these alone")
     parser.add_argument("--rounds", type=int, default=Rules().rounds)
     parser.add_argument("--build", action="store_true", help="emit and build, time nothing")
-    parser.add_argument("--page", action="store_true", help="write the table into docs/against.md")
+    parser.add_argument(
+        "--page", action="store_true", help="write the table into docs/records/against.md"
+    )
     parser.add_argument("--kept", action="store_true", help="measure nothing: use the record")
     options = parser.parse_args()
     commit = _git("rev-parse", "--verify", f"{options.revision}^{{commit}}")

@@ -85,9 +85,9 @@ def publish(record: Record, out: Path | None) -> None:
         draw(record, out, ("svg", "png"))
         return
     write_record(record, ROOT / "benchmarks" / "bench.json")
-    pictures = draw(record, ROOT / "docs" / "pictures")
+    pictures = draw(record, ROOT / "docs" / "records" / "pictures")
     shown = "\n\n".join(f"![{path.stem}](pictures/{path.name})" for path in pictures)
-    page = ROOT / "docs" / "benchmarks.md"
+    page = ROOT / "docs" / "records" / "benchmarks.md"
     write_between_marks(page, "bench", f"{shown}\n\n{markdown(record)}")
 
 

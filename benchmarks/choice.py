@@ -9,8 +9,8 @@ limbs singly and side by side in every grouping that is compared. --build compil
 the cache, two programs at a time, and may be interrupted; what was chosen and predicted goes to
 build/choice.json. --time runs all programs by turns: a round runs each once, and the least median
 of all rounds counts, since other work on the machine only ever adds to a time. --page writes the
-table into docs/choice.md. Where a second process gets nothing to do, one process it is: that is not
-timed again.
+table into docs/records/choice.md. Where a second process gets nothing to do, one process it is:
+that is not timed again.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ from adagen.urdf import read_robot
 from benchmarks.page import write_between_marks
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGE, RECORD = ROOT / "docs" / "choice.md", ROOT / "build" / "choice.json"
+PAGE, RECORD = ROOT / "docs" / "records" / "choice.md", ROOT / "build" / "choice.json"
 FASTEST, SLOWEST = 1.05, 1.15
 """Ratios to the fastest shape that nearly all choices, and all, are to keep."""
 MOST_TEXT = 2_500_000  # characters of a source: beyond, compilers take minutes
@@ -270,7 +270,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--build", action="store_true", help="build what is not built yet")
     parser.add_argument("--time", action="store_true", help="time all that was built")
-    parser.add_argument("--page", action="store_true", help="write the table into docs/choice.md")
+    parser.add_argument(
+        "--page", action="store_true", help="write the table into docs/records/choice.md"
+    )
     parser.add_argument("--profile", default="default", help="what auto goes by")
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--only", nargs="*", metavar="NAME", help="these robots")

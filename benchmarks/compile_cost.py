@@ -22,6 +22,7 @@ from pathlib import Path
 
 from adagen.build import find_toolchain
 from adagen.emit import emit, stem_of
+from adagen.emit.runtime import joined
 from adagen.model import Model
 from adagen.plan import FORMS, make_plan
 from adagen.schedule import Topology, load_profile
@@ -50,7 +51,7 @@ def generate(source: str | None, processes: int, form: str) -> tuple[str, str, d
         plan = make_plan(model, schedule, form=form)
     with timed(seconds, "emit"):
         stem = stem_of(plan)
-        text = emit(plan)[f"{stem}.cpp"]
+        text = joined(emit(plan)[f"{stem}.cpp"])
     return stem, text, seconds
 
 

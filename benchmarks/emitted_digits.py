@@ -1,6 +1,6 @@
 """Errors of what is emitted on the robots of the stability suite that are hardest for it.
 
-    python -m benchmarks.emitted_digits [--states 5] [--write docs/stability.md]
+    python -m benchmarks.emitted_digits [--states 5] [--write docs/records/stability.md]
 
 The suite's state and random ones; each robot scheduled as by default, as loops (shape kernels),
 beside the executor of the same plan in double, which straight lines equal to the last bit where

@@ -1,7 +1,7 @@
 """Is the error estimate of refined solvers within a factor 3 of the true error?
 
     python -m benchmarks.estimates measure RECORD ROBOT.json ... [--procs 1,2] [--forms ...]
-    python -m benchmarks.estimates report RECORD [--write docs/refinement.md]
+    python -m benchmarks.estimates report RECORD [--write docs/records/refinement.md]
 
 ROBOT.json holds true answers beside ROBOT.urdf: {"modes": {"fixed": MODE, "floating": MODE}}, where
 MODE is {"status": "ok", "joints": {NAME: {"q": [...], "v": [...], "tau": [...], "qdd": [...]}}}.

@@ -46,7 +46,7 @@ def judged(row: Row) -> list[str]:
 
 
 def report(rows: Sequence[Row]) -> str:
-    """Return the tables of docs/refinement.md."""
+    """Return the tables of docs/records/refinement.md."""
     return "\n".join([*_summary(rows), "", *_enough(rows), *_beyond(rows), *_refused(rows)])
 
 

@@ -1,6 +1,6 @@
 """Mechanisms with closed loops: an emitted solver beside Pinocchio, and beside its own open tree.
 
-    python -m benchmarks.loops [--rounds 5] [--write docs/loops.md]
+    python -m benchmarks.loops [--rounds 5] [--write docs/records/loops.md]
 
 Pinocchio is its constraintDynamics and lcaba, instantiated from the headers of its wheel with
 g++ -O3 -march=native. Programs run by turns; the least median of all rounds counts. Loops are

@@ -1,6 +1,7 @@
 """Does the schedule change the accuracy? Orders in form ada, cuts in form segment.
 
-    python -m benchmarks.order_and_accuracy [--random 10] [--write docs/schedule_and_accuracy.md]
+    python -m benchmarks.order_and_accuracy [--random 10]
+        [--write docs/records/schedule_and_accuracy.md]
 
 The paper leaves it open whether the order of assembly matters to the accuracy. Here every order of
 a robot is carried out in double and compared with the truth; then two processes meet at every

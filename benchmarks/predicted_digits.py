@@ -1,6 +1,7 @@
 """Predicted digits beside what emitted solvers lose, over a corpus of robots.
 
-    python -m benchmarks.predicted_digits [--states 64] [--only WORD] [--write docs/digits.md]
+    python -m benchmarks.predicted_digits [--states 64] [--only WORD]
+                                          [--write docs/records/digits.md]
 
 Each robot as loops and as a straight line on one process, as loops in float, and on two processes
 as scheduled by default. Measured is the forward error in the energy norm, sqrt(e^T H e / t^T H t),

@@ -1,7 +1,8 @@
 """Predicted against measured times, over models and schedules, at P = 1, 2 and 4.
 
     python -m benchmarks.prediction measure FILE.json
-    python -m benchmarks.prediction report FILE.json [--profile NAME] [--write docs/prediction.md]
+    python -m benchmarks.prediction report FILE.json [--profile NAME]
+                                                      [--write docs/records/prediction.md]
 
 The first builds what --shape auto emits and times it, about a quarter of an hour on two idle cores;
 after each robot the record so far is kept, and it goes on from there. The second prints tables, or
@@ -9,7 +10,7 @@ writes them into a page between its markers: what is said there by hand stays.
 
 Programs of one model are timed in turn, several times over, and the least median is kept: other
 work on the machine only ever adds to a time. Where there are more processes than cores, times are
-from measured stretches of computing (docs/benchmarks.md); the report says so of each.
+from measured stretches of computing (docs/records/benchmarks.md); the report says so of each.
 """
 
 from __future__ import annotations

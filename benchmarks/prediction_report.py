@@ -49,7 +49,7 @@ def spearman(a: Sequence[float], b: Sequence[float]) -> float:
 
 
 def report(path: Path, profile: str, machine: str) -> str:
-    """Return the tables of docs/prediction.md.
+    """Return the tables of docs/records/prediction.md.
 
     Args:
         path: the record.

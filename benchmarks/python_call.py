@@ -1,7 +1,8 @@
 """What a call from Python costs beyond the C function: ``python -m benchmarks.python_call``.
 
 One state a call, with ``out`` and without, beside one state of many, which is solved by the C
-function alone; the least of several rounds, taken by turns. --page writes it into docs/library.md.
+function alone; the least of several rounds, taken by turns.
+--page writes it into docs/how_to/python.md.
 """
 
 from __future__ import annotations
@@ -47,7 +48,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     shipped = ROOT / "generated_examples" / "models" / "arm7.urdf"
     parser.add_argument("model", nargs="?", type=Path, default=shipped)
-    parser.add_argument("--page", action="store_true", help="write it into docs/library.md")
+    parser.add_argument("--page", action="store_true", help="write it into docs/how_to/python.md")
     options = parser.parse_args()
     found = measured(options.model)
     alone, lambda_ = found["one of many"], found["an empty lambda"]
@@ -59,7 +60,7 @@ def main() -> None:
     )
     print(text)
     if options.page:
-        write_between_marks(ROOT / "docs" / "library.md", "python_call", text)
+        write_between_marks(ROOT / "docs" / "how_to" / "python.md", "python_call", text)
 
 
 if __name__ == "__main__":

@@ -2,7 +2,8 @@
 
 Each robot's solver on one process as it is emitted by itself, as a straight line, and reproducible;
 of single states and of batches, by turns, so that a noisy minute hits all alike. A robot whose
-links do not hang on the ground is named as FILE:floating. --page writes docs/reproducible.md.
+links do not hang on the ground is named as FILE:floating.
+--page writes docs/records/reproducible.md.
 """
 
 from __future__ import annotations
@@ -53,7 +54,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("urdf", nargs="+", help="robots, FILE or FILE:floating")
     parser.add_argument("--rounds", type=int, default=7)
-    parser.add_argument("--page", action="store_true", help="write it into docs/reproducible.md")
+    parser.add_argument(
+        "--page", action="store_true", help="write it into docs/records/reproducible.md"
+    )
     options = parser.parse_args()
     lines = [
         "| robot | degrees of freedom | solves | fastest, ns | straight line, ns "
@@ -83,7 +86,7 @@ def main() -> None:
     text = "\n".join(lines)
     print(text)
     if options.page:
-        write_between_marks(ROOT / "docs" / "reproducible.md", "reproducible", text)
+        write_between_marks(ROOT / "docs" / "records" / "reproducible.md", "reproducible", text)
 
 
 if __name__ == "__main__":

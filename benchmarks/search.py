@@ -1,12 +1,13 @@
 """``python -m benchmarks.search [joins] [played] [chains]``: what is proven of schedules, how fast.
 
-Writes tables of docs/search.md: of joins (Eq. 11, the paper's constants), and of real robots and
-long chains as they are played (form segment, the shipped costs).
+Writes tables of docs/records/search.md: of joins (Eq. 11, the paper's constants), and of real
+robots and long chains as they are played (form segment, the shipped costs).
 Robots of adagen's test environment (example-robot-data) that are not there are left out.
 """
 
 from __future__ import annotations
 
+import argparse
 import gc
 import random
 import sys
@@ -33,7 +34,7 @@ from benchmarks.paper.measured import machine, model_of
 
 PAPER = load_profile("paper")
 DEFAULT = load_profile("default")
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "search.md"
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "records" / "search.md"
 PACKAGE = "cmeel.prefix/share/example-robot-data/robots"
 REAL = {  # floating base or not, file within the package
     "talos": (True, "talos_data/robots/talos_full_v2.urdf"),
@@ -219,7 +220,7 @@ def line(*cells: object) -> str:
     return "| " + " | ".join(str(cell) for cell in cells) + " |"
 
 
-HEAD = "# The search, and how far it gets\n"
+HEAD = "# The search, measured\n"
 TITLES = {
     "joins": """## By joins
 
@@ -273,10 +274,15 @@ def page(name: str, rows: Sequence[str]) -> str:
     return "\n".join([HEAD, *sections.values()])
 
 
-def main(names: Sequence[str]) -> int:
+def main(words: Sequence[str]) -> int:
     """Write the tables."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.search", description=__doc__)
+    parser.add_argument("tables", nargs="*", metavar="TABLE", help=", ".join(TABLES) + "; all")
+    names = parser.parse_args(words).tables or list(TABLES)
+    if unknown := set(names) - set(TABLES):
+        parser.error(f"no table {', '.join(sorted(unknown))}; there are {', '.join(TABLES)}")
     gc.set_threshold(ALLOCATIONS)  # as the command line has it
-    for name in names or TABLES:
+    for name in names:
         rows = []
         for row in TABLES[name]():
             rows.append(row)

@@ -23,6 +23,7 @@ from adagen.build.cache import uses_mpi
 from adagen.build.toolchain import STANDARD, WARNINGS, with_compiler
 from adagen.emit import emit, stem_of
 from adagen.emit.around import options_in
+from adagen.emit.runtime import joined
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
@@ -42,8 +43,8 @@ HURRIED = ("--param=ggc-min-heapsize=1500000", "-Wno-unused-command-line-argumen
 PARSED = (QUICK, EXACT)
 """Flags of so many solvers that what they include is parsed once for all."""
 TIMEOUT = 120.0
-WRITTEN = 8
-"""Files that are written for a solver: source, header, plan, drawing, program, what builds it."""
+WRITTEN = 9
+"""What is written for a solver: source, header, plan, drawing, program, what builds it, runtime."""
 ROUNDING = {
     scalar: 450 * float(np.finfo(number).eps)
     for scalar, number in (("double", np.float64), ("float", np.float32))
@@ -100,6 +101,7 @@ class Builder:
         self, source: str, stem: str, flags: Sequence[str] = QUICK, libraries: Sequence[str] = ()
     ) -> Path:
         """Return the executable of a source; a warning is an error."""
+        source = joined(source)
         all_flags = (*STANDARD, *WARNINGS, "-Werror", *HURRIED, *flags, *libraries)
         if flags in PARSED and options_in(source) is not None:
             header = self._parsed("".join(_INCLUDE.findall(source)), all_flags)
@@ -145,7 +147,7 @@ class Builder:
         toolchain = replace(self.toolchain, flags=(*STANDARD, *WARNINGS, "-Werror", "-c", *flags))
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, f"{stem}.cpp")
-            path.write_text(source)
+            path.write_text(joined(source))
             command = toolchain.compile_command(path, path.with_suffix(".o"), uses_mpi(source))
             done = subprocess.run(
                 command, capture_output=True, text=True, env=toolchain.variables(os.environ)

@@ -122,6 +122,49 @@ def _closed_somewhere(
     return with_loops(model, (NamedLoop("loop", kind, *ends, axis2=axis2),))
 
 
+def standing(
+    model: Model,
+    kind: str,
+    *links: str,
+    seed: int = 1,
+    at: tuple[float, float, float] = (0.0, 0.0, 0.0),
+) -> Model:
+    """Return a robot some of whose links are held by the ground where they are in some pose.
+
+    They are held at a place ``at`` in their own frames.
+    """
+    start = np.zeros(model.nq)
+    for j, joint in enumerate(model.joints):
+        if joint.kind.quaternion is not None:
+            start[model.q_start[j] + joint.kind.nq - 1] = 1.0
+    q = moved(model, start, np.random.default_rng(seed).uniform(-0.7, 0.7, model.nv))
+    numbers = {link.name: k for k, link in enumerate(model.links)}
+    held = []
+    for name in links:
+        turn, place = pose_of(model, q, numbers[name])
+        place = place + turn @ np.array(at)
+        ends = LoopEnd(name, at), LoopEnd(model.links[0].name, tuple(place.tolist()), _rpy(turn))
+        held.append(NamedLoop(name, kind, *ends))
+    return with_loops(model, tuple(held))
+
+
+def quadruped() -> Model:
+    """Return a body on four legs of three joints each, whose feet are pinned to the ground."""
+    parts = [Part(BASE, None, FLOATING, rod(8.0, vector(0.3, 0.0, 0.0)))]
+    across, down = vector(0.0, 1.0, 0.0), vector(0.0, 0.0, -0.2)
+    for name, x, y in (("fl", 0.2, 0.1), ("fr", 0.2, -0.1), ("rl", -0.2, 0.1), ("rr", -0.2, -0.1)):
+        hip, place = vector(0.0, 0.8 * y, 0.0), vector(x, y, 0.0)
+        along = vector(1.0, 0.0, 0.0)
+        parts += [
+            Part(f"{name}_hip", BASE, REVOLUTE, rod(0.7, hip), place, axis=along),
+            Part(f"{name}_thigh", f"{name}_hip", REVOLUTE, rod(1.0, down), hip, axis=across),
+            Part(f"{name}_calf", f"{name}_thigh", REVOLUTE, rod(0.2, down), down, axis=across),
+        ]
+    model = assemble("quadruped", parts, floating=True)
+    feet = [f"{name}_calf_link" for name in ("fl", "fr", "rl", "rr")]
+    return standing(model, "point", *feet, at=(0.0, 0.0, -0.2))
+
+
 def _rpy(turn: NDArray[np.float64]) -> tuple[float, float, float]:
     pitch = float(np.arcsin(-turn[2, 0]))
     roll = float(np.arctan2(turn[2, 1], turn[2, 2]))

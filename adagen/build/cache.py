@@ -45,7 +45,8 @@ def build_executable(
 ) -> Path:
     """Return an executable of ``source_text``, compiled now or found in the cache.
 
-    An emitted solver is linked with the program around it, whose object is in the cache, too.
+    The runtime's headers are put into it, so that they are part of its content. An emitted solver
+    is linked with the program around it, whose object is in the cache, too.
 
     Safe under concurrent calls: a build happens in a folder of its own that is renamed into place
     whole; of two builds of the same thing one is kept.
@@ -63,6 +64,9 @@ def build_executable(
     if not _SAFE_NAME.fullmatch(name):
         raise ValueError(f"not a file name for an executable: {name!r}")
     cache = cache_folder() if cache_dir is None else cache_dir
+    from adagen.emit.runtime import joined  # takes its time; few need it
+
+    source_text = joined(source_text)
     mpi = uses_mpi(source_text)
     around = _around(source_text)
     texts = [source_text, name]
@@ -91,10 +95,11 @@ class _Around:
 
 def _around(source_text: str) -> _Around | None:
     """Return the program that a source is to be linked with, or None."""
-    from adagen.emit.around import options_in, program_text  # takes its time; few need it
+    from adagen.emit.around import options_in, program_text
+    from adagen.emit.runtime import joined
 
     options = options_in(source_text)
-    return None if options is None else _Around(program_text(), options)
+    return None if options is None else _Around(joined(program_text()), options)
 
 
 def _program_object(

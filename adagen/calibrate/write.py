@@ -35,7 +35,7 @@ def _lines(profile: CostProfile, remark: str, digits: int) -> Iterator[str]:
         yield f"{key} = {value(getattr(profile, key))}"
     if profile.steps is None:
         return
-    yield "\n# What the steps of a plan take, microseconds (docs/profiles.md)."
+    yield "\n# What the steps of a plan take, microseconds (docs/reference/cost_profiles.md)."
     groups = {**{group: (*KINDS, *more) for group, more in PER_KIND.items()}, **OTHERS}
     for group, keys in groups.items():
         yield f"[steps.{group}]"

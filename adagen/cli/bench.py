@@ -65,7 +65,7 @@ def command_parser() -> Parser:
         "--profile",
         default="default",
         metavar="NAME|FILE",
-        help="cost profile that predicts and schedules: a name or a TOML file (default: default)",
+        help="cost profile: a name or a TOML file (default: default)",
     )
     parser.add_argument(
         "--variant",
@@ -86,9 +86,9 @@ def command_parser() -> Parser:
         type=whole(1, 1000),
         default=9,
         metavar="N",
-        help="turns of each solver (default: 9)",
+        help="rounds of interleaved timing (default: 9)",
     )
-    parser.add_argument("--quick", action="store_true", help="few turns and variants, for a look")
+    parser.add_argument("--quick", action="store_true", help="few rounds and variants")
     parser.add_argument("--json", action="store_true", help="the record on standard output")
     parser.add_argument(
         "--out", type=Path, metavar="DIR", help="write bench.json, bench.md and pictures there"

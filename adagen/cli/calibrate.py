@@ -99,7 +99,7 @@ def _make_folder(folder: Path, *, make: bool) -> None:
     except OSError as error:
         raise EnvironmentFault(
             f"cannot store profiles in {folder} ({error.strerror}); set XDG_CONFIG_HOME to a "
-            "folder that can be written, or say --out FILE"
+            "folder that can be written, or use --out FILE"
         ) from None
 
 

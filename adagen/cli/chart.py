@@ -116,7 +116,7 @@ def _show(chart: Chart) -> None:
     """Print the points on the front and what failed, for people."""
     from rich.console import Console
 
-    title = f"{chart.model}: what nothing else beats in both time and error"
+    title = f"{chart.model}: Pareto front of time and error"
     rows = []
     for point in sorted((p for p in chart.points if p.front), key=lambda p: p.time_ns or 0.0):
         assert point.time_ns is not None

@@ -71,7 +71,7 @@ def _show(chart: MotionChart) -> None:
 
     from adagen.studies.chart.motion import INTEGRATORS
 
-    title = f"{chart.model}: orders in the step, over {chart.seconds:g} s"
+    title = f"{chart.model}: order of convergence, over {chart.seconds:g} s"
     columns = ("integrator", "state", "energy", "momentum", "error at least step")
     rows = []
     for integrator in INTEGRATORS:

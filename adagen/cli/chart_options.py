@@ -89,9 +89,9 @@ def _add_variants(parser: Parser) -> None:
     )
     _add_names(add)
     add(
-        "--whole", action="store_true", help="the whole product: schedules in float and refined too"
+        "--whole", action="store_true", help="all combinations: schedules in float and refined, too"
     )
-    add("--peers", action="store_true", help="pinocchio, casadi and MuJoCo beside, if installed")
+    add("--peers", action="store_true", help="also pinocchio, casadi and MuJoCo, if installed")
 
 
 def _add_names(add: Callable[..., Any]) -> None:
@@ -115,7 +115,7 @@ def _add_names(add: Callable[..., Any]) -> None:
 
 
 def _add_measurement(parser: Parser) -> None:
-    add = parser.add_argument_group("how it is measured").add_argument
+    add = parser.add_argument_group("measurement").add_argument
     add(
         "--states",
         type=whole(_LEAST_STATES, 10_000),
@@ -128,9 +128,9 @@ def _add_measurement(parser: Parser) -> None:
         type=whole(1, 1000),
         default=5,
         metavar="N",
-        help="rounds of timing by turns (default: 5)",
+        help="rounds of interleaved timing (default: 5)",
     )
-    add("--quick", action="store_true", help="two rounds, one schedule, no refinement: for a look")
+    add("--quick", action="store_true", help="two rounds, one schedule, no refinement")
 
 
 def _add_simulation(parser: Parser) -> None:

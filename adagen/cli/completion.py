@@ -36,9 +36,7 @@ _FILES_FIRST = {
 
 def command_parser() -> Parser:
     """Return the parser of ``adagen completion``."""
-    parser = make_parser(
-        "adagen completion", "Print what a shell needs to complete adagen's words.", _EPILOG
-    )
+    parser = make_parser("adagen completion", "Print a completion script for a shell.", _EPILOG)
     parser.add_argument("shell", choices=SHELLS, metavar="SHELL", help=", ".join(SHELLS))
     return parser
 

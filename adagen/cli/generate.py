@@ -21,15 +21,15 @@ computes joint accelerations from positions, velocities and joint torques."""
 
 _EPILOG = """\
 other commands (each has a --help of its own):
-  adagen info MODEL                     joints, places, what is not modelled
-  adagen schedule MODEL                 what runs where, and what it should cost
-  adagen verify DIR ...                 emit again and compare
-  adagen solve MODEL --states FILE      generate, build and run for given states
-  adagen calibrate                      measure what operations cost here
-  adagen bench MODEL ...                time it beside pinocchio, casadi, MuJoCo
-  adagen chart MODEL ...                draw its error beside its time
-  adagen stability                      where methods fail, and what is kept
-  adagen report MODEL --out DIR         a page to look at, and to pass on
+  adagen info MODEL                     joints, coordinates, what is ignored
+  adagen schedule MODEL                 which process does what; predicted time
+  adagen verify DIR ...                 generate again and compare
+  adagen solve MODEL --states FILE      generate, build, run for given states
+  adagen calibrate                      measure this machine's costs
+  adagen bench MODEL ...                compare with Pinocchio, casadi, MuJoCo
+  adagen chart MODEL ...                chart error against time
+  adagen stability                      where methods fail; digits kept
+  adagen report MODEL --out DIR         an HTML report
   adagen env                            the compiler, MPI and Eigen in use
   adagen completion SHELL               for bash, zsh or fish
 
@@ -37,7 +37,7 @@ examples:
   adagen robot.urdf --out robot_solver  write the solver
   make -C robot_solver check time       build it, check its answers, time it
 
-exit status: 0 done, 1 the input is at fault, 2 usage, 3 tool or surroundings"""
+exit status: 0 done, 1 bad input, 2 wrong usage, 3 fault of tool or environment"""
 
 
 class _CMakeFolder(argparse.Action):
@@ -63,20 +63,19 @@ def command_parser() -> Parser:
         "--target",
         choices=("host", "embedded"),
         default="host",
-        help="embedded: a solver without heap, exceptions, threads and output, in memory that it "
-        "is given (docs/library.md)",
+        help="embedded: no heap, exceptions, threads or output; the caller gives the memory",
     )
     parser.add_argument(
         "--runtime",
         default="",
         metavar="WORDS",
-        help="what can be set at run time, with commas between: gravity, mass:LINK, "
-        "center:LINK (docs/library.md)",
+        help="constants that can be set at run time, comma-separated: gravity, mass:LINK, "
+        "center:LINK",
     )
     parser.add_argument(
         "--single-file",
         action="store_true",
-        help="write a source that holds the program around the solver, too, and stands alone",
+        help="include the program around the solver, so that the source stands alone",
     )
     parser.add_argument(
         "--cmake-dir",

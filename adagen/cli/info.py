@@ -28,7 +28,9 @@ examples:
 
 def command_parser() -> Parser:
     """Return the parser of ``adagen info``."""
-    parser = make_parser("adagen info", "Show what is read of a robot, and what is not.", _EPILOG)
+    parser = make_parser(
+        "adagen info", "Show what is read from a robot file, and what is not modelled.", _EPILOG
+    )
     add_model(parser)
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--json", action="store_true", help="print everything as JSON")

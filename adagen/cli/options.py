@@ -37,7 +37,7 @@ def add_model(parser: Parser, *, gravity: bool = True, several: bool = False) ->
         "--floating", action="store_true", help="put the robot on a floating base (__base__)"
     )
     group.add_argument(
-        "--mimic", action="store_true", help="slave mimic joints instead of leaving them free"
+        "--mimic", action="store_true", help="make mimic joints follow instead of leaving them free"
     )
     group.add_argument(
         "--strict",
@@ -54,12 +54,12 @@ def add_model(parser: Parser, *, gravity: bool = True, several: bool = False) ->
     group.add_argument(
         "--scene",
         metavar="FILE",
-        help="model no more than this file asks for (docs/scenes.md)",
+        help="scene file: base, locked joints, springs, payloads, ...",
     )
     group.add_argument(
         "--loops",
         metavar="FILE",
-        help="close loops by the frame pairs of this file (YAML, docs/loops.md)",
+        help="close loops by the frame pairs of this file (YAML)",
     )
     if gravity:
         group.add_argument(
@@ -116,15 +116,14 @@ def add_schedule(parser: Parser) -> None:
         "--profile",
         default="default",
         metavar="NAME|FILE",
-        help="what operations cost: a shipped profile (default, paper), one that adagen calibrate "
-        "has stored, or a TOML file",
+        help="cost profile: default, paper, one that adagen calibrate has stored, or a TOML file",
     )
     group.add_argument(
         "--schedule",
         default="auto",
         metavar="NAME|FILE",
-        help="search the best one (auto, default), or take this: balanced (Featherstone's divide "
-        "and conquer), sequential (from the ends to the ground), middle-out (from the ends to the "
+        help="auto (default: search the best one), balanced (Featherstone's divide and "
+        "conquer), sequential (from the ends to the ground), middle-out (from the ends to the "
         "middle), or a file as `adagen schedule --json` prints it",
     )
     _add_search(parser)
@@ -143,8 +142,8 @@ def _add_search(parser: Parser) -> None:
         "--strategy",
         choices=("exact", "astar", "paper"),
         default=_SEARCH["--strategy"],
-        help="how it is searched: over partial chains (exact, default), by A*, or by A* with the "
-        "paper's own bounds and successors",
+        help="search method: branch and bound over partial chains (exact, default), A* (astar), "
+        "or A* with the paper's own bounds and successors (paper)",
     )
     group.add_argument(
         "--naive",
@@ -155,8 +154,8 @@ def _add_search(parser: Parser) -> None:
         "--expansions",
         type=whole(1, 10**9),
         metavar="N",
-        help="how much the search may expand (default: what takes seconds); a schedule that is "
-        "not proven optimal says so",
+        help="limit of the search, in expanded nodes (default: some seconds); a schedule that "
+        "is not proven optimal says so",
     )
     group.add_argument(
         "--split",
@@ -169,8 +168,8 @@ def _add_search(parser: Parser) -> None:
         "--objective",
         choices=("time", "accuracy", "both"),
         default=_SEARCH["--objective"],
-        help="what the schedule is searched for: time alone, accuracy above all, or time among "
-        "cuts that lose no more than a few digits (both, default)",
+        help="goal of the search: time only, accuracy first, or time among cuts that lose no "
+        "more than a few digits (both, default)",
     )
 
 
@@ -180,21 +179,21 @@ def _add_algorithm(parser: Parser) -> None:
         "--form",
         choices=("segment", "ada"),
         default="segment",
-        help="form of the algorithm: articulated bodies inside each process and joins at the cuts "
-        "(segment, default), or the paper's, joint by joint (ada)",
+        help="algorithm: articulated bodies inside each process and joins at the cuts (segment, "
+        "default), or the paper's, joint by joint (ada)",
     )
     group.add_argument(
         "--scalar",
         choices=("double", "float", "mixed"),
         default="double",
         metavar="TYPE",
-        help="double (default), float, or mixed: float, refined to double",
+        help="double (default), float, or mixed (float refined to double)",
     )
     group.add_argument(
         "--reproducible",
         action="store_true",
         help="the same answers to the last bit on every number of processes, by every compiler and "
-        "on every x86-64 processor (docs/reproducible.md)",
+        "on every x86-64 processor",
     )
 
 
@@ -205,7 +204,7 @@ def add_emission(parser: Parser) -> None:
         "--refine",
         type=whole(0, 9),
         metavar="N",
-        help="refine answers N times, tell their error (mixed: 2)",
+        help="refine answers N times and report their error",
     )
     group.add_argument(
         "--shape",
@@ -218,25 +217,25 @@ def add_emission(parser: Parser) -> None:
     group.add_argument(
         "--batch",
         action="store_true",
-        help="solve many states at once, one in each SIMD lane",
+        help="solve many states at once, one per SIMD lane",
     )
     group.add_argument(
         "--tune",
         action="store_true",
-        help="build every shape with every compiler at hand, time them, and keep the fastest",
+        help="build every shape with every compiler found, time them, keep the fastest",
     )
     group.add_argument(
         "--tuned",
         type=_tuned,
         metavar="SHAPE:N:COMPILER",
-        help="take what --tune has found, as the head of a source tells it, without trying",
+        help="repeat a result of --tune, as written in the head of a source",
     )
     group.add_argument(
         "--channel",
         choices=("auto", "window", "message", "threads"),
         default="auto",
-        help="between processes: shared window on one node and messages elsewhere (auto, "
-        "default), or one of them; threads: of one program, without MPI",
+        help="exchange between processes: shared window on one node and messages elsewhere "
+        "(auto, default), or one of them; threads: threads of one program, without MPI",
     )
 
 
@@ -290,7 +289,7 @@ def check_emission(parser: Parser, options: argparse.Namespace) -> None:
         if options.tune or options.tuned is not None:
             parser.error("batches are not tuned: leave out --tune or --batch")
     if options.tuned is not None and (options.tune or options.shape != "auto"):
-        parser.error("--tuned says what --tune and --shape would: leave those out")
+        parser.error("--tuned replaces --tune and --shape: leave those out")
 
 
 @dataclass(frozen=True)

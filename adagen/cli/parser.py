@@ -98,9 +98,7 @@ def make_parser(prog: str, description: str, epilog: str) -> Parser:
         formatter_class=argparse.RawDescriptionHelpFormatter,
         allow_abbrev=False,
     )
-    parser.add_argument(
-        "--help-all", action=_HelpAll, nargs=0, help="show all options, the rare ones too"
-    )
+    parser.add_argument("--help-all", action=_HelpAll, nargs=0, help="show all options")
     parser.add_argument("--version", action="version", version=f"adagen {__version__}")
     words = parser.add_mutually_exclusive_group()
     words.add_argument(
@@ -108,9 +106,9 @@ def make_parser(prog: str, description: str, epilog: str) -> Parser:
         dest="verbose",
         action="count",
         default=0,
-        help="say what was ignored, and what took how long",
+        help="print what was ignored, and the time of each stage",
     )
-    words.add_argument("-q", "--quiet", action="store_true", help="say warnings and errors alone")
+    words.add_argument("-q", "--quiet", action="store_true", help="print warnings and errors only")
     return parser
 
 

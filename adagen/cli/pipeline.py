@@ -43,8 +43,8 @@ def refuse_loops(model: Model) -> None:
     """
     if model.closed:
         raise UsageError(
-            "charts and contests know no closed loops: leave [[loops]] and [[couplings]] out of the"
-            " scene; adagen solve and the program's --check judge robots that have them"
+            "charts and benchmarks do not support closed loops: leave [[loops]] and [[couplings]] "
+            "out of the scene; adagen solve and the program's --check work with them"
         )
 
 
@@ -184,7 +184,7 @@ def _warn_of_idle(plan: Plan, options: argparse.Namespace) -> None:
         few = len(plan.processes) - idle
         warn(
             f"{options.model}: warning: {idle} of {len(plan.processes)} processes will have"
-            f" nothing to do; say --procs {few}"
+            f" nothing to do; use --procs {few}"
         )
 
 
@@ -224,8 +224,8 @@ def _warn_of_lost_digits(
     elif plan.form != "ada" and plan.scalar == "float":
         ways = ["--scalar double keeps nine more digits"]
     warn(
-        f"{file}: warning: {max(0.0, -math.log10(digits.error)):.1f} digits are predicted, most "
-        f"are lost at joint {quoted([digits.worst])}" + "".join(f"; {way}" for way in ways)
+        f"{file}: warning: {max(0.0, -math.log10(digits.error)):.1f} digits are predicted; the "
+        f"largest loss is at joint {quoted([digits.worst])}" + "".join(f"; {way}" for way in ways)
     )
 
 
@@ -236,7 +236,7 @@ def _why_it_fails(plan: Plan, model: Model, options: argparse.Namespace, failure
     from adagen.urdf.notes import quoted
 
     if plan.form == "ada":
-        return f"form ada cannot solve this robot: {failure}; say --form segment"
+        return f"form ada cannot solve this robot: {failure}; use --form segment"
     cuts = {s.joint for process in plan.processes for s in process.steps if isinstance(s, Join)}
     good = cuttable_joints(model, plan.scalar)
     bad = quoted([joint.name for j, joint in enumerate(plan.joints) if j in cuts and not good[j]])
@@ -246,6 +246,6 @@ def _why_it_fails(plan: Plan, model: Model, options: argparse.Namespace, failure
         return f"--schedule {options.schedule} cannot be solved: {failure}; leave it out"
     return (
         f"--schedule {options.schedule} lets processes meet at {bad}, beside links whose inertia "
-        f"is singular or too small to be joined there ({failure}): leave out --schedule, or say"
+        f"is singular or too small to be joined there ({failure}): leave out --schedule, or use"
         " --procs 1"
     )

@@ -61,8 +61,8 @@ def scheduled(
         if many > (1 - margin(profile)) * one:
             warn(
                 f"{options.model}: warning: {options.procs} processes do not pay: predicted "
-                f"{many:.2f} us, and {one:.2f} us on one ({profile.name} profile); say --procs 1, "
-                "or auto"
+                f"{many:.2f} us, and {one:.2f} us on one ({profile.name} profile); use --procs "
+                "1 or auto"
             )
             options.told_to_use_fewer = True
     return chosen
@@ -151,7 +151,7 @@ def accuracy_line(digits: Digits | None) -> str:
     kept = f"{-math.log10(digits.error):.1f} digits predicted"
     if digits.joint is None:
         at = printable(digits.worst)
-        return f'{kept}: nothing is lost by joining, most by sweeping at joint "{at}"'
+        return f'{kept}: no loss at joins; the largest loss is in the sweep at joint "{at}"'
     return f'{kept}: growth {digits.growth:.1e} at joint "{printable(digits.joint)}"'
 
 

@@ -43,7 +43,7 @@ def command_parser() -> Parser:
     add_emission(parser)
     add_out(parser)
     parser.add_argument(
-        "--run", action="store_true", help="build and run it: measured beside predicted"
+        "--run", action="store_true", help="build and run it: measured and predicted times"
     )
     parser.add_argument(
         "--record", type=Path, metavar="FILE", help="chart_NAME.json that adagen chart wrote"
@@ -130,7 +130,7 @@ def _measured(made: Compiled) -> Measured:
         done = launch(executable, processes, words, toolchain, TIMEOUT)
         report = _reported(done.stdout)
         if report is None:
-            raise EnvironmentFault(done.stderr.removeprefix("error: ") or "the run said nothing")
+            raise EnvironmentFault(done.stderr.removeprefix("error: ") or "the run printed nothing")
         names = [joint.name for joint in made.model.joints]
         line = read_trace(str(trace), names, made.request.procs) if trace.is_file() else None
     return _as_measured(report, line)

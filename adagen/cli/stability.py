@@ -23,7 +23,7 @@ figure is not what it must be.
 examples:
   adagen stability                             all cases (about a minute)
   adagen stability --quick --case 1 --case 3   two of them, shorter chains
-  adagen stability --map docs/pictures         a map for each family of robots,
+  adagen stability --map build/maps            a map for each family of robots,
                                                errors against the condition of H
   adagen stability --map . --family light      one map"""
 
@@ -39,7 +39,9 @@ def run(argv: Sequence[str]) -> int:
 
 def command_parser() -> Parser:
     """Return the parser of ``adagen stability``."""
-    parser = make_parser("adagen stability", "Show where methods fail and what is kept.", _EPILOG)
+    parser = make_parser(
+        "adagen stability", "Show where methods fail and how many digits are kept.", _EPILOG
+    )
     parser.add_argument(
         "--case", type=int, action="append", metavar="N", help="only this case, 1 to 13"
     )
@@ -75,7 +77,7 @@ def _judge(options: argparse.Namespace, refuse: object) -> int:
         _show(outcomes)
     bad = [outcome.number for outcome in outcomes if not outcome.good]
     if bad:
-        say(f"not as it must be: case {', '.join(map(str, bad))}")
+        say(f"unexpected result: case {', '.join(map(str, bad))}")
     return 1 if bad else 0
 
 

@@ -25,7 +25,7 @@ examples:
 
 def command_parser() -> Parser:
     """Return the parser of ``adagen verify``."""
-    parser = make_parser("adagen verify", "Emit again and compare.", _EPILOG)
+    parser = make_parser("adagen verify", "Generate again and compare.", _EPILOG)
     parser.add_argument(
         "folders", nargs="+", type=Path, metavar="DIR", help="folder with emitted files below it"
     )
@@ -73,6 +73,7 @@ _OURS = {
     ".svg": b'role="img"',
 }
 """Endings of a solver's files, and what their heads hold."""
+_RUNTIME = b"// adagen's runtime, "  # how the headers of it begin
 _HEAD_BYTES = 1000
 
 
@@ -92,7 +93,9 @@ def _sources(folders: Sequence[Path]) -> Iterator[Path]:
 
 
 def _is_ours(path: Path) -> bool:
-    """Whether a file is one of an emitted solver's."""
+    """Whether a file is one of an emitted solver's, or of the runtime."""
+    if path.suffix == ".hpp":
+        return path.is_file() and path.read_bytes().startswith(_RUNTIME)
     ending = next((end for end in _OURS if path.name.endswith(end)), None)
     if ending is None or not _SOURCE.fullmatch(f"{path.name.removesuffix(ending)}.cpp"):
         return False
@@ -147,12 +150,15 @@ def _made_again(source: Path) -> dict[str, str]:
 
 
 def _place(folder: Path, name: str) -> Path:
-    """Where a file of a folder is: several folders may share the program above them."""
+    """Where a file of a folder is: several may share the runtime and the program above them."""
     from adagen.emit.around import PROGRAM_FILE
+    from adagen.emit.runtime import FOLDER
 
-    shared = folder.parent / name
-    above = name == PROGRAM_FILE and not (folder / name).exists() and shared.is_file()
-    return shared if above else folder / name
+    beside, above = folder / name, folder.parent / name
+    shared = name == PROGRAM_FILE and not beside.exists() and above.is_file()
+    if name.startswith(f"{FOLDER}/"):
+        shared = not (folder / FOLDER).exists() and (folder.parent / FOLDER).is_dir()
+    return above if shared else beside
 
 
 def _seen_here(place: Path, path: str) -> str:

@@ -6,7 +6,6 @@ from dataclasses import replace
 
 from adagen import __version__
 from adagen.cost import programmed
-from adagen.emit import headers
 from adagen.emit.around import PROGRAM_FILE, options_of, program_text, standalone
 from adagen.emit.embedded import check_target, embedded_values
 from adagen.emit.head import algorithm, program_lines
@@ -15,6 +14,7 @@ from adagen.emit.model import model_values
 from adagen.emit.names import file_stem, prefix_of, quoted
 from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
 from adagen.emit.refine import checked_shape, refinement_messages, refinement_steps
+from adagen.emit.runtime import runtime_files, version_number
 from adagen.emit.shapes import KNOWN, chosen_shape, stepwise
 from adagen.emit.templates import render, template, templates_folder
 from adagen.emit.words import Words
@@ -28,7 +28,7 @@ from adagen.program.summary import meeting
 from adagen.schedule import CostProfile, load_profile, step_costs
 
 # Largest backward error that an emitted self-check lets pass: what cuts may lose at most, with a
-# margin (adagen/plan/cuts.py, docs/accuracy.md).
+# margin (adagen/plan/cuts.py, docs/explanation/accuracy.md).
 TOLERANCE = {"double": 1e-9, "float": 1e-3, "mixed": 1e-9}
 
 __all__ = [
@@ -103,6 +103,8 @@ def emit(
     }
     if svg is not None:
         files[f"{stem}.svg"] = svg
+    if not single_file:
+        files |= runtime_files()
     if target == "embedded":
         return files
     files |= {
@@ -118,7 +120,7 @@ def emit(
         "CMakeLists.txt": template("CMakeLists.txt"),
     }
     if single_file:
-        files[f"{stem}.cpp"] = standalone(text, program_text())
+        files[f"{stem}.cpp"] = standalone(text)
     else:
         files[PROGRAM_FILE] = program_text()
     return files
@@ -223,7 +225,7 @@ def _texts(
         "program_options": options_of(mpi, words.number),
         "comm": "MPI_Comm" if mpi else "adagen::OneProcess",
         "embedded": embedded,
-        "headers": headers.of_solver(mpi, plan.threads, plan.reproducible, embedded=embedded),
+        "macros": _macros(plan, mpi=mpi, batch=bool(batch), embedded=embedded, values=of_shape),
         "failures": FAILURES,
         **_head(program, stem, chunk, compiler),
         "algorithm": algorithm(program),
@@ -234,6 +236,21 @@ def _texts(
     }
     header = render("interface.h.j2", **values)
     return header, render("solver.cpp.j2", interface=header, **values)
+
+
+def _macros(
+    plan: Plan, *, mpi: bool, batch: bool, embedded: bool, values: dict[str, object]
+) -> list[str]:
+    """What tells the headers what they are to do."""
+    wanted = {
+        "ADAGEN_MPI": mpi,
+        "ADAGEN_EMBEDDED": embedded,
+        "ADAGEN_BATCH": batch,
+        "ADAGEN_LOOPS": plan.closed,
+        "ADAGEN_RECOVERS": bool(values.get("recovery")),
+        "ADAGEN_SETS_GRAVITY": plan.entry_of_parameter("gravity") is not None,
+    }
+    return [name for name, asked in wanted.items() if asked]
 
 
 def _alone(program: Program) -> bool:
@@ -249,6 +266,7 @@ def _head(program: Program, stem: str, chunk: int, compiler: str) -> dict[str, o
         "STEM": prefix_of(stem).upper(),
         "header": f"{stem}.h",
         "version": __version__,
+        "version_number": version_number(),
         "robot": quoted(plan.name),
         "source_hash": plan.source_hash or "not given",
         "form": plan.form,

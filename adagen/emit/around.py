@@ -3,43 +3,18 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from functools import cache
 
 from adagen import __version__
-from adagen.emit import headers
+from adagen.emit.runtime import joined
 from adagen.emit.templates import render
 
 PROGRAM_FILE = "adagen_program.cpp"
 """What it is called beside the solvers that it is linked with."""
 
-_PARTS = (
-    "status.hpp",
-    "inverse_dynamics.hpp",
-    "json.hpp",
-    "slave.hpp",
-    "states.hpp",
-    "manifold.hpp",
-    "loops.hpp",
-    "implicit.hpp",
-    "integrators.hpp",
-    "trajectory.hpp",
-    "options.hpp",
-    "watch.hpp",
-    "statistics.hpp",
-    "trace.hpp",
-    "session.hpp",
-    "cores.hpp",
-    "makespan.hpp",
-    "stretches.hpp",
-    "batch_timing.hpp",
-    "timing.hpp",
-    "simulate.hpp",
-    "corrections.hpp",
-    "unreal.hpp",
-    "verdict.hpp",
-    "main.hpp",
-)
 _MPI = "#if defined(ADAGEN_MPI)\n#include <mpi.h>\n#endif\n"
+_COMMENTS = re.compile(r"^//.*\n", re.MULTILINE)
 _SECTION = "#ifndef ADAGEN_NO_MAIN\n"
 _TOLD = f"what the program around it, {PROGRAM_FILE}, is told; main"
 _LINKS = re.compile(rf"^// links     {re.escape(PROGRAM_FILE)}(.*)\n", re.MULTILINE)
@@ -48,12 +23,7 @@ _LINKS = re.compile(rf"^// links     {re.escape(PROGRAM_FILE)}(.*)\n", re.MULTIL
 @cache
 def program_text() -> str:
     """Return the text of the program."""
-    return render(
-        "adagen_program.cpp.j2",
-        version=__version__,
-        headers=sorted({*headers.SOLVER, *headers.PROGRAM}),
-        parts=_PARTS,
-    )
+    return render("adagen_program.cpp.j2", version=__version__)
 
 
 def options_of(mpi: bool, number: str) -> str:
@@ -66,15 +36,24 @@ def options_of(mpi: bool, number: str) -> str:
     return " -DADAGEN_MPI" * mpi + " -DADAGEN_FLOAT" * (number == "float")
 
 
-def standalone(source: str, program: str) -> str:
-    """Return an emitted source with the text of the program in it, which is compiled alone."""
+def standalone(
+    source: str, program: str | None = None, files: Mapping[str, str] | None = None
+) -> str:
+    """Return an emitted source with runtime and program in it, which is compiled alone.
+
+    Args:
+        source: of a solver.
+        program: the text of the program around it; that of this version by default.
+        files: the runtime's headers, path to text; those of this version by default.
+    """
     options = options_in(source)
     if options is None:
-        return source
-    own = program.partition(_MPI)[2]  # the solver has included mpi.h
+        return joined(source, files)
     defines = "".join(f"#define {option.removeprefix('-D')}\n" for option in options)
+    own = _COMMENTS.sub("", program_text() if program is None else program)
     source = _LINKS.sub("", source, count=1).replace(_TOLD, "the program around it; main", 1)
-    return source.replace(_SECTION, f"{_SECTION}{defines}{own}\n", 1)
+    whole = joined(source.replace(_SECTION, f"{_SECTION}{defines}{own}\n", 1), files)
+    return whole.replace(_MPI, "", 1)  # the solver has included mpi.h, if it needs that
 
 
 def options_in(source: str) -> tuple[str, ...] | None:

@@ -11,13 +11,13 @@ def why_not(plan: Plan) -> str | None:
     if len(plan.processes) > 1:
         return "a baseline runs on one process"
     if plan.closed:
-        return "a baseline knows no closed loops"
+        return "baselines do not support closed loops"
     passive = ("damping", "friction", "stiffness", "rotor_inertia", "prescribed")
     if any(getattr(joint, name) for joint in plan.joints for name in passive) or plan.wrenches:
-        return "a baseline knows no passive effects, prescribed motions or outer forces"
+        return "baselines do not support passive effects, prescribed motions or outer forces"
     if plan.parameters:
-        return "a baseline knows nothing that is set at run time"
-    return "a baseline knows no slaved joints" if plan.slaved else None
+        return "baselines do not support constants that are set at run time"
+    return "baselines do not support slaved joints" if plan.slaved else None
 
 
 def values(_: Words) -> dict[str, object]:

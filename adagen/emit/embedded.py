@@ -47,8 +47,8 @@ def embedded_values(words: Words, values: dict[str, object]) -> dict[str, object
     """
     if "spatial.hpp" in _listed(values["runtime"]):
         raise UsageError(
-            f"shape {words.program.shape} needs Eigen here, which an embedded solver has not: say "
-            "--shape unrolled"
+            f"shape {words.program.shape} needs Eigen here, which an embedded solver cannot "
+            "have: use --shape unrolled"
         )
     return {"bytes": _bytes(words, values), "work": _work(words.plan, values)}
 

@@ -49,7 +49,8 @@ _ADA = (
 )
 _CLOSED = (
     "Where loops are closed, accelerations of their joints and the constraint forces are held back "
-    "as unknowns, and eliminated at the last link that the joints have in common (docs/loops.md)."
+    "as unknowns, and eliminated at the last link that the joints have in common "
+    "(docs/explanation/loops.md)."
 )
 _BATCH = "Each SIMD lane holds a state; the processes share the states of a batch, not the robot."
 

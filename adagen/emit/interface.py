@@ -11,7 +11,7 @@ class FailureRow:
 
     Attributes:
         name: what the header calls it, behind the solver's own prefix.
-        value: as ``templates/runtime/status.hpp`` has it.
+        value: as ``templates/include/adagen/status.hpp`` has it.
         what: in a few words, for the header.
     """
 

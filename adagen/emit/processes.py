@@ -37,6 +37,9 @@ def _summary(words: Words, process: Process) -> str:
     names = [words.quoted_joint(j) for j in process.owns[:_NAMED]]
     more = ", ..." if len(process.owns) > _NAMED else ""
     shared = len(process.shares)
+    if words.plan.closed and process.recovery:
+        own = f"{len(process.owns)} of {len(words.plan.joints)} joints: {', '.join(names)}{more}"
+        return f"{own}; all of them in a singular pose"
     core = f"; {shared} more that every process computes for itself" if shared else ""
     passing = len(process.reads) - len(process.owns) - shared
     path = f"; kinematics of {passing} more on the way to the ground" if passing else ""

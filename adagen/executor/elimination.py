@@ -98,6 +98,12 @@ class Elimination:
                 result[k] = self.columns[unknown]
         return result
 
+    def _by_others(self, rows: Sequence[int]) -> Array:
+        """What the top's acceleration and the single ones do to rows, shape (n, 6 + m)."""
+        grounded = self.step.grounded  # else what both ends do to the top cancels
+        at_top = self._at_top(rows) if grounded else self.state.zeros(len(rows), 6)
+        return np.concatenate([at_top, self._block(rows, self.step.singles)], axis=1)
+
     def _scales(self) -> Array:
         """What brings the kept rows to one size, shape (rows, 1)."""
         return self.state.constants(self.step.scales)[:, None]
@@ -105,29 +111,31 @@ class Elimination:
     # -- three ways -------------------------------------------------------------------------------
 
     def _follow(self) -> None:
-        """By a choice: z = G y + g by the rows, then y; no row acts on the top itself."""
+        """By a choice: z = A a + G y + g by the rows, then y; a is the top's acceleration."""
         step, y, z = self.step, self.step.singles, self.step.moved
-        to_z, to_y = (self._block(step.rows, each) for each in (z, y))
-        right = np.concatenate([to_y, self._biases(step.rows)], axis=1)
+        to_z, by_others = self._block(step.rows, z), self._by_others(step.rows)
+        right = np.concatenate([by_others, self._biases(step.rows)], axis=1)
         scales = self._scales()
         solved, diagonal = solved_by_reflections(to_z * scales, right * scales)
         gained = -solved
         self._check_rank(diagonal)
-        g, offset = gained[:, : len(y)], gained[:, len(y) :]
-        self._check_size(g)
-        left_out = self._block(step.followers, y)
-        to_left_out = self._block(step.followers, z)
-        rest = left_out + matrix_times(to_left_out, g) if z and step.followers else left_out
-        self._check_left_out(rest, np.concatenate([left_out, to_left_out], axis=1))
-        self.front.solved.append(Solved(z, self.state.zeros(len(z), 6), y, g, offset))
+        count = by_others.shape[1]
+        self._check_size(gained[:, :count])
+        rest, to_left_out = self._by_others(step.followers), self._block(step.followers, z)
+        whole = np.concatenate([rest, to_left_out], axis=1)
+        if z and step.followers:
+            rest = rest + matrix_times(to_left_out, gained[:, :count])
+        self._check_left_out(rest, whole)
+        a, g, offset = gained[:, :6], gained[:, 6:count], gained[:, count:]
+        self.front.solved.append(Solved(z, a, y, g, offset))
         reduced, across, bias = self._block(y, y), self._at_top(y), self._biases(y)
         if z:
             between, own, at_top = self._block(y, z), self._block(z, z), self._at_top(z)
             half = between + matrix_times(g.T, own)
             reduced = _symmetric(reduced + matrix_times(half, g) + matrix_times(g.T, between.T))
-            across = across + matrix_times(g.T, at_top)
+            across = across + matrix_times(g.T, at_top) + matrix_times(half, a)
             bias = bias + matrix_times(g.T, self._biases(z)) + matrix_times(half, offset)
-            self._push_top(at_top, offset)
+            self._move_top(a, at_top, own, offset, self._biases(z))
         if y:
             self._solve_free(y, y, reduced, across, bias)
 
@@ -203,6 +211,27 @@ class Elimination:
                 inertia[i, k] = inertia[k, i] = value
         self.memory["IA", link] = inertia
         self.memory["pA", link] = p - matrix_times(across.T, found[:, 6:])
+
+    def _move_top(
+        self, across: Array, at_top: Array, own: Array, offset: Array, biases: Array
+    ) -> None:
+        """What accelerations z = A a + g do to the top, whose acceleration is a.
+
+        Args:
+            across: A, shape (n, 6).
+            at_top: C^T of z at the top, shape (n, 6).
+            own: E of z, shape (n, n).
+            offset: g, shape (n, columns).
+            biases: e of z, shape (n, columns).
+        """
+        link = self.step.link
+        if link and any(x.constant != 0 for x in across.flat):
+            added = matrix_times(across.T, at_top + matrix_times(own, across))
+            added = added + matrix_times(at_top.T, across)
+            self.memory["IA", link] = _symmetric(self.memory["IA", link] + added)
+            force = matrix_times(across.T, biases + matrix_times(own, offset))
+            self.memory["pA", link] = self.memory["pA", link] + force
+        self._push_top(at_top, offset)
 
     def _push_top(self, at_top: Array, offset: Array) -> None:
         """What accelerations that the rows give by themselves do to the top."""

@@ -73,7 +73,7 @@ class Floating:
         return np.array(np.broadcast_arrays(*values))
 
     def sines_and_cosines(self, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
-        """Return what templates/runtime/unrolled_numbers.hpp computes, in double.
+        """Return what templates/include/adagen/unrolled_numbers.hpp computes, in double.
 
         Where one angle is far from zero, all are left to the C library.
         """

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from adagen.cost import Timeline, timeline
 from adagen.drawing import draw
 from adagen.emit import emit, program_of
+from adagen.emit.runtime import FOLDER
 from adagen.errors import InputError, UsageError
 from adagen.library.command import command_of, refuse_another, with_command
 from adagen.library.request import Request
@@ -97,6 +98,8 @@ class Compiled:
     def write(self, folder: str | os.PathLike[str]) -> list[Path]:
         """Write the files, all or none, and return their paths; those that are right stay.
 
+        Of the runtime's headers the path of their folder is returned.
+
         Raises:
             UsageError: a file that is there was not written by adagen, or of another robot.
             EnvironmentFault: writing failed.
@@ -105,7 +108,8 @@ class Compiled:
         source = f"{self.stem}.cpp"
         refuse_another(Path(folder, source), files[source])
         write_files(Path(folder), files)
-        return [Path(folder, name) for name in sorted(files)]
+        names = {FOLDER if name.startswith(f"{FOLDER}/") else name for name in files}
+        return [Path(folder, name) for name in sorted(names)]
 
     def build(self, toolchain: Toolchain | None = None) -> Solver:
         """Return the solver, built now or found in the cache.

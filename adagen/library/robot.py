@@ -106,7 +106,7 @@ def read(
         gravity: acceleration of free fall in ground axes, three numbers, m/s^2; by default what the
             scene says, else (0, 0, -9.81).
         arguments: values of <xacro:arg>.
-        loops: path of a file of frame pairs (YAML, docs/loops.md) that close loops.
+        loops: path of a file of frame pairs (YAML, docs/how_to/loops.md) that close loops.
 
     Raises:
         InputError: the description, the scene or the loops are refused; it tells file and line.
@@ -190,7 +190,7 @@ def _with_frame_pairs(reading: Reading, path: Path, *, check: bool) -> Reading:
 
 def _check_agreement(scene: Scene, origin: Origin) -> None:
     if scene.base is not None and origin.floating:
-        raise UsageError("the scene says how the base is held: leave out --floating")
+        raise UsageError("the scene sets the base: leave out --floating")
     if scene.mimic is False and origin.mimic:
         raise UsageError("the scene leaves mimic joints free: leave out --mimic")
     gravity = origin.gravity

@@ -28,7 +28,8 @@ class Solver:
 
     Called with arrays of one state, ``q`` of shape (nq,), ``v`` (nv,) and ``tau`` (ntau,), it
     returns accelerations of shape (nv,); with arrays of S states, (S, nq), (S, nv) and (S, ntau),
-    those of shape (S, nv). SI units; how joints lie in q and v stands in docs/command_line.md:
+    those of shape (S, nv). SI units; docs/reference/files.md says how joints lie
+    in q and v:
     quaternions x y z w, floating joints [linear; angular] in the body's frame.
 
     Many states are shared out to the machine's cores. Threads of Python take turns with one solver;
@@ -264,7 +265,7 @@ def built(compiled: Compiled, toolchain: Toolchain | None = None) -> Solver:
             f"{compiled.stem} is for {compiled.request.procs} processes, a Python program is one:"
             ' compile with procs=1, or channel="threads"'
         )
-    source = f"#define ADAGEN_NO_MAIN\n{compiled.source}\n{verbatim('runtime/python.hpp')}\n"
+    source = f"#define ADAGEN_NO_MAIN\n{compiled.source}\n{verbatim('python.hpp')}\n"
     toolchain = _with_python(find_toolchain() if toolchain is None else toolchain)
     name = f"{compiled.stem}.so"
     solver = _type_of(build_executable(source, name, toolchain))()

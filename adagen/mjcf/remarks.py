@@ -141,7 +141,7 @@ def couplings(robot: Compiled, slaved: bool, notes: Notes) -> dict[int, tuple[in
         pair = f'joints "{robot.joints[joint]}" and "{robot.joints[source]}"'
         if not slaved:
             raise notes.error(
-                f"{where} couples {pair}: say --mimic to slave the first, or remove it"
+                f"{where} couples {pair}: use --mimic to make the first follow, or remove it"
             )
         if any(data[2:]) or joint in follows or not _scalar(robot, joint, source):
             raise notes.error(

@@ -12,6 +12,7 @@ from adagen.plan.closed import ClosedPlanner
 from adagen.plan.closures import closures_of
 from adagen.plan.clusters import ClusterPlanner, clusters_of
 from adagen.plan.constants import couplings_of, joints_of, links_of, loops_of, wrenches_of
+from adagen.plan.early import early_closures_of
 from adagen.plan.gather import GatherPlanner, why_not_gather
 from adagen.plan.parameters import parameters_of, refuse_inverted
 from adagen.plan.segment import SegmentPlanner
@@ -115,8 +116,9 @@ def make_plan(
 
 def _line(planner: AdaPlanner, schedule: Schedule, topology: Topology) -> str:
     """Return in one line who has what: the paper's tree, or where processes gather."""
-    if isinstance(planner, GatherPlanner):
-        return gathered_line(planner.gathered(), topology)
+    gathered = planner.gathered()
+    if gathered is not None:
+        return gathered_line(gathered, topology)
     return schedule_line(schedule, topology)
 
 
@@ -145,7 +147,12 @@ def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto
     if model.closed:
         _check_closed(schedule, form)
         return ClosedPlanner(
-            joints, schedule, closures_of(model), loops_of(model), couplings_of(model)
+            joints,
+            schedule,
+            closures_of(model),
+            early_closures_of(model),
+            loops_of(model),
+            couplings_of(model),
         )
     clusters = clusters_of(model, runs) if form == "ada" else {}
     if clusters:

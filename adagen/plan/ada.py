@@ -34,6 +34,7 @@ from adagen.plan.steps import (
 )
 from adagen.plan.types import Message, PlanJoint, Process
 from adagen.schedule import Node, Schedule, postorder
+from adagen.schedule.tree import Gathered
 
 
 @dataclass
@@ -113,6 +114,10 @@ class AdaPlanner:
         for j, joint in enumerate(joints):
             self.open[joint.parent] += 1
             self.open[j + 1] += 1
+
+    def gathered(self) -> Gathered | None:
+        """Return where processes gather; None where they are joined, or one has it all."""
+        return None
 
     def plan(self) -> tuple[tuple[Process, ...], tuple[Message, ...]]:
         """Return every process's steps, and the messages between them."""

@@ -1,81 +1,42 @@
-"""Form `segment` of a robot with closed loops: what process 0 does, all others being idle.
+"""Form `segment` of a robot with closed loops.
 
 Swept is as in a tree. Joints of a closure (closures.py) are held back, or carry its rows; at its
 top they are eliminated. Limbs that no loop goes through are swept first on the way inwards, and
 last on the way outwards, so that they can share code, one in each SIMD lane.
+
+Several processes gather (gather.py): each closure is one process's, and what is above its top knows
+nothing of it. In poses in which what follows is found poorly, each process does all for itself.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 
-from adagen.model.kinds import KINDS
-from adagen.model.loops import LOOP_KINDS
+from adagen.errors import InputError
 from adagen.plan.ada import AdaPlanner
-from adagen.plan.closures import LARGE, Choice, Closure
-from adagen.plan.edges import is_free_base
-from adagen.plan.steps import (
-    Accelerate,
-    AccelerateHeld,
-    Articulate,
-    CarryRows,
-    CloseCoupling,
-    CloseLoop,
-    Eliminate,
-    FreeAcceleration,
-    FreeBase,
-    HoldBack,
-    Kinematics,
-    Release,
-    SolveRoot,
-    StartLink,
-    Step,
-)
+from adagen.plan.closed_way import ClosedWay
+from adagen.plan.closures import LARGE, Closure
+from adagen.plan.edges import Edge, is_free_base
+from adagen.plan.gather import exchange, sides_of, trees_of
+from adagen.plan.gather_steps import ProcessSteps
+from adagen.plan.gather_trees import Tree
+from adagen.plan.steps import Accelerate, Articulate, Kinematics, Release, StartLink, Step
 from adagen.plan.types import Message, PlanCoupling, PlanJoint, PlanLoop, Process, bound_by_loops
 from adagen.schedule import Schedule
+from adagen.schedule.tree import Gathered
 
 LARGEST = 1e4
 """Entries of G beyond which a pose counts as singular: twice as many digits may be lost."""
 
 
-@dataclass(frozen=True)
-class _Unknowns:
-    """A closure with its unknowns numbered: freedoms by entries of v, forces by rows."""
-
-    closure: Closure
-    freedoms: dict[int, int]
-    forces: dict[int, int]
-
-    @staticmethod
-    def of(closure: Closure, joints: Sequence[PlanJoint]) -> _Unknowns:
-        entries = [joints[j].v + k for j in closure.held for k in range(KINDS[joints[j].kind].nv)]
-        freedoms = {entry: number for number, entry in enumerate(entries)}
-        forces = {row: number for number, row in enumerate(closure.rows, start=len(freedoms))}
-        return _Unknowns(closure, freedoms, forces)
-
-    def eliminate(self, number: int, choice: Choice, limit: float, *, recovers: bool) -> Eliminate:
-        """Return the step that eliminates them by a choice of what follows."""
-        return Eliminate(
-            self.closure.top,
-            number,
-            tuple(self.freedoms[entry] for entry in choice.moved),
-            tuple(self.forces[row] for row in choice.rows),
-            choice.scales,
-            tuple(force for row, force in self.forces.items() if row not in choice.rows),
-            tuple(k for entry, k in self.freedoms.items() if entry not in choice.moved),
-            limit,
-            recovers,
-        )
-
-
 class ClosedPlanner(AdaPlanner):
-    """Builds the process that solves a robot with closed loops.
+    """Builds the processes that solve a robot with closed loops.
 
     Args:
         joints: the robot's joints.
-        schedule: says how many processes there are; all joints are process 0's.
+        schedule: says where processes gather; without that, all joints are process 0's.
         closures: its closures.
+        early: the same, those that reach the ground ending before it; none where none can.
         loops: its loop joints.
         couplings: its couplings.
     """
@@ -85,38 +46,53 @@ class ClosedPlanner(AdaPlanner):
         joints: tuple[PlanJoint, ...],
         schedule: Schedule,
         closures: Sequence[Closure],
+        early: Sequence[Closure],
         loops: Sequence[PlanLoop],
         couplings: Sequence[PlanCoupling],
     ) -> None:
         super().__init__(joints, schedule)
-        self.closures, self.loops, self.couplings = closures, loops, couplings
-        self.closure_of = {j: k for k, one in enumerate(closures) for j in one.path}
-        self.firsts = [0]
-        for loop in loops:
-            self.firsts.append(self.firsts[-1] + LOOP_KINDS[loop.kind].rows)
-        for _ in couplings:
-            self.firsts.append(self.firsts[-1] + 1)
+        self.closures, self.early, self.loops, self.couplings = closures, early, loops, couplings
         self.open_limbs = self._joints_beside_loops()
 
     def plan(self) -> tuple[tuple[Process, ...], tuple[Message, ...]]:
-        """Return every process's steps; there are no messages."""
+        """Return every process's steps, and the messages between them.
+
+        Raises:
+            InputError: processes cannot gather as the schedule has it.
+        """
         ways = self._ways()
-        runs = [
-            tuple(self._steps(way, LARGEST if last else LARGE, recovers=not last))
-            for way, last in zip(ways, [*[False] * (len(ways) - 1), True], strict=True)
-        ]
-        steps, *others = runs
         every = tuple(range(len(self.joints)))
+        gathered = self.schedule.gathered
+        if gathered is not None:
+            return self._shared(gathered, ways[0], ways[1:] or ways)
+        steps, *others = (tuple(self._steps(way)) for way in ways)
         idle = [Process((), (), ()) for _ in range(self.schedule.processes - 1)]
         recovery = others[0] if others else ()
         return (Process(steps, every, every, (), recovery, tuple(others[1:])), *idle), ()
 
-    def _ways(self) -> list[tuple[Choice, ...]]:
-        """Which choices closures go by: all by their first ones, by their second ones, ..."""
+    def gathered(self) -> Gathered | None:
+        """Return where processes gather; None where one process has it all."""
+        return self.schedule.gathered
+
+    def _ways(self) -> list[ClosedWay]:
+        """How closures go: early ones first, then all by their first choices, their second, ..."""
         most = max((len(one.choices) for one in self.closures), default=1)
-        return [
-            tuple(one.choices[min(k, len(one.choices) - 1)] for one in self.closures)
+        found = [
+            [(one, one.choices[min(k, len(one.choices) - 1)]) for one in self.closures]
             for k in range(most)
+        ]
+        if self.early:  # where these are poor, an orthogonal basis loses nothing
+            found = [[(one, one.choices[0]) for one in self.early], *(found[1:] or found)]
+        return [
+            ClosedWay(
+                self.joints,
+                self.loops,
+                self.couplings,
+                way,
+                LARGEST if k == len(found) else LARGE,
+                recovers=k < len(found),
+            )
+            for k, way in enumerate(found, start=1)
         ]
 
     def _joints_beside_loops(self) -> list[int]:
@@ -125,60 +101,118 @@ class ClosedPlanner(AdaPlanner):
         every = range(len(self.joints))
         return [j for j in every if j not in bound and not is_free_base(self.joints[j])]
 
-    def _steps(self, choices: Iterable[Choice], limit: float, *, recovers: bool) -> Iterator[Step]:
-        rows = [_Unknowns.of(one, self.joints) for one in self.closures]
+    def _steps(self, way: ClosedWay) -> Iterator[Step]:
+        """All that one process does."""
         yield from (Kinematics(j) for j in range(len(self.joints)))
         yield from (StartLink(j + 1) for j in range(len(self.joints)))
-        for number, own in enumerate(rows):
-            yield from self._constraints(number, own)
+        for number in range(len(way.closures)):
+            yield from way.constraints(number)
         aside = set(self.open_limbs)
         yield from (Articulate(j, reversed=False) for j in reversed(self.open_limbs))
-        by_top: dict[int, list[Step]] = {}
-        for number, (own, choice) in enumerate(zip(rows, choices, strict=True)):
-            step = own.eliminate(number, choice, limit, recovers=recovers)
-            by_top.setdefault(own.closure.top, []).append(step)
+        at_top: dict[int, list[int]] = {}
+        for number, closure in enumerate(way.closures):
+            at_top.setdefault(closure.top, []).append(number)
         for j in reversed(range(len(self.joints))):
             if j not in aside:
-                yield from by_top.get(j + 1, ())
-                yield from self._inwards(j, rows)
-        yield from by_top.get(0, ())
-        yield from (Release(0, k) for k, one in enumerate(self.closures) if one.top == 0)
+                yield from map(way.eliminate, at_top.get(j + 1, ()))
+                yield from way.inwards(j)
+        yield from map(way.eliminate, at_top.get(0, ()))
+        yield from (Release(0, k) for k in at_top.get(0, ()))
         for j in range(len(self.joints)):
             if j not in aside:
-                yield from self._outwards(j)
-                yield from (
-                    Release(j + 1, k) for k, one in enumerate(self.closures) if one.top == j + 1
-                )
+                yield way.outwards(j)
+                yield from (Release(j + 1, k) for k in at_top.get(j + 1, ()))
         yield from (Accelerate(j, reversed=False) for j in self.open_limbs)
 
-    def _constraints(self, number: int, own: _Unknowns) -> Iterator[Step]:
-        for k in own.closure.loops:
-            first, end = self.firsts[k], self.firsts[k + 1]
-            kept = [row for row in own.forces if first <= row < end]
-            start = own.forces[kept[0]] if kept else 0
-            yield CloseLoop(k, number, tuple(row - first for row in kept), start)
-        for k in own.closure.couplings:
-            yield CloseCoupling(k, number, own.forces.get(self.firsts[len(self.loops) + k]))
+    # -- several processes ------------------------------------------------------------------------
 
-    def _inwards(self, j: int, rows: Sequence[_Unknowns]) -> Iterator[Step]:
-        number = self.closure_of.get(j)
-        if number is None:
-            if is_free_base(self.joints[j]):
-                yield FreeBase(j)
-                yield SolveRoot(j + 1)
-            else:
-                yield Articulate(j, reversed=False)
-        elif j in rows[number].closure.held:
-            yield HoldBack(j, number, rows[number].freedoms[self.joints[j].v])
-        else:
-            yield Articulate(j, reversed=False)
-            yield CarryRows(j, number)
+    def _shared(
+        self, gathered: Gathered, way: ClosedWay, others: Sequence[ClosedWay]
+    ) -> tuple[tuple[Process, ...], tuple[Message, ...]]:
+        """What several processes do, and each for itself where that cannot be done."""
+        trees = trees_of(self.joints, gathered)
+        _refuse_divided(trees, way, self.loops)
+        recovery: tuple[tuple[Step, ...], ...] = ()
+        if way.recovers or any(tree.hold for tree in trees):
+            recovery = tuple(tuple(self._steps(other)) for other in others)
+        messages = tuple(exchange(trees))
+        processes = []
+        for p, sides in enumerate(sides_of(messages, self.schedule.processes)):
+            steps = _ClosedSteps(self.joints, trees, p, way)
+            process = steps.process_of(steps.evaluation(*sides))
+            processes.append(_recovering(process, recovery, len(self.joints)))
+        return tuple(processes), messages
 
-    def _outwards(self, j: int) -> Iterator[Step]:
-        number = self.closure_of.get(j)
-        if number is not None and j in self.closures[number].held:
-            yield AccelerateHeld(j, number)
-        elif number is None and is_free_base(self.joints[j]):
-            yield FreeAcceleration(j)
-        else:
-            yield Accelerate(j, reversed=False)
+
+def _recovering(process: Process, ways: Sequence[tuple[Step, ...]], count: int) -> Process:
+    """A process that can do everything for itself, in several ways."""
+    if not process.owns or not ways:
+        return process
+    every = tuple(range(count))
+    others = tuple(j for j in every if j not in process.owns)
+    return Process(process.steps, every, process.owns, others, ways[0], tuple(ways[1:]))
+
+
+def _refuse_divided(trees: Sequence[Tree], way: ClosedWay, loops: Sequence[PlanLoop]) -> None:
+    """Refuse a layout in which a closure is not all one process's, beyond its top."""
+    owner = {j: p for tree in trees for j, p in tree.owner.items()}
+    against = {e.joint for tree in trees for e in tree.edges if e.reversed}
+    against |= {e.joint for tree in trees for e in tree.ground_side}
+    for closure in way.closures:
+        owners = {owner.get(j) for j in closure.path}
+        if len(owners) > 1 or None in owners or against.intersection(closure.path):
+            names = ", ".join(f'"{loops[k].name}"' for k in closure.loops)
+            raise InputError(
+                f"processes cannot gather as the schedule has it: joints of loops {names} are not "
+                "all of one process, or are beyond the root"
+            )
+
+
+class _ClosedSteps(ProcessSteps):
+    """Steps of one process of a robot with loops.
+
+    Args:
+        joints: the robot's joints.
+        trees: how processes meet.
+        process: the process.
+        way: how closures are eliminated; each is one process's.
+    """
+
+    def __init__(
+        self, joints: Sequence[PlanJoint], trees: Sequence[Tree], process: int, way: ClosedWay
+    ) -> None:
+        super().__init__(joints, trees, process)
+        self.way = way
+        own = set(self.owns())
+        self.numbers = [k for k, one in enumerate(way.closures) if own.issuperset(one.path)]
+        self._left = {k: len(way.closures[k].path) for k in self.numbers}
+        self._released: set[int] = set()
+
+    def evaluation(self, sends: Iterable[int], receives: Iterable[int]) -> list[Step]:
+        """Return its steps but for kinematics; the rows of its loops come first."""
+        rows = [step for number in self.numbers for step in self.way.constraints(number)]
+        return [*rows, *super().evaluation(sends, receives)]
+
+    def swept(self, own: Sequence[Edge]) -> Iterator[Step]:
+        """Yield what sweeps its joints inwards; closures end with the last joint of theirs."""
+        for edge in reversed(own):
+            number = self.way.closure_of(edge.joint)
+            if number is None:
+                yield Articulate(edge.joint, edge.reversed)
+                continue
+            yield from self.way.inwards(edge.joint)
+            self._left[number] -= 1
+            if not self._left[number]:
+                yield self.way.eliminate(number)
+
+    def accelerated(self, own: Sequence[Edge]) -> Iterator[Step]:
+        """Yield what finds the accelerations of its joints."""
+        for edge in own:
+            number = self.way.closure_of(edge.joint)
+            if number is None:
+                yield Accelerate(edge.joint, edge.reversed)
+                continue
+            if number not in self._released:
+                self._released.add(number)
+                yield Release(self.way.closures[number].top, number)
+            yield self.way.outwards(edge.joint)

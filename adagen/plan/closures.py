@@ -25,6 +25,7 @@ from adagen.reference.closed import closed_states, constraints_of_all
 from adagen.reference.double import joint_space_inertia
 
 Array = NDArray[np.float64]
+Numbers = tuple[int, ...]
 
 SAMPLES = 64
 """Consistent states at which choices are made; of many freedoms fewer."""
@@ -102,19 +103,29 @@ def closures_of(model: Model) -> tuple[Closure, ...]:
     """
     if not model.closed:
         return ()
+    q, rows = sampled(model)
+    found = tuple(with_choices(model, one, rows) for one in connected(model, tied_by(model)))
+    _check_inertia(model, q, rows)
+    return found
+
+
+@lru_cache(maxsize=4)
+def sampled(model: Model) -> tuple[Array, Array]:
+    """Return configurations in which all loops are closed, and J there, shape (S, rows, nv).
+
+    Raises:
+        InputError: loops cannot be closed, or go over joints that are slaved or prescribed.
+    """
     _check_joints(model)
     count = max(8, min(SAMPLES, MOST_SAMPLED // model.nv))
     q, _ = closed_states(model, count, starts=3 * count)
     if not len(q):
         raise InputError(why_open(model))
-    rows = constraints_of_all(model, q).rows
-    found = tuple(_with_choices(model, one, rows) for one in _connected(model))
-    _check_inertia(model, q, rows)
-    return found
+    return q, constraints_of_all(model, q).rows
 
 
-def _ways(model: Model, link: int) -> list[int]:
-    """Joints from a link inwards to the ground."""
+def joints_from(model: Model, link: int) -> list[int]:
+    """Return the joints from a link inwards to the ground."""
     found = []
     while link > 0:
         found.append(link - 1)
@@ -124,13 +135,13 @@ def _ways(model: Model, link: int) -> list[int]:
 
 def _parted(model: Model, links: Sequence[int]) -> tuple[int, set[int]]:
     """The last link that some links hang on together, and the joints beyond it."""
-    ways = [_ways(model, link) for link in links]
+    ways = [joints_from(model, link) for link in links]
     shared = set(ways[0]).intersection(*ways[1:])
     return max((j + 1 for j in shared), default=0), set().union(*ways) - shared
 
 
-def _tied(model: Model) -> list[tuple[int, set[int]]]:
-    """For each loop, then each coupling: the link where it closes, and the joints beyond."""
+def tied_by(model: Model) -> list[tuple[int, set[int]]]:
+    """Return for each loop, then each coupling, the link where it closes, and the joints beyond."""
     found = [_parted(model, (loop.link1, loop.link2)) for loop in model.loops]
     for coupling in model.couplings:
         joints = [j for j, _ in coupling.terms]
@@ -140,19 +151,34 @@ def _tied(model: Model) -> list[tuple[int, set[int]]]:
 
 
 @dataclass(frozen=True)
-class _Tied:
+class Tied:
+    """Loops and couplings that are solved together: a closure but for what follows from what.
+
+    Attributes:
+        top: the link at which they are eliminated.
+        members: numbers of its loops, then of its couplings behind all loops.
+        path: joints beyond the top that they tie.
+    """
+
     top: int
     members: tuple[int, ...]
     path: tuple[int, ...]
 
 
-def _connected(model: Model) -> list[_Tied]:
-    """Loops and couplings put together where they share joints; the innermost tops come first."""
+def connected(
+    model: Model, tied: Sequence[tuple[int, set[int]]], wanted: Sequence[int] | None = None
+) -> list[Tied]:
+    """Put loops and couplings together where they share joints; the innermost tops come first.
+
+    Args:
+        model: the robot.
+        tied: of each of them, the link where it closes, and the joints beyond.
+        wanted: which of them count; all if not given.
+    """
     groups: list[tuple[set[int], set[int]]] = []
-    tops = []
-    for number, (top, path) in enumerate(_tied(model)):
-        tops.append(top)
-        members, joints = {number}, set(path)
+    tops = [top for top, _ in tied]
+    for number in range(len(tied)) if wanted is None else wanted:
+        members, joints = {number}, set(tied[number][1])
         for other in [group for group in groups if group[1] & joints]:
             groups.remove(other)
             members, joints = members | other[0], joints | other[1]
@@ -160,7 +186,7 @@ def _connected(model: Model) -> list[_Tied]:
     found = []
     for members, joints in groups:
         top, between = _parted(model, [tops[k] for k in sorted(members)])
-        found.append(_Tied(top, tuple(sorted(members)), tuple(sorted(joints | between))))
+        found.append(Tied(top, tuple(sorted(members)), tuple(sorted(joints | between))))
     return sorted(found, key=lambda one: (-one.top, one.members))
 
 
@@ -175,30 +201,60 @@ def _freedoms(model: Model, joints: Sequence[int]) -> list[int]:
     return [model.v_start[j] + k for j in joints for k in range(model.joints[j].kind.nv)]
 
 
-def _with_choices(model: Model, tied: _Tied, samples: Array) -> Closure:
-    """Choose what follows from what: so that G is least where it is largest."""
-    rows = [row for k in tied.members for row in _rows_of(model)[k]]
-    columns = _freedoms(model, tied.path)
-    own = samples[np.ix_(range(len(samples)), rows, columns)]
-    sizes = np.abs(own).max(axis=(0, 2), initial=0.0)
-    there = sizes > FOLLOWS * float(sizes.max(initial=0.0))
-    rows = [row for row, some in zip(rows, there.tolist(), strict=True) if some]
-    scaled = own[:, there] / sizes[there][:, None]
-    usual = np.median(np.abs(own[:, there]).max(axis=2, initial=0.0), axis=0)
-    usual = np.where(usual > FOLLOWS * sizes[there], usual, sizes[there])
-    whole = len(columns) <= MOST_HELD
-    (moved, kept), others = _choices(scaled, _depths(model, tied.path), whole=whole)
+@dataclass(frozen=True)
+class Sampled:
+    """The rows of some loops and couplings at closed states, those that are no rows left out.
 
-    def choice(moved: _Numbers, kept: _Numbers) -> Choice:
+    Attributes:
+        columns: entries of v that they act on, beyond the top.
+        rows: numbers in the robot.
+        scales: of these rows, powers of two that bring them to a size.
+        values: brought to a size, shape (S, rows, nv).
+    """
+
+    columns: list[int]
+    rows: list[int]
+    scales: list[float]
+    values: Array
+
+    @property
+    def own(self) -> Array:
+        """The rows for their own columns, shape (S, rows, columns)."""
+        return self.values[:, :, self.columns]
+
+    def choice(self, moved: Numbers, kept: Numbers) -> Choice:
+        """Return a choice of columns and rows, numbered among these."""
         return Choice(
-            tuple(columns[c] for c in moved),
-            tuple(rows[r] for r in kept),
-            tuple(2.0 ** -round(float(np.log2(usual[r]))) for r in kept),
+            tuple(self.columns[c] for c in moved),
+            tuple(self.rows[r] for r in kept),
+            tuple(self.scales[r] for r in kept),
         )
 
-    choices = [choice(moved, kept)]
-    if whole and 0 < len(moved) < len(columns) and any(k < len(model.loops) for k in tied.members):
-        choices += [choice((), each) for each in others]
+
+def sampled_rows(model: Model, tied: Tied, samples: Array) -> Sampled:
+    """Return the rows of some loops and couplings.
+
+    Args:
+        model: the robot.
+        tied: these.
+        samples: J of the robot at closed states.
+    """
+    rows = [row for k in tied.members for row in _rows_of(model)[k]]
+    columns = _freedoms(model, tied.path)
+    of_all = np.abs(samples[:, rows]).max(axis=2, initial=0.0)
+    sizes = of_all.max(axis=0, initial=0.0)
+    there = sizes > FOLLOWS * float(sizes.max(initial=0.0))
+    rows = [row for row, some in zip(rows, there.tolist(), strict=True) if some]
+    usual = np.median(of_all[:, there], axis=0)
+    usual = np.where(usual > FOLLOWS * sizes[there], usual, sizes[there])
+    scales = [2.0 ** -round(float(np.log2(size))) for size in usual]
+    return Sampled(columns, rows, scales, samples[:, rows] / sizes[there][:, None])
+
+
+def closure_of(
+    model: Model, tied: Tied, rows: Sequence[int], choices: Sequence[Choice], *, whole: bool
+) -> Closure:
+    """Return a closure; of a whole one all joints are held back."""
     of_freedom = {k: j for j in tied.path for k in _freedoms(model, [j])}
     held = {of_freedom[k] for choice in choices for k in choice.moved}
     loops = len(model.loops)
@@ -213,12 +269,21 @@ def _with_choices(model: Model, tied: _Tied, samples: Array) -> Closure:
     )
 
 
-_Numbers = tuple[int, ...]
+def with_choices(model: Model, tied: Tied, samples: Array) -> Closure:
+    """Choose what follows from what: so that G is least where it is largest."""
+    found = sampled_rows(model, tied, samples)
+    whole = len(found.columns) <= MOST_HELD
+    (moved, kept), others = _choices(found.own, depths_of(model, tied.path), whole=whole)
+    choices = [found.choice(moved, kept)]
+    looped = any(k < len(model.loops) for k in tied.members)
+    if whole and 0 < len(moved) < len(found.columns) and looped:
+        choices += [found.choice((), each) for each in others]
+    return closure_of(model, tied, found.rows, choices, whole=whole)
 
 
 def _choices(
     samples: Array, depths: Sequence[int], *, whole: bool
-) -> tuple[tuple[_Numbers, _Numbers], list[_Numbers]]:
+) -> tuple[tuple[Numbers, Numbers], list[Numbers]]:
     """Return columns that follow with rows that they follow by, and rows for other poses.
 
     Chosen is what takes least arithmetic, that in poses in which it is poor included. Rows for
@@ -226,8 +291,35 @@ def _choices(
     together in several ways, there may be several sets, of several ranks.
     """
     pattern = np.abs(samples).max(axis=0) > 0.0
+    offers = offers_of(samples, depths, whole=whole)
+    losses = [np.array([largest(offer, each) for each in samples]) for offer in offers]
+    best = min(range(len(offers)), key=lambda k: expected(offers[k], pattern, losses[k]))
+    kept = list(dict.fromkeys(rows for _, rows in offers))
+    apart = np.array([[_apart(rows, each) for each in samples] for rows in kept])
+    taken: list[Numbers] = []
+    so_far = np.zeros(len(samples))
+    while len(taken) < MOST_SETS and (so_far < APART).any():
+        reached = np.minimum(np.maximum(apart, so_far), APART).sum(axis=1)
+        k = int(np.argmax(reached))
+        if taken and float(reached[k]) < float(np.minimum(so_far, APART).sum()) + APART / 2:
+            break
+        taken.append(kept[k])
+        so_far = np.maximum(so_far, apart[k])
+    return offers[best], taken
+
+
+def offers_of(
+    samples: Array, depths: Sequence[int], *, whole: bool
+) -> list[tuple[Numbers, Numbers]]:
+    """Return columns that may follow with rows that they follow by, those of most samples first.
+
+    Args:
+        samples: J of the closure, shape (S, rows, columns).
+        depths: of columns: how far from the ground their joints are.
+        whole: whether all joints are held back, so that it matters what else rows act on.
+    """
     if whole:  # what few rows feel, and of that what is farthest from the top, moves alone
-        counts = pattern.sum(axis=0).tolist()
+        counts = (np.abs(samples).max(axis=0) > 0.0).sum(axis=0).tolist()
         most = max(depths, default=0) + 1
         weights = [count * most - depth for count, depth in zip(counts, depths, strict=True)]
     else:
@@ -244,24 +336,10 @@ def _choices(
             _pivots(each, ()),
         )
     ]
-    offers = [offer for offer, _ in Counter(offers).most_common(MOST_OFFERS)]
-    losses = [np.array([_largest(offer, each) for each in samples]) for offer in offers]
-    best = min(range(len(offers)), key=lambda k: _expected(offers[k], pattern, losses[k]))
-    kept = list(dict.fromkeys(rows for _, rows in offers))
-    apart = np.array([[_apart(rows, each) for each in samples] for rows in kept])
-    taken: list[_Numbers] = []
-    so_far = np.zeros(len(samples))
-    while len(taken) < MOST_SETS and (so_far < APART).any():
-        reached = np.minimum(np.maximum(apart, so_far), APART).sum(axis=1)
-        k = int(np.argmax(reached))
-        if taken and float(reached[k]) < float(np.minimum(so_far, APART).sum()) + APART / 2:
-            break
-        taken.append(kept[k])
-        so_far = np.maximum(so_far, apart[k])
-    return offers[best], taken
+    return [offer for offer, _ in Counter(offers).most_common(MOST_OFFERS)]
 
 
-def _apart(rows: _Numbers, matrix: Array) -> float:
+def _apart(rows: Numbers, matrix: Array) -> float:
     """How far kept rows are from following from each other; 0 where others do not from them."""
     _, sizes, right = np.linalg.svd(matrix[list(rows)], full_matrices=False)
     if not len(sizes) or sizes[-1] < VANISHING:
@@ -270,10 +348,8 @@ def _apart(rows: _Numbers, matrix: Array) -> float:
     return 0.0 if float(np.abs(rest).max(initial=0.0)) > 1e-6 else float(sizes[-1])
 
 
-def _expected(
-    offer: tuple[_Numbers, _Numbers], pattern: Array, sizes: Array
-) -> tuple[float, float]:
-    """What a choice takes on the average, in products, about; then the digits that it costs.
+def expected(offer: tuple[Numbers, Numbers], pattern: Array, sizes: Array) -> tuple[float, float]:
+    """Return what a choice takes on the average, in products, about; then the digits that it costs.
 
     Where G is large, it is computed in vain, and an orthogonal basis after it.
     """
@@ -283,7 +359,7 @@ def _expected(
     return _work(offer, pattern) + again, round(float(digits), 6)
 
 
-def _work(offer: tuple[_Numbers, _Numbers], pattern: Array) -> int:
+def _work(offer: tuple[Numbers, Numbers], pattern: Array) -> int:
     """Products to solve by a choice: by the sizes of its independent parts."""
     columns, rows = map(list, offer)
     parts: list[tuple[set[int], int]] = []
@@ -297,8 +373,16 @@ def _work(offer: tuple[_Numbers, _Numbers], pattern: Array) -> int:
     return sum(count**3 + count**2 * free for _, count in parts)
 
 
-def _largest(offer: tuple[_Numbers, _Numbers], matrix: Array) -> float:
-    """The largest entry of G by a choice; infinity where rows do not follow from those kept."""
+def largest(
+    offer: tuple[Numbers, Numbers], matrix: Array, counted: Sequence[int] | None = None
+) -> float:
+    """Return the largest entry of G by a choice; infinity where rows do not follow from those kept.
+
+    Args:
+        offer: columns and rows.
+        matrix: J of one state.
+        counted: columns of G that count; all if not given.
+    """
     columns, rows = map(list, offer)
     others = [c for c in range(matrix.shape[1]) if c not in columns]
     left = [r for r in range(len(matrix)) if r not in rows]
@@ -309,12 +393,14 @@ def _largest(offer: tuple[_Numbers, _Numbers], matrix: Array) -> float:
     rest = matrix[np.ix_(left, others)] - matrix[np.ix_(left, columns)] @ follows
     if float(np.abs(rest).max(initial=0.0)) > 1e-6:
         return np.inf
+    if counted is not None:
+        follows = follows[:, [k for k, c in enumerate(others) if c in counted]]
     return float(np.abs(follows).max(initial=0.0))
 
 
-def _depths(model: Model, path: Sequence[int]) -> list[int]:
-    """How far from the ground the joint of each freedom is."""
-    return [len(_ways(model, j + 1)) for j in path for _ in range(model.joints[j].kind.nv)]
+def depths_of(model: Model, path: Sequence[int]) -> list[int]:
+    """Return how far from the ground the joint of each freedom is."""
+    return [len(joints_from(model, j + 1)) for j in path for _ in range(model.joints[j].kind.nv)]
 
 
 def _must_be_held(model: Model, path: Sequence[int]) -> set[int]:
@@ -324,7 +410,7 @@ def _must_be_held(model: Model, path: Sequence[int]) -> set[int]:
     return rotors | coupled.intersection(path)
 
 
-def _pivots(matrix: Array, weights: Sequence[int], near: float = NEAR) -> tuple[_Numbers, _Numbers]:
+def _pivots(matrix: Array, weights: Sequence[int], near: float = NEAR) -> tuple[Numbers, Numbers]:
     """Columns and rows of the pivots by which a matrix is eliminated, the largest ones first.
 
     Args:
@@ -353,7 +439,7 @@ def _pivots(matrix: Array, weights: Sequence[int], near: float = NEAR) -> tuple[
 
 def _check_joints(model: Model) -> None:
     """Refuse what is not modelled on the way of a loop."""
-    on_paths = set().union(*(path for _, path in _tied(model)))
+    on_paths = set().union(*(path for _, path in tied_by(model)))
     sources = {joint.mimic.source for joint in model.joints if joint.mimic is not None}
     for j in sorted(on_paths):
         joint = model.joints[j]

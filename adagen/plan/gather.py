@@ -43,6 +43,18 @@ def why_not_gather(joints: Sequence[PlanJoint]) -> str | None:
     return None
 
 
+def trees_of(joints: Sequence[PlanJoint], gathered: Gathered) -> list[Tree]:
+    """Return the trees of links that move together as a schedule lays them out.
+
+    Raises:
+        InputError: it asks for what processes cannot do.
+    """
+    try:
+        return given_trees(joints, gathered.roots, gathered.owners)
+    except ValueError as error:
+        raise InputError(f"processes cannot gather as the schedule has it: {error}") from None
+
+
 class GatherPlanner(SegmentPlanner):
     """Builds the processes and messages of form `segment` with one exchange."""
 
@@ -52,14 +64,8 @@ class GatherPlanner(SegmentPlanner):
         Raises:
             InputError: the schedule asks for what processes cannot do.
         """
-        given = self.schedule.gathered
-        if given is not None:
-            try:
-                return given_trees(self.joints, given.roots, given.owners)
-            except ValueError as error:
-                raise InputError(
-                    f"processes cannot gather as the schedule has it: {error}"
-                ) from None
+        if self.schedule.gathered is not None:
+            return trees_of(self.joints, self.schedule.gathered)
         assigned: dict[int, int] = {}  # process of each joint inside a segment
         first: dict[int, int] = {}  # of every joint
         for node in postorder(self.schedule.root):
@@ -96,15 +102,19 @@ class GatherPlanner(SegmentPlanner):
         """Return the steps of every process but for kinematics; messages are added."""
         first = len(self.messages)
         self.messages += exchange(trees)
-        sends: list[list[int]] = [[] for _ in self.steps]
-        receives: list[list[int]] = [[] for _ in self.steps]
-        for number, message in enumerate(self.messages[first:], start=first):
-            sends[message.source].append(number)
-            receives[message.target].append(number)
-        return [
-            ProcessSteps(self.joints, trees, p).evaluation(sends[p], receives[p])
-            for p in range(len(self.steps))
-        ]
+        sides = sides_of(self.messages, len(self.steps), first)
+        return [ProcessSteps(self.joints, trees, p).evaluation(*own) for p, own in enumerate(sides)]
+
+
+def sides_of(
+    messages: Sequence[Message], processes: int, first: int = 0
+) -> list[tuple[list[int], list[int]]]:
+    """Return for each process the numbers of the messages that it sends, and that it takes."""
+    sides: list[tuple[list[int], list[int]]] = [([], []) for _ in range(processes)]
+    for number, message in enumerate(messages[first:], start=first):
+        sides[message.source][0].append(number)
+        sides[message.target][1].append(number)
+    return sides
 
 
 def exchange(trees: Iterable[Tree]) -> Iterator[Message]:

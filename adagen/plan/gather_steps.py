@@ -163,10 +163,18 @@ class ProcessSteps:
         if grounded and tree.hold:
             yield from self._from_ground_to(tree, tree.hold)
             yield HoldMobility(tree.hold, *_shown(tree.hold))
-        yield from (Articulate(e.joint, e.reversed) for e in reversed(own))
+        yield from self.swept(own)
         if grounded and not tree.hold:
             yield from self._from_ground_to(tree, tree.root)
             yield StartEmpty(tree.root)  # from now on: what the others add
+
+    def swept(self, own: Sequence[Edge]) -> Iterator[Step]:
+        """Yield what sweeps the process's own joints inwards; they are given outwards."""
+        return (Articulate(edge.joint, edge.reversed) for edge in reversed(own))
+
+    def accelerated(self, own: Sequence[Edge]) -> Iterator[Step]:
+        """Yield what finds the accelerations of the process's own joints."""
+        return _accelerated(own)
 
     def _from_ground_to(self, tree: Tree, link: int) -> Iterator[Step]:
         """Phi and b of a link with all between it and the ground, swept from the ground."""
@@ -191,7 +199,7 @@ class ProcessSteps:
         grounded = tree.grounded == self.process
         yield from _accelerated(tree.core_edges)
         if grounded and tree.hold:
-            yield from _accelerated(own)
+            yield from self.accelerated(own)
         if grounded:
             link = tree.hold or tree.root
             component = self._from_ground(tree, link)
@@ -200,7 +208,7 @@ class ProcessSteps:
             yield from (Deliver(e.joint, e.reversed) for e in reversed(component.path))
             yield from _accelerated(component.edges)
         if not (grounded and tree.hold):
-            yield from _accelerated(own)
+            yield from self.accelerated(own)
         if tree.base is not None and self._has_base(tree):
             yield FreeAcceleration(tree.base)
 

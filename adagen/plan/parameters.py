@@ -21,12 +21,12 @@ def parameters_of(model: Model, runtime: str) -> tuple[PlanParameter, ...]:
         runtime: words with commas between them: "gravity", "mass:LINK", "center:LINK".
 
     Raises:
-        UsageError: an unknown word or link, a link without mass, or a word that is said twice.
+        UsageError: an unknown word or link, a link without mass, or a word that is given twice.
     """
     found: dict[str, PlanParameter] = {}
     for word in filter(None, runtime.split(",")):
         if word in found:
-            raise UsageError(f"{printable(word)} is to be set at run time twice: say it once")
+            raise UsageError(f"{printable(word)} is given twice: name it once")
         found[word] = _parameter(model, word)
     return tuple(found.values())
 
@@ -74,5 +74,5 @@ def refuse_inverted(parameters: Iterable[PlanParameter], links: Collection[int])
         if parameter.link in links:
             raise UsageError(
                 f"{parameter.what}:{printable(parameter.name)} cannot be set where that link is "
-                "joined by the inverse of its inertia: say --form segment, or --procs 1"
+                "joined by the inverse of its inertia: use --form segment or --procs 1"
             )

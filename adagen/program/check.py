@@ -46,11 +46,12 @@ def check(program: Program) -> None:
         ProgramError: it is not well formed; the message names the process and the operation.
     """
     _check_owners(program.plan)
-    _check_run(program.plan, [process.operations for process in program.processes])
+    runs: list[Sequence[Sequence[Operation]]] = [[p.operations for p in program.processes]]
     if any(process.recovery for process in program.processes):
-        _check_run(program.plan, [process.recovery for process in program.processes])
-    for operations in zip_longest(*(each.others for each in program.processes), fillvalue=()):
-        _check_run(program.plan, operations)
+        runs.append([process.recovery for process in program.processes])
+    runs += zip_longest(*(each.others for each in program.processes), fillvalue=())
+    for plan, operations in zip(program.plan.alternatives, runs, strict=True):
+        _check_run(plan, operations)
 
 
 def _check_owners(plan: Plan) -> None:

@@ -146,7 +146,7 @@ def pays_columns(joints: Sequence[PlanJoint], run: Run, costs: StepCosts) -> boo
 
     By columns a joint of one freedom takes a few instructions for each column; spherical ones are
     less work number by number, and prescribed ones have no other way. See
-    templates/runtime/kernels/inward_columns.hpp.
+    templates/include/adagen/kernels/inward_columns.hpp.
     """
     own = joints[run.first : run.last + 1]
     kinds = [joint.kind for joint in own]

@@ -1,6 +1,6 @@
 """Long runs that are passed outwards in segments, one in each lane of the widest registers.
 
-See templates/runtime/kernels/segments.hpp.
+See templates/include/adagen/kernels/segments.hpp.
 """
 
 from __future__ import annotations

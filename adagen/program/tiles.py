@@ -1,7 +1,7 @@
 """Runs longer than what the second-level cache holds, swept tile by tile.
 
-See templates/runtime/kernels/tiles.hpp. Joints of a tile use the memory that those of the tile
-before have used, so that little more than what joints are accelerated with is kept of each.
+See templates/include/adagen/kernels/tiles.hpp. Joints of a tile use the memory that those of the
+tile before have used, so that little more than what joints are accelerated with is kept of each.
 """
 
 from __future__ import annotations

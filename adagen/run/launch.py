@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import ctypes
 import os
+import re
+import selectors
 import signal
 import subprocess
 import sys
@@ -15,9 +17,15 @@ from pathlib import Path
 
 from adagen.build.toolchain import Toolchain
 from adagen.errors import EnvironmentFault, printable
-from adagen.run.noise import without_launcher_noise
+from adagen.run.noise import framed_notice, without_launcher_noise
 
 _GRACE_SECONDS = 2.0
+_AFTER_THE_LAST_WORD = 3.0
+"""Seconds that a launcher has once a process has given up on another.
+
+mpiexec ends all others then, but waits for ever for a host that is out of reach."""
+_LAST_WORD = re.compile(rb"(?:^|\0)error: (?:process \d+: |MPI did not start)", re.MULTILINE)
+_LOOK_SECONDS = 0.2  # between looks whether a launcher has ended whose pipes others hold open
 _OPEN_MPI = ("--oversubscribe", "--bind-to", "none")
 _PR_SET_PDEATHSIG = 1
 
@@ -47,7 +55,7 @@ def launch(
     *,
     capture: bool = True,
 ) -> Completed:
-    """Run an emitted executable on ``processes`` processes of this machine.
+    """Run an emitted executable on ``processes`` processes: of this machine, or of mpiexec's hosts.
 
     Args:
         executable: what to run.
@@ -72,8 +80,6 @@ def launch(
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE if capture else None,
             stderr=subprocess.PIPE,
-            text=True,
-            errors="replace",
             env=toolchain.variables(os.environ),
             start_new_session=True,
             preexec_fn=_die_with_parent(),
@@ -81,21 +87,83 @@ def launch(
     except OSError as error:
         raise EnvironmentFault(f"cannot run {command[0]}: {error.strerror}") from None
     try:
-        stdout, stderr = child.communicate(timeout=timeout)
-    except subprocess.TimeoutExpired:
+        stdout, stderr = _heard(child, timeout)
+    except subprocess.TimeoutExpired as late:
+        said, notice = without_launcher_noise((late.stderr or b"").decode(errors="replace"))
+        last = printable((said.splitlines() or [notice])[-1])
         raise EnvironmentFault(
             f"no answer within {timeout:g} s from {executable.name} on {processes} "
             f"process{'es' if processes > 1 else ''}; it was ended"
+            + (last and f" (output: {last})")
         ) from None
     finally:
         _end_session(child)
-    return _completed(child.returncode, stdout or "", stderr or "", executable)
+    done = _completed(child.returncode, stdout, stderr, executable)
+    if capture and done.status == 0 and "--json" in arguments and not done.stdout:
+        words = f"error: {executable.name} failed: {toolchain.mpiexec[0]} ended without an answer"
+        return Completed(3, "", words)  # a host was lost: Open MPI's status is 0 then
+    return done
+
+
+def _heard(child: subprocess.Popen[bytes], timeout: float | None) -> tuple[str, str]:
+    """Return what a launcher and its processes write, once it has ended or cannot be waited for.
+
+    Raises:
+        subprocess.TimeoutExpired: the time is up.
+    """
+    out, err = bytearray(), bytearray()
+    end = _Limit(timeout)
+    last = _Limit(None)  # for the launcher, once a process has given up on another
+    with selectors.DefaultSelector() as pipes:
+        for pipe, text in ((child.stdout, out), (child.stderr, err)):
+            if pipe is not None:
+                pipes.register(pipe, selectors.EVENT_READ, text)
+        while pipes.get_map() and not last.over():
+            ended = child.poll() is not None
+            found = pipes.select(_LOOK_SECONDS)
+            for key, _ in found:
+                read = os.read(key.fd, 1 << 16)
+                key.data.extend(read)
+                if not read:
+                    pipes.unregister(key.fileobj)
+            if last.seconds is None and _LAST_WORD.search(err):
+                last = _Limit(_AFTER_THE_LAST_WORD)
+            if ended and not found:  # others hold its pipes open
+                break
+            if end.over():
+                raise subprocess.TimeoutExpired(child.args, timeout or 0, stderr=bytes(err))
+    if last.seconds is None:
+        child.wait(end.left())
+    else:
+        with suppress(subprocess.TimeoutExpired):
+            child.wait(last.left())
+    return out.decode(errors="replace"), err.decode(errors="replace")
+
+
+class _Limit:
+    """So many seconds from now; None for no limit."""
+
+    def __init__(self, seconds: float | None) -> None:
+        self.seconds = seconds
+        self._began = time.monotonic()
+
+    def left(self) -> float | None:
+        if self.seconds is None:
+            return None
+        return max(0.0, self._began + self.seconds - time.monotonic())
+
+    def over(self) -> bool:
+        return self.left() == 0
 
 
 def _completed(status: int, stdout: str, stderr: str, executable: Path) -> Completed:
     own, notice = without_launcher_noise(stderr)
+    if lost := framed_notice(stdout):  # of a host that is gone, and mpiexec's status is 0
+        status, stdout, notice = 3, "", notice or lost
     if status in (0, 1, 2, 3) and (own or status == 0):
         return Completed(status, stdout, own)
+    if _LAST_WORD.search(own.encode()):
+        return Completed(3, stdout, own)  # and mpiexec had to be ended
     number = -status if status < 0 else status - 128
     if status < 0 or status > 128:
         with suppress(ValueError):
@@ -104,7 +172,7 @@ def _completed(status: int, stdout: str, stderr: str, executable: Path) -> Compl
                 [*own.splitlines(), f"error: a process of {executable.name} died ({fault.name})"]
             )
     if "error:" not in own:
-        said = printable(notice)[:300] or f"it said nothing (status {status})"
+        said = printable(notice)[:300] or f"no output (status {status})"
         own = "\n".join([*own.splitlines(), f"error: {executable.name} failed: {said}"])
     return Completed(status if status in (1, 2) else 3, stdout, own)
 
@@ -144,7 +212,7 @@ def _die_with_parent() -> Callable[[], None] | None:
     return ask
 
 
-def _end_session(child: subprocess.Popen[str]) -> None:
+def _end_session(child: subprocess.Popen[bytes]) -> None:
     """End the launcher and all it started, if anything is left: kindly, then by force."""
     if child.poll() is None:
         with suppress(OSError):

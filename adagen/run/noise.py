@@ -45,5 +45,15 @@ def without_launcher_noise(text: str) -> tuple[str, str]:
     return "\n".join(own), next((notice for notice in framed + marked if notice), "")
 
 
+def framed_notice(text: str) -> str:
+    """Return the first notice in a frame of dashes, in one line; nothing if there is none.
+
+    Open MPI's launcher writes some to standard output: that it has lost a host, for one.
+    """
+    lines = text.splitlines()
+    rules = [k for k, line in enumerate(lines) if _RULE.match(line)]
+    return _one_line(lines[rules[0] + 1 : rules[1]]) if len(rules) > 1 else ""
+
+
 def _one_line(lines: list[str]) -> str:
     return " ".join(" ".join(lines).split())

@@ -205,7 +205,7 @@ def _locked(model: Model, scene: Scene, names: Names) -> dict[int, list[arb]]:
             values[j] = [source * arb(joint.mimic.multiplier) + arb(joint.mimic.offset)]
     for name in scene.joints:
         if names.joints[name] in values:
-            message = f"joint '{name}' is locked: nothing else can be said of it"
+            message = f"joint '{name}' is locked: it can have no other keys"
             raise scene.error(message, "joints", name)
     return values
 

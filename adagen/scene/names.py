@@ -46,7 +46,7 @@ class Names:
         if name in self.joints:
             return self.joints[name]
         if name == BASE:
-            hint = ': the base is fixed; say base = "floating" or another kind'
+            hint = ': the base is fixed; write base = "floating" or another kind'
         else:
             hint = nearest(name, self.joints)
         raise self.scene.error(f"'{name}' is not a moving joint of the robot{hint}", *path)

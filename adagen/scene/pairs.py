@@ -120,7 +120,7 @@ class _Reader:
                 hint = nearest(str(key.value), _KEYS) or f"; known: {', '.join(_KEYS)}"
                 raise self._fail(f"unknown key '{key.value}'{hint}", key)
             if key.value in found:
-                raise self._fail(f"'{key.value}' is said twice", key)
+                raise self._fail(f"'{key.value}' is given twice", key)
             found[key.value] = value
         ends = [self._pair(node) for node in self._list(found, "closed_loop")]
         words = self._words(found, "type")
@@ -130,7 +130,7 @@ class _Reader:
         result = [_Pair(*pair, kind) for pair, kind in zip(ends, kinds, strict=True)]
         for k, pair in enumerate(result):
             if pair.name in [other.name for other in result[:k]]:
-                raise InputError(f"pair '{pair.name}' is said twice", self._file, pair.first.line)
+                raise InputError(f"pair '{pair.name}' is given twice", self._file, pair.first.line)
         return Pairs(self._file, tuple(result), self._joints(found))
 
     def _joints(self, found: Mapping[str, Any]) -> tuple[tuple[_Said, _Said], ...]:

@@ -29,7 +29,7 @@ Triple = tuple[float, float, float]
 
 
 def read_scene(path: Path | str) -> Scene:
-    """Read a scene file (docs/scenes.md), strictly.
+    """Read a scene file (docs/reference/scenes.md), strictly.
 
     Raises:
         InputError: it cannot be read, is not TOML, has an unknown key or a value that is none;

@@ -2,7 +2,8 @@
 
 Eq. (11) prices a join as a whole, in the paper's form of the algorithm. A machine spends its time
 on steps (kinematics, articulated bodies, joins, messages), each of which costs a base per joint
-kind and something for every handle that takes part. docs/profiles.md describes the file.
+kind and something for every handle that takes part. docs/reference/cost_profiles.md describes the
+file.
 """
 
 from __future__ import annotations

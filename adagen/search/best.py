@@ -11,6 +11,7 @@ from adagen.plan import can_gather
 from adagen.plan.clusters import fold_of
 from adagen.plan.cuts import cuttable_joints
 from adagen.schedule import CostProfile, Schedule, Topology
+from adagen.search.closed import closed_schedule
 from adagen.search.families import Families, scaled
 from adagen.search.played import played_schedule
 from adagen.search.schedules import find_schedule
@@ -55,9 +56,8 @@ def best_schedule(
     topology, costs = Topology.of(model), profile
     if form == "ada":
         profile = profile.joins_only()
-    if model.closed:  # one process has it all
-        search["cuttable"] = [False] * len(topology)
-        return find_schedule(topology, processes, profile=profile, **search)
+    if model.closed:
+        return closed_schedule(model, processes, profile, scalar, **search)
     if form == "segment" and processes == 1:
         return find_schedule(topology, 1, profile=profile, **search)
     seen = fold_of(model, form)

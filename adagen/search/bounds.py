@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from math import inf
 
 from adagen.schedule.costs import ChannelCosts, StepCosts
 from adagen.search.floors import NOTHING, Floors
@@ -61,6 +62,7 @@ class Bounds:
         self.telling = channel.send + self.taking
         self.solve = costs["root.solve"]
         self.outwards = min(floor.outwards for floor in floors.row)
+        self._shared: dict[int, float] = {}
 
     def around(self, core: Core) -> Around:
         """Return what a core takes besides limbs."""
@@ -72,10 +74,12 @@ class Bounds:
     def frame(self, cores: Sequence[Core], limbs: Sequence[Limb]) -> float:
         """Return the least that a layout takes whose cores hold these at least.
 
-        What is taken from a limb into its core costs all processes no less than it cost the one.
+        More trees may be shared, and cores may grow, as `adagen.search.frames` lets them.
         """
         arounds = {core.tree: self.around(core) for core in cores}
-        least = self.start + self._limbs(limbs, arounds) / self.fastest
+        grown = any(core.joints for core in cores)
+        whole = len(self.robot.trees) if grown else cores[-1].tree if cores else 0
+        least = self.start + self._limbs(limbs, arounds, whole) / self.fastest
         if len(self.robot.trees) == 1 and cores:
             most = min(self.processes, sum(self._ends(limb) for limb in limbs))
             return max(least, self.shared(arounds[0], limbs, max(most, 2), 2))
@@ -86,19 +90,37 @@ class Bounds:
         """How many processes can share a limb at most, once the core has grown into it."""
         return 1 if limb.up else self.floors.ends[limb.spans[0].start]
 
-    def _limbs(self, limbs: Iterable[Limb], arounds: dict[int, Around]) -> float:
-        """The longest limb, with what its process and those that wait for it take besides."""
+    def _limbs(self, limbs: Iterable[Limb], arounds: dict[int, Around], whole: int) -> float:
+        """The longest limb, with what its process and those that wait for it take besides.
+
+        Args:
+            limbs: the limbs.
+            arounds: what cores take besides, by their trees.
+            whole: trees of lower numbers that have no core will have none.
+        """
         most, messages = 0.0, self.telling + self.taking
         for limb in limbs:
-            long, around = self.floors.longest(limb), arounds.get(limb.tree)
+            long, around = self.floors.entered(limb), arounds.get(limb.tree)
             if around is None:
-                most = max(most, long.both)
+                alone = self.floors.longest(limb).both
+                most = max(most, alone if limb.tree < whole else min(alone, self._opened(limb)))
                 continue
             rest = around.before + around.after + (0.0 if limb.up else around.way)
             alone = long.both + messages * self.fastest
             waited = long.inwards + (messages + self.latency) * self.fastest + self.outwards
             most = max(most, rest + max(alone, waited))
         return most
+
+    def _opened(self, tree: Limb) -> float:
+        """The least that processes take which share a tree, wherever they meet."""
+        if tree.tree not in self._shared:
+            least = inf
+            for link in self.robot.trees[tree.tree].links:
+                core = Core(tree.tree, link)
+                own = [limb for limb in self.robot.limbs([core]) if limb.tree == tree.tree]
+                least = min(least, self._limbs(own, {tree.tree: self.around(core)}, 0))
+            self._shared[tree.tree] = least
+        return self._shared[tree.tree]
 
     def shared(self, around: Around, limbs: Sequence[Limb], most: int, fewest: int) -> float:
         """Return the least that limbs of one shared tree take, by the average of its processes.

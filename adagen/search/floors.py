@@ -9,8 +9,9 @@ many joints as there can be in it is the least that a joint adds to the work of 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 from itertools import accumulate
+from math import inf
 
 from adagen.plan.simd_groups import KINDS
 from adagen.plan.types import PlanJoint
@@ -109,6 +110,7 @@ class Floors:
         self._above = [NOTHING] * (len(joints) + 1)
         for j, joint in enumerate(joints):
             self._climb(j, joint)
+        self._entered = self._all_entered()
 
     def in_row(self, joint: int, count: int) -> Floor:
         """Return what a joint takes with its whole row, where so many at most can be in one."""
@@ -149,6 +151,10 @@ class Floors:
         else:
             way = self._deepest[limb.spans[0].start]
         return _longest((way, self.work(limb)))
+
+    def entered(self, limb: Limb) -> Floor:
+        """Return the least that some process takes for a limb, however far a core grows into it."""
+        return self.longest(limb) if limb.up else self._entered[limb.spans[0].start]
 
     def way(self, link: int) -> float:
         """Return the kinematics between the ground and a link, microseconds."""
@@ -219,6 +225,29 @@ class Floors:
         self._turned[link] = self._turned[parent].plus(spared)
         beside = (self._deepest[k] for k in self.robot.at[parent] if k != j and parent > 0)
         self._above[link] = passed.plus(_longest([self._above[parent], *beside]))
+
+    def _all_entered(self) -> list[Floor]:
+        """The least for the limb that begins with each joint, however far a core grows into it.
+
+        Either one process has all of it, or all processes pass its joints up to where limbs part,
+        once they have exchanged what hangs there, and some process has the longest of those limbs.
+        """
+        count, at = len(self.robot.joints), self.robot.at
+        found = [NOTHING] * count
+        core = [NOTHING] * count  # the joints up to where limbs part, and the longest beyond them
+        for j in reversed(range(count)):
+            below = at[j + 1]
+            span = range(j, self.robot.last[j] + 1)
+            work = (sums[span.stop] - sums[span.start] for sums in self._sums)
+            found[j] = whole = _longest((self._deepest[j], Floor(*work)))
+            if not below:
+                core[j] = Floor(inf, inf, inf)  # limbs never part here
+                continue
+            beyond = core[below[0]] if len(below) == 1 else _longest(found[k] for k in below)
+            joint = self.single[j].both  # all of it comes after the exchange, or beside it
+            core[j] = Floor(beyond.inwards + joint, beyond.outwards, beyond.both + joint)
+            found[j] = Floor(*map(min, astuple(whole), astuple(core[j])))
+        return found
 
     def upwards(self, limb: Limb) -> Floor:
         """Return what a limb takes besides that is swept towards a link beyond it."""

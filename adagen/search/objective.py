@@ -46,7 +46,8 @@ _TRIALS = 6
 _WORSE = 3.0
 """How much more than in the worst of so many generic states joins may lose in others."""
 _MARGIN = 1.5
-"""How much more than in the worst state of a trial sweeps may lose in others (docs/digits.md)."""
+"""How much more than in the worst state of a trial sweeps may lose in others
+(docs/records/digits.md)."""
 _BETTER = 0.5  # of the predicted error, for a slower schedule to be taken
 
 

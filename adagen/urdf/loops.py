@@ -174,7 +174,7 @@ def _closing_joints(tree: Tree, mimics: Followed, notes: Notes) -> list[JointEle
                 joint.line,
             )
         kind = _KIND_OF_JOINT.get(joint.type)
-        done = f"closes a loop ({kind})" if kind else f"is {joint.type} and holds nothing"
+        done = f"closes a loop ({kind})" if kind else f"is {joint.type} and constrains nothing"
         text = f'{_held_twice(joint, tree)}: "{joint.name}" {done}'
         said.append((joint.name, text, joint.line))
     notes.warn_each(said, "joints close loops")

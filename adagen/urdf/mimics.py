@@ -125,5 +125,5 @@ def _warn_independent(mimics: list[JointElement], notes: Notes) -> None:
             for joint in mimics
             if joint.mimic is not None and joint.type != "fixed"
         ],
-        "mimic joints are taken as independent",
+        "mimic joints are treated as independent",
     )

@@ -1,1 +1,4 @@
-"""The tables and figures of Yamane and Nakamura's paper, each by one command; see docs/paper.md."""
+"""The tables and figures of Yamane and Nakamura's paper, each by one command.
+
+See docs/records/paper.md.
+"""

@@ -9,7 +9,7 @@ from pathlib import Path
 from adagen.drawing.svg import INK, MUTED, RULE, Canvas, colour
 from adagen.schedule import Node, preorder
 
-FOLDER = Path(__file__).resolve().parents[2] / "docs" / "pictures"
+FOLDER = Path(__file__).resolve().parents[2] / "docs" / "records" / "pictures"
 STEP, LAYER, RADIUS = 34.0, 46.0, 12.0
 
 
@@ -33,10 +33,10 @@ class Branch:
 
 
 def save(name: str, text: str) -> None:
-    """Write a picture to docs/pictures."""
+    """Write a picture to docs/records/pictures."""
     FOLDER.mkdir(parents=True, exist_ok=True)
     (FOLDER / f"{name}.svg").write_text(text, encoding="utf-8")
-    print(f"wrote docs/pictures/{name}.svg")
+    print(f"wrote docs/records/pictures/{name}.svg")
 
 
 def branch(node: Node) -> Branch:

@@ -12,7 +12,7 @@ from adagen.search import find_schedule
 from benchmarks.paper import figures, pictures, robots, timing
 from benchmarks.paper.measured import model_of
 
-DOCS = Path(__file__).resolve().parents[2] / "docs" / "pictures"
+DOCS = Path(__file__).resolve().parents[2] / "docs" / "records" / "pictures"
 MAKERS: dict[str, Callable[[], None]] = {
     "fig3": figures.figure_3,
     "fig4_predicted": lambda: timing.figure_4(run=False),

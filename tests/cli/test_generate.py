@@ -227,7 +227,7 @@ class TestGenerate:
         assert "digits are predicted" not in said()[1]
         assert main([*words, "kernels"]) == 0
         (line,) = [row for row in said()[1].splitlines() if "digits are predicted" in row]
-        assert re.search(r'\d\.\d digits are predicted, most are lost at joint "\w+"; ', line)
+        assert re.search(r'\d\.\d digits are predicted; the largest loss is at joint "\w+"; ', line)
         assert line.endswith("--shape unrolled or --refine 1 may keep more")
 
     def test_a_link_that_cannot_be_inverted_is_joined_with_its_neighbour_in_form_ada(
@@ -252,7 +252,7 @@ class TestGenerate:
         line = said()[1].splitlines()[-1]
         start = f"{words[0]}: error: --schedule middle-out lets processes meet at "
         assert line.startswith(start + '"j2", beside links')
-        assert line.endswith("leave out --schedule, or say --procs 1")
+        assert line.endswith("leave out --schedule, or use --procs 1")
         assert not (tmp_path / "b").exists()
         assert main([*words, "--procs", "2"]) == 0
         assert main([*words, "--procs", "1", "--schedule", "middle-out"]) == 0

@@ -93,4 +93,4 @@ def test_loops_are_shown_and_states_to_fill_in_are_closed(
 
 def test_charts_refuse_loops(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
     assert main(["chart", *ANKLE, "--out", str(tmp_path)]) == 2
-    assert "charts and contests know no closed loops" in capsys.readouterr().err
+    assert "charts and benchmarks do not support closed loops" in capsys.readouterr().err

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import re
 import shlex
 import signal
 import subprocess
@@ -269,15 +268,3 @@ def test_saying_the_version_does_not_wait_for_the_stages() -> None:
         env={**os.environ, "PYTHONPATH": str(ROOT)},
     ).stdout.split()
     assert not {"numpy", "yourdfpy", "rich", "jinja2", "flint"} & set(loaded)
-
-
-@pytest.mark.parametrize("command", ["", *sorted(VERBS)])
-def test_every_option_is_in_the_documentation(command: str) -> None:
-    path = ROOT / "docs/command_line.md"
-    if not path.is_file():
-        pytest.skip("not run from a checkout")
-    text = path.read_text()
-    said = run(*command.split(), "--help-all").stdout
-    words = re.findall(r"(?m)^  (?:-\w, )?(--[a-z-]+)", said)
-    assert {"--help", "--version"} < set(words)
-    assert [w for w in words if not re.search(rf"[`[ ]{w}\b", text)] == ["--version"]

@@ -45,7 +45,7 @@ def test_more_processes_than_pay_are_obeyed_with_a_warning(
     stdout, stderr = capsys.readouterr()
     assert json.loads(stdout)["root"]["processes"] == [0, 4]
     assert "4 processes do not pay: predicted" in stderr
-    assert "us on one (default profile); say --procs 1, or auto" in stderr
+    assert "us on one (default profile); use --procs 1 or auto" in stderr
 
 
 def test_where_they_pay_there_is_no_warning(

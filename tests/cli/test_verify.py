@@ -69,7 +69,7 @@ def test_a_whole_tree_may_move(place: Path, tmp_path: Path) -> None:
 
 
 def test_missing_stale_and_different_are_told_and_made_right(place: Path, said: Said) -> None:
-    good = {path.name: path.read_bytes() for path in place.iterdir()}
+    good = {path.name: path.read_bytes() for path in place.rglob("*.*")}
     (place / "notes_p1.svg").write_text("<svg>mine</svg>")
     (place / "cart_p2.h").unlink()
     text = (place / "mobile_p1.cpp").read_text()
@@ -90,7 +90,7 @@ def test_missing_stale_and_different_are_told_and_made_right(place: Path, said: 
     assert main(["verify", "--update", str(place)]) == 0
     assert (place / "notes_p1.svg").read_text() == "<svg>mine</svg>"
     (place / "notes_p1.svg").unlink()
-    assert {path.name: path.read_bytes() for path in place.iterdir()} == good
+    assert {path.name: path.read_bytes() for path in place.rglob("*.*")} == good
 
 
 def test_what_is_left_of_a_solver_without_its_source_is_stale(place: Path, said: Said) -> None:

@@ -14,8 +14,8 @@ import pytest
 from flint import arb, ctx
 
 from adagen.emit import emit, stem_of
+from adagen.emit.runtime import joined
 from adagen.emit.shapes import MOST_FREEDOMS_IN_BATCHES
-from adagen.emit.templates import verbatim
 from adagen.errors import UsageError
 from adagen.executor import groupings
 from adagen.model import REVOLUTE, Model
@@ -227,19 +227,19 @@ _FUNCTIONS = r"""
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#define ADAGEN_SOLVER
 using Real = double;
-{parts}
-extern "C" void circular(double x, double* found) {{ far_sine_and_cosine(x, found[0], found[1]); }}
-extern "C" double tangent(double x) {{ return tanh_of(x); }}
+#include "adagen/far_angles_reduced.hpp"
+#include "adagen/tanh_own.hpp"
+extern "C" void circular(double x, double* found) { far_sine_and_cosine(x, found[0], found[1]); }
+extern "C" double tangent(double x) { return tanh_of(x); }
 """
 
 
 def test_functions_of_its_own(builder: Builder, tmp_path: Path) -> None:
     """Sines of large angles, and tangents, are right to about a unit in the last place."""
-    names = ("far_angles_reduced.hpp", "tanh_own.hpp")
-    parts = "\n".join(verbatim(f"runtime/{name}") for name in names)
     source, library = tmp_path / "functions.cpp", tmp_path / "functions.so"
-    source.write_text(_FUNCTIONS.format(parts=parts))
+    source.write_text(joined(_FUNCTIONS))
     command = builder.toolchain.compile_command(source, library, False)
     subprocess.run([*command, "-shared", "-fPIC", "-ffp-contract=off"], check=True)
     loaded, found = ctypes.CDLL(str(library)), (ctypes.c_double * 2)()

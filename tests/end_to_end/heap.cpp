@@ -1,6 +1,8 @@
 // Follows an emitted solver for one process, here named SOLVER: counts what is taken from the heap
 // once it is open, where states are solved and where they are not.
+#include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <vector>
 
 namespace {

@@ -5,6 +5,9 @@
 #include <signal.h>
 #include <sys/mman.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <thread>
 
 namespace {

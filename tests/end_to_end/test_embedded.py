@@ -13,8 +13,10 @@ import pytest
 
 import adagen
 from adagen.cli import main
+from adagen.emit.runtime import runtime_files
 from adagen.errors import UsageError
 from adagen.states import States, random_states
+from adagen.wholefile import write_files
 from tests.emitted import EXACT, ROUNDING, Builder, Solver, forward_error, truth_of
 from tests.end_to_end.test_library import STRICT, filled, run
 from tests.golden.make_models import MODELS
@@ -66,8 +68,7 @@ def compiled_for(target: str, case: str) -> adagen.Compiled:
 
 def object_of(compiled: adagen.Compiled, builder: Builder, folder: Path) -> Path:
     """Return the object of an embedded solver, compiled as for a machine without a system."""
-    for name, text in compiled.files.items():
-        (folder / name).write_text(text)
+    write_files(folder, compiled.files)
     made = folder / "own_p1.o"
     flags = ("-std=c++17", *STRICT, *EXACT, *ALONE, "-Wno-psabi")
     run(*builder.toolchain.cxx, *flags, "-c", folder / "own_p1.cpp", "-o", made)
@@ -77,7 +78,8 @@ def object_of(compiled: adagen.Compiled, builder: Builder, folder: Path) -> Path
 @pytest.mark.parametrize("case", CASES)
 def test_it_stands_alone_and_answers_as_ever(case: str, builder: Builder, tmp_path: Path) -> None:
     compiled = compiled_for("embedded", case)
-    assert set(compiled.files) == {f"own_p1.{end}" for end in ("cpp", "h", "plan.json", "svg")}
+    own = {f"own_p1.{end}" for end in ("cpp", "h", "plan.json", "svg")}
+    assert set(compiled.files) == own | set(runtime_files())
     made = object_of(compiled, builder, tmp_path)
     wanted = {line.split()[-1] for line in run("nm", "-u", made).splitlines()}
     real = "float" if CASES[case][1].get("scalar") == "float" else "double"
@@ -163,7 +165,7 @@ def test_the_command_line_writes_one_and_verifies_it(tmp_path: Path) -> None:
     asked = [str(MODELS / "arm7.urdf"), "--target", "embedded", "--out", str(tmp_path)]
     assert main(asked) == 0
     written = {path.name for path in tmp_path.iterdir()}
-    assert written == {f"arm7_p1.{end}" for end in ("cpp", "h", "plan.json", "svg")}
+    assert written == {"adagen", *(f"arm7_p1.{end}" for end in ("cpp", "h", "plan.json", "svg"))}
     assert main(["verify", str(tmp_path)]) == 0
     assert main([*asked, "--procs", "2"]) == 2
 

@@ -33,6 +33,7 @@ def solvers(tmp_path: Path) -> Path:
     for stem in ("mobile_p1", "arm7_p2"):
         shutil.copytree(FOLDER / stem, tmp_path / "solvers", dirs_exist_ok=True)
     shutil.copy(FOLDER / PROGRAM_FILE, tmp_path / "solvers")
+    shutil.copytree(FOLDER / "adagen", tmp_path / "solvers" / "adagen")
     return tmp_path / "solvers"
 
 

@@ -51,6 +51,7 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder of a solver for one process, its libraries made where no MPI is to be found."""
     folder = tmp_path_factory.mktemp("library") / "mobile_p1"
     shutil.copytree(FOLDER / "mobile_p1", folder)
+    shutil.copytree(FOLDER / "adagen", folder.parent / "adagen")
     nowhere = ("MPICXX=nowhere", "MPIEXEC=nowhere", "ADAGEN=nowhere", "EIGEN=/nowhere")
     run("make", "-C", folder, *nowhere, "CXXFLAGS=-O1", "lib")
     return folder

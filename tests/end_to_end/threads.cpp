@@ -2,7 +2,12 @@
 // nothing is asked of it.
 #include <sys/resource.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <limits>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace {

@@ -1,6 +1,6 @@
 """Emitted straight lines in lanes compute what the executor does, to the last bit.
 
-Sines and cosines are there those of templates/runtime/kernels/lanes.hpp, which are taken here
+Sines and cosines are there those of the runtime (adagen/kernels/lanes.hpp), which are taken here
 operation by operation, too.
 """
 

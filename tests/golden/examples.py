@@ -7,6 +7,7 @@ from functools import cache
 from pathlib import Path
 
 from adagen.emit.around import PROGRAM_FILE
+from adagen.emit.runtime import runtime_files
 from adagen.library import Compiled, Robot, compile, read  # noqa: A004 (what it does)
 from adagen.model import Model
 from adagen.schedule import Topology, schedule_to_json
@@ -120,9 +121,10 @@ def files_of(example: Example) -> dict[str, str]:
 def golden_files() -> dict[str, bytes]:
     """Return all files of generated_examples but the hand-written, path to content."""
     texts = {f"models/{name}.urdf": make() for name, make in ROBOTS.items()}
+    shared = {PROGRAM_FILE, *runtime_files()}
     for example in EXAMPLES:
         for name, text in files_of(example).items():
-            # The program around them is one for all: the folders' Makefiles look above, too.
-            folder = "" if name == PROGRAM_FILE else f"{example.stem}/"
+            # Runtime and program are those of all: the folders' Makefiles look above, too.
+            folder = "" if name in shared else f"{example.stem}/"
             texts[f"{folder}{name}"] = text
     return {path: text.encode() for path, text in sorted(texts.items())}

@@ -108,6 +108,7 @@ def test_make_in_the_folder_of_examples_works(
     out = tmp_path / "build" / "generated_examples"
     for name in ("Makefile", PROGRAM_FILE):
         shutil.copy(FOLDER / name, folder)
+    shutil.copytree(FOLDER / "adagen", folder / "adagen")
     for stem in stems:
         shutil.copytree(FOLDER / stem, folder / stem)
     for target in ("all", "check", "clean"):

@@ -71,7 +71,7 @@ def test_a_plain_tree_says_nothing(reading: Read) -> None:
         ),
         (
             beside('<equality><joint name="c" joint1="hip" joint2="knee"/></equality>'),
-            'couples joints "hip" and "knee": say --mimic',
+            'couples joints "hip" and "knee": use --mimic',
         ),
         (
             beside('<equality><joint name="c" joint1="hip"/></equality>'),

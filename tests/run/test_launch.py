@@ -168,6 +168,60 @@ def test_an_mpi_that_is_not_open_mpi_gets_only_what_all_know(
     assert "--oversubscribe --bind-to none" in launch(script, 3, ["x"], other, 10).stdout
 
 
+def made_up_launcher(folder: Path, toolchain: Toolchain, script: str) -> Toolchain:
+    """Return a toolchain whose mpiexec is a shell script."""
+    launcher = folder / "mpiexec"
+    launcher.write_text(f"#!/bin/sh\n{script}\n")
+    launcher.chmod(0o755)
+    return replace(toolchain, mpiexec=(str(launcher),), wheel=True)
+
+
+@pytest.mark.parametrize(
+    "last", ["error: process 1: joint x", "\\0error: MPI did not start within 5 s"]
+)
+def test_a_launcher_that_waits_for_a_lost_host_is_ended(
+    last: str, toolchain: Toolchain, tmp_path: Path
+) -> None:
+    script = f"printf 'warning: w\\n{last}\\n' >&2; sleep 100"
+    waits = made_up_launcher(tmp_path, toolchain, script)
+    began = time.monotonic()
+    done = launch(Path("program"), 2, [], waits, 90)
+    assert time.monotonic() - began < 30
+    said = last.replace("\\0", "")
+    assert (done.status, done.stdout, done.stderr) == (3, "", f"warning: w\n{said}")
+
+
+def test_a_launcher_that_ends_is_not_waited_for_because_others_hold_its_pipes(
+    toolchain: Toolchain, tmp_path: Path
+) -> None:
+    ends = made_up_launcher(tmp_path, toolchain, "sleep 100 & echo all; exit 1")
+    began = time.monotonic()
+    done = launch(Path("program"), 2, [], ends, 90)
+    assert (done.status, done.stdout) == (1, "all\n")
+    assert time.monotonic() - began < 30
+
+
+def test_a_launcher_that_has_lost_a_host_is_not_taken_at_its_word(
+    toolchain: Toolchain, tmp_path: Path
+) -> None:
+    rule = "-" * 60
+    says = f"echo {rule}; echo A daemon failed; echo to report; echo {rule}"
+    told = launch(Path("program"), 2, [], made_up_launcher(tmp_path, toolchain, says), 20)
+    words = "error: program failed: A daemon failed to report"
+    assert (told.status, told.stdout, told.stderr) == (3, "", words)
+    silent = made_up_launcher(tmp_path, toolchain, "exit 0")
+    assert launch(Path("program"), 2, [], silent, 20).status == 0  # nothing was to be said
+    asked = launch(Path("program"), 2, ["--json"], silent, 20)
+    assert (asked.status, asked.stdout) == (3, "")
+    assert asked.stderr.endswith("mpiexec ended without an answer")
+
+
+def test_what_was_said_in_time_is_told(toolchain: Toolchain, tmp_path: Path) -> None:
+    slow = made_up_launcher(tmp_path, toolchain, "echo 'so far' >&2; sleep 100")
+    with pytest.raises(EnvironmentFault, match=r"within 1 s .* \(output: so far\)"):
+        launch(Path("program"), 2, [], slow, 1)
+
+
 def test_noise_is_told_from_the_program_s_words() -> None:
     rule = "-" * 74
     text = (

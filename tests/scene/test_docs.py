@@ -1,4 +1,4 @@
-"""docs/scenes.md shows every key that a scene can have, and only such."""
+"""docs/reference/scenes.md shows every key that a scene can have, and only such."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def test_the_documented_scene_is_read_and_complete(tmp_path: Path) -> None:
-    text = (ROOT / "docs" / "scenes.md").read_text()
+    text = (ROOT / "docs" / "reference" / "scenes.md").read_text()
     (example,) = re.findall(r"```toml\n(.*?)```", text, flags=re.DOTALL)
     path = tmp_path / "scene.toml"
     path.write_text(example)

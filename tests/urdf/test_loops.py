@@ -125,7 +125,7 @@ def test_which_joint_closes_is_a_matter_of_order(read: Read) -> None:
 def test_a_floating_second_parent_holds_nothing(read: Read) -> None:
     reading = read(chain(joint("free", "c", "d", "floating", "")))
     assert reading.model.loops == ()
-    assert reading.warnings[0].endswith('"free" is floating and holds nothing')
+    assert reading.warnings[0].endswith('"free" is floating and constrains nothing')
 
 
 def test_a_ring_hangs_on_the_link_that_its_last_joint_leads_back_to(read: Read) -> None:

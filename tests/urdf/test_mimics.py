@@ -38,7 +38,7 @@ def test_independent_by_default_with_a_warning(read: Read) -> None:
 def test_many_warnings_are_summed_up(read: Read) -> None:
     reading = read(hand("", *[FOLLOW_1] * 9))
     assert len(reading.warnings) == 6
-    assert '4 more mimic joints are taken as independent: "j7", "j8"' in reading.warnings[-1]
+    assert '4 more mimic joints are treated as independent: "j7", "j8"' in reading.warnings[-1]
 
 
 def test_slaved(read: Read) -> None:

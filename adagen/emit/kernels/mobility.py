@@ -1,7 +1,7 @@
 """Shape `kernels` where segments meet: mobilities outwards, joins, and forces back as C++ lines.
 
 Blocks and biases are in the axes that their links' bodies are told in; a join turns what it reads
-into its joint's frame (runtime/kernels/mobility.hpp) and then is that of shape `joints`.
+into its joint's frame (adagen/kernels/mobility.hpp) and then is that of shape `joints`.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
 A run is a sequence of joints each on the link of the one before. What needs no recursion (sines and
 cosines, inertias and bias forces of bare links) is done for as many joints at once as registers
 hold; what does is carried along a run in registers, or along several limbs at once, one in each
-lane of a register (templates/runtime/kernels/).
+lane of a register (templates/include/adagen/kernels/).
 """
 
 from __future__ import annotations

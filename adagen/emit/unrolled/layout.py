@@ -120,7 +120,10 @@ def _needed(machine: Machine, pending: Iterable[int], stage: Stage | None) -> se
     wanted = set(live_nodes(machine.graph, machine.sent[stage.message]))
     # Whether to do it all again is known to others by the message: that is looked at before.
     singular = [
-        c.least for c in machine.checks if c.failure == SINGULAR and c.pivot.index in wanted
+        x
+        for c in machine.checks
+        if c.failure == SINGULAR and c.pivot.index in pending
+        for x in (c.pivot, c.least)
     ]
     wanted.update(live_nodes(machine.graph, singular))
     # A message's slot may be written anew once it is answered: it is read before that.

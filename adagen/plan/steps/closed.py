@@ -8,7 +8,7 @@ common, and are eliminated there: above it nobody knows of them.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import ClassVar
 
 
@@ -84,7 +84,8 @@ class Eliminate:
     """The unknowns of a closure are eliminated at its top.
 
     Where all joints of the closure are held back, some accelerations follow from the others by the
-    kept rows, z = G y + g; or all follow from what is orthogonal to the rows, w = N y + g, which is
+    kept rows, z = G y + g; where the ground is at the other end of its loops, from that of the top,
+    too, z = A a + G y + g. Or all follow from what is orthogonal to the rows, w = N y + g, which is
     more arithmetic, and loses nothing where every choice of z is poor. What y says has a positive
     definite inertia. Where joints were articulated in between, rows push each other through these,
     and all unknowns are solved for at once.
@@ -99,6 +100,7 @@ class Eliminate:
         singles: the other accelerations.
         limit: on the size of G, beyond which digits would be lost in this pose.
         recovers: whether there is another way to fall back on.
+        grounded: whether its rows act on the top, too: the ground is at their other end.
     """
 
     does: ClassVar[str] = "eliminate"
@@ -113,6 +115,7 @@ class Eliminate:
     singles: tuple[int, ...]
     limit: float
     recovers: bool
+    grounded: bool = field(default=False, metadata={"optional": True})
 
 
 @dataclass(frozen=True)

@@ -51,7 +51,7 @@ class Case:
     """A case of the suite.
 
     Attributes:
-        number: as in docs/stability.md.
+        number: as in docs/records/stability.md.
         title: in a few words.
         run: finds out; the argument shortens what takes long.
     """

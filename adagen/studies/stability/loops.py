@@ -2,7 +2,7 @@
 
 What is shown here, on trees cut open at pins, is what is to be done with the rows of a pin: told in
 space they are five, in a plane only two of them are independent. The compiler chooses rows when it
-emits code (docs/loops.md).
+emits code (docs/explanation/loops.md).
 """
 
 from __future__ import annotations

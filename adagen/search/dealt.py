@@ -1,0 +1,204 @@
+"""Layouts of straight lines: limbs around a root dealt out, each layout priced as it is emitted."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from typing import Any
+
+from adagen.cost import timeline
+from adagen.emit.predicted import priced_program
+from adagen.errors import InputError
+from adagen.executor.machine import Machine
+from adagen.model import Model
+from adagen.plan import make_plan
+from adagen.plan.edges import Edge, edges_from, joints_at
+from adagen.plan.gather_trees import moving_trees
+from adagen.plan.types import PlanJoint, Process
+from adagen.schedule import CostProfile, Schedule
+from adagen.schedule.tree import Gathered
+
+_OPENED = 6
+"""Limbs that are opened one after the other."""
+
+
+def cheapest_of(
+    model: Model,
+    alone: Schedule,
+    layouts: Iterable[Gathered],
+    profile: CostProfile,
+    **options: Any,
+) -> Schedule:
+    """Return the layout of least time; the schedule in which one process has it all is the first.
+
+    Args:
+        model: the robot.
+        alone: that schedule.
+        layouts: where processes gather instead; those that cannot be had are passed over.
+        profile: has costs of steps.
+        options: further arguments of ``make_plan``.
+    """
+    costs = profile.steps
+    assert costs is not None
+    tried = [_played(model, alone, profile, options)]
+    for gathered in dict.fromkeys(layouts):
+        found = replace(alone, meeting="gather", gathered=gathered)
+        with suppress(InputError):  # it would divide a closure
+            tried.append(_played(model, found, profile, options))
+    best = min(tried, key=lambda schedule: schedule.makespan)
+    # Whoever exchanges anything waits for a message.
+    fastest = max(costs.speed(p) for p in range(alone.processes))
+    exchange = costs["unrolled.evaluation"] / fastest + costs.channel("auto").latency
+    return replace(
+        best,
+        lower_bound=min(best.makespan, exchange),
+        families=("alone", "gathered"),
+        candidates=len(tried),
+    )
+
+
+def _played(
+    model: Model, schedule: Schedule, profile: CostProfile, options: dict[str, Any]
+) -> Schedule:
+    """A schedule with the time that its program is predicted to take."""
+    plan = make_plan(model, schedule, **options)
+    line = timeline(priced_program(plan, "unrolled", profile), profile)
+    loads = tuple(line.busy(p) for p in range(len(plan.processes)))
+    return replace(schedule, makespan=line.makespan, lower_bound=0.0, loads=loads)
+
+
+@dataclass(frozen=True)
+class _Limb:
+    """What is dealt out together.
+
+    Attributes:
+        first: its joints at the core.
+        joints: these and all beyond.
+        weight: numbers that are computed for them.
+    """
+
+    first: tuple[Edge, ...]
+    joints: frozenset[int]
+    weight: float
+
+
+class _Around:
+    """A robot seen from its roots.
+
+    Args:
+        joints: the robot's joints.
+        roots: of each tree of links that move together.
+        weights: of joints.
+    """
+
+    def __init__(
+        self, joints: Sequence[PlanJoint], roots: Sequence[int], weights: Sequence[float]
+    ) -> None:
+        self.weights = weights
+        edges: list[Edge] = []
+        for tree, root in zip(moving_trees(joints), roots, strict=True):
+            edges += edges_from(root, joints, joints_at(joints, tree.joints))
+        self.below: dict[int, list[Edge]] = {}
+        for edge in edges:
+            self.below.setdefault(edge.near, []).append(edge)
+        self.beyond: dict[int, frozenset[int]] = {}
+        for edge in reversed(edges):
+            further = (self.beyond[each.joint] for each in self._after(edge))
+            self.beyond[edge.joint] = frozenset({edge.joint}).union(*further)
+        self.limbs = [self.limb([edge]) for edge in edges if edge.near in roots]
+
+    def _after(self, edge: Edge) -> list[Edge]:
+        """Joints at the far link of another; nothing is beyond the ground."""
+        return self.below.get(edge.far, []) if edge.far else []
+
+    def limb(self, first: Iterable[Edge]) -> _Limb:
+        """Return joints at the core with all beyond them."""
+        own = tuple(first)
+        members = frozenset[int]().union(*(self.beyond[edge.joint] for edge in own))
+        return _Limb(own, members, sum(self.weights[j] for j in members))
+
+    def opened(self, limb: _Limb) -> list[_Limb]:
+        """Return the branches of a limb, its joints up to them left out; none if it has none."""
+        if len(limb.first) > 1:
+            return []
+        (end,) = limb.first
+        while len(self._after(end)) == 1:
+            (end,) = self._after(end)
+        return [self.limb([edge]) for edge in self._after(end)]
+
+    def merged(self, limbs: list[_Limb], together: Iterable[Collection[int]]) -> list[_Limb]:
+        """Return limbs, those that something ties made one."""
+        for tied in together:
+            touched = [each for each in limbs if not each.joints.isdisjoint(tied)]
+            if len(touched) > 1:
+                limbs = [each for each in limbs if each not in touched]
+                limbs.append(self.limb(edge for each in touched for edge in each.first))
+        return limbs
+
+
+def layouts_at(
+    joints: Sequence[PlanJoint],
+    roots: Sequence[int],
+    weights: Sequence[float],
+    processes: int,
+    together: Sequence[Collection[int]] = (),
+) -> Iterator[Gathered]:
+    """Yield layouts on as many processes and on two, from the limbs at the roots on inwards.
+
+    Limbs are dealt out, the heaviest first, each to who has least; then the heaviest one is opened:
+    its joints up to where it branches become part of the core, and its branches are dealt out.
+
+    Args:
+        joints: the robot's joints.
+        roots: of each tree of links that move together.
+        weights: of joints.
+        processes: P.
+        together: joints that one process has to have.
+    """
+    around = _Around(joints, roots, weights)
+    limbs = around.limbs
+    for _ in range(_OPENED if limbs else 0):
+        limbs = around.merged(limbs, together)
+        for count in dict.fromkeys((2, min(processes, len(limbs)))):
+            if 2 <= count <= min(processes, len(limbs)):
+                owner = {
+                    j: p
+                    for p, share in enumerate(_dealt(limbs, count))
+                    for each in share
+                    for j in each.joints
+                }
+                yield Gathered(tuple(roots), tuple(owner.get(j) for j in range(len(joints))))
+        heavy = max(limbs, key=lambda each: (each.weight, -each.first[0].joint))
+        branches = around.opened(heavy)
+        if not branches:
+            return
+        limbs = [*(each for each in limbs if each != heavy), *branches]
+
+
+def _dealt(limbs: Sequence[_Limb], count: int) -> list[list[_Limb]]:
+    """Limbs dealt out: the heaviest first, each to who has least."""
+    shares: list[list[_Limb]] = [[] for _ in range(count)]
+    loads = [0.0] * count
+    for each in sorted(limbs, key=lambda each: (-each.weight, each.first[0].joint)):
+        p = min(range(count), key=lambda p: (loads[p], p))
+        shares[p].append(each)
+        loads[p] += each.weight
+    return shares
+
+
+def joint_weights(process: Process, machine: Machine) -> list[float]:
+    """Return the numbers that one process computes for each joint.
+
+    Args:
+        process: which does everything.
+        machine: it, after all its steps.
+    """
+    found = [0.0] * len(machine.plan.joints)
+    for node in machine.graph.nodes:
+        step = process.steps[node.mark]
+        joint = getattr(step, "joint", getattr(step, "link", 1) - 1)
+        own = machine.rows.own(joint)
+        for j in own:
+            found[j] += node.width / len(own)
+    return found

@@ -1,0 +1,20 @@
+// adagen's runtime, the same for all robots.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "sample/robot.hpp"
+#include "sample/sizes.hpp"
+
+namespace {
+
+// What is set at run time, until then. T: what is computed with it.
+template <class T>
+std::array<T, kParameterCount> first_parameters() {
+  std::array<T, kParameterCount> result{};
+  for (std::size_t k = 0; k < result.size(); ++k) result[k] += static_cast<Number>(kParameters[k]);
+  return result;
+}
+
+}  // namespace

@@ -1,0 +1,194 @@
+// adagen's runtime, the same for all robots.
+#pragma once
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "channel.hpp"
+#include "kernels/lanes.hpp"
+#include "sample/parameters.hpp"
+#include "sample/robot.hpp"
+#include "sample/sizes.hpp"
+#include "sample/workspace.hpp"
+#include "status.hpp"
+
+namespace {
+
+// States of process 0, one after the other, and where their accelerations go.
+struct Batch {
+  int count;
+  const Number *q, *v, *tau;
+  Number* qdd;
+};
+
+// Process 0 hands pieces of a batch to the others as they finish earlier ones, and solves pieces in
+// between itself: faster processes get more, wherever they are. A process has two pieces, so that
+// one is on its way while the other is solved. A piece is one message, all q, then all v, then all
+// tau, then what is set at run time; an empty one is the end. The answer is the accelerations.
+class Handout {
+ public:
+  // At process 0. Returns whether all states could be solved; that a process is gone joins the
+  // status.
+  template <class Solve>
+  bool hand_out(Channel& channel, int helpers, const Batch& batch, const Workspace& w, Solve solve,
+                int& status) {
+    bool good = true;
+    pack_parameters(parameters_.data(), w);
+    int next = 0;
+    const auto take = [&] {
+      const int first = next;
+      next += piece(batch.count - first);
+      return first;
+    };
+    while (next < batch.count && status == kFine) {
+      for (int p = 1; p <= helpers; ++p) {
+        Helper& helper = helpers_[static_cast<std::size_t>(p - 1)];
+        while (helper.busy > 0 && is_done(helper.oldest().answered, good)) helper.drop_oldest();
+        while (helper.busy < 2 && next < batch.count) {
+          const int first = take();
+          give(channel, helper.add(), p, batch, first, next - first, status);
+        }
+      }
+      const int first = take();
+      if (first < next) good &= solve_in_place(batch, first, next - first, solve);
+    }
+    for (int p = 1; p < kProcesses; ++p) {
+      Helper& helper = helpers_[static_cast<std::size_t>(p - 1)];
+      for (; helper.busy > 0; helper.drop_oldest())
+        channel.wait(helper.oldest().answered, p, status,
+                     [&](const MPI_Status& s) { good &= s.MPI_TAG == kSolved; });
+      for (Given& given : helper.given) {
+        channel.wait(given.sent, p, status);
+        MPI_Isend(nullptr, 0, kMpiNumber, p, kStates, channel.comm(), &given.sent);
+      }
+    }
+    for (int p = 1; p < kProcesses; ++p)
+      for (Given& given : helpers_[static_cast<std::size_t>(p - 1)].given)
+        channel.wait(given.sent, p, status);
+    return good;
+  }
+
+  // At process 0: the others' help is over, and so is what they do it for.
+  void end(Channel& channel, int& status) {
+    Number nothing = 0;
+    for (int p = 1; p < kProcesses; ++p)
+      for (int k = 0; k < 2; ++k) {
+        MPI_Request sent;
+        MPI_Isend(&nothing, kEnd, kMpiNumber, p, kStates, channel.comm(), &sent);
+        channel.wait(sent, p, status);
+      }
+  }
+
+  // At the others, until process 0 has nothing more; patient: however long it takes. That process
+  // 0 has ended it all joins the status.
+  template <class Solve, class Take>
+  void help(Channel& channel, Solve solve, Take take_parameters, int& status, bool patient) {
+    for (Taken& piece : taken_) ask(channel, piece);
+    int ends = 0;
+    for (std::size_t k = 0; ends < 2 && status == kFine; k ^= 1) {
+      Taken& piece = taken_[k];
+      int numbers = 0;
+      channel.wait(
+          piece.asked, 0, status,
+          [&](const MPI_Status& s) { MPI_Get_count(&s, kMpiNumber, &numbers); }, patient);
+      channel.wait(piece.answered, 0, status);
+      if (numbers <= kEnd) {
+        if (numbers == kEnd && ++ends == 2) Channel::fail(status, failure(kEnded, 0));
+        if (numbers == 0) ++ends;
+        continue;
+      }
+      const int count = (numbers - kParameterCount) / kNumbers;
+      const Number* const v = piece.states.data() + count * kNq;
+      take_parameters(piece.states.data() + count * kNumbers);
+      const bool good = solve(count, piece.states.data(), v, v + count * kNv, piece.qdd.data());
+      MPI_Isend(piece.qdd.data(), count * kNv, kMpiNumber, 0, good ? kSolved : kFailed,
+                channel.comm(), &piece.answered);
+      ask(channel, piece);
+    }
+  }
+
+ private:
+  static constexpr int kNumbers = kNq + kNv + kNtau;           // of a state
+  static constexpr int kStates = 0, kSolved = 1, kFailed = 2;  // what a message is
+  static constexpr int kEnd = 1;                               // numbers in one that ends it all
+  // States of a piece, at most: about 64 kB, which is on its way for less time than it takes.
+  static constexpr int kMost =
+      std::max(1, (1 << 16) / (kNumbers * static_cast<int>(sizeof(Number)) * kLanes)) * kLanes;
+
+  // A piece at process 0, which another solves, and at that one.
+  struct Given {
+    MPI_Request sent = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
+  };
+  struct Taken {
+    std::array<Number, static_cast<std::size_t>(kMost) * kNumbers + kParameterCount> states;
+    std::array<Number, static_cast<std::size_t>(kMost) * kNv> qdd;
+    MPI_Request asked = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
+  };
+
+  struct Helper {
+    std::array<Given, 2> given;
+    std::size_t next = 0;
+    int busy = 0;
+    Given& oldest() { return given[busy == 2 ? next : next ^ 1]; }
+    void drop_oldest() { --busy; }
+    Given& add() {
+      ++busy;
+      next ^= 1;
+      return given[next ^ 1];
+    }
+  };
+
+  // Pieces shrink towards the end, so that all are done at about the same time; but for the last,
+  // they fill all lanes.
+  static int piece(int left) {
+    const int share = left / (4 * kProcesses) / kLanes * kLanes;
+    return std::min(left, std::clamp(share, kLanes, kMost));
+  }
+
+  static bool is_done(MPI_Request& answered, bool& good) {
+    int done = 0;
+    MPI_Status status;
+    MPI_Test(&answered, &done, &status);
+    if (done != 0) good &= status.MPI_TAG == kSolved;
+    return done != 0;
+  }
+
+  void give(Channel& channel, Given& given, int p, const Batch& batch, int first, int count,
+            int& status) {
+    const long row = first;
+    const std::array<const Number*, 4> from{batch.q + row * kNq, batch.v + row * kNv,
+                                            batch.tau + row * kNtau, parameters_.data()};
+    const std::array<int, 4> lengths{count * kNq, count * kNv, count * kNtau, kParameterCount};
+    std::array<MPI_Aint, 4> places;
+    for (std::size_t k = 0; k < 4; ++k) MPI_Get_address(from[k], &places[k]);
+    MPI_Datatype rows;
+    MPI_Type_create_hindexed(4, lengths.data(), places.data(), kMpiNumber, &rows);
+    MPI_Type_commit(&rows);
+    channel.wait(given.sent, p, status);
+    MPI_Isend(MPI_BOTTOM, 1, rows, p, kStates, channel.comm(), &given.sent);
+    MPI_Type_free(&rows);
+    MPI_Irecv(batch.qdd + row * kNv, count * kNv, kMpiNumber, p, MPI_ANY_TAG, channel.comm(),
+              &given.answered);
+  }
+
+  template <class Solve>
+  static bool solve_in_place(const Batch& batch, int first, int count, Solve solve) {
+    const long row = first;
+    return solve(count, batch.q + row * kNq, batch.v + row * kNv, batch.tau + row * kNtau,
+                 batch.qdd + row * kNv);
+  }
+
+  static void ask(Channel& channel, Taken& piece) {
+    MPI_Irecv(piece.states.data(), static_cast<int>(piece.states.size()), kMpiNumber, 0, kStates,
+              channel.comm(), &piece.asked);
+  }
+
+  std::array<Number, kParameterCount> parameters_{};
+  std::array<Helper, kProcesses> helpers_;
+  std::array<Taken, 2> taken_;
+};
+
+}  // namespace

@@ -1,0 +1,50 @@
+// adagen's runtime, the same for all robots.
+#pragma once
+#if !defined(ADAGEN_SOLVER)
+#define ADAGEN_SAMPLE_CUTS  // read alone, it is of a solver whose processes meet, and that refines
+#endif
+
+#include <cstddef>
+#include <cstring>
+
+#include "../common.hpp"
+#include "../constants.hpp"
+#include "../sample/inertias.hpp"
+#include "../sample/robot.hpp"
+#include "../sample/sizes.hpp"
+#include "../sample/value.hpp"
+#include "../spatial.hpp"
+#include "../status.hpp"
+#include "accelerate.hpp"
+#include "algebra.hpp"
+#include "blocks.hpp"
+#include "guards.hpp"
+#include "lanes.hpp"
+#include "memory.hpp"
+#include "mobility.hpp"
+#include "turned.hpp"
+
+namespace {
+
+// The ground as a body: what joints on it let a link do is taken for that link's inertia.
+
+// What holds a link taken for a body: Phi^-1 and -Phi^-1 b. Pivots tell whether Phi is too near to
+// a singular matrix for that, angular and linear ones beside the largest of their kind.
+template <int link>
+void hold(Workspace& w, const Mat6& Phi, const Columns6& b) {
+  constexpr Real kLeastPivot = sizeof(Real) == 8 ? Real(1e-5) : Real(1e-2);
+  const Real most[2] = {Phi.diagonal().template head<3>().maxCoeff(),
+                        Phi.diagonal().template tail<3>().maxCoeff()};
+  Real least[6];
+  ADAGEN_FOR (k, 0, 6) least[k] = kLeastPivot * most[k / 3];
+  Mat6 I;
+  if (!invert(Phi, least, I)) return fail(w, kSingularPose, link - 1);
+  Body<Value>& X = w.bodies[link];
+  X.A = {I(0, 0), I(1, 0), I(2, 0), I(1, 1), I(2, 1), I(2, 2)};
+  X.B = {{I(3, 0), I(4, 0), I(5, 0)}, {I(3, 1), I(4, 1), I(5, 1)}, {I(3, 2), I(4, 2), I(5, 2)}};
+  X.C = {I(3, 3), I(4, 3), I(5, 3), I(4, 4), I(5, 4), I(5, 5)};
+  const Columns6 p = -(inertia_of(X) * b);
+  X.n = {p[0], p[1], p[2]}, X.f = {p[3], p[4], p[5]};
+}
+
+}  // namespace

@@ -1,0 +1,28 @@
+// adagen's runtime, the same for all robots.
+#pragma once
+
+#include "sample/channel.hpp"
+#include "sample/sizes.hpp"
+#include "sample/workspace.hpp"
+
+namespace {
+
+// States of process 0, and nobody to hand them to.
+struct Batch {
+  int count;
+  const Number *q, *v, *tau;
+  Number* qdd;
+};
+
+class Handout {
+ public:
+  template <class Solve>
+  static bool hand_out(Channel&, int, const Batch&, const Workspace&, Solve, int&) {
+    return true;
+  }
+  static void end(Channel&, int&) {}
+  template <class Solve, class Take>
+  static void help(Channel&, Solve, Take, int&, bool) {}
+};
+
+}  // namespace

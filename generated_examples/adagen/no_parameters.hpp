@@ -1,0 +1,15 @@
+// adagen's runtime, the same for all robots.
+#pragma once
+
+#include "sample/robot.hpp"
+#include "sample/sizes.hpp"
+#include "sample/workspace.hpp"
+
+namespace {
+
+// All constants are as they were emitted.
+inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
+inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
+[[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
+
+}  // namespace

@@ -1,0 +1,26 @@
+// adagen's runtime, the same for all robots.
+// A solver says this itself (ADAGEN_SOLVER). Read alone, headers take it of a sample.
+#pragma once
+#if !defined(ADAGEN_SOLVER)
+
+#include <cstddef>
+
+namespace {
+
+using Number = double;  // of states, answers and messages
+using Real = double;    // of all between
+constexpr int kProcesses = 2;
+constexpr bool kAlone = false;  // whether process 0 does all, and no other takes part
+constexpr int kJointCount = 4, kLinkCount = kJointCount + 1;
+constexpr int kNq = 13, kNv = 11;
+constexpr int kOuterCount = 1, kNtau = kNv + 6 * kOuterCount;
+constexpr int kColumns = 1;              // right-hand sides: the motion, and one per slaved joint
+constexpr std::size_t kSlavedCount = 1;  // joints that follow others
+constexpr bool kBatch = false;           // whether many states are solved at once
+constexpr int kRefine = 2;               // steps of iterative refinement
+constexpr int kPlanMessages = 2;
+constexpr double kTolerance = 1e-9;
+
+}  // namespace
+
+#endif

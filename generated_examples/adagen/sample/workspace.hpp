@@ -1,0 +1,9 @@
+// adagen's runtime, the same for all robots.
+// A solver says this itself (ADAGEN_SOLVER). Read alone, headers take it of a sample.
+#pragma once
+#if !defined(ADAGEN_SOLVER) && !defined(ADAGEN_WORKSPACE)
+
+#include "../kernels/guards.hpp"
+#include "../kernels/memory.hpp"
+
+#endif

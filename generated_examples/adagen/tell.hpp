@@ -1,0 +1,49 @@
+// adagen's runtime, the same for all robots.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "constants.hpp"
+#include "description.hpp"
+#include "sample/sizes.hpp"
+
+namespace {
+
+// The model as the program takes it.
+adagen::Joint<Number> told(const JointConstants& joint) {
+  const Passive& own = joint.passive;
+  const auto kind = static_cast<adagen::JointKind>(joint.kind);
+  return {joint.name,       kind,         joint.parent,   joint.q,           joint.nq,
+          joint.v,          joint.nv,     joint.rotation, joint.translation, joint.source,
+          joint.multiplier, joint.offset, own.damping,    own.friction,      own.friction_speed,
+          own.stiffness,    own.rest,     own.rotor,      own.prescribed};
+}
+adagen::Link<Number> told(const LinkConstants& link) { return {link.mass, link.com, link.tensor}; }
+[[maybe_unused]] adagen::OuterForce<Number> told(const OuterForce& outer) {
+  return {outer.name, outer.link, outer.rotation, outer.translation};
+}
+[[maybe_unused]] adagen::Message told(const MessageInfo& message) {
+  return {message.source, message.target, message.size};
+}
+
+// All of a table, as long as the program runs.
+template <class Own, std::size_t n>
+auto table(const std::array<Own, n>& all) {
+  using Told = decltype(told(all[0]));
+  static std::array<Told, n> items{};
+  for (std::size_t k = 0; k < n; ++k) items[k] = told(all[k]);
+  return adagen::Table<Told>{items.data(), static_cast<int>(n)};
+}
+
+// Shapes that join no runs of joints as one are never near gimbal lock.
+template <class S>
+auto near_lock_of(const S& solver, int) -> decltype(solver.w.near_lock) {
+  return solver.w.near_lock;
+}
+template <class S>
+int near_lock_of(const S&, long) {
+  return 0;
+}
+
+}  // namespace

@@ -1,0 +1,202 @@
+// adagen's runtime, the same for all robots.
+#pragma once
+
+#if defined(__linux__)
+#include <pthread.h>
+#include <sched.h>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <new>
+#include <thread>
+
+#include "channel_threads.hpp"
+#include "common.hpp"
+#include "in_place.hpp"
+#include "relax.hpp"
+#include "sample/channel.hpp"
+#include "sample/parameters.hpp"
+#include "sample/processes.hpp"
+#include "sample/sizes.hpp"
+#include "status.hpp"
+
+namespace {
+
+// A solver whose processes are threads of one: the caller's is process 0, the others wait for its
+// evaluations, at first awake, then asleep.
+class Solver : public InPlace {
+ public:
+  Solver() = default;
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+  ~Solver() { close(); }
+
+  // Starts the threads. cores: where those of processes 1, 2, .. are to stay, null for anywhere.
+  // Returns what is wrong, or an empty string. All memory that is ever needed is taken here.
+  Text open(const int* cores, double time_limit) {
+    if (!(time_limit > 0)) return Text("the time limit must be more than 0 s");
+    const auto limit = std::chrono::duration_cast<std::chrono::nanoseconds>(
+        std::chrono::duration<double>(std::min(time_limit, 1e8)));
+    channel.open(0, slots_, limit);
+    for (int p = 1; p < kProcesses; ++p) {
+      if (!has_part(p)) continue;
+      Member& member = members_[at(p)];
+      try {
+        member.thread = std::thread([this, p, limit] { work(p, limit); });
+      } catch (const std::exception&) {
+        return Text("the system gives no more threads");
+      }
+      if (cores == nullptr) {
+        leave_callers_core(member.thread);
+      } else if (!pin(member.thread, cores[p - 1])) {
+        Text wrong("this process has no core ");
+        return wrong += cores[p - 1];
+      }
+    }
+    for (int p = 1; p < kProcesses; ++p) {
+      if (!has_part(p)) continue;
+      if (!channel.wait_for(members_[at(p)].done, 1))
+        return Text("a thread did not start within the time limit");
+      if (!members_[at(p)].ready) return Text("not enough memory");
+    }
+    return {};
+  }
+
+  // Ends the threads.
+  void close() {
+    ending_ = true;
+    call();
+    for (Member& member : members_)
+      if (member.thread.joinable()) member.thread.join();
+  }
+
+  int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
+    if (channel.broken()) return finish(failure(kNoAnswer, 0));
+    if constexpr (!kAlone) {
+      std::copy_n(q, kNq, q_.data());
+      std::copy_n(v, kNv, v_.data());
+      std::copy_n(tau, kNtau, tau_.data());
+    }
+    const std::uint64_t number = call();
+    int status = InPlace::solve(q, v, tau, kAlone ? qdd : qdd_.data());
+    for (int p = 1; p < kProcesses; ++p) {
+      if (!has_part(p)) continue;
+      if (!channel.wait_for(members_[at(p)].done, number)) return finish(failure(kNoAnswer, p));
+      Channel::fail(status, members_[at(p)].status);
+    }
+    if (!kAlone && status == kFine) std::copy(qdd_.begin(), qdd_.end(), qdd);
+    return finish(status);
+  }
+  int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
+    return solve(q, v, tau, qdd);
+  }
+  int end_at_root() { return kFine; }
+
+ private:
+  struct alignas(kCacheLine) Member {
+    std::atomic<std::uint64_t> done{0};  // evaluations, the start being the first
+    int status = kFine;
+    bool ready = false;
+    std::thread thread;
+  };
+
+  // How long a thread looks for the next evaluation before it sleeps: a loop of 1 kHz then leaves
+  // its core to others for nearly all of the time.
+  static constexpr std::chrono::microseconds kAwake{20};
+
+  static constexpr std::size_t at(int p) { return static_cast<std::size_t>(p); }
+  static bool has_part(int p) { return !kAlone && kProcess[at(p)].own.count > 0; }
+
+  // A thread starts where its maker may be: one that is bound to a core would share that with all.
+  static void leave_callers_core([[maybe_unused]] std::thread& thread) {
+#if defined(__linux__)
+    cpu_set_t own;
+    if (sched_getaffinity(0, sizeof own, &own) != 0 || CPU_COUNT(&own) >= kProcesses) return;
+    cpu_set_t others;
+    CPU_ZERO(&others);
+    for (int core = 0; core < CPU_SETSIZE; ++core)
+      if (!CPU_ISSET(core, &own)) CPU_SET(core, &others);
+    pthread_setaffinity_np(thread.native_handle(), sizeof others, &others);  // if there are others
+#endif
+  }
+
+  static bool pin([[maybe_unused]] std::thread& thread, [[maybe_unused]] int core) {
+#if defined(__linux__)
+    if (core < 0 || core >= CPU_SETSIZE) return false;
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(core, &one);
+    return pthread_setaffinity_np(thread.native_handle(), sizeof one, &one) == 0;
+#else
+    return false;
+#endif
+  }
+
+  // Calls the others to the next evaluation; returns its number.
+  std::uint64_t call() {
+    const std::uint64_t number = called_.fetch_add(1) + 1;  // ordered before the look at asleep_
+    if (asleep_.load() > 0) {
+      const std::lock_guard<std::mutex> held(mutex_);
+      bell_.notify_all();
+    }
+    return number;
+  }
+
+  // Waits for an evaluation of this number.
+  void await(std::uint64_t number) {
+    const auto called = [&] { return called_.load(std::memory_order_acquire) >= number; };
+    const auto end = std::chrono::steady_clock::now() + kAwake;
+    do {
+      for (int k = 0; k < 64; ++k) {
+        if (called()) return;
+        relax();
+      }
+    } while (std::chrono::steady_clock::now() < end);
+    std::unique_lock<std::mutex> held(mutex_);
+    ++asleep_;
+    bell_.wait(held, [&] { return called_.load() >= number; });
+    --asleep_;
+  }
+
+  // What the thread of process p does. Its memory is its own: touched here first.
+  void work(int p, std::chrono::nanoseconds limit) {
+    Member& member = members_[at(p)];
+    const std::unique_ptr<InPlace> own(new (std::nothrow) InPlace);
+    member.ready = own != nullptr;
+    member.done.store(1, std::memory_order_release);
+    if (!member.ready) return;
+    own->channel.open(p, slots_, limit);
+    for (std::uint64_t number = 2;; ++number) {
+      await(number);
+      if (ending_) return;
+      copy_parameters(w, own->w);
+      member.status = own->solve(q_.data(), v_.data(), tau_.data(), qdd_.data());
+      member.done.store(number, std::memory_order_release);
+    }
+  }
+
+  Slots slots_{};
+  std::array<Member, static_cast<std::size_t>(kProcesses)> members_{};
+  alignas(kCacheLine) std::atomic<std::uint64_t> called_{1};
+  std::atomic<int> asleep_{0};
+  std::atomic<bool> ending_{false};
+  std::mutex mutex_;
+  std::condition_variable bell_;
+  // The state of the evaluation at work: a thread that is late may still read it when the call is
+  // over, and the caller's memory somebody else's.
+  alignas(kCacheLine) std::array<Number, kNq> q_{};
+  std::array<Number, kNv> v_{};
+  std::array<Number, kNtau> tau_{};
+  alignas(kCacheLine) std::array<Number, kNv> qdd_{};  // each thread writes its own
+};
+
+}  // namespace

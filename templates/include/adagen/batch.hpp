@@ -1,0 +1,226 @@
+// adagen's runtime, the same for all robots.
+#pragma once
+#if !defined(ADAGEN_SOLVER)
+#define ADAGEN_SAMPLE_BATCH  // read alone, it is of a solver for batches
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+
+#include "failures.hpp"
+#include "group.hpp"
+#include "kernels/lanes.hpp"
+#include "sample/channel.hpp"
+#include "sample/handout.hpp"
+#include "sample/parameters.hpp"
+#include "sample/processes.hpp"
+#include "sample/sizes.hpp"
+#include "sample/value.hpp"
+#include "sample/workspace.hpp"
+#include "status.hpp"
+
+namespace {
+
+// Solves many states at once, one in each lane of a register. Each process solves states of its
+// own; where process 0 has them all, it hands them out (handout.hpp).
+class Solver {
+  // What takes those parameters that come with states.
+  auto take_parameters() {
+    return [this](const Number* x) {
+      for (Group& group : groups_) unpack_parameters(x, group.w);
+    };
+  }
+
+ public:
+  Channel channel;
+  Text text;  // of the last failure
+
+  static constexpr int kWorkspaces = kGroups;
+  Workspace& workspace(int k) { return groups_[size(k)].w; }
+
+  void close() { channel.close(); }
+
+  // States one after the other, as are their accelerations; nothing is said to other processes.
+  // Accelerations of a state that fails are not numbers; the others are what they should be.
+  int solve_batch(int count, const Number* q, const Number* v, const Number* tau, Number* qdd) {
+    forget();
+    return solve_rows(count, q, v, tau, qdd) ? kFine : name_failures(count, q, v, tau, qdd);
+  }
+
+  int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
+    return solve_batch(1, q, v, tau, qdd);
+  }
+
+  // Collective: process 0 has all states and gets all accelerations, and to know what failed; the
+  // others return once it has. Of them, processes 1 to helpers help.
+  int solve_batch_at_root(int count, const Number* q, const Number* v, const Number* tau,
+                          Number* qdd, int helpers = kProcesses - 1) {
+    if constexpr (kProcesses == 1) return solve_batch(count, q, v, tau, qdd);
+    forget();
+    const auto solve = [this](auto... rows) { return solve_rows(rows...); };
+    int status = channel.broken() ? failure(kNoAnswer, 0) : kFine;
+    if (status == kFine && channel.rank() > 0)
+      handout_.help(channel, solve, take_parameters(), status, false);
+    else if (status == kFine && !handout_.hand_out(channel, helpers, {count, q, v, tau, qdd},
+                                                   workspace(0), solve, status))
+      return name_failures(count, q, v, tau, qdd);
+    if (status != kFine) text = describe(status);
+    return status;
+  }
+
+  // At the others: helps process 0 with batch after batch, until it ends that.
+  int serve() {
+    if (channel.rank() == 0) return kFine;
+    const auto solve = [this](auto... rows) { return solve_rows(rows...); };
+    int status = channel.broken() ? failure(kNoAnswer, 0) : kFine;
+    while (status == kFine) handout_.help(channel, solve, take_parameters(), status, true);
+    if (failure_kind(status) == kEnded) return kFine;
+    text = describe(status);
+    return status;
+  }
+
+  // At process 0: the others serve no longer.
+  int end() {
+    int status = kFine;
+    if (channel.rank() == 0) handout_.end(channel, status);
+    if (status != kFine) text = describe(status);
+    return status;
+  }
+
+  // How many states of the last call could not be solved.
+  int failures() const { return count_; }
+
+  // The k-th of them, counted from 0; -1 where there is none, or it is not one of the first kKept.
+  int failed_state(int k) {
+    if (k < 0 || k >= std::min(count_, kKept)) return -1;
+    text = in_words(failures_[size(k)]);
+    return failures_[size(k)].state;
+  }
+
+  // Why: its status.
+  int failed_status(int k) const { return failures_[size(k)].status; }
+
+  // What simulates asks for one state at a time.
+  int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
+    return solve(q, v, tau, qdd);
+  }
+  int end_at_root() { return kFine; }
+
+ private:
+  struct FailedState {
+    int state = 0, status = kFine;
+  };
+
+  static std::size_t size(int n) { return static_cast<std::size_t>(n); }
+
+  void forget() {
+    count_ = 0;
+    text.clear();
+  }
+
+  // Returns whether all states could be solved.
+  bool solve_rows(int count, const Number* q, const Number* v, const Number* tau, Number* qdd) {
+    bool good = true;
+    for (int first = 0; first < count; first += kGroups * kLanes) {
+      const int groups = std::min(kGroups, (count - first + kLanes - 1) / kLanes);
+      for (int g = 0; g < groups; ++g) {
+        const int at = first + g * kLanes;
+        take(groups_[size(g)], at, std::min(kLanes, count - at), q, v, tau);
+      }
+      run(groups);
+      for (int g = 0; g < groups; ++g) {
+        const int at = first + g * kLanes;
+        good &= give(groups_[size(g)], std::min(kLanes, count - at), qdd + size(at) * kNv);
+      }
+    }
+    return good;
+  }
+
+  // The states from the one numbered first on.
+  static void take(Group& group, int first, int states, const Number* q, const Number* v,
+                   const Number* tau) {
+    to_lanes(states, q + size(first) * kNq, group.q);
+    to_lanes(states, v + size(first) * kNv, group.v);
+    to_lanes(states, tau + size(first) * kNtau, group.tau);
+  }
+
+  // Where a group fails, each of its states is tried once more, by itself; returns whether all were
+  // solved.
+  bool give(Group& group, int states, Number* qdd) {
+    if (group.w.status == kFine) {
+      to_rows(states, group.qdd, qdd);
+      return true;
+    }
+    Group& alone = groups_.front();
+    const auto all_q = group.q;
+    const auto all_v = group.v;
+    const auto all_tau = group.tau;
+    for (int s = 0; s < states; ++s, qdd += kNv) {
+      everywhere(alone.q, all_q, s), everywhere(alone.v, all_v, s);
+      everywhere(alone.tau, all_tau, s);
+      if (run(1) == kFine)
+        to_rows(1, alone.qdd, qdd);
+      else
+        std::fill_n(qdd, kNv, std::numeric_limits<Number>::quiet_NaN());
+    }
+    return false;
+  }
+
+  // Tries the states that have no accelerations once more, each by itself; returns the first
+  // failure.
+  int name_failures(int count, const Number* q, const Number* v, const Number* tau,
+                    const Number* qdd) {
+    for (int s = 0; s < count; ++s) {
+      const Number first = qdd[size(s) * kNv];
+      if (first == first) continue;
+      take(groups_.front(), s, 1, q, v, tau);
+      const int status = run(1);
+      if (count_ < kKept) failures_[size(count_)] = {s, status};
+      ++count_;
+    }
+    text = in_words(failures_.front());
+    if (count_ > 1) {
+      text += " (and ";
+      text += count_ - 1;
+      text += " more states)";
+    }
+    return failures_.front().status;
+  }
+
+  static Text in_words(const FailedState& failed) {
+    Text words;
+    words += "state ";
+    words += failed.state + 1;
+    words += ": ";
+    return words += describe(failed.status).c_str();
+  }
+
+  // One lane of some values in all lanes.
+  template <class Values>
+  static void everywhere(Values& lanes, const Values& all, int s) {
+    for (std::size_t k = 0; k < lanes.size(); ++k) lanes[k] = Value{} + all[k][s];
+  }
+
+  // Returns how the first group fares.
+  int run(int groups) {
+    for (int g = 0; g < groups; ++g) {
+      Group& group = groups_[size(g)];
+      group.w.q = group.q.data(), group.w.v = group.v.data();
+      group.w.tau = group.tau.data(), group.w.qdd = group.qdd.data();
+      group.w.status = kFine;
+    }
+    for (const auto part : kParts)
+      for (int g = 0; g < groups; ++g) part(groups_[size(g)].w);
+    return groups_.front().w.status;
+  }
+
+  std::array<Group, kGroups> groups_;
+  static constexpr int kKept = 256;  // what fails beyond is only counted
+  std::array<FailedState, kKept> failures_;
+  int count_ = 0;
+  Handout handout_;
+};
+
+}  // namespace

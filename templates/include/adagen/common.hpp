@@ -1,0 +1,25 @@
+// adagen's runtime, the same for all robots.
+// What all headers share.
+#pragma once
+
+#include <cstddef>
+
+#define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
+// A counted loop that is to be unrolled whole, so that indices computed in it become constants.
+#if defined(__clang__)
+#define ADAGEN_FOR(k, first, last) \
+  _Pragma("clang loop unroll(full)") for (int k = first; k < last; ++k)
+#else
+#define ADAGEN_FOR(k, first, last) _Pragma("GCC unroll 16") for (int k = first; k < last; ++k)
+#endif
+
+namespace {
+
+constexpr std::size_t kCacheLine = 64;
+#if defined(ADAGEN_EMBEDDED)
+constexpr std::size_t kTextSize = 200;  // of a failure in words
+#else
+constexpr std::size_t kTextSize = 1000;
+#endif
+
+}  // namespace

@@ -1,0 +1,74 @@
+// adagen's runtime, the same for all robots.
+#pragma once
+
+#include "sample/sizes.hpp"
+
+namespace {
+
+enum class JointKind { kRevolute, kPrismatic, kSpherical, kPlanar, kFloating };
+
+// What a joint does by itself: of its torque, damping qd + friction tanh(qd / friction_speed)
+// + stiffness (q - rest) + rotor qdd do not reach the links. Where its acceleration is prescribed,
+// tau holds that.
+struct Passive {
+  Number damping = 0, friction = 0, friction_speed = 1, stiffness = 0, rest = 0, rotor = 0;
+  bool prescribed = false;
+};
+
+// A joint's frame is turned so that its axis is z (a planar joint's normal, too); the child link
+// has the joint's frame at q = 0.
+struct JointConstants {
+  const char* name;
+  JointKind kind;
+  int parent;             // parent link; the child link has the joint's number plus one
+  int q, nq, v, nv;       // where its configuration and velocity are
+  Number rotation[9];     // joint frame to parent link's frame, row by row
+  Number translation[3];  // origin of the joint frame in the parent link's frame, m
+  int source;             // joint that it is slaved to, or -1: q = multiplier q_source + offset
+  double multiplier, offset;
+  Passive passive{};
+};
+
+// An outer force that is an input, told in the frame of the link that has its name.
+struct OuterForce {
+  const char* name;
+  int link;               // that feels it
+  Number rotation[9];     // from that frame to the link's, row by row
+  Number translation[3];  // its origin in the link's frame, m
+};
+
+struct LinkConstants {
+  const char* name;
+  Number mass;               // kg
+  Number com[3];             // centre of mass, m
+  Number tensor[9];          // rotational inertia about it, kg m^2
+  Number tensor_inverse[9];  // J, its inverse
+};
+
+// A link whose mass or centre is set at run time: where those are among all that is, -1 if they are
+// constant, and how the axes in which they are told lie in the link's, row by row.
+struct SettableLink {
+  int link, mass, center;
+  double axes[9];
+};
+
+// Entries first .. first + count - 1 of a vector.
+struct Range {
+  int first, count;
+};
+struct Ranges {
+  int count;
+  const Range* ranges;
+};
+
+// What a process reads of the state, and which velocity entries' accelerations it owns.
+struct ProcessInfo {
+  Ranges q, v, own, tau;
+};
+
+// What goes from one process to another once in an evaluation.
+struct MessageInfo {
+  int source, target, size;  // size in Number, the status not counted
+};
+
+}  // namespace

@@ -1,0 +1,266 @@
+// adagen's runtime, the same for all robots.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <utility>
+
+#include "../common.hpp"
+#include "../constants.hpp"
+#include "../sample/layout.hpp"
+#include "../sample/robot.hpp"
+#include "../sample/value.hpp"
+#include "algebra.hpp"
+#include "blocks.hpp"
+#include "columns.hpp"
+#include "lanes.hpp"
+#include "links.hpp"
+#include "memory.hpp"
+#include "outward.hpp"
+#include "scans.hpp"
+#include "shuffles.hpp"
+
+namespace {
+
+// Outwards along a long run, cut into as many segments as a register has lanes: each lane passes
+// its own. Where a segment starts from is a product of the rotations before it, and sums of what
+// the joints before it add to velocities and accelerations.
+
+// Joints first .. last, or as many of a tile that lies beyond them by some joints, so many slots
+// behind (tiles.hpp). The k-th joints of all segments are a row; their slots follow each other.
+// The last segments may be a joint shorter: the slots that they leave empty do not turn.
+template <int first, int last>
+struct Segments {
+  static constexpr int kCount = last - first + 1;
+  static constexpr int kRows = (kCount + kPerBlock - 1) / kPerBlock;
+  static constexpr int kLonger = kCount - (kRows - 1) * kPerBlock;  // segments of kRows joints
+  static constexpr int kBlock = kSlots[first] / kPerBlock;
+  static constexpr int kPlace = kBlock % kWindow;  // in memory
+  static constexpr const JointConstants& kFirst = kJoints[first];
+
+  static constexpr bool filled(int lane, int row) { return row + 1 < kRows || lane < kLonger; }
+  // The joint of a segment in a row, or the segment's last where the row is not filled.
+  static constexpr int joint(int lane, int row) {
+    return first + lane * kRows - (lane > kLonger ? lane - kLonger : 0) +
+           (filled(lane, row) ? row : row - 1);
+  }
+  template <std::size_t... lane>
+  static constexpr Joints<Lanes> row_of(int row, int beyond, std::index_sequence<lane...>) {
+    return {(kBlock + row) * kPerBlock + beyond, {joint(static_cast<int>(lane), row) + beyond...}};
+  }
+  static constexpr Joints<Lanes> row(int k, int beyond) {
+    return row_of(k, beyond, std::make_index_sequence<kPerBlock>{});
+  }
+  static constexpr bool all_revolute() {
+    for (int j = first; j <= last; ++j)
+      if (kJoints[j].kind != JointKind::kRevolute) return false;
+    return true;
+  }
+  // Whether numbers of the state follow each other as the joints do, one each.
+  static constexpr bool in_order(int JointConstants::* place) {
+    for (int j = first; j <= last; ++j)
+      if (kJoints[j].*place != kJoints[first].*place + j - first) return false;
+    return all_revolute();
+  }
+  static constexpr bool kAllRevolute = all_revolute();
+  static constexpr bool kAnglesInOrder = in_order(&JointConstants::q);
+  static constexpr bool kSpeedsInOrder = in_order(&JointConstants::v);
+};
+
+// The k-th of three numbers that each joint of a row turns with; a hinge has only the last.
+template <class Run, std::size_t... lane>
+ADAGEN_INLINE Lanes speeds(const Workspace& w, int row, int beyond, int k,
+                           std::index_sequence<lane...>) {
+  const auto speed = [&](int at) -> Value {
+    const int j = Run::joint(at, row) + beyond;
+    if constexpr (Run::kSpeedsInOrder) return w.v[Run::kFirst.v + j - Run::joint(0, 0)];
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    if (joint.kind == JointKind::kSpherical) return w.v[joint.v + k];
+    return k == 2 ? w.v[joint.v] : 0;
+  };
+  return Lanes{(Run::filled(lane, row) ? speed(lane) : 0)...};
+}
+template <class Run>
+ADAGEN_INLINE Vector<Lanes> spins(const Workspace& w, int row, int beyond, const Matrix<Lanes>& R) {
+  const Lanes z = speeds<Run>(w, row, beyond, 2, kEachLane);
+  if constexpr (Run::kAllRevolute) return Vector<Lanes>{R.x.z, R.y.z, R.z.z} * z;
+  const Lanes x = speeds<Run>(w, row, beyond, 0, kEachLane);
+  const Lanes y = speeds<Run>(w, row, beyond, 1, kEachLane);
+  return R * Vector<Lanes>{x, y, z};
+}
+
+// Keeps r, and axes where they belong to it, of those joints of a row that lie in eight lanes.
+template <class Run, int begin>
+ADAGEN_INLINE void keep_levers(Workspace& w, int row, int beyond, const Vector<Lanes>& axis,
+                               const Vector<Lanes>& r) {
+  const auto memory = [&](int lane) -> Memory& {
+    return w.joints[static_cast<std::size_t>(Run::joint(lane, row) + beyond)];
+  };
+  if constexpr (kByColumns && kInColumns) {
+    const Column x = eight<begin>(r.x), none = x - x;  // see set_up_columns
+    Column levers[8]{eight<begin>(axis.x),
+                     eight<begin>(axis.y),
+                     eight<begin>(axis.z),
+                     none,
+                     x,
+                     eight<begin>(r.y),
+                     eight<begin>(r.z),
+                     none};
+    transpose(levers);
+    ADAGEN_FOR (k, 0, 8)
+      if (Run::filled(begin + k, row))
+        std::memcpy(&memory(begin + k), &levers[k], sizeof levers[k]);
+  } else {
+    ADAGEN_FOR (lane, begin, begin + 8) {
+      if (!Run::filled(lane, row)) continue;
+      memory(lane).r = {r.x[lane], r.y[lane], r.z[lane]};
+      if constexpr (kWithAxis<Value>)
+        memory(lane).axis = {axis.x[lane], axis.y[lane], axis.z[lane]};
+    }
+  }
+}
+
+// A row's numbers, from one of its blocks.
+template <class Run, class Memory>
+ADAGEN_INLINE auto* row_at(Memory& w, int row, Entry entry) {
+  return w.blocks[static_cast<std::size_t>(Run::kPlace + row)].entries[entry];
+}
+
+// Orientations relative to each segment's start; those of the last links are returned.
+template <class Run>
+ADAGEN_INLINE Matrix<Lanes> orient_segments(Workspace& w) {
+  Matrix<Lanes> R = matrix_at<Lanes>(row_at<Run>(w, 0, kTurn));
+  put_at(row_at<Run>(w, 0, kAxes), R);
+  for (int row = 1; row < Run::kRows; ++row) {
+    R = R * matrix_at<Lanes>(row_at<Run>(w, row, kTurn));
+    put_at(row_at<Run>(w, row, kAxes), R);
+  }
+  return R;
+}
+
+// Orientations, r in the place of accelerations, and angular velocities relative to each segment's
+// start: what a joint adds is left in the place of angular accelerations, all added up returned.
+template <class Run>
+ADAGEN_INLINE Vector<Lanes> spin_segments(Workspace& w, int beyond, const Matrix<Lanes>& start) {
+  Matrix<Lanes> R = start;
+  Vector<Lanes> omega{};
+  for (int row = 0; row < Run::kRows; ++row) {
+    const Vector<Lanes> r = R * origin_of(Run::row(row, beyond));
+    put_at(row_at<Run>(w, row, kAcceleration), r);
+    R = start * matrix_at<Lanes>(row_at<Run>(w, row, kAxes));
+    put_at(row_at<Run>(w, row, kAxes), R);
+    const Vector<Lanes> spin = spins<Run>(w, row, beyond, R);
+    put_at(row_at<Run>(w, row, kAlpha), spin);
+    omega += spin;
+    put_at(row_at<Run>(w, row, kOmega), omega);
+    const Vector<Lanes> axis{R.x.z, R.y.z, R.z.z};
+    keep_levers<Run, 0>(w, row, beyond, axis, r);
+    if constexpr (kPerBlock > 8) keep_levers<Run, kPerBlock - 8>(w, row, beyond, axis, r);
+  }
+  return omega;
+}
+
+// Angular velocities, and angular accelerations relative to each segment's start.
+template <class Run>
+ADAGEN_INLINE Vector<Lanes> accelerate_spins(Workspace& w, const Vector<Lanes>& start) {
+  Vector<Lanes> omega = start, alpha{};
+  for (int row = 0; row < Run::kRows; ++row) {
+    alpha += cross(omega, vector_at<Lanes>(row_at<Run>(w, row, kAlpha)));
+    omega = start + vector_at<Lanes>(row_at<Run>(w, row, kOmega));
+    put_at(row_at<Run>(w, row, kOmega), omega);
+    put_at(row_at<Run>(w, row, kAlpha), alpha);
+  }
+  return alpha;
+}
+
+// Angular accelerations, and accelerations relative to each segment's start.
+template <class Run>
+ADAGEN_INLINE Vector<Lanes> accelerate_origins(Workspace& w, const Vector<Lanes>& omega_start,
+                                               const Vector<Lanes>& alpha_start) {
+  Vector<Lanes> omega = omega_start, alpha = alpha_start, a{};
+  for (int row = 0; row < Run::kRows; ++row) {
+    const Vector<Lanes> r = vector_at<Lanes>(row_at<Run>(w, row, kAcceleration));
+    a += cross(omega, cross(omega, r)) + cross(alpha, r);
+    put_at(row_at<Run>(w, row, kAcceleration), a);
+    omega = vector_at<Lanes>(row_at<Run>(w, row, kOmega));
+    alpha = alpha_start + vector_at<Lanes>(row_at<Run>(w, row, kAlpha));
+    put_at(row_at<Run>(w, row, kAlpha), alpha);
+  }
+  return a;
+}
+
+// What the links' frames need, left in their blocks.
+template <class Run>
+ADAGEN_INLINE void along_segments(Workspace& w, int beyond, Frame<Value> at) {
+  const Matrix<Lanes> R = products_before(orient_segments<Run>(w), at.R);
+  const Vector<Lanes> omega = sums_before(spin_segments<Run>(w, beyond, R), at.omega);
+  const Vector<Lanes> alpha = sums_before(accelerate_spins<Run>(w, omega), at.alpha);
+  const Vector<Lanes> a = sums_before(accelerate_origins<Run>(w, omega, alpha), at.a);
+  for (int row = 0; row < Run::kRows; ++row) {
+    Value* const to = row_at<Run>(w, row, kAcceleration);
+    put_at(to, a + vector_at<Lanes>(to));
+  }
+}
+
+// How a segment's last link lies and moves relative to the segment's start, were that at rest: its
+// place, velocity and acceleration last.
+struct Passage {
+  Matrix<Lanes> R;
+  Vector<Lanes> omega, alpha, p, v, a;
+};
+template <class Run>
+ADAGEN_INLINE Passage through_segments(const Workspace& w, int beyond) {
+  const Vector<Lanes> first = origin_of(Run::row(0, beyond));
+  Passage at{matrix_at<Lanes>(row_at<Run>(w, 0, kTurn)), {}, {}, first, {}, {}};
+  at.omega = spins<Run>(w, 0, beyond, at.R);
+  for (int row = 1; row < Run::kRows; ++row) {
+    const Vector<Lanes> r = at.R * origin_of(Run::row(row, beyond)), v = cross(at.omega, r);
+    at.p += r;
+    at.v += v;
+    at.a += cross(at.omega, v) + cross(at.alpha, r);
+    at.R = at.R * matrix_at<Lanes>(row_at<Run>(w, row, kTurn));
+    const Vector<Lanes> spin = spins<Run>(w, row, beyond, at.R);
+    at.alpha += cross(at.omega, spin);
+    at.omega += spin;
+  }
+  return at;
+}
+
+// The frame of the last link. Seen from a start that turns, what moves there has the acceleration
+// of Coriolis besides, 2 omega x v, and its spin omega x its own.
+template <class Run>
+ADAGEN_INLINE Frame<Value> past_segments(const Workspace& w, int beyond, Frame<Value> at) {
+  const Passage own = through_segments<Run>(w, beyond);
+  const Matrix<Lanes> R = products_before(own.R, at.R);
+  const Vector<Lanes> spin = R * own.omega, p = R * own.p, v = R * own.v;
+  const Vector<Lanes> omega = sums_before(spin, at.omega);
+  const Vector<Lanes> turns = R * own.alpha + cross(omega, spin);
+  const Vector<Lanes> alpha = sums_before(turns, at.alpha);
+  const Vector<Lanes> more = R * own.a + cross(alpha, p) + cross(omega, cross(omega, p) + (v + v));
+  sums_before(more, at.a);
+  return at;
+}
+
+// See outward and pass_outward in outward.hpp, and take_angles in links.hpp. Functions of their
+// own: as part of a large one, gcc 12 spills what is carried along.
+template <int first, int last>
+ADAGEN_NOINLINE void outward_in_segments(Workspace& w) {
+  along_segments<Segments<first, last>>(w, 0, frame_near<first>(w));
+}
+template <int first, int last>
+ADAGEN_NOINLINE void pass_outward_in_segments(Workspace& w) {
+  keep(w, slot_of(last), past_segments<Segments<first, last>>(w, 0, frame_near<first>(w)));
+}
+template <int first, int last>
+void take_angles_in_segments(Workspace& w, int beyond = 0) {
+  using Run = Segments<first, last>;
+  if constexpr (!Run::kAnglesInOrder) return take_angles<first, last>(w);
+  const Value* const q = w.q + beyond;
+  for (int row = 0; row < Run::kRows; ++row) {
+    Value* const angles = &w.angle[static_cast<std::size_t>((Run::kPlace + row) * kPerBlock)];
+    ADAGEN_FOR (lane, 0, kPerBlock)
+      if (Run::filled(lane, row)) angles[lane] = q[Run::kFirst.q + Run::joint(lane, row) - first];
+  }
+}
+
+}  // namespace

@@ -1,0 +1,31 @@
+// adagen's runtime, the same for all robots.
+// A solver says this itself (ADAGEN_SOLVER). Read alone, headers take it of a sample.
+#pragma once
+#if !defined(ADAGEN_SOLVER)
+
+#include <array>
+
+#include "../first_parameters.hpp"
+#include "value.hpp"
+#if defined(ADAGEN_SAMPLE_CUTS)
+#include "../refine.hpp"
+#include "../spatial.hpp"
+#endif
+
+namespace {
+
+struct Cuts {
+  int near_lock = 0;
+  std::array<Number, kParameterCount> parameters = first_parameters<Number>();
+  std::array<std::array<Value, kNv>, kSlavedCount> responses{};
+  std::array<Real, kSlavedCount> coupling{};
+#if defined(ADAGEN_SAMPLE_CUTS)
+  std::array<Columns6, kLinkCount> loads;
+  Refinement refinement;
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+#endif
+};
+
+}  // namespace
+
+#endif

@@ -1,0 +1,114 @@
+// adagen's runtime, the same for all robots.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <array>
+#include <cstddef>
+
+#include "common.hpp"
+#include "constants.hpp"
+#include "sample/sizes.hpp"
+
+namespace {
+
+// Spatial vectors are [angular; linear], in link frames. A right-hand side has kColumns columns:
+// the motion itself, and one for each slaved joint's coupling torque.
+using Vec3 = Eigen::Matrix<Real, 3, 1>;
+using Mat3 = Eigen::Matrix<Real, 3, 3>;
+using Vec6 = Eigen::Matrix<Real, 6, 1>;
+using Mat6 = Eigen::Matrix<Real, 6, 6>;
+using Columns6 = Eigen::Matrix<Real, 6, kColumns>;
+
+// Motion transform X = [[E, 0], [-E rx, E]] from the parent link's to the child link's frame.
+struct Transform {
+  Mat3 E;  // rotates parent coordinates into child coordinates
+  Vec3 r;  // origin of the child frame in parent coordinates
+
+  template <class M>
+  void times(const M& m, M& result) const {
+    for (int k = 0; k < M::ColsAtCompileTime; ++k) {
+      const Vec3 angular = m.col(k).template head<3>();
+      const Vec3 linear = m.col(k).template tail<3>();
+      result.col(k).template head<3>().noalias() = E * angular;
+      result.col(k).template tail<3>().noalias() = E * (linear - r.cross(angular));
+    }
+  }
+
+  // X^T m: takes a wrench on the child to the same wrench on the parent.
+  Columns6 transposed_times(const Columns6& m) const {
+    Columns6 result;
+    for (int k = 0; k < kColumns; ++k) {
+      const Vec3 force = E.transpose() * m.col(k).template tail<3>();
+      result.col(k).template head<3>() =
+          E.transpose() * m.col(k).template head<3>() + r.cross(force);
+      result.col(k).template tail<3>() = force;
+    }
+    return result;
+  }
+};
+
+ADAGEN_NOINLINE Mat6 operator*(const Transform& X, const Mat6& m) {
+  Mat6 result;
+  X.times(m, result);
+  return result;
+}
+
+ADAGEN_NOINLINE Mat6 times_transposed(const Transform& X, const Mat6& m) {
+  Mat6 transposed, result;
+  transposed.noalias() = m.transpose();
+  X.times(transposed, result);
+  return result;
+}
+
+// m X^T, which is (X m^T)^T: with m = X Phi the congruence X Phi X^T.
+ADAGEN_NOINLINE Mat6 from_right(const Mat6& m, const Transform& X) {
+  Mat6 result = times_transposed(X, m);
+  result.transposeInPlace();
+  return result;
+}
+
+template <int columns>
+Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
+                                          const Eigen::Matrix<Real, 6, columns>& m) {
+  Eigen::Matrix<Real, 6, columns> result;
+  X.times(m, result);
+  return result;
+}
+
+// Phi = I^-1 of a bare link at its origin, from its upper triangle row by row.
+[[maybe_unused]] Mat6 symmetric(const std::array<Real, 21>& upper) {
+  Mat6 result;
+  std::size_t k = 0;
+  for (int i = 0; i < 6; ++i)
+    for (int j = i; j < 6; ++j) result(i, j) = result(j, i) = upper[k++];
+  return result;
+}
+
+// Rotation of a unit quaternion's conjugate: parent coordinates into child coordinates. The
+// quaternion (x, y, z, w) is normalised here; its squared length is returned, to be checked.
+[[maybe_unused]] Real conjugate_rotation(const Number* quaternion, Mat3& E) {
+  const Real x = Real(quaternion[0]), y = Real(quaternion[1]);
+  const Real z = Real(quaternion[2]), w = Real(quaternion[3]);
+  const Real squared = x * x + y * y + z * z + w * w;
+  const Real s = 2 / squared;
+  E << 1 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w),  //
+      s * (x * y - z * w), 1 - s * (x * x + z * z), s * (y * z + x * w),   //
+      s * (x * z + y * w), s * (y * z - x * w), 1 - s * (x * x + y * y);
+  return squared;
+}
+
+// b of a bare link: its acceleration (relative to free fall) when nothing acts on it.
+ADAGEN_NOINLINE void link_bias(const LinkConstants& link, const Vec6& velocity, Columns6& b) {
+  using Constant3 = Eigen::Map<const Eigen::Matrix<Number, 3, 3, Eigen::RowMajor>>;
+  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
+  const Vec3 c(Real(link.com[0]), Real(link.com[1]), Real(link.com[2]));
+  const Vec3 momentum = Constant3(link.tensor).cast<Real>() * omega;
+  const Vec3 alpha = Constant3(link.tensor_inverse).cast<Real>() * momentum.cross(omega);
+  b.setZero();
+  b.col(0).template head<3>() = alpha;
+  b.col(0).template tail<3>() = c.cross(alpha) - omega.cross(omega.cross(c) + v);
+}
+
+}  // namespace

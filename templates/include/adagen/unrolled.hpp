@@ -1,0 +1,70 @@
+// adagen's runtime, the same for all robots.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+
+#include "common.hpp"
+#include "constants.hpp"
+#include "sample/channel.hpp"
+#include "sample/robot.hpp"
+#include "sample/sizes.hpp"
+#include "sample/unrolled.hpp"
+#include "sample/value.hpp"
+#include "status.hpp"
+
+namespace {
+
+// What the straight lines are surrounded by: the state looked at, sines and cosines, checks,
+// results.
+#define ADAGEN_INPUTS                                                              \
+  [[maybe_unused]] const Value *const q = w.q, *const v = w.v, *const tau = w.tau; \
+  [[maybe_unused]] const Value *const sine = w.sine.data(), *const cosine = w.cosine.data();
+
+[[maybe_unused]] constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+
+inline void fail(Workspace& w, Failure kind, int joint) {
+  Channel::fail(w.status, failure(kind, joint));
+}
+
+// A state was found not to be finite: which joint's?
+template <std::size_t reads, std::size_t owns>
+[[gnu::cold]] ADAGEN_NOINLINE void name_what_is_not_finite(Workspace& w,
+                                                           const std::array<int, reads>& read,
+                                                           const std::array<int, owns>& owned) {
+  for (const int j : read) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    if (!all(unlike_zero(w.q + joint.q, joint.nq) + unlike_zero(w.v + joint.v, joint.nv) == 0))
+      fail(w, kNotFinite, j);
+  }
+  for (const int j : owned) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    if (!all(unlike_zero(w.tau + joint.v, joint.nv) == 0)) fail(w, kNotFinite, j);
+  }
+}
+
+[[maybe_unused]] inline void require_length(Workspace& w, const Value& squared, int joint) {
+  if (!all(squared >= std::numeric_limits<Real>::min(),
+           squared <= std::numeric_limits<Real>::max()))
+    fail(w, kZeroQuaternion, joint);
+}
+
+// A pivot or a mobility has to be more than what rounding may have left of it.
+template <class T>
+[[maybe_unused]] void require_more(Workspace& w, const Value& x, const T& least, Failure kind,
+                                   int joint) {
+  if (!all(x > least, x <= std::numeric_limits<Real>::max())) fail(w, kind, joint);
+}
+
+// A result was found not to be finite: which joint's?
+template <std::size_t owns>
+[[gnu::cold]] ADAGEN_NOINLINE void name_what_overflows(Workspace& w,
+                                                       const std::array<int, owns>& owned) {
+  for (const int j : owned) {
+    const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
+    if (!all(unlike_zero(w.result.data() + joint.v, joint.nv) == 0)) fail(w, kOverflow, j);
+  }
+}
+
+}  // namespace

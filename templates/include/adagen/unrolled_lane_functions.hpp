@@ -1,0 +1,34 @@
+// adagen's runtime, the same for all robots.
+#pragma once
+#if !defined(ADAGEN_SOLVER)
+#define ADAGEN_SAMPLE_BATCH  // read alone, it is of a solver for batches
+#endif
+
+#include "kernels/lanes.hpp"
+#include "sample/sizes.hpp"
+#include "sample/tanh.hpp"
+#include "unrolled_functions.hpp"
+
+namespace {
+
+// The same, lane by lane.
+template <class F>
+ADAGEN_INLINE Lanes in_each_lane(const Lanes& x, const F& f) {
+  Lanes result = x;
+  for (int k = 0; k < kLanes; ++k) result[k] = f(x[k]);
+  return result;
+}
+[[maybe_unused]] inline Lanes sqrt_of(const Lanes& x) {
+  return in_each_lane(x, [](Real y) { return sqrt_of(y); });
+}
+[[maybe_unused]] inline Lanes sign_of(const Lanes& x) {
+  return in_each_lane(x, [](Real y) { return sign_of(y); });
+}
+[[maybe_unused]] inline Lanes tanh_of(const Lanes& x) {
+  return in_each_lane(x, [](Real y) { return tanh_of(y); });
+}
+[[maybe_unused]] inline Lanes max_of(const Lanes& x, const Lanes& y) { return chosen(x > y, x, y); }
+[[maybe_unused]] inline Lanes max_of(const Lanes& x, Real y) { return max_of(x, Lanes{} + y); }
+[[maybe_unused]] inline Lanes max_of(Real x, const Lanes& y) { return max_of(Lanes{} + x, y); }
+
+}  // namespace

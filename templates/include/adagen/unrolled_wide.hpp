@@ -1,0 +1,119 @@
+// adagen's runtime, the same for all robots.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+#include "common.hpp"
+#include "kernels/lanes.hpp"
+#include "sample/sizes.hpp"
+#include "sample/unrolled.hpp"
+#include "status.hpp"
+#include "unrolled.hpp"
+
+namespace {
+
+// Limbs that are alike share code: one is in each lane.
+typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
+typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
+typedef Real Eight __attribute__((vector_size(8 * sizeof(Real))));
+template <class T>
+[[maybe_unused]] constexpr int kWidth = static_cast<int>(sizeof(T) / sizeof(Real));
+template <class T>
+using Half =
+    std::conditional_t<kWidth<T> == 8, Four, std::conditional_t<kWidth<T> == 4, Two, Real>>;
+
+// Lanes are for limbs: g++ is told not to look for more to put side by side. Of reproducible
+// solvers it is told so for the whole file: options of single functions would keep others from
+// being inlined.
+#if defined(__clang__) || defined(ADAGEN_REPRODUCIBLE)
+#define ADAGEN_AS_IT_STANDS
+#else
+#define ADAGEN_AS_IT_STANDS __attribute__((optimize("no-tree-slp-vectorize")))
+#endif
+
+template <class T>
+ADAGEN_INLINE T taken(const Real* from) {
+  T x;
+  std::memcpy(&x, from, sizeof x);
+  return x;
+}
+template <class T>
+ADAGEN_INLINE void put(const T& x, Real* to) {
+  std::memcpy(to, &x, sizeof x);
+}
+
+// The sum of the first numbers, half by half.
+template <int count>
+ADAGEN_INLINE Real across(const Real& x) {
+  return x;
+}
+template <int count, class T>
+ADAGEN_INLINE Real across(const T& x) {
+  constexpr int half = kWidth<T> / 2;
+  Half<T> halves[2];
+  std::memcpy(halves, &x, sizeof x);
+  if constexpr (count == kWidth<T>) {
+    const Half<T> sum = halves[0] + halves[1];
+    return across<half>(sum);
+  } else if constexpr (count > half) {
+    return across<half>(halves[0]) + across<count - half>(halves[1]);
+  } else {
+    return across<count>(halves[0]);
+  }
+}
+
+// Zero for finite numbers only, of rows that lie one after the other.
+template <class T, int rows>
+ADAGEN_INLINE Real unlike_zero(const Real* from) {
+  T sum{};
+  ADAGEN_FOR (k, 0, rows) {
+    const T x = taken<T>(from + k * kWidth<T>);
+    sum += x - x;
+  }
+  return across<kWidth<T>>(sum);
+}
+
+// The same as for single numbers, in the name of a joint for each lane.
+template <class T, std::size_t count>
+ADAGEN_COLD void name_what_is_not_more(Workspace& w, const T& x, const T& least, Failure kind,
+                                       const int (&joints)[count]) {
+  for (std::size_t k = 0; k < count; ++k) require_more(w, x[k], least[k], kind, joints[k]);
+}
+template <class T, class L, std::size_t count>
+ADAGEN_INLINE void require_more(Workspace& w, const T& x, const L& least, Failure kind,
+                                const int (&joints)[count]) {
+  const auto good = (x > least) & (x <= std::numeric_limits<Real>::max());
+  if (__builtin_expect(any_of(~good), 0)) name_what_is_not_more(w, x, T{} + least, kind, joints);
+}
+template <class T, std::size_t count>
+ADAGEN_INLINE void require_length(Workspace& w, const T& squared, const int (&joints)[count]) {
+  for (std::size_t k = 0; k < count; ++k) require_length(w, squared[k], joints[k]);
+}
+
+// Sines and cosines of angles, whose places in q are given; as many are written as fill registers.
+template <std::size_t count, std::size_t... lane>
+ADAGEN_INLINE Lanes angles_of(const Real* q, const std::array<int, count>& places,
+                              std::size_t first, std::index_sequence<lane...>) {
+  return Lanes{q[places[std::min(first + lane, count - 1)]]...};
+}
+template <std::size_t count>
+ADAGEN_INLINE void take_sines_and_cosines(const Real* q, const std::array<int, count>& places,
+                                          Real* sine, Real* cosine) {
+  constexpr int kBlocks = (static_cast<int>(count) + kLanes - 1) / kLanes;
+  ADAGEN_FOR (block, 0, kBlocks) {
+    const Lanes angle = angles_of(q, places, static_cast<std::size_t>(block * kLanes),
+                                  std::make_index_sequence<kLanes>{});
+    Lanes s, c;
+    sine_and_cosine(angle, s, c);
+    store(s, sine + block * kLanes);
+    store(c, cosine + block * kLanes);
+  }
+}
+
+}  // namespace

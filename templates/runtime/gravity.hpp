@@ -1,1 +1,0 @@
-inline double gravity(const Workspace&, int k) { return kGravity[static_cast<std::size_t>(k)]; }

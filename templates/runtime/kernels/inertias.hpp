@@ -1,9 +1,0 @@
-// Inertias of links are constants.
-struct Inertias {
-  static const LinkInertia& inertia_of(int joint) {
-    return kInertias[static_cast<std::size_t>(joint)];
-  }
-  static const BlockConstants& constants_of(int block) {
-    return kBlockConstants[static_cast<std::size_t>(constants_at(block))];
-  }
-};

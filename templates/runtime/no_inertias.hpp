@@ -1,1 +1,0 @@
-[[maybe_unused]] inline void apply_parameters(Workspace&) {}

@@ -1,9 +1,0 @@
-// A solver for one process.
-class Solver : public InPlace {
- public:
-  int solve_at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
-    return solve(q, v, tau, qdd);
-  }
-  int end_at_root() { return kFine; }
-  void close() {}
-};

@@ -1,0 +1,163 @@
+"""Every command in the documents runs, with the files that its page shows."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+from adagen.cli import main
+from adagen.cli.main import VERBS
+from tests.docs.blocks import PAGES, ROOT, Block, blocks
+
+RUN = ("sh", "python")
+SHOWN = ("text", "c", "cpp", "cmake", "toml", "json", "xml", "yaml")
+COMMAND = re.compile(
+    r"^(\$ |adagen (?!MODEL|COMMAND)|(make|python3?|pip|mpiexec|cmake|cc|c\+\+|g\+\+) [-\w./])"
+)
+
+# How many blocks are not run, and why: who adds one changes this table.
+NOT_RUN = {
+    "installs packages": 2,
+    "needs a cross compiler": 1,
+    "takes minutes, and wants the machine for itself": 1,
+}
+
+INLINE = re.compile(r"`((?:adagen |python -m benchmarks\.)[^`\n]*)`")
+
+
+def name(page: Path) -> str:
+    return str(page.relative_to(ROOT))
+
+
+def has_commands(page: Path) -> bool:
+    return any(b.language in RUN and not b.not_run for b in blocks(page))
+
+
+WITH_COMMANDS = [page for page in PAGES if has_commands(page)]
+WITH_SLOW = [page for page in WITH_COMMANDS if any(b.slow for b in blocks(page))]
+
+
+@pytest.mark.parametrize("page", WITH_COMMANDS, ids=name)
+def test_commands_run(page: Path, tmp_path: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
+    run_page(page, tmp_path, cache_of(tmp_path_factory), slow=False)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("page", WITH_SLOW, ids=name)
+def test_slow_commands_run(
+    page: Path, tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    run_page(page, tmp_path, cache_of(tmp_path_factory), slow=True)
+
+
+def test_what_is_not_run_is_counted() -> None:
+    skipped = Counter(b.not_run for page in PAGES for b in blocks(page) if b.not_run)
+    assert dict(skipped) == NOT_RUN
+    commands = sum(b.language in RUN and not b.not_run for page in PAGES for b in blocks(page))
+    assert commands > 2 * sum(NOT_RUN.values())
+
+
+@pytest.mark.parametrize("page", PAGES, ids=name)
+def test_no_command_hides_in_a_block_that_is_not_run(page: Path) -> None:
+    for block in blocks(page):
+        assert block.language in (*RUN, *SHOWN, "file", "before"), (block.line, block.language)
+        if block.language == "text":
+            hidden = [line for line in block.text.splitlines() if COMMAND.match(line)]
+            assert not hidden, (block.line, hidden)
+
+
+def test_commands_within_lines_name_what_there_is(capsys: pytest.CaptureFixture[str]) -> None:
+    wrong = []
+    for page in PAGES:
+        for words in INLINE.findall(page.read_text(encoding="utf-8")):
+            options = set(re.findall(r"(?<![\w-])--[a-z][a-z-]*", words.split('"')[0]))
+            known = known_options(words.split(), capsys)
+            if known is None or options - known:
+                wrong.append((name(page), words))
+    assert not wrong
+
+
+def known_options(words: list[str], capsys: pytest.CaptureFixture[str]) -> set[str] | None:
+    """Return the options of the command that words begin, None where there is no such one."""
+    if words[0] == "adagen":
+        verb = words[1:2] if words[1:2] and words[1] in VERBS else []
+        main([*verb, "--help-all"]) if verb not in SHORT else main([*verb, "--help"])
+        return set(re.findall(r"--[a-z][a-z-]*", capsys.readouterr().out))
+    if words[2] == "benchmarks.NAME":
+        return set()
+    folder = ROOT / words[2].replace(".", "/")
+    sources = [folder.with_suffix(".py"), *folder.glob("*.py"), *ROOT.glob("benchmarks/*.py")]
+    if not sources[0].is_file() and not folder.is_dir():
+        return None
+    return {
+        option
+        for source in sources
+        if source.is_file()
+        for option in re.findall(r"--[a-z][a-z-]*", source.read_text(encoding="utf-8"))
+    }
+
+
+SHORT = [[verb] for verb in ("info", "verify", "calibrate", "stability", "bench", "completion")] + [
+    ["env"]
+]
+
+
+def cache_of(factory: pytest.TempPathFactory) -> Path:
+    """Return the folder of builds that all pages share."""
+    folder = factory.getbasetemp() / "cache"
+    folder.mkdir(exist_ok=True)
+    return folder
+
+
+def run_page(page: Path, folder: Path, cache: Path, *, slow: bool) -> None:
+    """Run the blocks of a page in order in a folder of its own.
+
+    Raises:
+        AssertionError: a command ends with another status than the page says.
+    """
+    for block in blocks(page):
+        if block.language == "file":
+            target, _, source = block.text.partition(" = ")
+            (folder / target).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / source, folder / target)
+        elif block.title:
+            (folder / block.title).parent.mkdir(parents=True, exist_ok=True)
+            (folder / block.title).write_text(block.text, encoding="utf-8")
+        elif block.language in (*RUN, "before") and is_run(block, slow=slow):
+            run_block(page, block, folder, cache)
+
+
+def is_run(block: Block, *, slow: bool) -> bool:
+    """Whether a block is run here."""
+    if block.needs and shutil.which(block.needs) is None:
+        return False
+    return not block.not_run and (slow or not block.slow)
+
+
+def run_block(page: Path, block: Block, folder: Path, cache: Path) -> None:
+    """Run one block, compiled without optimisation, since nothing here is timed."""
+    shell = ["bash", "-eu", "-o", "pipefail", "-c", block.text]
+    done = subprocess.run(
+        [sys.executable, "-c", block.text] if block.language == "python" else shell,
+        capture_output=True,
+        text=True,
+        timeout=600,
+        cwd=folder,
+        env={
+            **os.environ,
+            "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
+            "PYTHONPATH": str(ROOT),
+            "CXXFLAGS": "-O0",
+            "XDG_CACHE_HOME": str(cache),
+            "XDG_CONFIG_HOME": str(folder / "config"),
+        },
+    )
+    told = f"{name(page)}:{block.line}: status {done.returncode}\n{block.text}\n{done.stderr}"
+    assert done.returncode == block.status, told

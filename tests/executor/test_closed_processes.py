@@ -1,0 +1,109 @@
+"""Robots with closed loops on several processes: closures and limbs are shared out."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from adagen.emit.predicted import predict
+from adagen.errors import InputError
+from adagen.executor import interpret
+from adagen.executor.solve import Run, SingularPoseError
+from adagen.model import Model
+from adagen.plan import Plan, make_plan, plan_from_json, plan_to_json
+from adagen.plan.steps import Eliminate, HoldMobility
+from adagen.program import check
+from adagen.program.lower import lower
+from adagen.reference.closed import closed_forward_dynamics
+from adagen.schedule import load_profile
+from adagen.schedule.tree import Gathered
+from adagen.search import best_schedule
+from adagen.states import States
+from tests.emitted import QUICK, Builder
+from tests.executor.plans import kinds_of
+from tests.executor.test_closures import plan_of, worst
+from tests.mechanisms import four_bar, looped_tree, quadruped, standing, states_of
+from tests.models import human_figure
+
+
+def figure() -> Model:
+    """Return a human figure on both feet."""
+    return standing(human_figure(), "weld", "left_ankle_link", "right_ankle_link")
+
+
+def owners_of(plan: Plan) -> list[int]:
+    """Return how many joints each process gives."""
+    return [len(process.owns) for process in plan.processes]
+
+
+@pytest.mark.parametrize("processes", [2, 3])
+def test_feet_on_the_ground_are_shared_out(processes: int) -> None:
+    model = figure()
+    plan = plan_of(model, processes)
+    assert len([count for count in owners_of(plan) if count]) >= 2
+    ends = [[s for s in p.steps if isinstance(s, Eliminate)] for p in plan.processes]
+    assert sorted(map(len, ends), reverse=True)[:2] == [1, 1]
+    states = states_of(model, 4)
+    for each in plan.alternatives:
+        check(lower(each, "unrolled"))
+        assert worst(model, each, states) < 1e-10
+    assert plan_from_json(plan_to_json(plan)) == plan
+
+
+def test_a_chain_pinned_at_both_ends_is_shared_out_at_its_middle() -> None:
+    model = looped_tree("spherical", 3, joints=60, whole=True)
+    profile = load_profile("default")
+    one, two = (best_schedule(model, processes, profile) for processes in (1, 2))
+    alone, plan = make_plan(model, one), make_plan(model, two)
+    assert two.makespan < 0.7 * predict(alone, profile).makespan
+    assert min(owners_of(plan)) > 15
+    assert HoldMobility in kinds_of(plan)
+    states = states_of(model, 2)
+    for each in plan.alternatives:
+        check(lower(each, "unrolled"))
+        for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+            expected = interpret(alone, q, v, tau, once=True)
+            found = interpret(each, q, v, tau, once=True)
+            assert np.abs(found - expected).max() < 1e-10 * np.abs(expected).max()
+
+
+def test_what_divides_a_closure_is_refused() -> None:
+    model = four_bar()
+    schedule = best_schedule(model, 2, load_profile("default"))
+    divided = replace(schedule, meeting="gather", gathered=Gathered((2,), (0, 0, 1)))
+    with pytest.raises(InputError, match='joints of loops "pin" are not all of one process'):
+        make_plan(model, divided)
+
+
+def poor_and_good(model: Model, plan: Plan, count: int) -> States:
+    """Return closed states, in some of which all is done in another way, in some not."""
+    states = states_of(model, 12 * count, seed=5)
+    poor, good = [], []
+    for k, row in enumerate(zip(states.q, states.v, states.tau, strict=True)):
+        try:
+            Run(plan, dict(zip(("q", "v", "tau"), row, strict=True)), once=True).check()
+            good.append(k)
+        except SingularPoseError:
+            poor.append(k)
+    assert len(poor) >= count <= len(good)
+    chosen = sorted([*poor[:count], *good[:count]])
+    return States(states.q[chosen], states.v[chosen], states.tau[chosen])
+
+
+def test_processes_solve_poor_poses_each_for_itself(builder: Builder, tmp_path: Path) -> None:
+    """Emitted, on two processes; one of them finds that the pose is poor, and all go again."""
+    model = quadruped()
+    plan = plan_of(model, 2)
+    assert owners_of(plan) == [7, 6]
+    states = poor_and_good(model, plan, 2)
+    solver = builder.solver(plan, QUICK, shape="unrolled")
+    found = solver.solve(model, states, tmp_path)
+    rows = zip(states.q, states.v, states.tau, strict=True)
+    truth = np.array([closed_forward_dynamics(model, *row) for row in rows])
+    assert np.abs(found - truth).max() < 1e-10 * np.abs(truth).max()
+    told = json.loads(solver.run("--check", "--json").stdout)["check"]
+    assert told["ok"]

@@ -1,0 +1,107 @@
+"""Frames of the branch and bound over layouts: a frame's bound holds for all that come from it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from adagen.model import BASE, FLOATING, REVOLUTE, Model
+from adagen.schedule import load_profile
+from adagen.search.frames import in_place
+from adagen.search.layouts import Frame, Layout
+from tests.cost.costs import step_profile
+from tests.models import AXES, Part, assemble, random_tree, rod, vector
+from tests.search.test_gathered import Case
+
+Walk = Callable[[Case, np.random.Generator], list[Frame]]
+PROFILES = {"default": load_profile("default"), "others": step_profile()}
+
+
+def with_hands(hands: int, fingers: int, length: int, *, floating: bool) -> Model:
+    """Return a robot with arms of one joint, on each a hand of fingers of unequal length.
+
+    Arms hang on a floating base, or each by itself on the ground.
+    """
+    body = rod(0.5, vector(0.0, 0.0, 0.2))
+    parts = [Part(BASE, None, FLOATING, body)] if floating else []
+    for h in range(hands):
+        place = vector(0.0, 0.1 * h, 0.2)
+        y = vector(*AXES["y"])
+        parts.append(Part(f"h{h}", BASE if floating else None, REVOLUTE, body, place, axis=y))
+        for f in range(fingers):
+            above, place = f"h{h}", vector(0.0, 0.05 * f, 0.2)
+            for k in range(length + f % 3):
+                name, axis = f"h{h}f{f}j{k}", vector(*AXES["xyz"[k % 3]])
+                parts.append(Part(name, above, REVOLUTE, body, place, axis=axis))
+                above = name
+    return assemble("hands", parts, floating)
+
+
+def by_chance(case: Case, rng: np.random.Generator) -> list[Frame]:
+    """Return some frames each of which comes from the one before."""
+    search = case.searched(limit=0)
+    more, found = search.frames.first(), []
+    while more:
+        found.append(more[int(rng.integers(len(more)))])
+        more = search.frames.after(found[-1]) if rng.random() < 0.9 else []
+    return found
+
+
+def to_the_hands(case: Case, _: np.random.Generator) -> list[Frame]:
+    """Return frames each of which comes from the one before, the last with all arms in cores."""
+    frames = case.searched(limit=0).frames
+    more, found = frames.first(), []
+    while more:
+        found.append(more[0])
+        more = frames.after(found[-1])
+    return found
+
+
+def handed_out(case: Case, frame: Frame, rng: np.random.Generator) -> float | None:
+    """Return the time of a layout of a frame whose limbs are handed out by chance, if it has one.
+
+    Limbs are dealt out in turn, which loads processes about evenly.
+    """
+    order = rng.permutation(len(frame.limbs))
+    processes = int(rng.integers(2, case.processes + 1))
+    shares = [sorted(int(k) for k in order[p::processes]) for p in range(case.processes)]
+    shares[processes:] = [[]] * (case.processes - processes)
+    layout = Layout(frame, tuple(map(tuple, shares)))
+    if any(len(layout.taking_part(core.tree)) < 2 for core in frame.cores):
+        return None
+    return case.prices.time(layout) if in_place(layout, case.robot) else None
+
+
+def hold(case: Case, rng: np.random.Generator, walks: int, walk: Walk = by_chance) -> int:
+    """Compare layouts with the bounds of all frames that theirs comes from; return how many."""
+    seen = 0
+    for _ in range(walks):
+        frames = walk(case, rng)
+        time = handed_out(case, frames[-1], rng)
+        if time is not None:
+            bounds = [case.bounds.frame(frame.cores, frame.limbs) for frame in frames]
+            assert max(bounds) <= time + 1e-9, (frames[-1].cores, bounds, time)
+            seen += 1
+    return seen
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+@pytest.mark.parametrize("floating", [True, False], ids=["floating", "grounded"])
+def test_bounds_hold_for_robots_with_hands(profile: str, floating: bool) -> None:
+    """Processes that share out fingers are done before one could pass a hand by itself."""
+    case = Case(with_hands(2, 8, 12, floating=floating), 8, PROFILES[profile])
+    assert hold(case, np.random.default_rng(0), 3, to_the_hands) == 3
+    assert hold(case, np.random.default_rng(1), 10)
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+def test_bounds_hold_for_random_robots(profile: str) -> None:
+    """Thirty trees of many limbs, up to eight processes."""
+    seen = 0
+    for seed in range(30):
+        rng = np.random.default_rng(seed)
+        robot = random_tree(rng, 10 + seed, branching=0.5, floating=seed % 2 == 0)
+        seen += hold(Case(robot, 2 + seed % 7, PROFILES[profile]), rng, 20)
+    assert seen > 100
