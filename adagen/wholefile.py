@@ -75,10 +75,11 @@ def write_files(folder: Path, files: Mapping[str, str]) -> None:
             raise ValueError(f"not a file inside a folder: {name!r}")
     waiting: list[tuple[Path, Path]] = []
     try:
-        for parent in sorted({(folder / name).parent for name in files} | {folder}):
-            parent.mkdir(parents=True, exist_ok=True)
+        folder.mkdir(parents=True, exist_ok=True)
         for name, text in files.items():
             _check_ours(folder / name, text)
+        for parent in {(folder / name).parent for name in files}:
+            parent.mkdir(parents=True, exist_ok=True)
         for name, text in files.items():
             if _is_right(folder / name, text):
                 continue  # its time stays, and nothing that depends on it is built anew

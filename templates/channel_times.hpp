@@ -85,5 +85,15 @@ class ChannelTimes {
 
   Channel channel_;
   int status_ = kFine;
-  std::array<Number, 1024> numbers_{};
+  std::array<Number, 4096> numbers_{};
 };
+
+// Collective: whether all processes are on one host.
+inline bool share_memory() {
+  MPI_Comm node;
+  int size = 0;
+  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+  MPI_Comm_size(node, &size);
+  MPI_Comm_free(&node);
+  return size == kProcesses;
+}

@@ -133,16 +133,26 @@ bool take(PyObject* given, const char* name, int width, Rows& rows) {
 
 // Where accelerations go: a new array, or the one that was given.
 PyObject* output(PyObject* given, const Rows& q) {
-  npy_intp shape[2] = {kNv, kNv};
+  npy_intp shape[2] = {kNqdd, kNqdd};
   if (q.dimensions == 2) shape[0] = q.count;
-  if (given == nullptr || given == Py_None) return PyArray_SimpleNew(q.dimensions, shape, kType);
+  if (given == nullptr || given == Py_None) {
+    PyObject* const made = PyArray_SimpleNew(q.dimensions, shape, kType);
+    if (made == nullptr || kGivesAll) return made;
+    auto* const first = static_cast<Number*>(PyArray_DATA(reinterpret_cast<PyArrayObject*>(made)));
+    std::fill_n(first, PyArray_SIZE(reinterpret_cast<PyArrayObject*>(made)),
+                std::numeric_limits<Number>::quiet_NaN());  // of joints that nobody asks for
+    return made;
+  }
   auto* const array = reinterpret_cast<PyArrayObject*>(given);
   if (!PyArray_Check(given) || PyArray_TYPE(array) != kType || !PyArray_ISCARRAY(array) ||
       PyArray_NDIM(array) != q.dimensions ||
       !PyArray_CompareLists(PyArray_DIMS(array), shape, q.dimensions)) {
-    PyErr_Format(PyExc_ValueError,
-                 "out must be an array of %s, written row behind row, in the shape of v",
-                 kType == NPY_DOUBLE ? "float64" : "float32");
+    PyErr_Format(
+        PyExc_ValueError,
+        kNqdd == kNv
+            ? "out must be an array of %s, written row behind row, in the shape of v"
+            : "out must be an array of %s, written row behind row, nqdd numbers for each state",
+        kType == NPY_DOUBLE ? "float64" : "float32");
     return nullptr;
   }
   Py_INCREF(given);
@@ -165,16 +175,16 @@ struct Task {
       const npy_intp end = first + states;
       for (npy_intp s = first; s < end; s += kMost) {
         solver.solve_batch(static_cast<int>(std::min(kMost, end - s)), q + s * kNq, v + s * kNv,
-                           tau + s * kNtau, qdd + s * kNv);
+                           tau + s * kNtau, qdd + s * kNqdd);
         if (solver.failures() == 0) continue;
         failed.note(s + solver.failed_state(0), solver.failed_status(0), solver.failures());
       }
     } else {
       for (npy_intp s = first; s < first + states; ++s) {
-        const int status = solver.solve(q + s * kNq, v + s * kNv, tau + s * kNtau, qdd + s * kNv);
+        const int status = solver.solve(q + s * kNq, v + s * kNv, tau + s * kNtau, qdd + s * kNqdd);
         if (status == kFine) continue;
         failed.note(s, status);
-        if (many) std::fill_n(qdd + s * kNv, kNv, std::numeric_limits<Number>::quiet_NaN());
+        if (many) std::fill_n(qdd + s * kNqdd, kNqdd, std::numeric_limits<Number>::quiet_NaN());
       }
     }
   }

@@ -85,6 +85,34 @@ def build_executable(
     return _entry(cache, _key(texts, toolchain, mpi), name, compile_and_link, os.X_OK)
 
 
+def kept_text(
+    texts: Sequence[str],
+    name: str,
+    toolchain: Toolchain,
+    make: Callable[[], str],
+    cache_dir: Path | None = None,
+) -> str:
+    """Return what was found of some texts on this machine, now or at an earlier time.
+
+    Args:
+        texts: all that decides on it, beside compiler, options and processor.
+        name: what it is, a file name.
+        toolchain: what is compiled with.
+        make: finds it.
+        cache_dir: where it is kept, :func:`cache_folder` by default.
+
+    Raises:
+        EnvironmentFault: the cache cannot be written.
+    """
+
+    def write(work: Path) -> None:
+        (work / name).write_text(make(), encoding="utf-8")
+
+    cache = cache_folder() if cache_dir is None else cache_dir
+    key = _key([*texts, name], toolchain, mpi=False)
+    return _entry(cache, key, name, write).read_text(encoding="utf-8")
+
+
 @dataclass(frozen=True)
 class _Around:
     """The program around a solver: its text, and the options that fit it to this one."""

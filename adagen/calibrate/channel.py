@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from statistics import median
 
@@ -24,7 +24,12 @@ from adagen.schedule.costs import CHANNELS, ChannelCosts
 SIZES = (1, 6, 12, 27, 42, 78, 120, 240, 480)
 """Numbers of the messages: of a bias, of a handle's block and bias, of several handles'."""
 
+FAR_SIZES = (1, 12, 42, 120, 480, 1920, 4096)
+"""Those of messages between hosts, up to half a piece of a batch."""
+
 _NAME = "channel_times"
+_FAR_ROUNDS = 5
+_FAR_RUNS = 3
 
 
 @dataclass(frozen=True)
@@ -46,15 +51,19 @@ Channels = dict[str, tuple[MessageTime, ...]]
 """By channel, a time for each of ``SIZES``."""
 
 
-def channel_program(toolchain: Toolchain) -> Path:
+def channel_program(toolchain: Toolchain, sizes: Sequence[int] = SIZES) -> Path:
     """Return the program that measures messages.
+
+    Args:
+        toolchain: what to build it with.
+        sizes: numbers of the messages.
 
     Raises:
         EnvironmentFault: the compiler failed.
     """
     messages = [
         {"source": source, "target": 1 - source, "size": size, "comment": comment}
-        for size in SIZES
+        for size in sizes
         for source, comment in ((0, "there"), (1, "and back"))
     ]
     text = render(
@@ -80,13 +89,38 @@ def message_times(program: Path, toolchain: Toolchain, rounds: int = 100) -> Cha
     done = launch(program, 2, [str(rounds)], toolchain, TIMEOUT)
     if done.status != 0:
         raise EnvironmentFault(f"messages cannot be timed: {done.stderr}")
-    return {
-        channel: tuple(
-            MessageTime(int(row["numbers"]), row["way_ns"] / 1e3, max(0.0, row["send_ns"]) / 1e3)
-            for row in json.loads(line)
-        )
-        for channel, line in zip(CHANNELS, done.stdout.splitlines(), strict=True)
-    }
+    lines = done.stdout.splitlines()
+    return {channel: _times(line) for channel, line in zip(CHANNELS, lines, strict=True)}
+
+
+def _times(line: str) -> tuple[MessageTime, ...]:
+    return tuple(
+        MessageTime(int(row["numbers"]), row["way_ns"] / 1e3, max(0.0, row["send_ns"]) / 1e3)
+        for row in json.loads(line)
+    )
+
+
+def times_between_hosts(toolchain: Toolchain, hosts: tuple[str, str]) -> tuple[MessageTime, ...]:
+    """Return what messages between two hosts take: the least of some runs.
+
+    Args:
+        toolchain: what to build and run with.
+        hosts: their names, by which mpiexec reaches them.
+
+    Raises:
+        EnvironmentFault: the hosts cannot be reached, share memory, or the time is up.
+    """
+    program = channel_program(toolchain, FAR_SIZES)
+    one_each = ",".join(f"{name}:1" for name in hosts)
+    far = replace(toolchain, mpiexec=(*toolchain.mpiexec, "--host", one_each))
+    runs = []
+    for _ in range(_FAR_RUNS):
+        done = launch(program, 2, [str(_FAR_ROUNDS), "far"], far, TIMEOUT)
+        if done.status != 0 or not done.stdout:
+            said = done.stderr or "mpiexec ended without an answer"
+            raise EnvironmentFault(f"messages between hosts cannot be timed: {said}")
+        runs.append(_times(done.stdout))
+    return _least(runs)
 
 
 def least_times(runs: Sequence[Channels]) -> Channels:
@@ -94,13 +128,14 @@ def least_times(runs: Sequence[Channels]) -> Channels:
 
     So does a hypervisor that moves virtual cores apart for a while.
     """
-    return {
-        channel: tuple(
-            MessageTime(same[0].numbers, min(m.way for m in same), min(m.send for m in same))
-            for same in zip(*(run[channel] for run in runs), strict=True)
-        )
-        for channel in CHANNELS
-    }
+    return {channel: _least([run[channel] for run in runs]) for channel in CHANNELS}
+
+
+def _least(runs: Sequence[tuple[MessageTime, ...]]) -> tuple[MessageTime, ...]:
+    return tuple(
+        MessageTime(same[0].numbers, min(m.way for m in same), min(m.send for m in same))
+        for same in zip(*runs, strict=True)
+    )
 
 
 def fit_channel(times: Sequence[MessageTime]) -> ChannelCosts:

@@ -12,11 +12,13 @@ from statistics import median
 from adagen.build import Toolchain
 from adagen.calibrate.channel import (
     Channels,
+    MessageTime,
     channel_errors,
     channel_program,
     fit_channel,
     least_times,
     message_times,
+    times_between_hosts,
 )
 from adagen.calibrate.fit import (
     Sample,
@@ -31,6 +33,7 @@ from adagen.calibrate.samples import stepwise_programs, straight_programs
 from adagen.calibrate.surrogate import fit_equation11
 from adagen.cost import timeline
 from adagen.cost.features import operation_features
+from adagen.errors import UsageError
 from adagen.program.lower import LOOPS
 from adagen.program.names import PREPARED
 from adagen.schedule import CostProfile, load_profile
@@ -124,6 +127,26 @@ def calibrate(
         all(sample.measured.pinned for sample in found.stepwise),
         found.channels is not None,
     )
+
+
+def calibrate_network(
+    base: CostProfile, toolchain: Toolchain, hosts: tuple[str, str]
+) -> tuple[CostProfile, tuple[MessageTime, ...]]:
+    """Return a profile with what messages between hosts take, and what was measured of them.
+
+    Args:
+        base: the profile that they are added to.
+        toolchain: what to build and run with.
+        hosts: two, by the names that mpiexec reaches them by.
+
+    Raises:
+        EnvironmentFault: they cannot be reached, or share memory.
+        UsageError: the profile prices joins alone.
+    """
+    if base.steps is None:
+        raise UsageError(f"the profile {base.name} has no costs of steps to add a network's to")
+    times = times_between_hosts(toolchain, hosts)
+    return replace(base, steps=replace(base.steps, network=fit_channel(times))), times
 
 
 def _measure(

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import astuple
 
 from adagen.model.kinds import KINDS
-from adagen.schedule.costs import CHANNEL_KEYS, CHANNELS, OTHERS, PER_KIND
+from adagen.schedule.costs import CHANNEL_KEYS, CHANNELS, NETWORK, OTHERS, PER_KIND
 from adagen.schedule.profile import CostProfile
 
 
@@ -41,9 +41,10 @@ def _lines(profile: CostProfile, remark: str, digits: int) -> Iterator[str]:
         yield f"[steps.{group}]"
         yield from (f"{key} = {value(profile.steps[f'{group}.{key}'])}" for key in keys)
         yield ""
-    for channel in CHANNELS:
-        yield f"[channel.{channel}]"
-        costs = astuple(profile.steps.channel(channel))
-        yield from (f"{key} = {value(x)}" for key, x in zip(CHANNEL_KEYS, costs, strict=True))
-        if channel != CHANNELS[-1]:
-            yield ""
+    costs = {channel: profile.steps.channel(channel) for channel in CHANNELS}
+    if profile.steps.network is not None:
+        costs[NETWORK] = profile.steps.network
+    for k, (channel, times) in enumerate(costs.items()):
+        yield f"\n[channel.{channel}]" if k else f"[channel.{channel}]"
+        row = zip(CHANNEL_KEYS, astuple(times), strict=True)
+        yield from (f"{key} = {value(x)}" for key, x in row)

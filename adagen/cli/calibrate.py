@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import dataclasses
 import json
 import platform
 import re
@@ -16,9 +17,10 @@ from typing import TYPE_CHECKING
 from adagen.cli.console import note, warn
 from adagen.cli.parser import Parser, make_parser, parse
 from adagen.cli.tables import table_of
-from adagen.errors import EnvironmentFault
+from adagen.errors import EnvironmentFault, UsageError
 
 if TYPE_CHECKING:
+    from adagen.build import Toolchain
     from adagen.calibrate import Calibration, Progress
 
 _EPILOG = """\
@@ -29,7 +31,10 @@ meanwhile.
 examples:
   adagen calibrate                      measure, store the profile as "machine"
   adagen robot.urdf --procs 4 --profile machine     use it
-  adagen calibrate --out mine.toml      write it to a file instead"""
+  adagen calibrate --out mine.toml      write it to a file instead
+  adagen calibrate --hosts hosts        add what messages between these hosts take
+                                        to "machine" (to a copy of the shipped
+                                        profile, if there is none yet)"""
 
 _NAME = re.compile(r"[A-Za-z0-9_-][A-Za-z0-9._-]{0,63}")
 
@@ -45,6 +50,13 @@ def command_parser() -> Parser:
     )
     parser.add_argument(
         "--out", type=Path, metavar="FILE", help="write here instead of storing it by name"
+    )
+    parser.add_argument(
+        "--hosts",
+        type=Path,
+        metavar="FILE",
+        help="measure messages between two hosts instead of this machine: the first two of FILE, "
+        "a line each, as mpiexec --hostfile reads it (half a minute)",
     )
     parser.add_argument("--json", action="store_true", help="print how good the fit is as JSON")
     return parser
@@ -62,6 +74,10 @@ def run(argv: Sequence[str]) -> int:
     toolchain = find_toolchain()
     path = options.out or profiles_folder() / f"{options.name}.toml"
     _make_folder(path.parent, make=options.out is None)  # refused before anything is measured
+    if options.hosts is not None:
+        if options.quick:
+            raise UsageError("--hosts measures the network alone: leave out --quick")
+        return _measure_network(options, toolchain, path)
     began = time.monotonic()
     with _bar() as progress:
         found = calibrate(options.name, toolchain, quick=options.quick, progress=progress)
@@ -74,6 +90,46 @@ def run(argv: Sequence[str]) -> int:
         warn(line)
     word = str(path) if options.out is not None else options.name
     note(f"wrote {path} in {time.monotonic() - began:.0f} s; use it with --profile {word}")
+    return 0
+
+
+def _measure_network(options: argparse.Namespace, toolchain: Toolchain, path: Path) -> int:
+    """Add what messages between hosts take to the profile of that name, or a copy of the default.
+
+    Raises:
+        EnvironmentFault: the hosts cannot be reached.
+        InputError: the file of hosts, or the profile, is refused.
+    """
+    from adagen.calibrate import calibrate_network, profile_text
+    from adagen.cli.files import write_file
+    from adagen.schedule import load_profile, read_hosts
+
+    hosts = read_hosts(options.hosts)
+    if len(hosts) < 2:
+        raise UsageError(f"{options.hosts} names one host: messages go between two")
+    base = load_profile(str(path) if path.is_file() else "default")
+    base = dataclasses.replace(base, name=options.name)
+    found, times = calibrate_network(base, toolchain, (hosts[0].name, hosts[1].name))
+    costs = found.steps.network if found.steps is not None else None
+    assert costs is not None
+    remark = f"Messages between hosts measured by adagen calibrate --hosts on {_machine()}."
+    write_file(path, profile_text(found, remark))
+    bandwidth = 8 / costs.number if costs.number > 0 else None
+    if options.json:
+        told = {
+            "profile": str(path),
+            "send_us": costs.send,
+            "latency_us": costs.latency,
+            "number_us": costs.number,
+            "megabytes_per_second": bandwidth,
+            "messages": [dataclasses.asdict(time) for time in times],
+        }
+        print(json.dumps(told, indent=1))
+    else:
+        speed = "" if bandwidth is None else f", {bandwidth:.0f} MB/s"
+        way = costs.send + costs.latency
+        print(f"{hosts[0].name} to {hosts[1].name}: {way:.1f} us for a message{speed}")
+    note(f"wrote {path}; use it with --profile {path if options.out else options.name}")
     return 0
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import dataclasses
 import tempfile
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -12,10 +13,11 @@ from adagen.cli.chart_options import command_parser
 from adagen.cli.console import Stages, note, speaking, warn
 from adagen.cli.parser import parse
 from adagen.cli.tables import table_of
-from adagen.errors import AdagenError
+from adagen.errors import AdagenError, UsageError
 
 if TYPE_CHECKING:
     from adagen.model import Model
+    from adagen.states import States
     from adagen.studies.bench.contest import Contestant
     from adagen.studies.chart import Chart, Point, Variant
     from adagen.studies.chart.truth import Truth
@@ -33,9 +35,13 @@ def run(argv: Sequence[str]) -> int:
         from adagen.studies.chart.draw import pyplot
 
         pyplot()  # missing: said before anything is measured
+    if isinstance(options.states, str) and (len(options.models) > 1 or options.simulate):
+        parser.error("--states FILE is for one MODEL, and not for --simulate")
     for name in options.models:
         one = argparse.Namespace(**vars(options), model=name)
-        if options.simulate is not None:
+        if name.endswith(".json"):
+            _redraw(Path(name), one)
+        elif options.simulate is not None:
             from adagen.cli.chart_motion import chart_motion
 
             chart_motion(one)
@@ -47,14 +53,12 @@ def run(argv: Sequence[str]) -> int:
 def _chart(options: argparse.Namespace) -> None:
     """Measure, write and show one robot's chart, and emit what keeps the budget."""
     from adagen.build import find_toolchain
-    from adagen.cli import pipeline
     from adagen.studies.chart import Study, chart_of
     from adagen.studies.chart.truth import truth_of
 
-    model = pipeline.read_model(options, Stages(), options.gravity)
-    pipeline.refuse_loops(model)
+    model, states = _given(options)
     with speaking(Path(options.model).stem) as said, tempfile.TemporaryDirectory() as folder:
-        truth = truth_of(model, options.states, said=said)
+        truth = truth_of(model, states, said=said)
         others = _peers(model, truth, Path(folder), said) if options.peers else []
         rounds = 2 if options.quick else options.rounds
         study = Study(_variants(options), rounds, repeat=10 if options.quick else 20)
@@ -65,13 +69,52 @@ def _chart(options: argparse.Namespace) -> None:
         _answer(options.budget.best(chart.points), model, options)
 
 
+def _given(options: argparse.Namespace) -> tuple[Model, int | States]:
+    """The robot, and its states: how many are to be drawn, or those of a file."""
+    from adagen.cli import pipeline
+    from adagen.states import read_states, states_gravity
+
+    file, gravity = options.states, options.gravity
+    if isinstance(file, str) and (found := states_gravity(file)) is not None:
+        gravity = found.tolist()
+    model = pipeline.read_model(options, Stages(), gravity)
+    pipeline.refuse_loops(model)
+    if model.wanted or model.outputs:
+        raise UsageError(
+            "charts compare all accelerations, and nothing else: leave accelerations and [outputs]"
+            " out of the scene"
+        )
+    return model, read_states(file, model) if isinstance(file, str) else file
+
+
+def _redraw(path: Path, options: argparse.Namespace) -> None:
+    """Draw a record's picture, and show it, anew."""
+    from adagen.studies.chart import read_chart
+    from adagen.studies.chart.draw import save, work_precision
+    from adagen.studies.chart.record import marked
+
+    chart = read_chart(path)
+    chart = dataclasses.replace(chart, points=marked(chart.points))
+    options.out.mkdir(parents=True, exist_ok=True)
+    if options.picture:
+        paths = save(work_precision(chart), options.out / path.stem)
+        note(f"wrote {', '.join(map(str, paths))}")
+    _show(chart)
+
+
 def _variants(options: argparse.Namespace) -> list[Variant]:
     from adagen.studies.chart import every_variant
 
     refinements = (0,) if options.quick else options.refine
     schedules = ("auto",) if options.quick else options.schedules
     found = every_variant(
-        options.procs, options.scalars, refinements, options.shapes, whole=options.whole
+        options.procs,
+        options.scalars,
+        refinements,
+        options.shapes,
+        schedules,
+        options.objective,
+        whole=options.whole,
     )
     return [v for v in found if v.algorithm in options.algorithms and v.schedule in schedules]
 
@@ -98,13 +141,12 @@ def _peers(
 
 
 def _write(chart: Chart, options: argparse.Namespace) -> None:
-    from adagen.studies.chart import write_csv, write_json
+    from adagen.studies.chart import write_json
 
     options.out.mkdir(parents=True, exist_ok=True)
     path = options.out / f"chart_{Path(options.model).stem}"
-    paths = [path.with_name(f"{path.name}{ending}") for ending in (".json", ".csv")]
+    paths = [path.with_name(f"{path.name}.json")]
     write_json(chart, paths[0])
-    write_csv(chart, paths[1])
     if options.picture:
         from adagen.studies.chart.draw import save, work_precision
 
@@ -116,7 +158,7 @@ def _show(chart: Chart) -> None:
     """Print the points on the front and what failed, for people."""
     from rich.console import Console
 
-    title = f"{chart.model}: Pareto front of time and error"
+    title = f"{chart.model}: Pareto front of time and error, one state at a time"
     rows = []
     for point in sorted((p for p in chart.points if p.front), key=lambda p: p.time_ns or 0.0):
         assert point.time_ns is not None
@@ -142,9 +184,8 @@ def _answer(point: Point, model: Model, options: argparse.Namespace) -> None:
     from adagen.wholefile import write_files
 
     assert point.time_ns is not None
-    variant = Variant(
-        point.algorithm, point.schedule, point.scalar, point.processes, point.refine, point.shape
-    )
+    names = (field.name for field in dataclasses.fields(Variant))
+    variant = Variant(**{name: getattr(point, name) for name in names})
     schedule, plan = variant.plan(model, source_hash(origin_of(options, None)))
     program, profile = variant.program(plan), load_profile("default")
     picture = draw(schedule, Topology.of(model), program, profile, model.name)

@@ -48,15 +48,11 @@ def chart_motion(options: argparse.Namespace) -> None:
 
 def _write(chart: MotionChart, options: argparse.Namespace) -> None:
     from adagen.cli.files import write_file
-    from adagen.studies.chart.motion import MotionPoint
-    from adagen.studies.chart.record import write_rows
 
     options.out.mkdir(parents=True, exist_ok=True)
     path = options.out / f"chart_motion_{Path(options.model).stem}"
-    paths = [path.with_name(f"{path.name}{ending}") for ending in (".json", ".csv")]
+    paths = [path.with_name(f"{path.name}.json")]
     write_file(paths[0], json.dumps(dataclasses.asdict(chart), indent=1) + "\n")
-    names = [field.name for field in dataclasses.fields(MotionPoint)]
-    write_rows(paths[1], names, [vars(point) for point in chart.points])
     if options.picture:
         from adagen.studies.chart.draw import save
         from adagen.studies.chart.draw_motion import motion_picture

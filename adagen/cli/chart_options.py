@@ -20,20 +20,29 @@ schedule, number type, number of processes and refinement. Or, with --simulate,
 of integrators and steps."""
 
 _EPILOG = """\
-For each MODEL it writes chart_NAME.svg, .png, .json and .csv. The first run
-compiles some dozens of programs, which takes minutes; they are kept.
+For each MODEL it writes chart_NAME.svg, .png and the record, .json. The first
+run compiles some dozens of programs, which takes minutes; they are kept.
 
 examples:
   adagen chart arm.urdf                          pictures, data of one robot
   adagen chart arm.urdf --budget "error<1e-10"   emit the fastest right enough
-  adagen chart arm.urdf --budget "time<2us"      the most accurate in time
-  adagen chart arm.urdf --procs 1 --scalars double --quick
+  adagen chart arm.urdf --states mine.json       errors in states of your own
+  adagen chart chart_arm.json                    the picture of a record, anew
   adagen chart arm.urdf --simulate 1             integrators: error against time"""
 
 _RARE = frozenset(
     [
         *("--strict", "--xacro-arg", "--gravity", "--refine", "--shapes", "--algorithms"),
-        *("--schedules", "--whole", "--peers", "--states", "--rounds", "--step", "--no-picture"),
+        *(
+            "--schedules",
+            "--objective",
+            "--whole",
+            "--peers",
+            "--states",
+            "--rounds",
+            "--step",
+            "--no-picture",
+        ),
         *("--mimic", "--loops"),
     ]
 )
@@ -65,6 +74,8 @@ def command_parser() -> Parser:
 
 
 def _add_variants(parser: Parser) -> None:
+    from adagen.search.objective import OBJECTIVES
+
     add = parser.add_argument_group("what takes part").add_argument
     add(
         "--procs",
@@ -85,9 +96,15 @@ def _add_variants(parser: Parser) -> None:
         "--refine",
         type=_list_of(int, range(10)),
         metavar="N,...",
-        help="steps of iterative refinement (default: 0,1,2, of mixed 2,3; mixed takes 2 or more)",
+        help="steps of iterative refinement (default: 0,1, of mixed 2; mixed takes 2 or more)",
     )
     _add_names(add)
+    add(
+        "--objective",
+        choices=OBJECTIVES,
+        default="both",
+        help="what schedules and shapes are searched for: both (default), time or accuracy",
+    )
     add(
         "--whole", action="store_true", help="all combinations: schedules in float and refined, too"
     )
@@ -97,12 +114,13 @@ def _add_variants(parser: Parser) -> None:
 def _add_names(add: Callable[..., Any]) -> None:
     """Add the options that name what is tried, by the argument group's ``add_argument``."""
     from adagen.emit.shapes import BASELINES, SHAPES
-    from adagen.studies.chart.variants import NAMES, SCHEDULES
+    from adagen.studies.chart.variants import ALGORITHMS, SCHEDULES
+    from adagen.studies.chart.variants import SHAPES as DEFAULT
 
     for name, what, known, default in (
-        ("--shapes", "code shapes, ", ("auto", *SHAPES), ("auto",)),
-        ("--algorithms", f"{', '.join(BASELINES)} are baselines; ", tuple(NAMES), None),
-        ("--schedules", "", tuple(SCHEDULES), None),
+        ("--shapes", "code shapes, ", ("auto", *SHAPES), DEFAULT),
+        ("--algorithms", f"{', '.join(BASELINES)} are baselines; ", ALGORITHMS, None),
+        ("--schedules", "", tuple(SCHEDULES), SCHEDULES[:1]),
     ):
         said = "all" if default is None else ", ".join(default)
         add(
@@ -118,10 +136,11 @@ def _add_measurement(parser: Parser) -> None:
     add = parser.add_argument_group("measurement").add_argument
     add(
         "--states",
-        type=whole(_LEAST_STATES, 10_000),
+        type=_states,
         default=_LEAST_STATES,
-        metavar="N",
-        help=f"states that errors are the largest of (default and least: {_LEAST_STATES})",
+        metavar="N|FILE",
+        help="random states that errors are the largest of (default and least: "
+        f"{_LEAST_STATES}), or a file of states",
     )
     add(
         "--rounds",
@@ -147,6 +166,11 @@ def _add_simulation(parser: Parser) -> None:
         metavar="H",
         help=f"largest step of --simulate, in seconds (default: {LARGEST_STEP})",
     )
+
+
+def _states(text: str) -> int | str:
+    """How many states, or the file of given ones."""
+    return text if not text.isdecimal() else int(whole(_LEAST_STATES, 10_000)(text))
 
 
 def _list_of(kind: Callable[[str], Any], known: Any) -> Callable[[str], tuple[Any, ...]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -45,8 +46,31 @@ def tell_savings(plan: Plan, schedule: Schedule, options: argparse.Namespace) ->
     """Print what is left of the robot and what that saves, as predicted and as measured here."""
     line, whole = predicted_savings(plan, schedule, options)
     note(line)
+    for line in accuracy(plan, whole, options):
+        note(line)
     if whole is not None:
         _tell_measured(whole, plan)
+
+
+def accuracy(plan: Plan, whole: Plan | None, options: argparse.Namespace) -> list[str]:
+    """Return lines on what a scene costs in accuracy: digits, and where it does not hold."""
+    from adagen.emit.shapes import chosen_shape
+    from adagen.library.simplified import simplifications
+    from adagen.scene.report import accurate, differs
+    from adagen.search.objective import predicted_digits
+
+    reduction: Reduction = options.reduction
+
+    def digits(model: Model, of: Plan) -> float:
+        try:
+            found = predicted_digits(options.objective, model, of, chosen_shape(of)).error
+        except FloatingPointError:
+            return 0.0
+        return max(0.0, -math.log10(found)) if found > 0 else 17.0
+
+    before = None if whole is None else digits(reduction.full, whole)
+    lines = [accurate(digits(reduction.model, plan), before)]
+    return [*lines, *map(differs, simplifications(reduction))]
 
 
 def predicted_savings(

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from adagen.cli.across import show_hosts
 from adagen.cli.console import Stages, note
-from adagen.cli.options import add_model, add_schedule, check_search
+from adagen.cli.options import AUTO, add_model, add_schedule, check_search
 from adagen.cli.parser import Parser, make_parser, parse
 from adagen.cli.predicted import (
     accuracy_line,
@@ -33,7 +34,9 @@ examples:
   adagen schedule robot.urdf --procs 4                    a summary for people
   adagen schedule robot.urdf --procs 4 --svg tree.svg     a drawing
   adagen schedule robot.urdf --procs 4 --json             the tree, for programs
-  adagen schedule robot.urdf --procs 4 --profile paper --tie lex    the paper's"""
+  adagen schedule robot.urdf --procs 4 --profile paper --tie lex    the paper's
+  adagen schedule robot.urdf --hosts hosts --profile machine    what pays on several
+                                       hosts, a line each (adagen calibrate --hosts)"""
 
 
 def command_parser() -> Parser:
@@ -43,6 +46,13 @@ def command_parser() -> Parser:
     add_schedule(parser)
     parser.add_argument("--json", action="store_true", help="print the schedule tree as JSON")
     parser.add_argument("--svg", type=Path, metavar="FILE", help="draw the schedule tree")
+    parser.add_argument(
+        "--hosts",
+        type=Path,
+        metavar="FILE",
+        help="say what pays on several hosts instead: single evaluations, and batches; FILE as "
+        "mpiexec --hostfile reads it, the profile from adagen calibrate --hosts",
+    )
     parser.add_argument(
         "--trace",
         metavar="FILE",
@@ -58,6 +68,8 @@ def run(argv: Sequence[str]) -> int:
     check_search(parser, options)
     if options.trace is not None and options.svg is None:
         parser.error("--trace needs --svg FILE: the drawing to make")
+    if options.hosts is not None:
+        _check_hosts(parser, options)
 
     from adagen.cli import pipeline
     from adagen.cli.files import write_file
@@ -67,6 +79,10 @@ def run(argv: Sequence[str]) -> int:
     stages = Stages()
     try:
         model = pipeline.read_model(options, stages, None)
+        if options.hosts is not None:
+            pipeline.refuse_loops(model)
+            show_hosts(model, options)
+            return 0
         schedule = pipeline.schedule_model(model, options, stages)
         found = _found(model, schedule, options)
         if options.svg is not None:
@@ -83,6 +99,17 @@ def run(argv: Sequence[str]) -> int:
     _show(found)
     print(wrapped(accuracy_line(digits), 2))
     return 0
+
+
+def _check_hosts(parser: Parser, options: argparse.Namespace) -> None:
+    """Refuse what the hosts leave no room for."""
+    if options.svg is not None:
+        parser.error("--hosts draws nothing: leave out --svg")
+    for name, usual in (("procs", AUTO), ("form", "segment"), ("schedule", "auto")):
+        if getattr(options, name) != usual:
+            parser.error(f"--hosts chooses by itself: leave out --{name}")
+    if options.reproducible:
+        parser.error("--hosts knows no reproducible schedules: leave out --reproducible")
 
 
 @dataclass(frozen=True)

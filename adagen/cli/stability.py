@@ -5,15 +5,18 @@ from __future__ import annotations
 import argparse
 import json
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from adagen.cli.console import note, progress, say
+from adagen.cli.console import note, progress, say, speaking, warn
+from adagen.cli.console import tell as tell_reading
 from adagen.cli.parser import Parser, make_parser, parse
 
 if TYPE_CHECKING:
     from adagen.studies.stability import Outcome
+    from adagen.studies.stability.emitted import Cell, Subject
 
 _EPILOG = """\
 Every case shows a weak method failing as it is expected to, and the shipped one
@@ -25,7 +28,12 @@ examples:
   adagen stability --quick --case 1 --case 3   two of them, shorter chains
   adagen stability --map build/maps            a map for each family of robots,
                                                errors against the condition of H
-  adagen stability --map . --family light      one map"""
+  adagen stability --map . --family light      one map
+  adagen stability robot.urdf                  where each shape and scalar
+                                               fails on this robot here
+  adagen stability robot.urdf --shape kernels --procs 1,2 --scalar float
+  adagen stability --emitted --out DIR         the suite's robots likewise, a
+                                               picture and a record in DIR"""
 
 
 def run(argv: Sequence[str]) -> int:
@@ -34,6 +42,10 @@ def run(argv: Sequence[str]) -> int:
     options = parse(parser, argv)
     if options.family and options.map is None:
         parser.error("--family needs --map DIR")
+    if options.models or options.emitted:
+        if options.case or options.map:
+            parser.error("--case and --map are of the suite that is carried out, not emitted")
+        return _emitted(options, parser.error)
     return _draw(options, parser.error) if options.map else _judge(options, parser.error)
 
 
@@ -45,6 +57,8 @@ def command_parser() -> Parser:
     parser.add_argument(
         "--case", type=int, action="append", metavar="N", help="only this case, 1 to 13"
     )
+    parser.rare |= {"--meeting", "--seed", "--mimic", "--scene", "--quick"}
+    _add_emitted(parser)
     parser.add_argument("--quick", action="store_true", help="shorter chains where a case is slow")
     parser.add_argument("--json", action="store_true", help="print the findings as JSON")
     parser.add_argument(
@@ -57,6 +71,144 @@ def command_parser() -> Parser:
         "--family", action="append", metavar="NAME", help="with --map: only this family"
     )
     return parser
+
+
+def _add_emitted(parser: Parser) -> None:
+    """Add what is said of solvers that are emitted and built."""
+    from adagen.studies.stability.emitted import MEETINGS, PROCESSES, SCALARS, SHAPES
+
+    group = parser.add_argument_group("emitted solvers")
+    group.add_argument(
+        "models", nargs="*", metavar="MODEL", help="robots (URDF, xacro or MJCF) to be looked at"
+    )
+    group.add_argument("--emitted", action="store_true", help="look at the suite's robots")
+    for name, known in (
+        ("--shape", SHAPES),
+        ("--procs", tuple(map(str, PROCESSES))),
+        ("--scalar", SCALARS),
+        ("--meeting", MEETINGS),
+    ):
+        group.add_argument(
+            name,
+            type=_listed_of(known),
+            default=known,
+            metavar="A,B",
+            help=f"only these of {', '.join(known)}",
+        )
+    group.add_argument("--states", type=_count, default=16, metavar="N", help="states (16)")
+    group.add_argument("--seed", type=int, default=1, metavar="N", help="of the states (1)")
+    group.add_argument(
+        "--time",
+        type=float,
+        default=600.0,
+        metavar="S",
+        help="begin nothing new after so many seconds (600); what was found is kept for the next",
+    )
+    group.add_argument("--floating", action="store_true", help="put the robots on a floating base")
+    group.add_argument("--mimic", action="store_true", help="hold mimic joints in step")
+    group.add_argument("--scene", metavar="FILE", help="look at what this scene needs")
+    group.add_argument("--out", type=Path, metavar="DIR", help="where picture and record go")
+
+
+def _listed_of(known: Sequence[str]) -> Callable[[str], tuple[str, ...]]:
+    def listed(text: str) -> tuple[str, ...]:
+        found = tuple(text.split(","))
+        for word in found:
+            if word not in known:
+                raise argparse.ArgumentTypeError(f"{word!r} is none of {', '.join(known)}")
+        return found
+
+    return listed
+
+
+def _count(text: str) -> int:
+    if not text.isdecimal() or not 0 < int(text) <= MOST_STATES:
+        raise argparse.ArgumentTypeError(f"{text!r} is no number from 1 to {MOST_STATES}")
+    return int(text)
+
+
+MOST_STATES = 10_000
+
+
+def _emitted(options: argparse.Namespace, refuse: object) -> int:
+    """Build solvers in all ways and compare them with the truth."""
+    from adagen.build import find_toolchain
+    from adagen.studies.stability.emitted import Study, suite, ways
+
+    assert callable(refuse)
+    if options.emitted and options.models:
+        refuse("--emitted is for the suite's robots: leave it out, or the models")
+    subjects = suite(options.states) if options.emitted else _subjects(options)
+    asked = ways(options.shape, [int(p) for p in options.procs], options.scalar, options.meeting)
+    study = Study(subjects, asked, find_toolchain(), options.time)
+    with speaking("stability") as tell:
+        study.run(tell)
+    if options.out is not None:
+        from adagen.studies.stability.draw import draw_study
+        from adagen.wholefile import write_whole
+
+        options.out.mkdir(parents=True, exist_ok=True)
+        record = json.dumps([cell.listed() for cell in study.cells], indent=1) + "\n"
+        write_whole(options.out / "stability_emitted.json", record)
+        draw_study(study.cells, options.out / "stability_emitted.svg")
+    if options.json:
+        print(json.dumps([cell.listed() for cell in study.cells], indent=1))
+    else:
+        _show_cells(study.cells)
+    if study.left:
+        warn(
+            f"warning: {study.left} of {study.left + len(study.cells)} have not been looked at in "
+            f"{options.time:g} s: say --time, or the command again, which goes on from here"
+        )
+    silent = [cell for cell in study.cells if cell.silent and cell.way.shape in ADAGENS]
+    for cell in silent:
+        say(f"{cell.robot}, {cell.way.words}: wrong in state {cell.state + 1}, and not warned of")
+    return 1 if silent else 0
+
+
+ADAGENS = ("kernels", "unrolled")
+"""Shapes that are emitted by default: none of their answers may be wrong in silence."""
+
+
+def _subjects(options: argparse.Namespace) -> list[Subject]:
+    """The robots of the command line, each as its scene leaves it."""
+    from adagen.cli.pipeline import refuse_loops
+    from adagen.library import Origin
+    from adagen.library.robot import read_whole
+    from adagen.scene import apply_scene
+    from adagen.studies.stability.emitted import subject
+
+    found = []
+    for name in options.models:
+        scene = None if options.scene is None else Path(options.scene)
+        origin = Origin(Path(name), options.floating, options.mimic, scene=scene)
+        reading, said = read_whole(origin)
+        tell_reading(reading, verbose=False)
+        model = reading.model if said is None else apply_scene(reading.model, said).model
+        refuse_loops(model)
+        if model.wanted or model.outputs:
+            model = replace(model, wanted=(), outputs=())  # all accelerations are compared
+        found.append(subject(Path(name).stem, model, options.states, options.seed))
+    return found
+
+
+def _show_cells(cells: Sequence[Cell]) -> None:
+    """Print a table for people."""
+    from rich import box
+    from rich.console import Console
+    from rich.markup import escape
+    from rich.table import Table
+
+    from adagen.studies.stability.emitted import tables
+
+    table = Table(box=box.SIMPLE, title="decimal digits that are kept in the worst state")
+    for column in ("robot", "way", "emitted", "executor", "predicted", ""):
+        table.add_column(column, overflow="fold")
+    last = ""
+    for robot, *row in sorted(tables(cells), key=lambda row: row[0]):
+        table.add_row(*(escape(word) for word in ("" if robot == last else robot, *row)))
+        last = robot
+    Console().print(table)
 
 
 def _judge(options: argparse.Namespace, refuse: object) -> int:

@@ -20,6 +20,7 @@ from adagen.plan.steps import (
     FreeAcceleration,
     FreeBase,
     FusedJoin,
+    GiveOutput,
     HoldMobility,
     InvertRoot,
     Join,
@@ -70,7 +71,7 @@ def step_features(step: Step, joints: Sequence[PlanJoint]) -> Features:
         step: a step of a plan.
         joints: the plan's joints.
     """
-    if isinstance(step, Send | Receive | StartEmpty):
+    if isinstance(step, Send | Receive | StartEmpty | GiveOutput):
         return {}
     plain = _PLAIN.get(type(step))
     if plain is not None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 from adagen.cost.features import operation_features
@@ -93,7 +93,9 @@ class Timeline:
         return replace(self, intervals=tuple(found))
 
 
-def timeline(program: Program, profile: CostProfile) -> Timeline:
+def timeline(
+    program: Program, profile: CostProfile, hosts: Sequence[int] | None = None
+) -> Timeline:
     """Return how one evaluation is predicted to go.
 
     Each process is taken to have a core of its own, and all to begin at the same instant.
@@ -101,25 +103,30 @@ def timeline(program: Program, profile: CostProfile) -> Timeline:
     Args:
         program: what runs.
         profile: a profile with the costs of steps.
+        hosts: of each process, the number of its host; all on one where that is not given.
 
     Raises:
-        ValueError: the profile prices joins alone, as the paper's does.
+        ValueError: the profile prices joins alone, as the paper's does, or knows of no network
+            where there are several hosts.
     """
     if profile.steps is None:
         raise ValueError(f"the profile {profile.name} has no costs of steps")
-    return _Play(program, profile.steps).play()
+    if hosts is not None and len(set(hosts)) > 1 and profile.steps.network is None:
+        raise ValueError(f"the profile {profile.name} has no costs of messages between hosts")
+    return _Play(program, profile.steps, hosts).play()
 
 
 @dataclass
 class _Play:
     program: Program
     costs: StepCosts
+    hosts: Sequence[int] | None = None
     sent: dict[int, float] = field(default_factory=dict)  # message -> when its sender was done
 
     def __post_init__(self) -> None:
         plan = self.program.plan
         self.plan = plan
-        self.channel: ChannelCosts = self.costs.channel(plan.channel)
+        self.near: ChannelCosts = self.costs.channel(plan.channel)
         self.stages = [stages(process) for process in plan.processes]
         self.time = _times(self.program, self.costs)
         self.at = [0] * len(plan.processes)  # next operation of each process
@@ -155,7 +162,7 @@ class _Play:
         stage = self.stages[p][operation.stage]
         match operation.steps:
             case (Send() as step,):
-                self._note(p, stage, start, start + self.channel.send + self._copied(step))
+                self._note(p, stage, start, start + self._channel(step).send + self._copied(step))
                 self.sent[step.message] = self.clock[p]
             case (Receive() as step,):
                 if step.message not in self.sent:
@@ -166,14 +173,22 @@ class _Play:
                 self._note(p, stage, start, start + time)
         return True
 
+    def _channel(self, step: Send | Receive) -> ChannelCosts:
+        """Return what a message costs between the hosts that it goes between."""
+        message, network = self.plan.messages[step.message], self.costs.network
+        if self.hosts is None or self.hosts[message.source] == self.hosts[message.target]:
+            return self.near
+        assert network is not None
+        return network
+
     def _copied(self, step: Send | Receive) -> float:
         """Time to put a message's numbers in, or to take them out."""
         numbers = self.plan.messages[step.message].numbers(self.plan.right_hand_sides)
-        return numbers * self.channel.number / 2
+        return numbers * self._channel(step).number / 2
 
     def _receive(self, p: int, stage: Stage, step: Receive) -> None:
         start, sent = self.clock[p], self.sent[step.message]
-        begin = max(start, sent + self.channel.latency)
+        begin = max(start, sent + self._channel(step).latency)
         if begin > start:
             self.intervals.append(Interval(p, "wait", None, step.message, start, begin))
         self._note(p, stage, begin, begin + self._copied(step))

@@ -15,6 +15,8 @@ def why_not(plan: Plan) -> str | None:
     passive = ("damping", "friction", "stiffness", "rotor_inertia", "prescribed")
     if any(getattr(joint, name) for joint in plan.joints for name in passive) or plan.wrenches:
         return "baselines do not support passive effects, prescribed motions or outer forces"
+    if plan.wanted or plan.outputs or plan.at_rest:
+        return "baselines compute all accelerations, and nothing else"
     if plan.parameters:
         return "baselines do not support constants that are set at run time"
     return "baselines do not support slaved joints" if plan.slaved else None

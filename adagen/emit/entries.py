@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import Literal
 
 from adagen.emit.words import Words
+from adagen.plan.steps import GiveOutput
 from adagen.plan.types import Process
 from adagen.program.runs import spans
 
@@ -25,6 +26,15 @@ def entries_of(words: Words, vector: Literal["q", "v"], joints: Iterable[int]) -
         joint, kind = words.plan.joints[j], words.kind(j)
         first, count = (joint.q, kind.nq) if vector == "q" else (joint.v, kind.nv)
         found += range(first, first + count)
+    return found
+
+
+def given_entries(words: Words, process: Process) -> list[int]:
+    """Return the entries of qdd that a process gives."""
+    plan = words.plan
+    found = entries_of(words, "v", (j for j in process.owns if plan.wants(j)))
+    if any(isinstance(step, GiveOutput) for step in process.steps):
+        found += range(plan.nv, plan.nqdd)
     return found
 
 

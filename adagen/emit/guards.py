@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from adagen.emit.entries import entries_of, ranges, read_joints
+from adagen.emit.entries import entries_of, given_entries, ranges, read_joints
 from adagen.emit.words import Words
 from adagen.plan.edges import is_base
 from adagen.plan.steps import Receive, Send
@@ -33,7 +33,7 @@ def checks(words: Words, process: Process) -> list[str]:
 
 def results(words: Words, process: Process) -> list[str]:
     """Return the lines of shape kernels that give the accelerations, if all went well."""
-    entries = entries_of(words, "v", process.owns)
+    entries = given_entries(words, process)
     overflow = _finite("w.answer.data()", entries, "v", "kOverflow")
     gives = [f"give(w, {first}, {count});" for first, count in ranges(entries)]
     if talks(process) or not gives:

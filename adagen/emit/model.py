@@ -7,6 +7,7 @@ from adagen.emit.names import quoted
 from adagen.emit.words import Words
 from adagen.model.kinds import KINDS
 from adagen.model.loops import LOOP_KINDS
+from adagen.plan import Plan
 from adagen.plan.steps import LinkBias, StartLink
 
 
@@ -32,6 +33,10 @@ def model_values(words: Words) -> dict[str, object]:
         "closed": plan.closed,
         "loops": _loops(words),
         "couplings": _couplings(words),
+        "nqdd": plan.nqdd,
+        "outputs": [_output(plan, k) for k in range(len(plan.outputs))],
+        "wanted": [quoted(plan.joints[j].name) for j in plan.wanted],
+        "at_rest": plan.at_rest,
         "prescribed": [quoted(joint.name) for joint in plan.joints if joint.prescribed],
     }
 
@@ -101,6 +106,7 @@ def _joints(words: Words) -> list[dict[str, object]]:
                 "multiplier": repr(multiplier),
                 "offset": repr(offset),
                 "effects": effects.constants(words, j),
+                "given": words.plan.wants(j),
             }
         )
     return rows
@@ -117,6 +123,18 @@ def _outer_forces(words: Words) -> list[dict[str, object]]:
         }
         for wrench in words.plan.wrenches
     ]
+
+
+def _output(plan: Plan, k: int) -> dict[str, object]:
+    output = plan.outputs[k]
+    first = plan.entry_of_output(k)
+    return {
+        "quoted": quoted(output.name),
+        "what": output.what,
+        "first": first,
+        "last": first + output.size - 1,
+        "size": output.size,
+    }
 
 
 def _loops(words: Words) -> list[dict[str, object]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from adagen.emit import effects
-from adagen.emit.entries import Range, entries_of, ranges, read_joints
+from adagen.emit.entries import Range, entries_of, given_entries, ranges, read_joints
 from adagen.emit.stages import stage_rows
 from adagen.emit.words import Words
 from adagen.executor import simulate
@@ -88,8 +88,8 @@ def _tables(words: Words, p: int, process: Process) -> list[_Table]:
     """What a process reads of q and v (a slaved joint's from its source), and its own entries."""
     read = read_joints(words, process)
     q, v = entries_of(words, "q", read), entries_of(words, "v", read)
-    own = entries_of(words, "v", process.owns)
-    torques = [*own, *entries_of(words, "v", process.shares)]
+    own = given_entries(words, process)
+    torques = entries_of(words, "v", (*process.owns, *process.shares))
     links = {step.link for step in process.steps if isinstance(step, LinkBias | StartLink)}
     torques += effects.pushed_entries(words, links)
     return [

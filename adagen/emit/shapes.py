@@ -68,7 +68,7 @@ def stepwise(plan: Plan) -> str:
     Refined plans are emitted in it, too. Masses that can be set are no constants in straight lines,
     where loops do not take a plan.
     """
-    names = ("kernels", "joints", "unrolled")  # closed loops are straight lines alone
+    names = ("kernels", "joints", "unrolled")  # closed loops and outputs are straight lines alone
     return next(name for name in names if SHAPES[name].why_not(plan) is None)
 
 
@@ -134,7 +134,7 @@ def offered(plan: Plan) -> tuple[str, ...]:
     if plan.reproducible:
         return ("unrolled",)
     loops = (stepwise(plan),)
-    if plan.closed:
+    if plan.closed or plan.outputs:
         return loops
     several = sum(bool(process.steps) for process in plan.processes) > 1
     if (plan.form == "ada" and several) or unrolled.why_not(plan) is not None:

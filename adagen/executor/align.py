@@ -185,6 +185,16 @@ def _turned(plan: Plan, turns: Mapping[int, Exact]) -> Plan:
             else wrench
             for wrench in plan.wrenches
         ),
+        outputs=tuple(
+            replace(
+                output,
+                rotation=_rows(links[output.link].T.dot(exact(output.rotation))),
+                translation=_vector(links[output.link].T.dot(exact(output.translation))),
+            )
+            if output.link in links
+            else output
+            for output in plan.outputs
+        ),
         parameters=tuple(
             replace(parameter, turn=_rows(links[parameter.link].T.dot(exact(_turn_of(parameter)))))
             if parameter.link in links and parameter.what == "center"

@@ -27,12 +27,14 @@ class Field:
         alpha: angular acceleration, shape (3,).
         a: acceleration of the origin relative to free fall, shape (3,).
         gradient: H = alpha x + omega x omega x, shape (3, 3): a point at r accelerates by a + H r.
+        up: the ground's acceleration relative to free fall, shape (3,); None where nobody asks.
     """
 
     omega: Array
     alpha: Array
     a: Array
     gradient: Array
+    up: Array | None = None
 
 
 class Motion:
@@ -112,7 +114,12 @@ class Motion:
             carried = [total([above.a[k], *(above.gradient[k] * x.origin)]) for k in range(3)]
             a = back.vector(np.array(carried, dtype=object))
             a = plus_cross(plus_cross(a, turned + turned, sliding), turning, sliding)
-        self.state.memory["field", j + 1] = Field(omega, alpha, a, _gradient(omega, alpha))
+        up = None
+        if self.state.asks_up:
+            high = self.state.upwards() if parent == 0 else self._above(j).up
+            assert high is not None  # it is kept of all links, or of none
+            up = back.vector(high)
+        self.state.memory["field", j + 1] = Field(omega, alpha, a, _gradient(omega, alpha), up)
 
     def _above(self, j: int) -> Field:
         """The field of a joint's parent link, of a row's first joints that of several links."""
@@ -120,29 +127,36 @@ class Motion:
             above: Field = self.state.memory["field", self.state.plan.joints[j].parent]
             return above
         links = self.state.rows.near_links(j)
-        fields = {link: self._field_of(link) for link in dict.fromkeys(links)}
+        fields = {link: self.field_of(link) for link in dict.fromkeys(links)}
         if len(fields) == 1:
             return fields[links[0]]
         omega, alpha, a = (
             self.state.rows.packed([getattr(fields[link], name) for link in links])
             for name in ("omega", "alpha", "a")
         )
-        return Field(omega, alpha, a, _gradient(omega, alpha))
+        ups = [fields[link].up for link in links]
+        up = None if ups[0] is None else self.state.rows.packed(ups)  # type: ignore[arg-type]
+        return Field(omega, alpha, a, _gradient(omega, alpha), up)
 
-    def _field_of(self, link: int) -> Field:
+    def field_of(self, link: int) -> Field:
+        """Return the field of a link, the ground or one of a row among them."""
         if link == 0:
             return self.ground()
         kept, k = self.state.rows.kept("field", link)
         field: Field = kept
         if k is None:
             return field
-        parts = (field.omega, field.alpha, field.a, field.gradient)
+        parts = [field.omega, field.alpha, field.a, field.gradient]
+        parts += [] if field.up is None else [field.up]
         return Field(*(self.state.rows.lane(part, k) for part in parts))
 
     def ground(self) -> Field:
         """Return the field of the ground: it does not move, and is held against free fall."""
         nothing = self.state.zeros(3)
-        return Field(nothing, nothing, self.state.upwards(), self.state.zeros(3, 3))
+        up = self.state.upwards()
+        return Field(
+            nothing, nothing, up, self.state.zeros(3, 3), up if self.state.asks_up else None
+        )
 
     def drift(self, j: int) -> Array | None:
         """What a joint's sides differ by beyond the reference field and S qdd; None for nothing.

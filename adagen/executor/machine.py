@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from adagen.executor.closures import Closures
 from adagen.executor.joins import Joins
 from adagen.executor.kinematics import Motion
+from adagen.executor.outputs import Outputs
 from adagen.executor.segments import Segments
 from adagen.executor.state import Refining, State
 from adagen.graph import Expression, Graph, Numbers, total
@@ -30,6 +31,7 @@ from adagen.plan.steps import (
     CloseLoop,
     Disassemble,
     Eliminate,
+    GiveOutput,
     HoldBack,
     Join,
     Kinematics,
@@ -71,6 +73,7 @@ class Machine(State):
         self.segments = Segments(self, self.motion)
         self.joins = Joins(self, self.motion)
         self.closures = Closures(self, self.motion)
+        self.given_outputs = Outputs(self, self.motion)
         self.take_angles_of_rows()
 
     def step(self, step: Step) -> bool:
@@ -102,6 +105,8 @@ class Machine(State):
                 self._solve_coupling()
             case ApplyCoupling():
                 self._apply_coupling()
+            case GiveOutput():
+                self.outputs[step.output] = self.given_outputs.output(step.output)
             case _:
                 self.segments.step(step)
         return True
@@ -111,7 +116,8 @@ class Machine(State):
         results = [x for values in self.results.values() for x in values]
         contents = [x for content in self.sent.values() for x in content]
         pivots = [x for check in self.checks for x in (check.pivot, check.least)]
-        return [*results, *contents, *pivots, *(length for length, _ in self.lengths)]
+        given = [x for values in self.outputs.values() for x in values]
+        return [*results, *given, *contents, *pivots, *(length for length, _ in self.lengths)]
 
     # -- messages ---------------------------------------------------------------------------------
 
@@ -170,7 +176,7 @@ class Machine(State):
     def _apply_coupling(self) -> None:
         torques = self.memory["torques"]
         for name, qdd in list(self.memory.items()):
-            if isinstance(name, tuple) and name[0] == "qdd":
+            if isinstance(name, tuple) and name[0] == "qdd" and self.plan.wants(name[1]):
                 self.results[name[1]] = np.array(
                     [total([row[0], *(row[1:] * torques)]) for row in qdd], dtype=object
                 )

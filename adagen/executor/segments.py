@@ -18,6 +18,7 @@ from adagen.executor.kinematics import Motion
 from adagen.executor.roots import Roots
 from adagen.executor.state import State
 from adagen.graph import Expression, Factors, matrix_times, total
+from adagen.model import REACTION_FORCE
 from adagen.plan.steps import (
     Accelerate,
     Articulate,
@@ -62,6 +63,8 @@ class Segments:
         self.state, self.motion = state, motion
         self.memory: dict[Any, Any] = state.memory
         self.roots = Roots(state)
+        outputs = state.plan.outputs
+        self.reactions = {each.link for each in outputs if each.what == REACTION_FORCE}
 
     def step(self, step: Step) -> None:
         """Do one step."""
@@ -280,16 +283,23 @@ class Segments:
         self.state.accelerate(step.joint, moved * sigma)
         if self.state.refining:
             self._keep_force(step, far)
+        if self.reactions.intersection(j + 1 for j in rows.own(step.joint)):
+            self.memory["reaction", step.joint + 1] = self._force(step, far)
 
     def _keep_force(self, step: Accelerate, far: int) -> None:
-        """Keep f = I^A a + p^A - load of the far link, as it acts on the child link."""
-        force = matrix_times(self.memory["IA", far], self.memory["a", far]) + self.memory["pA", far]
+        self.state.keep_force(step.joint, self._force(step, far), driven=True)
+
+    def _force(self, step: Accelerate, far: int) -> Array:
+        """F = I^A a + p^A - load of the far link, as it acts on the child link."""
+        force: Array = (
+            matrix_times(self.memory["IA", far], self.memory["a", far]) + self.memory["pA", far]
+        )
         if ("load", far) in self.memory:
             force = force - self.memory["load", far]
         if step.reversed:
             x: Transform = self.memory["X", step.joint]
             force = -columnwise(x.force_back, force)
-        self.state.keep_force(step.joint, force, driven=True)
+        return force
 
 
 def _mirrored(matrix: Array) -> Array:

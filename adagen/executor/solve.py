@@ -17,7 +17,6 @@ from adagen.executor.state import Refining
 from adagen.executor.straight import simulate, straight_line
 from adagen.graph import DOUBLE, Algebra, Evaluation, Numbers
 from adagen.graph.evaluate import in_lanes
-from adagen.model.kinds import KINDS
 from adagen.plan.steps import FusedJoin
 from adagen.plan.types import Plan
 
@@ -55,7 +54,7 @@ def interpret(
         lanes: whether limbs may share a straight line, as they may in emitted code, or which do.
 
     Returns:
-        Accelerations, shape (nv,) or (nv, S).
+        Accelerations and outputs, shape (nqdd,) or (nqdd, S); NaN where they are not wanted.
 
     Raises:
         PlanError: a process waits for a message that never comes, or reads what it does not have.
@@ -132,8 +131,8 @@ class Run:
         return np.asarray(values).reshape(*array.shape, *np.shape(values)[1:])
 
     def accelerations(self) -> Array:
-        """Return the accelerations of all joints, shape (nv,) or (nv, S)."""
-        rows: list[Any] = [np.nan] * sum(KINDS[joint.kind].nv for joint in self.plan.joints)
+        """Return qdd, shape (nqdd,) or (nqdd, S): NaN for joints of which it is not wanted."""
+        rows: list[Any] = [self.algebra.given(np.nan)] * self.plan.nqdd
         for p, (process, machine) in enumerate(
             zip(self.plan.processes, self.machines, strict=True)
         ):
@@ -141,7 +140,11 @@ class Run:
                 own = machine.lanes_of_result(j)
                 for k, value in enumerate(self._values(p, machine.results[j])):
                     for each, x in zip(own, in_lanes(value, len(own)), strict=True):
-                        rows[self.plan.joints[each].v + k] = x
+                        if self.plan.wants(each):
+                            rows[self.plan.joints[each].v + k] = x
+            for place, output in machine.outputs.items():
+                first = self.plan.entry_of_output(place)
+                rows[first : first + len(output)] = self._values(p, output)
         return np.asarray(self.algebra.together(rows))
 
     def check(self, *, digits: bool = True) -> None:

@@ -12,6 +12,7 @@ from adagen.executor.checks import Check
 from adagen.executor.lanes import rows_of
 from adagen.executor.rows import Rows
 from adagen.graph import Expression, Factors, Graph, Numbers, factorize, matrix_times, total
+from adagen.model import LINK_ACCELERATION
 from adagen.model.kinds import HELD, KINDS, JointKind
 from adagen.plan.digits import EPSILON
 from adagen.plan.simd_groups import Limbs
@@ -39,10 +40,13 @@ class State:
         angles: joint angles whose sine and cosine are taken, in order.
         checks: pivots to be looked at.
         lengths: squared lengths of quaternions and their joints.
-        results: accelerations by joints, known after the last step; of a row wide.
+        results: accelerations by joints, known after the last step; of a row wide. Those that
+            are not wanted are not there.
+        outputs: what is wanted beside them, by the place in the plan; known likewise.
         limbs: those that share code, one in each lane.
         rows: joints that are treated as one.
         handed: what joints hand inwards, "IA" or "pA", by name and joint.
+        asks_up: whether links' accelerations are asked for, which need gravity in their axes.
         refining: whether joint forces are kept, in the frames of the child links, and whether links
             feel what is left over of their equations of motion, and nothing else.
     """
@@ -64,10 +68,12 @@ class State:
         self.checks: list[Check] = []
         self.lengths: list[tuple[Expression, int]] = []
         self.results: dict[int, Array] = {}
+        self.outputs: dict[int, Array] = {}
         self.limbs = tuple(all_limbs)
         self.handed: dict[tuple[str, int], Array] = {}
         self.rows = Rows(self, rows_of(all_limbs))
         self._exact = losing_joints(plan)
+        self.asks_up = any(output.what == LINK_ACCELERATION for output in plan.outputs)
 
     # -- numbers ----------------------------------------------------------------------------------
 
@@ -121,7 +127,7 @@ class State:
         joint, kind = self.plan.joints[j], KINDS[self.plan.joints[j].kind]
         if joint.mimic is None:
             q = list(self.rows.entries("q", j, kind.nq))
-            if self.refining == "correction":
+            if self.refining == "correction" or self.plan.at_rest:
                 return q, [self.graph.constant(0)] * kind.nv
             return q, list(self.rows.entries("v", j, kind.nv))
         source, multiplier, offset = joint.mimic
@@ -248,7 +254,7 @@ class State:
         if self.plan.joints[j].prescribed:
             qdd = self.column(self.given(j))
         self.memory.update((("qdd", each), own) for each, own in self.rows.apart(j, qdd))
-        if not self.plan.slaved:
+        if not self.plan.slaved and any(map(self.plan.wants, self.rows.own(j))):
             self.results[j] = qdd[:, 0]
 
     def lanes_of_result(self, j: int) -> tuple[int, ...]:

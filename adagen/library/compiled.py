@@ -33,18 +33,18 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Compiled:
-    """What was made of a robot.
+    """The generated solver of a robot, as text, with its schedule and prediction.
 
     Attributes:
         model: the robot.
         origin: where it comes from.
-        request: what was asked for, with the shape that a given schedule asks for.
-        schedule: what runs where.
+        request: the options, with the shape that a given schedule asks for.
+        schedule: which process computes what.
         plan: what each process computes.
         program: what runs, operation by operation.
-        timeline: how an evaluation is predicted to go; None where the profile or a batch leaves
-            that open.
-        files: file name to text: source, header, plan, drawing and what builds them.
+        timeline: the predicted course of an evaluation; None if the profile or a batch leaves it
+            open.
+        files: file name to text: source, header, plan, drawing, Makefile, CMakeLists.txt, ...
     """
 
     model: Model
@@ -58,7 +58,7 @@ class Compiled:
 
     @property
     def stem(self) -> str:
-        """NAME_pP, what the files are called without their endings."""
+        """NAME_pP, the name of the files without their endings."""
         return next(name for name in self.files if name.endswith(".cpp")).removesuffix(".cpp")
 
     @property
@@ -73,12 +73,12 @@ class Compiled:
 
     @property
     def predicted(self) -> float | None:
-        """Predicted time of an evaluation, microseconds; None where nothing predicts it."""
+        """Predicted time of an evaluation, microseconds; None if there is no prediction."""
         return None if self.timeline is None else self.timeline.makespan
 
     @cached_property
     def digits(self) -> float | None:
-        """Right decimal digits that are predicted; None where a factorization fails."""
+        """Predicted number of right decimal digits; None if a factorisation fails."""
         try:
             found = predicted_digits(
                 self.request.objective, self.model, self.plan, self.program.shape
@@ -90,18 +90,18 @@ class Compiled:
     def in_folder(self, folder: str | os.PathLike[str]) -> dict[str, str]:
         """Return the files as they are written into a folder.
 
-        The source's head has the command that makes them again, with paths seen from the folder.
+        The head of the source has the command that makes them, with paths relative to the folder.
         """
         command = command_of(self.origin, self.request, Path(folder))
         return {**self.files, f"{self.stem}.cpp": with_command(self.source, command)}
 
     def write(self, folder: str | os.PathLike[str]) -> list[Path]:
-        """Write the files, all or none, and return their paths; those that are right stay.
+        """Write the files, all or none, and return their paths; files that are up to date stay.
 
         Of the runtime's headers the path of their folder is returned.
 
         Raises:
-            UsageError: a file that is there was not written by adagen, or of another robot.
+            UsageError: an existing file was not written by adagen, or is of another robot.
             EnvironmentFault: writing failed.
         """
         files = self.in_folder(folder)
@@ -115,10 +115,10 @@ class Compiled:
         """Return the solver, built now or found in the cache.
 
         Args:
-            toolchain: what to build with; what ``adagen env`` tells by default.
+            toolchain: what to build with; by default what ``adagen env`` prints.
 
         Raises:
-            UsageError: it is for several processes.
+            UsageError: the solver is for several MPI processes.
             EnvironmentFault: the compiler failed, or is missing.
         """
         from adagen.library.solver import built
@@ -135,8 +135,8 @@ def compile(robot: Robot, procs: int = 1, **asked: Any) -> Compiled:  # noqa: A0
         asked: further members of ``Request``, such as ``scalar="float"`` or ``batch=True``.
 
     Raises:
-        InputError: the robot cannot be treated in this way.
-        UsageError: what is asked for is unknown or cannot be had.
+        InputError: the robot cannot be solved in this way.
+        UsageError: an option is unknown or cannot be combined with the others.
     """
     try:
         request = Request(procs=procs, **asked)
@@ -195,7 +195,7 @@ def emitted(
     Args:
         model: the robot.
         origin: where it comes from.
-        schedule: what runs where.
+        schedule: which process computes what.
         plan: what each process computes.
         request: shape, refinement, batches, and names of files.
 

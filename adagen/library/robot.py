@@ -27,7 +27,7 @@ class Origin:
         strict: whether slips of the file that change nothing are refused.
         scene: path of a scene file, or None.
         gravity: in ground axes, m/s^2; None: as the scene says, else (0, 0, -9.81).
-        arguments: names and values of <xacro:arg>.
+        arguments: names and values of ``<xacro:arg>``.
         loops: path of a file of frame pairs that close loops, or None.
     """
 
@@ -43,13 +43,13 @@ class Origin:
 
 @dataclass(frozen=True)
 class Robot:
-    """A robot that was read.
+    """A robot read from a file.
 
     Attributes:
         model: joints, links, gravity.
         origin: where it comes from.
-        warnings: what the reader has to say, ``file:line: warning: ...``.
-        ignored: what the file says that is not modelled, one line each.
+        warnings: warnings of the reader, ``file:line: warning: ...``.
+        ignored: what the file contains and is not modelled, one line each.
         source_hash: SHA-256 of the description, in hexadecimal.
         reading: all that was read.
         reduction: what the scene left of the robot; None without one.
@@ -100,17 +100,17 @@ def read(
     Args:
         path: of the file.
         floating: put the robot on a floating base, a joint ``__base__``.
-        mimic: hold mimic joints in step with the joints that they follow.
-        strict: refuse slips of the file that change nothing, instead of warning of them.
-        scene: path of a scene file: no more is modelled than what it asks for.
+        mimic: make mimic joints follow the joints that they name.
+        strict: refuse slips of the file that change nothing, instead of warning about them.
+        scene: path of a scene file (docs/reference/scenes.md).
         gravity: acceleration of free fall in ground axes, three numbers, m/s^2; by default what the
             scene says, else (0, 0, -9.81).
-        arguments: values of <xacro:arg>.
+        arguments: values of ``<xacro:arg>``.
         loops: path of a file of frame pairs (YAML, docs/how_to/loops.md) that close loops.
 
     Raises:
-        InputError: the description, the scene or the loops are refused; it tells file and line.
-        UsageError: the arguments contradict the scene, or are none of the file's.
+        InputError: the description, the scene or the loops are refused; names file and line.
+        UsageError: the arguments contradict the scene, or the file has no such arguments.
         EnvironmentFault: the package that the file needs, xacro or mujoco, is not installed.
     """
     origin = Origin(

@@ -29,16 +29,14 @@ class Solver:
     Called with arrays of one state, ``q`` of shape (nq,), ``v`` (nv,) and ``tau`` (ntau,), it
     returns accelerations of shape (nv,); with arrays of S states, (S, nq), (S, nv) and (S, ntau),
     those of shape (S, nv). SI units; docs/reference/files.md says how joints lie
-    in q and v:
-    quaternions x y z w, floating joints [linear; angular] in the body's frame.
+    in q and v: quaternions x y z w, floating joints [linear; angular] in the body's frame.
 
-    Many states are shared out to the machine's cores. Threads of Python take turns with one solver;
-    copies (``copy.copy``) work side by side: other threads of Python run while many states are
-    solved. Solvers can be pickled, and are built anew, or found in
-    the cache, where they arrive.
+    Many states are shared among the machine's cores. Other threads of Python run while many states
+    are solved; threads that call one solver take turns, and copies (``copy.copy``) work in
+    parallel. Solvers can be pickled. They are found in the cache, or built, where they arrive.
 
     Attributes:
-        compiled: what it was made of.
+        compiled: the ``Compiled`` from which it was built.
     """
 
     compiled: Compiled
@@ -68,7 +66,8 @@ class Solver:
                     the same to the last bit.
 
             Returns:
-                Accelerations, shape (nv,) or (S, nv); m/s^2, rad/s^2.
+                Accelerations, shape (nv,) or (S, nv); m/s^2, rad/s^2. With the outputs of a scene
+                behind them, shape (nqdd,) or (S, nqdd); NaN of joints that it does not ask for.
 
             Raises:
                 SolveError: a state cannot be solved; it names the joint. Of one state nothing is
@@ -84,11 +83,11 @@ class Solver:
     def gravity(self) -> NDArray[Any]:
         """Acceleration of free fall in ground axes, shape (3,), m/s^2.
 
-        It can be set where the robot was compiled with ``runtime="gravity"``: for all calls to
-        come, and of copies and pickles made from then on.
+        It can be set if the robot was compiled with ``runtime="gravity"``. It then holds for all
+        later calls, and for copies and pickles made later.
 
         Raises:
-            UsageError: it is set, and was compiled in.
+            UsageError: it is set and is a constant of the code.
             ValueError: it is set to something else than three finite numbers.
         """
         plan = self.compiled.plan
@@ -103,7 +102,7 @@ class Solver:
         self._put("gravity", given)
 
     def set_mass(self, link: str, mass: float) -> None:
-        """Set the mass of a link with all that is fixed to it, for all calls to come.
+        """Set the mass of a link with everything fixed to it, for all later calls.
 
         The robot was compiled with ``runtime="mass:LINK"``. Copies and pickles have what is set.
 
@@ -112,7 +111,7 @@ class Solver:
             mass: kg, more than 0.
 
         Raises:
-            UsageError: it is compiled in.
+            UsageError: it is a constant of the code.
             ValueError: it is no mass.
         """
         if not mass > 0:
@@ -120,17 +119,17 @@ class Solver:
         self._put("mass", np.array([mass], np.float64), link)
 
     def set_center(self, link: str, center: ArrayLike) -> None:
-        """Set where a link's centre of mass is; its rotational inertia about that stays.
+        """Set the centre of mass of a link; the rotational inertia about it stays.
 
         The robot was compiled with ``runtime="center:LINK"``. Copies and pickles have what is set.
 
         Args:
             link: its name in the description.
-            center: of all that is fixed to the link, too, in the link's frame, shape (3,), m.
+            center: of the link with everything fixed to it, in the link's frame, shape (3,), m.
 
         Raises:
-            UsageError: it is compiled in.
-            ValueError: it is something else than three finite numbers.
+            UsageError: it is a constant of the code.
+            ValueError: it is not three finite numbers.
         """
         given = np.asarray(center, np.float64)
         if given.shape != (3,):
@@ -167,6 +166,11 @@ class Solver:
         return self.compiled.model.nv
 
     @property
+    def nqdd(self) -> int:
+        """Numbers in an answer: accelerations, then the outputs of a scene, in its order."""
+        return self.compiled.model.nqdd
+
+    @property
     def ntau(self) -> int:
         """Numbers in tau: behind those of the joints, six of each outer force of a scene."""
         return self.compiled.model.ntau
@@ -177,11 +181,11 @@ class Solver:
         return np.dtype(np.float32 if self.compiled.request.scalar == "float" else np.float64)
 
     def index(self, joint: str, of: Part = "q") -> int | slice:
-        """Return where a joint is in q, or in another vector: a number, or a slice of several.
+        """Return the place of a joint in q or another vector: an index, or a slice.
 
         Args:
             joint: its name.
-            of: "q", or "v" or "tau", in which joints lie alike, and in accelerations.
+            of: "q", "v" or "tau"; "v" also holds for accelerations.
 
         Raises:
             JointError: there is no such joint.
@@ -190,18 +194,18 @@ class Solver:
         return start if count == 1 else slice(start, start + count)
 
     def pack(self, values: Mapping[str, ArrayLike], of: Part = "q") -> NDArray[Any]:
-        """Return a vector with values of some joints; the others are at rest.
+        """Return a vector with the values of some joints; the others are at rest.
 
         Args:
             values: name of a joint to its number, or numbers.
             of: "q", "v" or "tau".
 
         Returns:
-            Shape (nq,), (nv,) or (ntau,); zeros, and unit quaternions, where nothing is said.
+            Shape (nq,), (nv,) or (ntau,); zeros, and unit quaternions, for the other joints.
 
         Raises:
             JointError: there is no such joint.
-            ValueError: a joint has another number of values; it is named.
+            ValueError: a joint, which is named, has another number of values.
         """
         model = self.compiled.model
         size = {"q": self.nq, "v": self.nv, "tau": self.ntau}[_part(of)]

@@ -12,17 +12,36 @@ from adagen.model.closing import (
 from adagen.model.frames import canonical
 from adagen.model.kinds import FLOATING, KINDS, PLANAR, PRISMATIC, REVOLUTE, SPHERICAL, JointKind
 from adagen.model.loops import LOOP_KINDS, LOOP_WORDS, Coupling, Loop, LoopKind
-from adagen.model.model import BASE, Frame, Inertia, Joint, Link, Mimic, Model, Passive, Wrench
+from adagen.model.model import (
+    BASE,
+    INVERSE_INERTIA,
+    LINK_ACCELERATION,
+    OUTPUT_SIZES,
+    REACTION_FORCE,
+    Frame,
+    Inertia,
+    Joint,
+    Link,
+    Mimic,
+    Model,
+    Output,
+    Passive,
+    Wrench,
+)
 from adagen.model.rigid import Part, Pose, lump
 
 __all__ = [
     "BASE",
     "FLOATING",
+    "INVERSE_INERTIA",
     "KINDS",
+    "LINK_ACCELERATION",
     "LOOP_KINDS",
     "LOOP_WORDS",
+    "OUTPUT_SIZES",
     "PLANAR",
     "PRISMATIC",
+    "REACTION_FORCE",
     "REVOLUTE",
     "SPHERICAL",
     "WORLD",
@@ -39,6 +58,7 @@ __all__ = [
     "Model",
     "NamedCoupling",
     "NamedLoop",
+    "Output",
     "Part",
     "Passive",
     "Pose",

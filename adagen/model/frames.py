@@ -48,6 +48,9 @@ def canonical(model: Model) -> Model:
     wrenches = tuple(
         replace(wrench, frame=_turned(wrench.frame, turn[wrench.link])) for wrench in model.wrenches
     )
+    outputs = tuple(
+        replace(output, frame=_turned(output.frame, turn[output.link])) for output in model.outputs
+    )
     loops = tuple(
         replace(
             loop,
@@ -56,7 +59,14 @@ def canonical(model: Model) -> Model:
         )
         for loop in model.loops
     )
-    return replace(model, links=tuple(links), joints=tuple(joints), wrenches=wrenches, loops=loops)
+    return replace(
+        model,
+        links=tuple(links),
+        joints=tuple(joints),
+        wrenches=wrenches,
+        outputs=outputs,
+        loops=loops,
+    )
 
 
 def _turned(frame: Frame, turn: Exact) -> Frame:

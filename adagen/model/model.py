@@ -153,6 +153,34 @@ class Wrench:
     frame: Frame
 
 
+LINK_ACCELERATION, REACTION_FORCE = "link acceleration", "reaction force"
+INVERSE_INERTIA = "inverse inertia"
+OUTPUT_SIZES = {LINK_ACCELERATION: 6, REACTION_FORCE: 6, INVERSE_INERTIA: 36}
+"""What can be computed beside accelerations, and how many numbers that is."""
+
+
+@dataclass(frozen=True, eq=False)
+class Output:
+    """What is computed beside accelerations; its numbers follow those of the joints in qdd.
+
+    Attributes:
+        what: "link acceleration": [linear; angular] acceleration of a frame's origin in its axes,
+            m/s^2 and rad/s^2; "reaction force": [force; moment] by which the parent link acts on
+            the child link through a joint, at the child frame's origin in its axes, N and N m;
+            "inverse inertia": accelerations [linear; angular] of a frame for each unit of a
+            [force; moment] on it, 6x6 row by row (Featherstone, RBDA 2.15; inverse of the
+            operational-space inertia).
+        link: index of the link; of a reaction force the joint's child link.
+        frame: the named link's frame in that link's.
+        name: of the link, or of the joint of a reaction force.
+    """
+
+    what: str
+    link: int
+    frame: Frame
+    name: str
+
+
 @dataclass(frozen=True, eq=False)
 class Model:
     """A robot: joint j joins links[joints[j].parent] to links[j + 1]; links[0] is the ground.
@@ -168,6 +196,9 @@ class Model:
         wrenches: outer forces that are inputs; they follow the joints' torques in tau.
         loops: joints that close loops of the tree.
         couplings: joints whose coordinates are tied.
+        wanted: joints whose accelerations are asked for, ascending; none stands for all.
+        outputs: what is asked for beside accelerations; it follows them in qdd.
+        at_rest: whether all velocities are zero.
     """
 
     name: str
@@ -178,6 +209,9 @@ class Model:
     wrenches: tuple[Wrench, ...] = ()
     loops: tuple[Loop, ...] = ()
     couplings: tuple[Coupling, ...] = ()
+    wanted: tuple[int, ...] = ()
+    outputs: tuple[Output, ...] = ()
+    at_rest: bool = False
 
     @property
     def closed(self) -> bool:
@@ -198,6 +232,11 @@ class Model:
     def ntau(self) -> int:
         """Numbers in tau: one for each degree of freedom, then six for each outer force."""
         return self.nv + 6 * len(self.wrenches)
+
+    @property
+    def nqdd(self) -> int:
+        """Numbers in qdd: one for each degree of freedom, then those of all outputs."""
+        return self.nv + sum(OUTPUT_SIZES[output.what] for output in self.outputs)
 
     @cached_property
     def q_start(self) -> tuple[int, ...]:

@@ -11,7 +11,14 @@ from adagen.plan.ada import AdaPlanner
 from adagen.plan.closed import ClosedPlanner
 from adagen.plan.closures import closures_of
 from adagen.plan.clusters import ClusterPlanner, clusters_of
-from adagen.plan.constants import couplings_of, joints_of, links_of, loops_of, wrenches_of
+from adagen.plan.constants import (
+    couplings_of,
+    joints_of,
+    links_of,
+    loops_of,
+    outputs_of,
+    wrenches_of,
+)
 from adagen.plan.early import early_closures_of
 from adagen.plan.gather import GatherPlanner, why_not_gather
 from adagen.plan.parameters import parameters_of, refuse_inverted
@@ -20,6 +27,7 @@ from adagen.plan.serial import check_reproducible
 from adagen.plan.serialise import plan_from_json, plan_to_json
 from adagen.plan.steps import LinkBias
 from adagen.plan.types import FACTORS, THREADS, Plan
+from adagen.plan.wanted import handles_of, refuse_outputs, refuse_sharing, with_outputs
 from adagen.schedule import Schedule, Topology, gathered_line, postorder, schedule_line
 
 FORMS: dict[str, type[AdaPlanner]] = {"segment": SegmentPlanner, "ada": AdaPlanner}
@@ -82,8 +90,13 @@ def make_plan(
         if word not in known:
             raise UsageError(f'unknown {what} "{word}"; known: {", ".join(known)}')
     joints, parameters = joints_of(model), parameters_of(model, runtime)
+    refuse_outputs(model, form)
     planner = planner_of(model, schedule, form, meeting)
+    planner.asked = handles_of(model)
+    outputs = outputs_of(model)
+    refuse_sharing(outputs, schedule)
     processes, messages = planner.plan()
+    processes = with_outputs(processes, outputs)
     if planner.fusions.fused:
         model = settled(model, planner.fusions.fused)
     bare = {step.link for p in processes for step in p.steps if isinstance(step, LinkBias)}
@@ -107,6 +120,9 @@ def make_plan(
         couplings=couplings_of(model),
         reproducible=reproducible,
         parameters=parameters,
+        wanted=model.wanted,
+        outputs=outputs,
+        at_rest=model.at_rest,
     )
     if reproducible:
         gathered = planner.gathered() if isinstance(planner, GatherPlanner) else None

@@ -109,6 +109,7 @@ class AdaPlanner:
         self.steps: list[list[Step]] = [[] for _ in range(schedule.processes)]
         self.owns: list[list[int]] = [[] for _ in range(schedule.processes)]
         self.messages: list[Message] = []
+        self.asked: frozenset[int] = frozenset()  # links whose mobility is an output
         # joints at each link that are not assembled yet: the link is a handle while there are any
         self.open = [0] * (len(joints) + 1)
         for j, joint in enumerate(joints):

@@ -11,7 +11,7 @@ import numpy as np
 from adagen.errors import InputError
 from adagen.exact import Exact, exact, identity, rounded, skew
 from adagen.model import Inertia, Model, Passive, canonical
-from adagen.plan.types import PlanCoupling, PlanJoint, PlanLink, PlanLoop, PlanWrench
+from adagen.plan.types import PlanCoupling, PlanJoint, PlanLink, PlanLoop, PlanOutput, PlanWrench
 
 WAY_OUT = (
     "joining it as a link of its own inverts its inertia: use a schedule that adagen finds, or form"
@@ -70,6 +70,20 @@ def wrenches_of(model: Model) -> tuple[PlanWrench, ...]:
             _tuple(wrench.frame.translation),
         )
         for wrench in (canonical(model).wrenches if model.wrenches else ())
+    )
+
+
+def outputs_of(model: Model) -> tuple[PlanOutput, ...]:
+    """Return what is asked for of a model beside accelerations, in canonical frames."""
+    return tuple(
+        PlanOutput(
+            output.what,
+            output.name,
+            output.link,
+            _rows(output.frame.rotation),
+            _tuple(output.frame.translation),
+        )
+        for output in (canonical(model).outputs if model.outputs else ())
     )
 
 

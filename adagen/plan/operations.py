@@ -7,6 +7,7 @@ plans and do not depend on how their code is shaped. A sine or cosine counts as 
 
 from __future__ import annotations
 
+from adagen.model import INVERSE_INERTIA, LINK_ACCELERATION, REACTION_FORCE
 from adagen.model.kinds import KINDS
 from adagen.plan.steps import (
     Accelerate,
@@ -16,6 +17,7 @@ from adagen.plan.steps import (
     Disassemble,
     FreeAcceleration,
     FreeBase,
+    GiveOutput,
     InvertRoot,
     Join,
     Kinematics,
@@ -26,6 +28,7 @@ from adagen.plan.steps import (
     Step,
 )
 from adagen.plan.types import Plan
+from adagen.plan.wanted import needed_outwards
 
 _TURN = 15  # a 3x3 matrix times a vector
 _CROSS = 9
@@ -34,12 +37,23 @@ _MOVE_INERTIA = 3 * 2 * 45 + 4 * 27  # three blocks turned on both sides, then s
 _MOVE_BLOCK = 6 * _MOVE
 _DENSE = 66  # a 6x6 matrix times a vector
 _FACTORIZE = {n: (2 * n**3 + 3 * n**2 + n) // 6 for n in range(7)}  # Cholesky
+_OUTPUT = {
+    LINK_ACCELERATION: 2 * _TURN + 45,
+    REACTION_FORCE: _DENSE + 2 * _TURN,
+    INVERSE_INERTIA: 648,
+}
 _PLACE = {"revolute": 20, "prismatic": 6, "planar": 32, "spherical": 75, "floating": 93}
 
 
 def operations(plan: Plan) -> int:
     """Return the operations of one evaluation, of all processes together."""
-    return sum(_of(plan, step) for process in plan.processes for step in process.steps)
+    return sum(
+        _of(plan, step)
+        for process in plan.processes
+        for needed in [needed_outwards(plan, process.steps)]
+        for step in process.steps
+        if not isinstance(step, Accelerate | FreeAcceleration) or step.joint in needed
+    )
 
 
 def _of(plan: Plan, step: Step) -> int:
@@ -64,6 +78,8 @@ def _of(plan: Plan, step: Step) -> int:
         case Accelerate():
             n, m = _freedom(plan, step.joint)
             return (_MOVE + 6 + _solve(n) + 2 * n * m + 2 * n) * columns
+        case GiveOutput():
+            return _OUTPUT[plan.outputs[step.output].what]
         case _:  # messages, loads and slaved joints: next to nothing
             return 0
 

@@ -78,6 +78,11 @@ def refinable(plan: Plan) -> Plan:
             "joints fused over massless links cannot be refined beside slaved joints; use form"
             " segment or leave --refine out"
         )
+    if plan.wanted or plan.outputs:
+        raise UsageError(
+            "what is refined are all accelerations: leave out --refine, or accelerations and"
+            " [outputs] of the scene"
+        )
     if plan.wrenches:
         raise UsageError("outer forces cannot be refined; leave --refine out")
     processes = tuple(

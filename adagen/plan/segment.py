@@ -152,7 +152,7 @@ class SegmentPlanner(AdaPlanner):
         for j in members:
             self.open[self.joints[j].parent] -= 1
             self.open[j + 1] -= 1
-        handles = {link for link, count in enumerate(self.open) if count > 0}
+        handles = {link for link, count in enumerate(self.open) if count > 0} | self.asked
         segment = laid_out(self.joints, node.joint, members, handles)
         steps, couplings = segment.inwards()
         self.steps[node.processes[0]] += steps

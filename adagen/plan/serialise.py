@@ -22,7 +22,15 @@ def plan_to_json(plan: Plan) -> str:
         value = getattr(plan, field.name)
         if field.name == "processes":
             lines.append(f'"processes": [\n{_processes(plan)}\n]')
-        elif field.name in ("links", "joints", "messages", "wrenches", "loops", "couplings"):
+        elif field.name in (
+            "links",
+            "joints",
+            "messages",
+            "wrenches",
+            "loops",
+            "couplings",
+            "outputs",
+        ):
             lines.append(f'"{field.name}": {_lines(_encode(item) for item in value)}')
         else:
             lines.append(f'"{field.name}": {_dump(_encode(value))}')

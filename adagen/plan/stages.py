@@ -18,6 +18,7 @@ from adagen.plan.steps import (
     Deliver,
     Disassemble,
     FreeAcceleration,
+    GiveOutput,
     Join,
     Kinematics,
     Load,
@@ -44,6 +45,7 @@ _DOWN = (
     AccelerateHeld,
     Release,
     FreeAcceleration,
+    GiveOutput,
 )
 
 

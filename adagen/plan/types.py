@@ -10,6 +10,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
+from adagen.model import OUTPUT_SIZES
 from adagen.model.kinds import KINDS
 from adagen.plan.steps import Bias, Block, Force, Step
 
@@ -140,6 +141,30 @@ class PlanWrench:
 
 
 @dataclass(frozen=True)
+class PlanOutput:
+    """What is computed beside accelerations: in qdd behind all of them (``model.Output``).
+
+    Attributes:
+        what: a key of ``adagen.model.OUTPUT_SIZES``.
+        name: of the link in whose frame it is told, or of the joint of a reaction force.
+        link: the link; of a reaction force the joint's child link.
+        rotation: of the named frame in the link's, 3x3.
+        translation: of the named frame in the link's, 3 numbers, m.
+    """
+
+    what: str
+    name: str
+    link: int
+    rotation: tuple[tuple[float, ...], ...]
+    translation: tuple[float, ...]
+
+    @property
+    def size(self) -> int:
+        """How many numbers it is."""
+        return OUTPUT_SIZES[self.what]
+
+
+@dataclass(frozen=True)
 class PlanLoop:
     """A joint that closes a loop.
 
@@ -259,6 +284,9 @@ class Plan:
         reproducible: whether its processes share out the straight line of one, so that answers are
             the same to the last bit on any number of them (adagen/plan/serial.py).
         parameters: constants that can be set at run time.
+        wanted: joints whose accelerations are given, ascending; none stands for all.
+        outputs: what is given beside accelerations, behind them in qdd.
+        at_rest: whether all velocities are zero.
     """
 
     name: str
@@ -280,6 +308,13 @@ class Plan:
     couplings: tuple[PlanCoupling, ...] = field(default=(), metadata=OPTIONAL)
     reproducible: bool = field(default=False, metadata=OPTIONAL)
     parameters: tuple[PlanParameter, ...] = field(default=(), metadata=OPTIONAL)
+    wanted: tuple[int, ...] = field(default=(), metadata=OPTIONAL)
+    outputs: tuple[PlanOutput, ...] = field(default=(), metadata=OPTIONAL)
+    at_rest: bool = field(default=False, metadata=OPTIONAL)
+
+    def wants(self, joint: int) -> bool:
+        """Return whether a joint's acceleration is given."""
+        return not self.wanted or joint in self.wanted
 
     def place(self, number: int) -> str:
         """Return what can fail by number in words: joints, then loops, then couplings."""
@@ -344,9 +379,23 @@ class Plan:
             plans.append(plans[-1].recovering())
         return tuple(plans)
 
+    @property
+    def nv(self) -> int:
+        """Degrees of freedom."""
+        return sum(KINDS[joint.kind].nv for joint in self.joints)
+
+    @property
+    def nqdd(self) -> int:
+        """Numbers in qdd: accelerations, then outputs."""
+        return self.entry_of_output(len(self.outputs))
+
     def entry_of_wrench(self, k: int) -> int:
         """Return where the six numbers of outer force ``k`` start in tau."""
-        return sum(KINDS[joint.kind].nv for joint in self.joints) + 6 * k
+        return self.nv + 6 * k
+
+    def entry_of_output(self, k: int) -> int:
+        """Return where the numbers of output ``k`` start in qdd."""
+        return self.nv + sum(output.size for output in self.outputs[:k])
 
     @property
     def parameter_values(self) -> tuple[float, ...]:

@@ -9,7 +9,7 @@ and add all others.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import zip_longest
 
 from adagen.plan.order import ends_of
@@ -51,7 +51,7 @@ def check(program: Program) -> None:
         runs.append([process.recovery for process in program.processes])
     runs += zip_longest(*(each.others for each in program.processes), fillvalue=())
     for plan, operations in zip(program.plan.alternatives, runs, strict=True):
-        _check_run(plan, operations)
+        _check_run(plan, operations, placed_links(program.plan))  # where loops keep inertias
 
 
 def _check_owners(plan: Plan) -> None:
@@ -69,12 +69,14 @@ def _check_owners(plan: Plan) -> None:
             raise ProgramError(f'no process owns joint "{known.name}"')
 
 
-def _check_run(plan: Plan, operations: Sequence[Sequence[Operation]]) -> None:
+def _check_run(
+    plan: Plan, operations: Sequence[Sequence[Operation]], placed: Collection[int]
+) -> None:
     """Let each process run as far as messages have come, until all are done."""
     mail: set[int] = set()
     received: set[int] = set()
     runs = joined_runs(plan)
-    memories = [_Memory(plan, p, runs) for p in range(len(operations))]
+    memories = [_Memory(plan, p, runs, placed) for p in range(len(operations))]
     at = [0] * len(operations)
     moved = True
     while moved:
@@ -101,12 +103,14 @@ def _check_run(plan: Plan, operations: Sequence[Sequence[Operation]]) -> None:
 class _Memory:
     """What one process has set, and whether it has been read since."""
 
-    def __init__(self, plan: Plan, p: int, runs: dict[int, tuple[int, ...]]) -> None:
+    def __init__(
+        self, plan: Plan, p: int, runs: dict[int, tuple[int, ...]], placed: Collection[int]
+    ) -> None:
         self.plan, self.p, self.runs = plan, p, runs
         self.read: dict[Place, bool] = {}  # of each place that is set: whether it has been read
         self.left: dict[int, bool] = {}  # of links at which loops left an inertia: likewise
         self.prepared: set[tuple[str, int]] = set()  # what loops have prepared
-        self.placed = placed_links(plan)
+        self.placed = placed
         self.where = ""
 
     def run(self, operation: Operation, mail: set[int], received: set[int]) -> bool:
@@ -134,7 +138,7 @@ class _Memory:
         """Check that all accelerations are there."""
         self.where = f"process {self.p}"
         for joint in self.plan.processes[self.p].owns:
-            if ("qdd", joint) not in self.read:
+            if self.plan.wants(joint) and ("qdd", joint) not in self.read:
                 name = self.plan.joints[joint].name
                 raise ProgramError(f'{self.where}: the acceleration of "{name}" is not computed')
 

@@ -16,6 +16,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from adagen.model import LINK_ACCELERATION, REACTION_FORCE
 from adagen.plan.order import ends_of
 from adagen.plan.steps import (
     Accelerate,
@@ -35,6 +36,7 @@ from adagen.plan.steps import (
     FreeAcceleration,
     FreeBase,
     FusedJoin,
+    GiveOutput,
     HoldBack,
     HoldMobility,
     InvertRoot,
@@ -53,6 +55,7 @@ from adagen.plan.steps import (
     StartEmpty,
     StartLink,
     Step,
+    blocks_set_by,
 )
 from adagen.plan.types import Message, Plan
 
@@ -124,9 +127,31 @@ def effects(plan: Plan, step: Step, runs: Mapping[int, tuple[int, ...]]) -> Effe
             | AccelerateHeld()
         ):
             return _closed(plan, step)
+        case GiveOutput():
+            return _output(plan, step)
         case Send() | Receive():
             raise AssertionError("what a message does depends on what has been sent")
     return _of_link(step)
+
+
+def _output(plan: Plan, step: GiveOutput) -> Effects:
+    output = plan.outputs[step.output]
+    if output.what == LINK_ACCELERATION:
+        tied: tuple[Place, ...] = (("torques", 0),) if plan.slaved else ()
+        return Effects((("velocity", output.link), ("acceleration", output.link), *tied))
+    if output.what == REACTION_FORCE:
+        return Effects((("qdd", output.link - 1),))
+    return Effects((_mobility(plan, output.link),))
+
+
+def _mobility(plan: Plan, link: int) -> Block:
+    blocks = (
+        block
+        for process in plan.processes
+        for step in process.steps
+        for block in blocks_set_by(step)
+    )
+    return next(block for block in blocks if (block.row, block.column) == (link, link))
 
 
 def _of_joint(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from itertools import groupby
+from itertools import groupby, takewhile
 from typing import Any
 
 from adagen.plan.carried import carried_runs, holds, mentions
@@ -15,6 +15,7 @@ from adagen.plan.steps import (
     Accelerate,
     Articulate,
     Deliver,
+    FreeAcceleration,
     FreeBase,
     Kinematics,
     Load,
@@ -25,6 +26,7 @@ from adagen.plan.steps import (
     Step,
 )
 from adagen.plan.types import Plan, Process
+from adagen.plan.wanted import needed_outwards
 from adagen.program.names import PASSING
 from adagen.program.runs import (
     Run,
@@ -75,6 +77,7 @@ class Loops:
         self.own = starts - self.placed  # links whose own inertia the sweep adds as it passes them
         self.named = mentions(plan, process)
         self.through = self._passed_through()  # links that no load but a run's own reaches
+        self.needed = needed_outwards(plan, process.steps, limbs)
         self.holding: set[int] = set()  # links at which an inertia has been left
         self.bare: set[int] = set()  # links whose own inertia is set up
         self.by_columns: set[int] = set()  # those of them that are set up by columns, too
@@ -93,6 +96,7 @@ class Loops:
             Load: self._load,
             Deliver: self._deliver,
             Accelerate: self._accelerate,
+            FreeAcceleration: self._free_accelerations,
             Receive: self._receive,
         }
         for number, stage in enumerate(stages(self.process)):
@@ -273,11 +277,20 @@ class Loops:
         by_joint = {step.joint: step for step in steps}
         for unit in units_of_sweep(self.joints, steps, self.limbs, outward_order):
             if isinstance(unit, Limbs):
-                members = (by_joint[j] for j in unit.members())
-                self._add("accelerate", unit, "lanes", members)
-            else:
-                own = [by_joint[j] for j in reversed(list(_inwards(unit)))]
-                self._add("accelerate", unit, "each", own)
+                if not self.needed.isdisjoint(unit.members()):
+                    members = (by_joint[j] for j in unit.members())
+                    self._add("accelerate", unit, "lanes", members)
+                continue
+            outwards = reversed(list(_inwards(unit)))
+            joints = list(takewhile(self.needed.__contains__, outwards))
+            if joints:
+                run = Run(min(joints), max(joints), unit.reversed)
+                self._add("accelerate", run, "each", (by_joint[j] for j in joints))
+
+    def _free_accelerations(self, steps: list[FreeAcceleration]) -> None:
+        for step in steps:
+            if step.joint in self.needed:
+                self._add(step.does, None, "step", (step,))
 
     def _receive(self, steps: list[Receive]) -> None:
         for step in steps:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -13,9 +13,11 @@ from adagen.model import (
     BASE,
     FLOATING,
     KINDS,
+    REACTION_FORCE,
     WORLD,
     Joint,
     Model,
+    Output,
     Part,
     Passive,
     Pose,
@@ -26,7 +28,7 @@ from adagen.model import (
 from adagen.scene.lock import lock, select
 from adagen.scene.names import Names
 from adagen.scene.prune import influential
-from adagen.scene.types import Scene
+from adagen.scene.types import OUTPUTS, Scene
 
 
 @dataclass(frozen=True)
@@ -87,7 +89,9 @@ def apply_scene(model: Model, scene: Scene) -> Reduction:
     dropped: tuple[str, ...] = ()
     if scene.accelerations is not None:
         robot, dropped = _pruned(robot, scene, locked)
-    robot = _with_forces(robot, scene)
+    robot = replace(
+        _with_forces(robot, scene), outputs=_outputs(robot, scene, locked), at_rest=scene.at_rest
+    )
     if all(joint.prescribed for joint in robot.joints):
         raise scene.error("nothing to solve: every joint's acceleration is prescribed", "joints")
     return Reduction(robot, _closed(model, scene, names), locked, dropped)
@@ -236,6 +240,45 @@ def _with_forces(model: Model, scene: Scene) -> Model:
     return replace(model, wrenches=tuple(wrenches))
 
 
+def _outputs(model: Model, scene: Scene, locked: Mapping[str, object]) -> tuple[Output, ...]:
+    """What the scene asks for beside accelerations, in its order."""
+    names = Names(model, scene, checked=True)
+    here = Pose.home().frame
+    found = []
+    for key, what in OUTPUTS.items():
+        for k, name in enumerate(getattr(scene, key)):
+            if what == REACTION_FORCE:
+                if name in locked:
+                    message = f"joint '{name}' is locked: the force through it is not computed"
+                    raise scene.error(message, "outputs", key, k)
+                number, frame = names.joint(name, "outputs", key, k) + 1, None
+            else:
+                number, frame = names.link(name, "outputs", key, k)
+            if number == 0:
+                message = f"link '{name}' is fixed to the ground: nothing is computed of it"
+                raise scene.error(message, "outputs", key, k)
+            found.append(Output(what, number, here(name) if frame is None else frame, name))
+    return tuple(found)
+
+
+def _wanting(model: Model, wanted: Set[str], scene: Scene) -> Model:
+    """Ask for accelerations of some joints only, and of those that move the links kept.
+
+    Where joints are tied to each other, all are computed.
+    """
+    if model.closed or any(joint.mimic for joint in model.joints):
+        return model
+    names = Names(model, scene, checked=True)
+    found = {names.joints[name] for name in wanted}
+    for k, name in enumerate(scene.keep):
+        j = names.link(name, "keep", k)[0] - 1
+        while j >= 0:
+            found.add(j)
+            j = model.joints[j].parent - 1
+    every = len(found) == len(model.joints)
+    return replace(model, wanted=() if every else tuple(sorted(found)))
+
+
 def _pruned(
     model: Model, scene: Scene, locked: Mapping[str, object]
 ) -> tuple[Model, tuple[str, ...]]:
@@ -252,8 +295,13 @@ def _pruned(
         raise scene.error(
             "'accelerations' names no joint: leave it out to get all", "accelerations"
         )
-    stay = influential(model, wanted, kept)
-    smaller = select(model, stay)
+    outputs = {names.joints[name] for name in scene.reaction_forces if name in names.joints} | {
+        names.link(name, "outputs", key, k)[0] - 1
+        for key in ("link_accelerations", "inverse_inertia")
+        for k, name in enumerate(getattr(scene, key))
+    }
+    stay = influential(model, wanted, kept | {j + 1 for j in outputs})
+    smaller = _wanting(select(model, stay), {model.joints[j].name for j in wanted}, scene)
     dropped = tuple(j.name for k, j in enumerate(model.joints) if k not in set(stay))
     still = {link.name for link in smaller.links} | {
         name for link in smaller.links for name in link.merged

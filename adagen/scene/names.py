@@ -6,8 +6,8 @@ import math
 from collections.abc import Collection, Mapping, Sequence
 
 from adagen.jsonfile import nearest
-from adagen.model import BASE, Frame, Joint, Model, places
-from adagen.scene.types import Scene
+from adagen.model import BASE, REACTION_FORCE, Frame, Joint, Model, places
+from adagen.scene.types import OUTPUTS, Scene
 
 _TURNING = ("damping", "rotor_inertia")
 """Effects that have a meaning for a spherical joint: the same about every axis."""
@@ -36,6 +36,10 @@ class Names:
                 self.link(name, key, k)
         for k, name in enumerate(scene.accelerations or ()):
             self.joint(name, "accelerations", k)
+        for key, what in OUTPUTS.items():
+            look_up = self.joint if what == REACTION_FORCE else self.link
+            for k, name in enumerate(getattr(scene, key)):
+                look_up(name, "outputs", key, k)
 
     def joint(self, name: str, *path: str | int) -> int:
         """Return a moving joint's index.

@@ -12,7 +12,7 @@ from adagen.errors import InputError
 from adagen.jsonfile import nearest
 from adagen.model import LOOP_WORDS, LoopEnd, NamedCoupling, NamedLoop
 from adagen.scene.source import Source, read_toml
-from adagen.scene.types import EFFECTS, URDF, Base, JointScene, PointMass, Scene
+from adagen.scene.types import EFFECTS, OUTPUTS, URDF, Base, JointScene, PointMass, Scene
 
 LARGEST = 1e40
 """SI units; products of numbers up to this stay far below overflow, as in a URDF."""
@@ -38,9 +38,8 @@ def read_scene(path: Path | str) -> Scene:
     source, document = read_toml(path)
     reader = _Reader(source)
     reader.known(document, _FIELDS, "key")
-    return Scene(
-        source, **{key: _FIELDS[key](reader, value, (key,)) for key, value in document.items()}
-    )
+    given = {key: _FIELDS[key](reader, value, (key,)) for key, value in document.items()}
+    return Scene(source, **given.pop("outputs", {}), **given)
 
 
 class _Reader:
@@ -75,6 +74,11 @@ class _Reader:
         if value < 0 and not signed:
             raise self.fail(f"{what}: {value!r:.40} is negative", path)
         return float(value)
+
+    def outputs(self, value: Any, path: _Path) -> dict[str, tuple[str, ...]]:
+        table = self.table(value, path)
+        self.known(table, OUTPUTS, "output", *path)
+        return {key: self.names(names, (*path, key)) for key, names in table.items()}
 
     def boolean(self, value: Any, path: _Path) -> bool:
         if not isinstance(value, bool):
@@ -291,6 +295,8 @@ _FIELDS: dict[str, Callable[[_Reader, Any, _Path], Any]] = {
     "lock_all_but": _Reader.names,
     "keep": _Reader.names,
     "accelerations": _Reader.names,
+    "outputs": _Reader.outputs,
+    "at_rest": _Reader.boolean,
     "forces": _Reader.names,
     "damping": _Reader.effect,
     "friction": _Reader.effect,

@@ -10,6 +10,25 @@ _NAMED = 6
 
 
 @dataclass(frozen=True)
+class Simplification:
+    """What a scene simplifies, and what that does to accelerations where it does not hold.
+
+    Attributes:
+        holds: in words, what it takes for true.
+        else_: in words, what else may be.
+        states: random states that were looked at.
+        median: of them, the difference of accelerations in joint space, relative to the whole.
+        largest: likewise.
+    """
+
+    holds: str
+    else_: str
+    states: int
+    median: float
+    largest: float
+
+
+@dataclass(frozen=True)
 class Cost:
     """What an evaluation takes: operations counted from its plan, and predicted time in us."""
 
@@ -29,6 +48,18 @@ def removed(reduction: Reduction) -> list[str]:
             f"scene: {len(names)} joints left out, on which nothing wanted depends: "
             f"{_listed(names)}"
         )
+    model = reduction.model
+    if model.wanted:
+        names = [f'"{model.joints[j].name}"' for j in model.wanted]
+        lines.append(
+            f"scene: accelerations of {len(names)} of {len(model.joints)} joints are computed: "
+            f"{_listed(names)}"
+        )
+    if model.outputs:
+        told = [f'{output.what} at "{output.name}"' for output in model.outputs]
+        lines.append(f"scene: computed beside accelerations: {_listed(told)}")
+    if model.at_rest:
+        lines.append("scene: at rest, all velocities are zero")
     if not reduction.model.gravity.any():
         lines.append("scene: no gravity")
     return lines
@@ -61,6 +92,21 @@ def measured(before: float, after: float) -> str:
     """Return a line on measured times, microseconds, of the whole robot and of what is left."""
     change = _change(1.0 - after / before, "less")
     return f"scene: measured here: {after:.2f} us, the whole robot {before:.2f} us: {change} time"
+
+
+def accurate(digits: float, whole: float | None) -> str:
+    """Return a line on the digits that are predicted of what is left, and of the whole robot."""
+    told = "" if whole is None else f", of the whole robot {whole:.1f}"
+    return f"scene: {digits:.1f} digits are predicted of what is left{told}"
+
+
+def differs(simplification: Simplification) -> str:
+    """Return a line on what a simplification does to accelerations where it does not hold."""
+    return (
+        f"scene: exact where {simplification.holds}; where {simplification.else_}, accelerations "
+        f"differ by {simplification.median:.0%} (median of {simplification.states} random states; "
+        f"at most {simplification.largest:.0%})"
+    )
 
 
 def _change(share: float, less: str) -> str:

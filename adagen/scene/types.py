@@ -6,11 +6,24 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from adagen.errors import InputError
-from adagen.model import NamedCoupling, NamedLoop
+from adagen.model import (
+    INVERSE_INERTIA,
+    LINK_ACCELERATION,
+    REACTION_FORCE,
+    NamedCoupling,
+    NamedLoop,
+)
 from adagen.scene.source import Source
 
 EFFECTS = ("damping", "friction", "friction_speed", "stiffness", "rest", "rotor_inertia")
 """Members of ``adagen.model.Passive``, as the scene file names them."""
+
+OUTPUTS = {
+    "link_accelerations": LINK_ACCELERATION,
+    "reaction_forces": REACTION_FORCE,
+    "inverse_inertia": INVERSE_INERTIA,
+}
+"""What a scene may ask for beside accelerations, by its key in ``[outputs]``."""
 
 URDF = "urdf"
 """What a scene says to take damping or friction from the robot description."""
@@ -64,6 +77,10 @@ class Scene:
         lock_all_but: the joints that stay, where all others are locked.
         keep: links whose motion is wanted.
         accelerations: joints whose accelerations are wanted; None for all.
+        link_accelerations: links whose accelerations are given beside those of joints.
+        reaction_forces: joints through which the forces are given.
+        inverse_inertia: links at which the inverse of the inertia is given.
+        at_rest: whether all velocities are zero.
         forces: links on which an external force acts, each an input.
         damping: of every joint that says nothing: a number or "urdf"; None is none, undecided.
         friction: likewise.
@@ -82,6 +99,10 @@ class Scene:
     lock_all_but: tuple[str, ...] | None = None
     keep: tuple[str, ...] = ()
     accelerations: tuple[str, ...] | None = None
+    link_accelerations: tuple[str, ...] = ()
+    reaction_forces: tuple[str, ...] = ()
+    inverse_inertia: tuple[str, ...] = ()
+    at_rest: bool = False
     forces: tuple[str, ...] = ()
     damping: float | str | None = None
     friction: float | str | None = None

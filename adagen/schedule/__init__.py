@@ -1,5 +1,6 @@
 """Which joint joins which partial chains on which process, and what that is predicted to cost."""
 
+from adagen.schedule.hosts import Host, read_hosts
 from adagen.schedule.profile import CostProfile, load_profile, parse_profile, step_costs
 from adagen.schedule.sweeps import makespan_of, total_work
 from adagen.schedule.text import (
@@ -15,6 +16,7 @@ from adagen.schedule.validity import InvalidSchedule, validate
 
 __all__ = [
     "CostProfile",
+    "Host",
     "InvalidSchedule",
     "Node",
     "Schedule",
@@ -26,6 +28,7 @@ __all__ = [
     "parse_profile",
     "postorder",
     "preorder",
+    "read_hosts",
     "schedule_line",
     "schedule_to_dict",
     "schedule_to_json",

@@ -83,6 +83,8 @@ NAMES: tuple[str, ...] = tuple(
 """All coefficients of a step profile, as group.key."""
 
 CHANNELS = ("window", "message")
+NETWORK = "network"
+"""The channel between hosts, which a profile may have besides."""
 CHANNEL_KEYS = ("send", "latency", "number")
 
 
@@ -113,6 +115,7 @@ class StepCosts:
         table: a coefficient for each of ``NAMES``.
         window: messages through memory that processes share.
         message: MPI messages.
+        network: MPI messages between hosts; None where that was not measured.
         cores: speed of each core; process p runs on core p, beyond the last one at speed 1.
 
     Raises:
@@ -123,6 +126,7 @@ class StepCosts:
     window: ChannelCosts
     message: ChannelCosts
     cores: tuple[float, ...] = field(default=())
+    network: ChannelCosts | None = None
 
     def __post_init__(self) -> None:
         if wrong := sorted(set(self.table).symmetric_difference(NAMES)):
@@ -204,13 +208,15 @@ def read_steps(table: Mapping[str, object], text: str, file: str) -> StepCosts |
         row = _table(steps, group, keys, text, file, "steps.")
         for key in keys:
             found[f"{group}.{key}"] = _number(row, key, f"steps.{group}", text, file)
-    channels = _table(table, "channel", CHANNELS, text, file)
+    channels = _table(table, "channel", (*CHANNELS, NETWORK), text, file)
     costs = {}
-    for channel in CHANNELS:
+    for channel in (*CHANNELS, *([NETWORK] if NETWORK in channels else [])):
         row = _table(channels, channel, CHANNEL_KEYS, text, file, "channel.")
         values = [_number(row, key, f"channel.{channel}", text, file) for key in CHANNEL_KEYS]
         costs[channel] = ChannelCosts(*values)
-    return StepCosts(found, costs["window"], costs["message"], _cores(table, text, file))
+    return StepCosts(
+        found, costs["window"], costs["message"], _cores(table, text, file), costs.get(NETWORK)
+    )
 
 
 def _cores(table: Mapping[str, object], text: str, file: str) -> tuple[float, ...]:

@@ -56,6 +56,9 @@ def best_schedule(
     topology, costs = Topology.of(model), profile
     if form == "ada":
         profile = profile.joins_only()
+    if model.outputs:  # one process has it all
+        search["cuttable"] = [False] * len(topology)
+        return find_schedule(topology, processes, profile=profile, **search)
     if model.closed:
         return closed_schedule(model, processes, profile, scalar, **search)
     if form == "segment" and processes == 1:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +11,7 @@ import numpy as np
 
 from adagen.errors import InputError
 from adagen.jsonfile import Refusal, as_number, as_object, load_object, nearest
-from adagen.model import BASE, Joint, Model
+from adagen.model import BASE, OUTPUT_SIZES, Joint, Model
 from adagen.states.slaved import follow_sources
 from adagen.states.types import FIELDS, Array, States, columns, fields_of, wrench_columns
 
@@ -66,23 +66,47 @@ def states_gravity(path: Path | str) -> Array | None:
 
 
 def read_result(path: Path | str, model: Model) -> Array:
-    """Return the accelerations of a result file, shape (S, nv).
+    """Return the accelerations and outputs of a result file, shape (S, nqdd).
+
+    NaN stands for accelerations that the model's scene does not want.
 
     Raises:
         InputError: the file cannot be read, is not JSON, or is not a result for this model.
     """
     try:
-        joints = as_object(load_object(path, ("joints", "corrections")).get("joints"), "'joints'")
-        _check_names(joints, model, every=True)
+        document = load_object(path, ("joints", "outputs", "corrections"))
+        joints = as_object(document.get("joints"), "'joints'")
+        unasked = {j.name for k, j in enumerate(model.joints) if k not in model.wanted}
+        _check_names(joints, model, every=True, unasked=unasked if model.wanted else ())
         count = _count(joints, ("qdd",))
-        result = np.zeros((count, model.nv))
+        result = np.full((count, model.nqdd), np.nan)
         for j, joint in enumerate(model.joints):
+            if model.wanted and j not in model.wanted:
+                continue
             values = as_object(joints[joint.name], f"joint '{joint.name}'")
             rows = _numbers(values, joint, "qdd", joint.kind.nv, count)
             result[:, columns(model, j, "v")] = rows
+        if model.outputs:
+            result[:, model.nv :] = _outputs(document.get("outputs"), model, count)
     except Refusal as refusal:
         raise InputError(str(refusal), str(path), refusal.line) from None
     return result
+
+
+def _outputs(said: Any, model: Model, count: int) -> Array:
+    """The numbers of a model's outputs, shape (S, all of them)."""
+    if not isinstance(said, list) or len(said) != len(model.outputs):
+        raise Refusal("'outputs' are not those of the scene")
+    parts = []
+    for output, given in zip(model.outputs, said, strict=True):
+        values = as_object(given, "an output")
+        if (values.get("what"), values.get("of")) != (output.what, output.name):
+            raise Refusal(f"the {output.what} at '{output.name}' is missing")
+        rows = np.array(values.get("values"), dtype=np.float64)
+        if rows.shape != (count, OUTPUT_SIZES[output.what]):
+            raise Refusal(f"the {output.what} at '{output.name}' has other sizes")
+        parts.append(rows)
+    return np.hstack(parts)
 
 
 def _gravity(document: dict[str, Any]) -> Array | None:
@@ -108,6 +132,7 @@ def _check_names(
     model: Model,
     *,
     every: bool = False,
+    unasked: Collection[str] = (),
     why_missing: Callable[[str], str | None] | None = None,
 ) -> None:
     """Refuse joints that the model lacks, and the lack of joints that it has."""
@@ -122,6 +147,8 @@ def _check_names(
                 hint = ": the robot's base is fixed; add --floating, or leave it out"
             raise Refusal(f"'{name}' is not a moving joint of the robot{hint}")
     for joint in model.joints:
+        if joint.name in unasked:
+            continue
         if joint.name not in joints and (every or joint.mimic is None):
             hint = "; the base is floating: give its state under that name, or leave --floating out"
             raise Refusal(f"joint '{joint.name}' is missing{hint if joint.name == BASE else ''}")
@@ -151,6 +178,8 @@ def _read_joint(said: Any, model: Model, j: int, states: States) -> None:
         own = columns(model, j, field)
         width = own.stop - own.start
         array[:, own] = _numbers(values, joint, field, width, states.count)
+        if field == "v" and model.at_rest and array[:, own].any():
+            raise Refusal(f"joint '{joint.name}' moves, and the scene says at_rest: give v as zero")
     if joint.kind.quaternion is not None:
         own = columns(model, j, "q")
         _check_quaternions(joint, states.q[:, own.stop - 4 : own.stop])

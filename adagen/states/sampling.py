@@ -22,6 +22,7 @@ def random_states(model: Model, count: int, seed: int = 0) -> States:
     """
     rng = np.random.default_rng(seed)
     v, torques = rng.uniform(-1.0, 1.0, size=(2, count, model.nv))
+    v *= not model.at_rest
     q = rng.uniform(-1.0, 1.0, size=(count, model.nq))
     for j, joint in enumerate(model.joints):
         at = columns(model, j, "q")

@@ -27,6 +27,7 @@ struct JointConstants {
   int source;             // joint that it is slaved to, or -1: q = multiplier q_source + offset
   double multiplier, offset;
   Passive passive{};
+  bool given = true;  // whether its acceleration is wanted and found
 };
 
 // An outer force that is an input, told in the frame of the link that has its name.

@@ -23,7 +23,8 @@ namespace {
 struct Group {
   Workspace w;
   std::array<Value, kNq> q{};
-  std::array<Value, kNv> v{}, qdd{};
+  std::array<Value, kNv> v{};
+  std::array<Value, kNqdd> qdd{};
   std::array<Value, kNtau> tau{};
 };
 

@@ -104,7 +104,7 @@ class Handout {
       const Number* const v = piece.states.data() + count * kNq;
       take_parameters(piece.states.data() + count * kNumbers);
       const bool good = solve(count, piece.states.data(), v, v + count * kNv, piece.qdd.data());
-      MPI_Isend(piece.qdd.data(), count * kNv, kMpiNumber, 0, good ? kSolved : kFailed,
+      MPI_Isend(piece.qdd.data(), count * kNqdd, kMpiNumber, 0, good ? kSolved : kFailed,
                 channel.comm(), &piece.answered);
       ask(channel, piece);
     }
@@ -124,7 +124,7 @@ class Handout {
   };
   struct Taken {
     std::array<Number, static_cast<std::size_t>(kMost) * kNumbers + kParameterCount> states;
-    std::array<Number, static_cast<std::size_t>(kMost) * kNv> qdd;
+    std::array<Number, static_cast<std::size_t>(kMost) * kNqdd> qdd;
     MPI_Request asked = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
   };
 
@@ -170,7 +170,7 @@ class Handout {
     channel.wait(given.sent, p, status);
     MPI_Isend(MPI_BOTTOM, 1, rows, p, kStates, channel.comm(), &given.sent);
     MPI_Type_free(&rows);
-    MPI_Irecv(batch.qdd + row * kNv, count * kNv, kMpiNumber, p, MPI_ANY_TAG, channel.comm(),
+    MPI_Irecv(batch.qdd + row * kNqdd, count * kNqdd, kMpiNumber, p, MPI_ANY_TAG, channel.comm(),
               &given.answered);
   }
 
@@ -178,7 +178,7 @@ class Handout {
   static bool solve_in_place(const Batch& batch, int first, int count, Solve solve) {
     const long row = first;
     return solve(count, batch.q + row * kNq, batch.v + row * kNv, batch.tau + row * kNtau,
-                 batch.qdd + row * kNv);
+                 batch.qdd + row * kNqdd);
   }
 
   static void ask(Channel& channel, Taken& piece) {

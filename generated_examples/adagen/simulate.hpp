@@ -64,6 +64,12 @@ class Simulation {
 
   // The initial state and the file to write; process 0's status counts.
   int start() {
+    const auto& joints = about.joints;
+    if (about.at_rest ||
+        !std::all_of(joints.begin(), joints.end(), [](const Joint& joint) { return joint.given; }))
+      return on_.complain(kUsage, about.at_rest
+                                      ? "--simulate: this solver is for states at rest"
+                                      : "--simulate: this solver does not give all accelerations");
     if (on_.options.states.empty()) {
       on_.use(random_states(1, on_.options.seed, on_.solver));
     } else {
@@ -102,7 +108,8 @@ class Simulation {
   int integrate() {
     q_.assign(on_.q(0), on_.q(0) + about.nq);
     v_.assign(on_.v(0), on_.v(0) + about.nv);
-    real_q_.resize(q_.size()), real_v_.resize(v_.size()), real_a_.resize(v_.size());
+    real_q_.resize(q_.size()), real_v_.resize(v_.size()),
+        real_a_.resize(static_cast<std::size_t>(about.nqdd));
     real_tau_.resize(static_cast<std::size_t>(about.ntau));
     const Clock::time_point began = next_ = Clock::now();
     next_shown_ = began + std::chrono::seconds(1);
@@ -158,7 +165,7 @@ class Simulation {
       real_tau_[k] = static_cast<Number>(double(real_tau_[k]) + extra[k]);
     const int status =
         on_.solver.solve_at_root(real_q_.data(), real_v_.data(), real_tau_.data(), real_a_.data());
-    std::copy(real_a_.begin(), real_a_.end(), a.begin());
+    std::copy_n(real_a_.begin(), a.size(), a.begin());
     ++evaluations_;
     return status;
   }

@@ -18,6 +18,7 @@ template <>
   about = description;
   Options options;
   const std::string wrong = parse(count, words, options);
+  Watch().start_of_mpi(options.time_limit);
   MPI_Init(&count, &words);
   int rank = 0, size = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);

@@ -17,7 +17,7 @@ adagen::Joint<Number> told(const JointConstants& joint) {
   return {joint.name,       kind,         joint.parent,   joint.q,           joint.nq,
           joint.v,          joint.nv,     joint.rotation, joint.translation, joint.source,
           joint.multiplier, joint.offset, own.damping,    own.friction,      own.friction_speed,
-          own.stiffness,    own.rest,     own.rotor,      own.prescribed};
+          own.stiffness,    own.rest,     own.rotor,      own.prescribed,    joint.given};
 }
 adagen::Link<Number> told(const LinkConstants& link) { return {link.mass, link.com, link.tensor}; }
 [[maybe_unused]] adagen::OuterForce<Number> told(const OuterForce& outer) {

@@ -46,11 +46,13 @@ class Verdict {
   // All of what follows is process 0's.
   void note_answer(int s, const Number* qdd) {
     Finding& finding = at(s);
-    finding.qdd.assign(qdd, qdd + about.nv);
-    finding.left = check::left_over(q(s), v(s), tau(s), qdd);
-    if (loops::any()) loops::account(q(s), v(s), qdd, finding.left);
+    std::vector<Number> all(qdd, qdd + about.nv);
+    check::complete(q(s), v(s), tau(s), all);
+    finding.qdd.assign(all.begin(), all.end());
+    finding.left = check::left_over(q(s), v(s), tau(s), all.data());
+    if (loops::any()) loops::account(q(s), v(s), all.data(), finding.left);
     for (int j = 0; j < about.joints.count; ++j) {
-      const double slip = check::slip(about.joints[j], tau(s), qdd);
+      const double slip = check::slip(about.joints[j], tau(s), all.data());
       if (!(slip <= finding.left.backward)) finding.left.backward = slip, finding.left.joint = j;
     }
     finding.error.assign(finding.qdd.size(), 0);
@@ -76,7 +78,9 @@ class Verdict {
   void note_response(int probe, int s, const Number* qdd) {
     Finding& finding = at(s);
     const double step = probe == 0 ? scale(finding) / kPush : 1 / kTouch;
+    const std::vector<bool> given = check::given();
     for (std::size_t k = 0; k < finding.qdd.size(); ++k) {
+      if (!given[k]) continue;
       const double moved = (double(qdd[k]) - finding.qdd[k]) * step;
       if (probe == 0)
         finding.error[k] = std::abs(moved);

@@ -96,7 +96,7 @@ class TestGenerate:
         out = tmp_path / "out"
         assert main([str(arm), "--procs", "2", "--out", str(out)]) == 0
         names = {f"arm_p2.{ending}" for ending in ("cpp", "h", "pc", "plan.json", "svg")}
-        names |= {"adagen_program.cpp", "Makefile", "CMakeLists.txt"}
+        names |= {"adagen", "adagen_program.cpp", "Makefile", "CMakeLists.txt"}
         assert {p.name for p in out.iterdir()} == names
         stdout, stderr = said()
         assert stdout == ""
@@ -112,8 +112,9 @@ class TestGenerate:
         other.write_bytes(arm.read_bytes())
         for model in (arm, other):
             assert main([str(model), "--procs", "2", "--out", str(model.parent / "out")]) == 0
-        for file in (tmp_path / "out").iterdir():
-            assert file.read_bytes() == (elsewhere / "out" / file.name).read_bytes()
+        for file in (tmp_path / "out").rglob("*.*"):
+            there = elsewhere / "out" / file.relative_to(tmp_path / "out")
+            assert file.read_bytes() == there.read_bytes()
             assert str(tmp_path) not in file.read_text()
 
     def test_generating_again_replaces_and_keeps_other_files(
@@ -128,12 +129,12 @@ class TestGenerate:
     def test_what_is_right_already_is_left_as_it_is(self, arm: Path, tmp_path: Path) -> None:
         words = [str(arm), "--procs", "2", "--out", str(tmp_path / "out")]
         assert main(words) == 0
-        for path in (tmp_path / "out").iterdir():
+        for path in (tmp_path / "out").rglob("*.*"):
             os.utime(path, (1e9, 1e9))
         assert main(words) == 0
-        assert {path.stat().st_mtime for path in (tmp_path / "out").iterdir()} == {1e9}
+        assert {path.stat().st_mtime for path in (tmp_path / "out").rglob("*.*")} == {1e9}
         assert main([*words, "--scalar", "float"]) == 0
-        renewed = {p.name for p in (tmp_path / "out").iterdir() if p.stat().st_mtime != 1e9}
+        renewed = {p.name for p in (tmp_path / "out").rglob("*.*") if p.stat().st_mtime != 1e9}
         assert "arm_p2.cpp" in renewed
         assert not renewed & {"Makefile", "CMakeLists.txt", "adagen_program.cpp"}
 
@@ -146,13 +147,13 @@ class TestGenerate:
         out = tmp_path / "out"
         words = ["--procs", "1", "--out", str(out)]
         assert main([str(arm), *words]) == 0
-        before = {path.name: path.read_bytes() for path in out.iterdir()}
+        before = {path.name: path.read_bytes() for path in out.rglob("*.*")}
         assert main([str(other), *words]) == 2
         assert "arm_p1.cpp was made of another robot, ../arm.urdf; choose" in said()[1]
         assert main([str(other), *words, "--name", "heavy"]) == 0
         assert main([str(arm), *words, "--name", "arm" * 20]) == 0
         assert main([str(arm), *words, "--name", "arm" * 20 + "x"]) == 0
-        after = {path.name: path.read_bytes() for path in out.iterdir()}
+        after = {path.name: path.read_bytes() for path in out.rglob("*.*")}
         assert {name: after[name] for name in before} == before
         assert len([name for name in after if name.endswith(".cpp")]) == 5
         shutil.copy(arm, tmp_path / "moved.urdf")  # the same robot, from another place

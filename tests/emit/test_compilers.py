@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from adagen.emit.around import options_of, program_text
+from adagen.emit.runtime import joined
 from adagen.errors import EnvironmentFault
 from adagen.states import random_states
 from tests.emitted import QUICK, ROUNDING, Builder, Solver, forward_error, states_text, truth_of
@@ -67,7 +68,7 @@ def test_a_program_of_another_kind_is_not_linked(builder: Builder) -> None:
 
 @pytest.mark.parametrize("stem", BY_STEM)
 def test_eigen_is_included_where_it_is_used(stem: str) -> None:
-    source = text(BY_STEM[stem])
+    source = joined(text(BY_STEM[stem]))
     assert ("#include <Eigen/" in source) == ("Eigen::" in source)
 
 

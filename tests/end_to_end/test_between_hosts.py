@@ -111,13 +111,13 @@ def test_a_lost_host_is_an_error_within_the_time_limit(
     stem: str, event: Callable[[Network], None], pair: Network, builder: Builder
 ) -> None:
     solver = on(pair, stem, builder)
-    words = ("--time", "--repeat", "1000000", "--json", "--timeout", "3")
+    words = ("--time", "--repeat", "1000000", "--json", "--timeout", "5")
     done, seconds = during(solver, words, lambda: event(pair), at_work)
     assert (done.status, done.stdout) == (3, "")
     (line,) = done.stderr.splitlines()
     assert line.startswith("error: ")
     # The limit, a second for whoever says it better, three for mpiexec, and a busy machine.
-    assert seconds < 15
+    assert seconds < 30
     assert solver_processes(pair, 1, solver) == []
     if event is not stalls:
         wait_until(lambda: solver_processes(pair, 2, solver) == [])
@@ -129,7 +129,7 @@ def test_a_host_that_is_lost_while_mpi_starts_is_an_error(pair: Network, builder
     done, seconds = during(solver, words, lambda: pair.cut(2), is_there)
     assert (done.status, done.stdout) == (3, "")
     assert done.stderr.startswith("error: ")
-    assert seconds < 30  # eleven for MPI to start, three for mpiexec
+    assert seconds < 45  # eleven for MPI to start, three for mpiexec
 
 
 @pytest.mark.parametrize("stem", ["arm7_p2", "arm7_batch_p2"])
@@ -156,7 +156,7 @@ def during(
 ) -> tuple[Completed, float]:
     """Return how a run ends in the midst of which something happens, and how long after that."""
     with ThreadPoolExecutor(1) as pool:
-        run = pool.submit(solver.run, *words, timeout=60)
+        run = pool.submit(solver.run, *words, timeout=100)
         wait_until(lambda: run.done() or when(solver))
         assert not run.done(), run.result()
         event()
@@ -184,7 +184,7 @@ def solver_processes(net: Network, host: int, solver: Solver) -> list[int]:
     return sorted(set(net.processes(host)) & set(running(solver.executable)))
 
 
-def wait_until(true: Callable[[], bool], limit: float = 30) -> None:
+def wait_until(true: Callable[[], bool], limit: float = 60) -> None:
     end = time.monotonic() + limit
     while not true():
         assert time.monotonic() < end

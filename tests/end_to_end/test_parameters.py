@@ -96,7 +96,7 @@ def test_what_cannot_be_set_is_told() -> None:
     assert fixed.gravity.tolist() == [0, 0, -9.81]
     with pytest.raises(UsageError, match='compile with runtime="gravity"'):
         fixed.gravity = MOON
-    with pytest.raises(UsageError, match="gravity is to be set at run time twice"):
+    with pytest.raises(UsageError, match="gravity is given twice"):
         adagen.compile(adagen.read(ARM), runtime="gravity,gravity")
     with pytest.raises(UsageError, match="not friction"):
         adagen.compile(adagen.read(ARM), runtime="gravity,friction")
@@ -178,7 +178,7 @@ def test_masses_and_their_centres_are_set_at_run_time(case: str) -> None:
         ("mass:pedestal", {}, "no moving link of this name"),
         ("mass:hand", {"shape": "joints"}, "in it masses are constants"),
         ("mass:hand", {"refine": 1}, "masses cannot be set where answers are refined"),
-        ("mass:hand", {"form": "ada"}, "say --form segment, or --procs 1"),
+        ("mass:hand", {"form": "ada"}, "use --form segment or --procs 1"),
         ("center:", {}, "no moving link"),
     ],
 )

@@ -22,20 +22,21 @@ SOURCE = Path(__file__).with_name("switch.cpp")
 _AGENT = """\
 #!/bin/sh
 # Stands in for ssh: agent HOST COMMAND... runs a command on a host. Its name ends in its number.
-host=$1
+host=${{1##*.}}
 shift
-exec ip netns exec {prefix}${{host##*.}} unshare --uts sh -c \\
-  'hostname node'${{host##*.}}'; shift; exec sh -c "$*"' sh "$host" "$@"
+exec ip netns exec {prefix}$host taskset -c $(((host - 1) % {cores})) unshare --uts sh -c \\
+  'hostname node'$host'; exec sh -c "$*"' sh "$@"
 """
+_TOOLS = ("ip", "unshare", "taskset")
 _ON_FIRST = 'hostname node1; exec "$@"'
 _NUMBERS = count(1)  # of the networks of this process
 
 
 def why_no_hosts() -> str:
     """Return why there can be no hosts here; nothing if there can."""
-    missing = [tool for tool in ("ip", "unshare") if shutil.which(tool) is None]
+    missing = [tool for tool in _TOOLS if shutil.which(tool) is None]
     if missing:
-        return f"needs {missing[0]} (iproute2, util-linux)"
+        return f"needs {missing[0]} (iproute2 and util-linux have it)"
     if os.geteuid() != 0:
         return "needs root, to make network namespaces"
     if not Path("/dev/net/tun").exists():
@@ -50,7 +51,7 @@ def why_no_hosts() -> str:
 
 @dataclass(frozen=True)
 class Network:
-    """Hosts of one network, 1 to ``hosts``.
+    """Hosts of one network, 1 to ``hosts``; each has a core, as far as there are some.
 
     Attributes:
         hosts: how many.
@@ -79,7 +80,7 @@ class Network:
 
     def command(self, *words: str) -> tuple[str, ...]:
         """Return what runs a command on the first host."""
-        first = ("ip", "netns", "exec", f"{self.prefix}1", "unshare", "--uts")
+        first = ("ip", "netns", "exec", f"{self.prefix}1", "taskset", "-c", "0", "unshare", "--uts")
         return (*first, "sh", "-c", _ON_FIRST, "sh", *words)
 
     def environment(self) -> tuple[tuple[str, str], ...]:
@@ -127,11 +128,12 @@ def network(hosts: int, toolchain: Toolchain, folder: Path) -> Iterator[Network]
         toolchain: whose compiler builds the switch.
         folder: for the agent.
     """
+    _clear_away()
     program = build_executable(SOURCE.read_text(), "switch", toolchain)
     prefix = f"adagen{os.getpid()}-{next(_NUMBERS)}-"
     names = [f"{prefix}{k}" for k in range(hosts + 1)]  # 0 is the switch
     agent = folder / "agent"
-    agent.write_text(_AGENT.format(prefix=prefix))
+    agent.write_text(_AGENT.format(prefix=prefix, cores=os.cpu_count()))
     agent.chmod(0o755)
     switch = None
     try:
@@ -163,6 +165,14 @@ def _plug_in(made: Network, host: int) -> None:
     _ip("-n", name, "address", "add", f"{made.address(host)}/24", "dev", device)
     for each in ("lo", device):
         _ip("-n", name, "link", "set", each, "up")
+
+
+def _clear_away() -> None:
+    """Remove what is left of tests that were ended by force."""
+    for path in Path("/run/netns").glob("adagen*-*"):
+        maker = path.name.removeprefix("adagen").partition("-")[0]
+        if maker.isdigit() and not Path("/proc", maker).exists():
+            _remove(path.name)
 
 
 def _remove(name: str) -> None:

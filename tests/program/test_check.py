@@ -16,10 +16,11 @@ from adagen.errors import UsageError
 from adagen.plan import Plan, make_plan
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Accelerate, Receive, Send
-from adagen.program import Operation, Program, ProgramError, check
+from adagen.program import Operation, Program, ProgramError, check, lower
 from adagen.program.runs import Run
 from adagen.schedule import Topology, load_profile
-from adagen.search import best_schedule
+from adagen.search import best_schedule, named_schedule
+from adagen.studies.stability.robots import rods
 from tests.models import human_figure, random_tree, serial_chain
 
 PROFILE = load_profile("default")
@@ -199,3 +200,12 @@ def test_what_recovers_is_checked_too() -> None:
     processes[p] = replace(processes[p], recovery=processes[p].recovery[1:])
     with pytest.raises(ProgramError):
         check(replace(program, processes=tuple(processes)))
+
+
+def test_what_is_done_instead_keeps_inertias_where_the_program_does() -> None:
+    """Loops of gathering processes, whose second way knows the places of the first."""
+    model = rods(20)
+    schedule = named_schedule("balanced", Topology.of(model), 2, profile=load_profile("default"))
+    plan = make_plan(model, schedule, meeting="gather")
+    assert plan.recovers
+    check(lower(plan, "kernels"))

@@ -134,7 +134,7 @@ BAD = {
     "unquoted": ("a = b\n", 1, "not TOML: invalid value"),
     "twice": ("mimic = true\nmimic = true\n", 2, "not TOML"),
     "unknown key": ("\ngravty = [0, 0, 0]\n", 2, "unknown key 'gravty'; did you mean 'gravity'?"),
-    "unlike any key": ("zzz = 1\n", 1, "known: accelerations, base"),
+    "unlike any key": ("zzz = 1\n", 1, "known: accelerations, at_rest, base"),
     "loop of no kind": ('\n[[loops]]\nname = "a"\n', 2, "this loop has no kind"),
     "loop of no such kind": (
         '[[loops]]\nkind = "revolut"\nlink1 = "a"\nlink2 = "b"\n',

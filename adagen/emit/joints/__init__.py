@@ -25,6 +25,8 @@ def why_not(plan: Plan) -> str | None:
         return "the processes of this plan gather their inertias"
     if plan.closed:
         return "the robot has closed loops, which are straight lines"
+    if plan.outputs:
+        return "outputs beside accelerations are found in straight lines"
     return None
 
 

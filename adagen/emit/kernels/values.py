@@ -39,6 +39,8 @@ def why_not(plan: Plan) -> str | None:
         return f"it is for form segment, not {plan.form}"
     if plan.closed:
         return "the robot has closed loops, which are straight lines"
+    if plan.outputs:
+        return "outputs beside accelerations are found in straight lines"
     return why_not_gather([replace(joint, mimic=None) for joint in plan.joints])
 
 

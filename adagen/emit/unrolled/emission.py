@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Sequence
 
 from adagen.emit import guards
-from adagen.emit.entries import entries_of, ranges, read_joints
+from adagen.emit.entries import entries_of, given_entries, ranges, read_joints
 from adagen.emit.processes import describe_message
 from adagen.emit.unrolled.describe import describe_step
 from adagen.emit.unrolled.layout import Chunk, Layout, Stretch, is_given, laid_out, looked_at
@@ -158,6 +158,13 @@ class _ProcessText:
         for number, content in self.machine.sent.items():
             for k, x in enumerate(content):
                 lines[x.index].append(f"w.to[{number}][{k}] = {self.text.name(x.index)};")
+        for index, results in self._results().items():
+            lines[index] += results
+        return lines
+
+    def _results(self) -> dict[int, list[str]]:
+        """By index, the lines that put values down as accelerations and outputs."""
+        lines: dict[int, list[str]] = defaultdict(list)
         # A reproducible zero has no sign: whether one does depends on what is known beforehand.
         zero = " + Real(0)" if self.words.plan.reproducible else ""
         for joint, values in self.machine.results.items():
@@ -171,6 +178,10 @@ class _ProcessText:
                     if x.node.width == 1:  # the same in all lanes
                         value = f"{TYPES[self._width(joint)]}{{}} + {value}"
                     lines[x.index].append(f"put({value}{zero}, w.lanes.data() + {place});")
+        for number, values in self.machine.outputs.items():
+            first = self.words.plan.entry_of_output(number)
+            for k, x in enumerate(values):
+                lines[x.index].append(f"w.result[{first + k}] = {self._value(x.index)}{zero};")
         return lines
 
     def _width(self, joint: int) -> int:
@@ -211,7 +222,7 @@ class _ProcessText:
             first = place + 1
             if stage is not None and stage.message is not None:
                 lines += [self._message(stage.what, stage.message), f"stamp({place + 1});"]
-        return [*lines, *self._give()] if self.process.owns else lines
+        return [*lines, *self._give()] if given_entries(self.words, self.process) else lines
 
     def _prologue(self) -> list[str]:
         """The state is looked at; sines and cosines are taken of all angles at once."""
@@ -345,7 +356,8 @@ class _ProcessText:
     def _single_results(self) -> list[tuple[int, int]]:
         """Ranges of accelerations that are computed by themselves."""
         rows = {j for joint, _ in self.wide_results for j in self.machine.rows.own(joint)}
-        return ranges(entries_of(self.words, "v", [j for j in self.process.owns if j not in rows]))
+        wide = set(entries_of(self.words, "v", rows))
+        return ranges(k for k in given_entries(self.words, self.process) if k not in wide)
 
     def _scattered(self) -> list[tuple[int, int]]:
         """Entries of the result that are computed in lanes, and where they are kept."""
@@ -354,6 +366,7 @@ class _ProcessText:
             (joints[j].v + k, place + lane)
             for (joint, k), place in self.wide_results.items()
             for lane, j in enumerate(self.machine.rows.own(joint))
+            if self.words.plan.wants(j)
         )
 
     def _unlike_zero_in_lanes(self) -> list[str]:

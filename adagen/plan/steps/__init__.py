@@ -40,7 +40,14 @@ from adagen.plan.steps.joins import (
     LinkBias,
 )
 from adagen.plan.steps.names import Bias, Block, Force
-from adagen.plan.steps.process import ApplyCoupling, Kinematics, Receive, Send, SolveCoupling
+from adagen.plan.steps.process import (
+    ApplyCoupling,
+    GiveOutput,
+    Kinematics,
+    Receive,
+    Send,
+    SolveCoupling,
+)
 
 __all__ = [
     "Accelerate",
@@ -64,6 +71,7 @@ __all__ = [
     "FreeAcceleration",
     "FreeBase",
     "FusedJoin",
+    "GiveOutput",
     "HoldBack",
     "HoldMobility",
     "InvertRoot",
@@ -112,6 +120,7 @@ Step = (
     | Receive
     | SolveCoupling
     | ApplyCoupling
+    | GiveOutput
     | CloseLoop
     | CloseCoupling
     | HoldBack

@@ -38,6 +38,16 @@ class Receive:
 
 
 @dataclass(frozen=True)
+class GiveOutput:
+    """What is asked for beside accelerations: one of the plan's outputs."""
+
+    does: ClassVar[str] = "output"
+    about: ClassVar[str] = "what is asked for beside accelerations"
+
+    output: int
+
+
+@dataclass(frozen=True)
 class SolveCoupling:
     """The torques that keep slaved joints in step, from all processes' accelerations."""
 

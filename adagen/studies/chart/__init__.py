@@ -1,7 +1,7 @@
 """Accuracy beside speed: work-precision diagrams of every way to compute the same accelerations."""
 
 from adagen.studies.chart.budget import Budget, parse_budget
-from adagen.studies.chart.record import Chart, Point, front, read_chart, write_csv, write_json
+from adagen.studies.chart.record import Chart, Point, front, read_chart, write_json
 from adagen.studies.chart.study import Study, chart_of
 from adagen.studies.chart.variants import Variant, every_variant
 
@@ -16,6 +16,5 @@ __all__ = [
     "front",
     "parse_budget",
     "read_chart",
-    "write_csv",
     "write_json",
 ]

@@ -35,12 +35,14 @@ class Budget:
     def best(self, points: Sequence[Point]) -> Point:
         """Return what to use: the fastest that is right enough, or the most accurate in time.
 
-        Only what adagen emits is looked at. Where both are limited, the fastest.
+        Only what adagen emits for one state at a time is looked at. Where both are limited, the
+        fastest.
 
         Raises:
             InputError: nothing keeps the budget; the message says what comes nearest.
         """
-        own = [p for p in points if p.team == "adagen" and p.error is not None and p.clocked]
+        single = [p for p in points if p.team == "adagen" and not p.batch]
+        own = [p for p in single if p.error is not None and p.clocked]
         if not own:
             raise InputError("nothing was both solved and timed, so that no budget can be kept")
 

@@ -11,23 +11,25 @@ from typing import Any
 from adagen.errors import EnvironmentFault
 from adagen.plan.digits import EPSILON
 from adagen.studies.chart.record import Chart, Point
-from adagen.studies.chart.variants import NAMES
+from adagen.studies.chart.variants import METHODS
 
 COLOURS = {
-    "segment": "#0072b2",
-    "ada": "#d55e00",
-    "aba": "#999999",
-    "aba_exact": "#555555",
-    "crba": "#cc79a7",
+    "straight": "#0072b2",
+    "loops": "#d55e00",
+    "batches": "#009e73",
+    "reproducible": "#56b4e9",
+    "joints": "#cc79a7",
+    "articulated": "#777777",
+    "composite": "#b09000",
 }
-_PEER_COLOURS = ("#009e73", "#56b4e9", "#e69f00", "#b09000")
+_PEER_COLOURS = ("#7b3294", "#a6611a", "#1b7837", "#e69f00")
 _MARKERS = ("o", "^", "D", "v", "P")  # by steps of refinement
 _FACES = {"float": ("white", "hollow"), "mixed": ("0.8", "grey inside")}
-_CLOSE = 0.05  # of an axis: two numbers so near each other cannot be told apart
 _STEPS = ((1.8, (1.0, 2.0, 5.0)), (3.2, (1.0, 3.0)))  # decades of an axis, and where labels are
 _LEAST = 1e-17  # errors below are drawn here
-_LINES = 11  # below the panels; the data has them all
-_TITLE, _PANELS, _GAP, _LINE, _LEGEND = 0.6, 5.2, 0.55, 0.155, 0.3  # heights in inches
+_LINES = 14  # below the panel; the record has them all
+_TITLE, _PANEL, _GAP, _LINE, _LEGEND = 0.6, 5.6, 0.55, 0.155, 0.55  # heights in inches
+_NEAR, _AROUND = (13.0, 22.0, 32.0, 44.0), 12  # where a number may stand: points away, directions
 
 
 def pyplot() -> Any:
@@ -72,76 +74,85 @@ def save(figure: Any, path: Path) -> list[Path]:
 
 
 def work_precision(chart: Chart) -> Any:
-    """Return the figure: forward error and torque residual, each against time.
+    """Return the figure: forward error against time, a line for each method.
 
-    Below stand, in words, the Pareto front and why some have no answer or no time.
+    Below stand, in words, the front of what adagen emits and why some have no answer or no time.
     """
     words = [_pareto(chart), _failures(chart)]
     below = _LINE * max(text.count("\n") + 2 for text in words)
-    height = _TITLE + _PANELS + _GAP + below + _LEGEND
-    figure = pyplot().figure(figsize=(13, height))
+    height = _TITLE + _PANEL + _GAP + below + _LEGEND
+    figure = pyplot().figure(figsize=(12, height))
     grid = figure.add_gridspec(
-        2, 2, height_ratios=(_PANELS, below), hspace=2 * _GAP / (_PANELS + below),
-        top=1 - _TITLE / height, bottom=_LEGEND / height, width_ratios=(3, 2), wspace=0.27,
+        2, 2, height_ratios=(_PANEL, below), hspace=2 * _GAP / (_PANEL + below), left=0.08,
+        right=0.88, top=1 - _TITLE / height, bottom=_LEGEND / height, width_ratios=(3, 2),
     )  # fmt: skip
-    left = figure.add_subplot(grid[0, 0])
-    right = figure.add_subplot(grid[0, 1], sharex=left)
+    axes = figure.add_subplot(grid[0, :])
     colours = _colours(chart.points)
-    _panel(left, chart, "error", colours)
-    _panel(right, chart, "residual", colours)
-    _guides(left, chart)
-    left.set_ylabel(
+    _panel(axes, chart, colours)
+    axes.set_ylabel(
         f"largest forward error over {chart.states} states, " r"$\sqrt{e^T H e\,/\,t^T H t}$"
     )
-    right.set_ylabel("largest torque residual")
     figure.suptitle(
         f"{chart.model}, {chart.dof} degrees of freedom: error against time on {chart.machine}\n"
         f"truth to {chart.digits} digits; medians over {chart.rounds} rounds, by turns",
         y=1.0,
     )
-    _staircase(left, chart)
     for k, text in enumerate(words):
         words_axes = figure.add_subplot(grid[1, k])
         words_axes.axis("off")
         words_axes.text(0, 1, text, fontsize=8, va="top", transform=words_axes.transAxes)
     figure.legend(
-        handles=_handles(chart, colours), loc="lower center", ncols=6, fontsize=8, frameon=False
+        handles=_handles(chart, colours), loc="lower center", ncols=5, fontsize=8, frameon=False
     )
     return figure
 
 
 def _colours(points: Sequence[Point]) -> dict[str, str]:
-    peers = sorted({p.algorithm for p in points} - set(COLOURS))
+    peers = sorted({p.method for p in points} - set(COLOURS) - {""})
     more = {name: _PEER_COLOURS[k % len(_PEER_COLOURS)] for k, name in enumerate(peers)}
-    return {
-        name: c for name, c in (COLOURS | more).items() if any(p.algorithm == name for p in points)
-    }
+    shown = {p.method for p in points if _drawn(p)}
+    return {name: colour for name, colour in (COLOURS | more).items() if name in shown}
 
 
-def _panel(axes: Any, chart: Chart, what: str, colours: dict[str, str]) -> None:
-    """Draw one kind of error against time."""
-    times = [p.time_ns for p in chart.points if p.time_ns is not None] or [1e3]
-    right = max(times) * 2.2  # where points without a time go
-    values = [_height(p, what) for p in chart.points if not p.failed]
-    failed = any(p.failed for p in chart.points)
-    top = max([*values, 1e-6]) * (1e4 if failed else 4)  # where points without an answer go
-    least = min([*values, 1e-16])
-    axes.set(xscale="log", yscale="log", ylim=(least / 300, top * 6), xlabel="ns per evaluation")
-    untimed = any(p.time_ns is None for p in chart.points)
-    axes.set_xlim(min(times) / 1.5, right * 1.5 if untimed else max(times) * 1.5)
+def _drawn(point: Point) -> bool:
+    """Whether a point has a place in the panel; the others are listed below."""
+    return not point.failed and point.time_ns is not None
+
+
+def _panel(axes: Any, chart: Chart, colours: dict[str, str]) -> None:
+    """Draw errors against times; the axes go as far as they do."""
+    shown = [p for p in chart.points if _drawn(p)]
+    axes.set(xscale="log", yscale="log", xlabel="ns per evaluation")
+    times = [p.time_ns or 0.0 for p in shown] or [1e3]
+    errors = [_height(p) for p in shown] or [1e-16]
+    axes.set_xlim(min(times) / 1.25, max(times) * 1.25)
+    axes.set_ylim(min(errors) / 8, max(errors) * 5)
     axes.grid(alpha=0.25, which="major")
     label_steps(axes)
-    if untimed:
-        axes.axvline(right / 1.4, color="black", lw=0.6, ls=":")
-        axes.text(right, least / 200, "not\ntimed", ha="center", va="bottom", fontsize=7)
-    for point in chart.points:
-        x = right if point.time_ns is None else point.time_ns
-        y = top if point.failed else _height(point, what)
-        _mark(axes, point, x, y, colours[point.algorithm])
-    if failed:
-        axes.axhline(top / 4, color="black", lw=0.6, ls=":")
-        axes.text(0.01, top * 1.3, "no answer", fontsize=7, va="center",
-                  transform=axes.get_yaxis_transform())  # fmt: skip
+    for name, colour in colours.items():
+        _line(axes, [p for p in shown if p.method == name], colour)
+    _guides(axes, chart)
+    _staircase(axes, chart)
+    _number(axes, chart)
+
+
+def _line(axes: Any, points: Sequence[Point], colour: str) -> None:
+    """Draw the points of a method, those that none of them beats joined by a line."""
+    least, best = math.inf, []
+    for point in sorted(points, key=lambda p: (p.time_ns or 0.0, _height(p))):
+        if _height(point) < least and point.source != "stretches":
+            least = _height(point)
+            best.append(point)
+    axes.plot(
+        [p.time_ns for p in best], [_height(p) for p in best], color=colour, lw=1.4, alpha=0.7
+    )
+    for point in points:
+        marker = _MARKERS[min(point.refine, len(_MARKERS) - 1)]
+        face = _FACES[point.scalar][0] if point.scalar in _FACES else colour
+        x, y = point.time_ns, _height(point)
+        axes.plot(x, y, marker, color=colour, mfc=face, ms=7 if point.front else 5.5, alpha=0.9)
+        if point.source == "stretches":
+            axes.plot(x, y, "o", color=colour, mfc="none", ms=11, mew=0.8, alpha=0.7)
 
 
 def label_steps(axes: Any) -> None:
@@ -160,38 +171,33 @@ def label_steps(axes: Any) -> None:
     axes.tick_params(axis="x", labelsize=7)
 
 
-def _height(point: Point, what: str) -> float:
-    value = point.error if what == "error" else point.residual
-    return max(value or 0.0, _LEAST)
-
-
-def _mark(axes: Any, point: Point, x: float, y: float, colour: str) -> None:
-    marker = "x" if point.failed else _MARKERS[min(point.refine, len(_MARKERS) - 1)]
-    face = _FACES[point.scalar][0] if point.scalar in _FACES and not point.failed else colour
-    axes.plot(x, y, marker, color=colour, mfc=face, ms=7 if point.front else 5.5, alpha=0.85)
-    if point.source == "stretches":
-        axes.plot(x, y, "o", color=colour, mfc="none", ms=11, mew=0.8, alpha=0.7)
-    if point.processes > 1 and not point.failed:
-        up = 2.5 if point.processes == 2 else -7  # what takes as long on more stays legible
-        axes.annotate(str(point.processes), (x, y), fontsize=6, xytext=(3.5, up),
-                      textcoords="offset points", color=colour)  # fmt: skip
+def _height(point: Point) -> float:
+    return max(point.error or 0.0, _LEAST)
 
 
 def _guides(axes: Any, chart: Chart) -> None:
-    """Draw the rounding of each scalar, and what the joins of form ada are predicted to lose."""
-    for scalar in sorted({p.scalar for p in chart.points} - {"mixed"}):
-        lines = [(EPSILON[scalar], f"eps,\n{scalar}")]
-        grown = [
-            p.predicted
+    """Draw the rounding of each scalar, and what joining is predicted to lose, where in sight."""
+    found = []
+    for scalar in sorted({p.scalar for p in chart.points} & set(EPSILON)):
+        found.append((EPSILON[scalar], f"rounding of\n{scalar}"))
+        found += [
+            (p.predicted, f"predicted:\n{scalar}, joints")
             for p in chart.points
-            if p.predicted and p.algorithm == "ada" and p.schedule == "auto"
-            if p.scalar == scalar and p.processes == 1
-        ]
-        lines += [(grown[0], f"eps Σg, ada,\n{scalar}")] if grown else []
-        for height, text in lines:
-            axes.axhline(height, color="black", lw=0.7, ls="--", alpha=0.5)
-            axes.text(1.01, height, text, fontsize=7, alpha=0.8, va="center",
-                      transform=axes.get_yaxis_transform())  # fmt: skip
+            if p.predicted and p.method == "joints" and p.schedule == "auto"
+            if p.scalar == scalar and p.processes == 1 and not p.refine
+        ][:1]
+    low, high = axes.get_ylim()
+    found = sorted(each for each in found if low < each[0] < high)
+    tall = math.log10(high / low)
+    least = -1.0
+    for height, text in found:
+        axes.axhline(height, color="black", lw=0.7, ls="--", alpha=0.5)
+        at = max(math.log10(height / low) / tall, least)  # of the axis, above the label below
+        least = at + _OF_LABEL
+        axes.text(1.01, at, text, fontsize=7, alpha=0.8, va="center", transform=axes.transAxes)
+
+
+_OF_LABEL = 0.06  # height of two lines of text in the panel
 
 
 def _on_front(chart: Chart) -> list[Point]:
@@ -199,40 +205,52 @@ def _on_front(chart: Chart) -> list[Point]:
 
 
 def _staircase(axes: Any, chart: Chart) -> None:
-    """Join the points that nothing beats by a staircase, numbered as in the list below."""
+    """Join what adagen emits and nothing beats by a staircase."""
     on = _on_front(chart)
-    xs = [p.time_ns for p in on if p.time_ns is not None]  # all of them have one
-    ys = [_height(p, "error") for p in on]
-    axes.step(xs, ys, where="post", color="black", lw=1.1, alpha=0.6, zorder=0)
-    for first, last in _close_together(axes, xs, ys):
-        text = f"{first + 1}" if first == last else f"{first + 1}-{last + 1}"
-        axes.annotate(text, (xs[first], ys[last]), fontsize=8, weight="bold", xytext=(-4, -16),
-                      textcoords="offset points")  # fmt: skip
+    xs, ys = [p.time_ns for p in on], [_height(p) for p in on]
+    axes.step(xs, ys, where="post", color="black", lw=1.1, alpha=0.5, zorder=0)
 
 
-def _close_together(axes: Any, xs: Sequence[float], ys: Sequence[float]) -> list[tuple[int, int]]:
-    """Return the first and the last of each run of points that one number must stand for."""
-    spans = [abs(math.log10(high / low)) for low, high in (axes.get_xlim(), axes.get_ylim())]
-    runs: list[tuple[int, int]] = []
-    for k, point in enumerate(zip(xs, ys, strict=True)):
-        first = runs[-1][0] if runs else 0
-        apart = [
-            abs(math.log10(a / b)) / span
-            for a, b, span in zip(point, (xs[first], ys[first]), spans, strict=True)
-        ]
-        if runs and max(apart) < _CLOSE:
-            runs[-1] = first, k
+def _number(axes: Any, chart: Chart) -> None:
+    """Number the front as in the list below, each number where it covers nothing."""
+    from matplotlib.transforms import Bbox
+
+    pixels = axes.figure.dpi / 72
+
+    def box(at: Sequence[float], wide: float, high: float) -> Any:
+        (x, y), half = at, (wide * pixels / 2, high * pixels / 2)
+        return Bbox.from_extents(x - half[0], y - half[1], x + half[0], y + half[1])
+
+    def spot(point: Point) -> Sequence[float]:
+        found: Sequence[float] = axes.transData.transform((point.time_ns, _height(point)))
+        return found
+
+    taken = [box(spot(p), 9, 9) for p in chart.points if _drawn(p)]
+    turns = [2 * math.pi * (k / _AROUND + 0.625) for k in range(_AROUND)]  # first below, left
+    places = [(r * math.cos(turn), r * math.sin(turn)) for r in _NEAR for turn in turns]
+    for k, point in enumerate(_on_front(chart), start=1):
+        x, y = spot(point)
+        for place in places:
+            own = box((x + place[0] * pixels, y + place[1] * pixels), 7.0 * len(str(k)) + 2, 11)
+            inside = axes.bbox.contains(*own.min) and axes.bbox.contains(*own.max)
+            if inside and not any(own.overlaps(other) for other in taken):
+                break
         else:
-            runs.append((k, k))
-    return runs
+            continue  # there is no room; the list has it
+        taken.append(own)
+        axes.annotate(
+            str(k), (point.time_ns, _height(point)), fontsize=8, weight="bold", ha="center",
+            va="center", xytext=place, textcoords="offset points",
+            arrowprops={"arrowstyle": "-", "lw": 0.5, "alpha": 0.6},
+        )  # fmt: skip
 
 
 def _pareto(chart: Chart) -> str:
     """Return the points that nothing beats, in words."""
-    lines = ["Pareto front (time, ratio to the serial articulated-body solver, error):"]
+    lines = ["Front of what adagen emits, one state at a time (time, ratio to the default, error):"]
     for k, point in enumerate(_on_front(chart), start=1):
         ratio = "" if point.ratio is None else f", {point.ratio:.2f}x"
-        error = f"{_height(point, 'error'):.1e}"
+        error = f"{_height(point):.1e}"
         lines.append(f"{k}  {point.label}: {point.time_ns:.0f} ns{ratio}, {error}")
     return _shortened(lines) if len(lines) > 1 else ""
 
@@ -263,19 +281,23 @@ def _handles(chart: Chart, colours: dict[str, str]) -> list[Any]:
     """Return what the legend holds."""
     from matplotlib.lines import Line2D
 
-    def handle(marker: str, colour: str, face: str, text: str) -> Any:
-        return Line2D([], [], marker=marker, color=colour, mfc=face, ls="", label=text)
+    def handle(marker: str, colour: str, face: str, text: str, line: str = "") -> Any:
+        return Line2D([], [], marker=marker, color=colour, mfc=face, ls=line, label=text)
 
-    rows = [handle("o", c, c, NAMES.get(name, name)) for name, c in colours.items()]
+    shown = [p for p in chart.points if _drawn(p)]
+    rows = [handle("o", c, c, METHODS.get(name, name), "-") for name, c in colours.items()]
     for scalar, (face, look) in _FACES.items():
-        if any(p.scalar == scalar for p in chart.points):
+        if any(p.scalar == scalar for p in shown):
             rows.append(handle("o", "black", face, f"{scalar} ({look})"))
-    for n in sorted({p.refine for p in chart.points if p.refine}):
-        rows.append(handle(_MARKERS[min(n, len(_MARKERS) - 1)], "black", "black", f"refined {n}x"))
-    if any(p.source == "stretches" for p in chart.points):
-        ring = handle("o", "black", "none", "ringed: time from measured stretches (P > cores)")
+    for n in sorted({p.refine for p in shown if p.refine}):
+        times = {1: "once", 2: "twice"}.get(n, f"{n} times")
+        rows.append(
+            handle(_MARKERS[min(n, len(_MARKERS) - 1)], "black", "black", f"refined {times}")
+        )
+    if any(p.source == "stretches" for p in shown):
+        ring = handle(
+            "o", "black", "none", "ringed: time from measured stretches (more processes than cores)"
+        )
         ring.set_markersize(11)
         rows.append(ring)
-    if any(p.processes > 1 for p in chart.points):
-        rows.append(handle("$2$", "black", "black", "processes (1 if none)"))
     return rows

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import csv
 import dataclasses
-import io
 import json
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -22,7 +20,7 @@ class Point:
     Attributes:
         label: its name.
         team: whose it is: adagen, baseline, or a peer's name.
-        algorithm: a key of ``adagen.studies.chart.variants.NAMES``, or what a peer calls it.
+        algorithm: one of ``adagen.studies.chart.variants.ALGORITHMS``, or what a peer calls it.
         schedule: of adagen's forms.
         scalar: "double", "float" or "mixed".
         processes: P.
@@ -36,7 +34,13 @@ class Point:
         residual: largest torque residual.
         predicted: eps times the sum of g, what joins are predicted to lose; None where none are.
         why: the reason where it failed or was not timed.
-        front: whether nothing is both faster and more accurate.
+        front: whether nothing that adagen emits is both faster and more accurate.
+        batch: whether it solves many states at once; its time is that of one of them.
+        reproducible: whether its last digits are the same on every machine.
+        lanes: whether limbs that are alike may share code.
+        objective: what its schedule and shape are searched for.
+        method: a key of ``adagen.studies.chart.variants.METHODS``, or a peer's name: the line that
+            it is drawn on.
     """
 
     label: str
@@ -55,6 +59,11 @@ class Point:
     predicted: float | None = None
     why: str | None = None
     front: bool = False
+    batch: bool = False
+    reproducible: bool = False
+    lanes: bool = True
+    objective: str = "both"
+    method: str = ""
 
     @property
     def failed(self) -> bool:
@@ -94,12 +103,18 @@ def front(points: Sequence[Point]) -> set[int]:
     """Return which points are on the Pareto front: none is as fast and as right, and better in one.
 
     Args:
-        points: any; those without a time by the clock, or finite error, are not on it.
+        points: any; those that adagen does not emit, batches, and those without a time by the
+            clock or a finite error, are not on it.
     """
     known = sorted(
         (p.time_ns, p.error, k)
         for k, p in enumerate(points)
-        if p.time_ns is not None and p.clocked and p.error is not None and math.isfinite(p.error)
+        if p.team == "adagen"
+        and not p.batch
+        and p.time_ns is not None
+        and p.clocked
+        and p.error is not None
+        and math.isfinite(p.error)
     )
     best, last, found = math.inf, (math.nan, math.nan), set()
     for time, error, k in known:
@@ -138,26 +153,3 @@ def read_chart(path: Path) -> Chart:
         raise InputError(f"cannot read it: {error.strerror}", str(path)) from None
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
         raise InputError("not a chart as adagen chart writes it", str(path)) from None
-
-
-def write_csv(chart: Chart, path: Path) -> None:
-    """Write a chart's points, a line each under the names of their attributes.
-
-    Raises:
-        EnvironmentFault: writing failed.
-    """
-    names = [field.name for field in dataclasses.fields(Point)]
-    write_rows(path, ["model", *names], [{"model": chart.model, **vars(p)} for p in chart.points])
-
-
-def write_rows(path: Path, names: Sequence[str], rows: Iterable[Mapping[str, object]]) -> None:
-    """Write CSV: a line of names, then a line for each row; None is empty.
-
-    Raises:
-        EnvironmentFault: writing failed.
-    """
-    text = io.StringIO()
-    writer = csv.DictWriter(text, names, lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(rows)
-    write_whole(path, text.getvalue())

@@ -82,13 +82,20 @@ def _built(
     """Return a point for each variant, and contestants of those that could be built."""
     points: dict[str, Point] = {}
     sources: dict[str, Emitted] = {}
+    texts: set[str] = set()
     for k, variant in enumerate(variants, start=1):
         said(f"planning {k} of {len(variants)}")
         point = _point(variant)
         try:
             _, plan = variant.plan(model)
+            if any(not process.owns for process in plan.processes):
+                continue  # on so many processes it is what it is on fewer
             stem = stem_of(plan)
             text = variant.files(plan)[f"{stem}.cpp"]
+            if text in texts:
+                continue  # another variant's program
+            texts.add(text)
+            point = replace(point, method=variant.method(plan))
             if not variant.baseline:
                 growth = predicted_growth(plan).error
                 point = replace(point, predicted=growth if math.isfinite(growth) else None)
@@ -129,6 +136,10 @@ def _point(variant: Variant) -> Point:
         processes=variant.processes,
         refine=variant.refine,
         shape=variant.shape,
+        batch=variant.batch,
+        reproducible=variant.reproducible,
+        lanes=variant.lanes,
+        objective=variant.objective,
     )
 
 
@@ -142,6 +153,7 @@ def _peer(contestant: Contestant) -> Point:
         processes=contestant.processes,
         refine=0,
         shape="auto",
+        method=contestant.team,
     )
 
 

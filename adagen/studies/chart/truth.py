@@ -65,16 +65,16 @@ class Truth:
 
 def truth_of(
     model: Model,
-    count: int,
+    count: int | States,
     seed: int = 1,
     digits: int = DIGITS,
     said: Callable[[str], None] = lambda _: None,
 ) -> Truth:
-    """Return the truth of random states.
+    """Return the truth of random states, or of given ones.
 
     Args:
         model: the robot.
-        count: how many states.
+        count: how many states, or these.
         seed: of the states.
         digits: how many are certified.
         said: is told of progress.
@@ -82,10 +82,10 @@ def truth_of(
     Raises:
         InputError: the robot's joint-space inertia is singular.
     """
-    states = random_states(model, count, seed)
+    states = random_states(model, count, seed) if isinstance(count, int) else count
     exact, inertias = [], []
     for s, state in enumerate(zip(states.q, states.v, states.tau, strict=True)):
-        said(f"truth to {digits} digits: state {s + 1} of {count}")
+        said(f"truth to {digits} digits: state {s + 1} of {states.count}")
         exact.append(exact_forward_dynamics(model, *state, digits=digits).raw)
         inertias.append(joint_space_inertia(model, state[0]))
     return Truth(model, states, np.array(exact), np.array(inertias), digits)

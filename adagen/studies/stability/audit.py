@@ -16,14 +16,24 @@ from adagen.emit import emit, stem_of
 from adagen.errors import AdagenError
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
+from adagen.plan.clusters import fold_of
 from adagen.plan.types import THREADS
 from adagen.reference import exact_forward_dynamics
-from adagen.schedule import Topology, load_profile
-from adagen.search import named_schedule
+from adagen.schedule import load_profile
+from adagen.search import best_schedule, named_schedule
 from adagen.search.objective import FEW, predicted_digits
 from adagen.states import States
 
 Array = NDArray[np.float64]
+SHAPE_WORDS = {
+    "kernels": "loops",
+    "unrolled": "straight line",
+    "joints": "joins (form ada)",
+    "crba": "CRBA",
+    "aba": "textbook ABA",
+    "aba_exact": "ABA, exact projection",
+}
+"""Shapes, in the words of pictures and tables."""
 WRONG = {"double": 1e-6, "float": 1e-1}
 """From which error on, relative to the largest acceleration of a state, an answer is wrong."""
 
@@ -33,18 +43,32 @@ class Way:
     """How a robot is solved.
 
     Attributes:
-        shape: "kernels" or "unrolled".
-        threads: 1, or more that are joined at cuts, as schedule `balanced` has them.
+        shape: of the code, one of ``adagen.emit.shapes.KNOWN``.
+        threads: 1, or more.
         scalar: "double" or "float".
+        meeting: how threads meet: "joined" at cuts, or "gathered" at a core, as schedule `balanced`
+            shares the robot out, or "searched", as adagen does it by default.
+        form: of the algorithm.
     """
 
     shape: str
     threads: int = 1
     scalar: str = "double"
+    meeting: str = "joined"
+    form: str = "segment"
 
     def __str__(self) -> str:
         words = [self.shape] + [f"P={self.threads}"] * (self.threads > 1)
+        words += [self.meeting] * (self.threads > 1 and self.meeting != "joined")
         return " ".join(words + [self.scalar] * (self.scalar != "double"))
+
+    @property
+    def words(self) -> str:
+        """In the words that pictures and tables have."""
+        words = [SHAPE_WORDS[self.shape]]
+        if self.threads > 1:
+            words += [f"P = {self.threads}"] + [self.meeting] * (self.form == "segment")
+        return ", ".join(words + [self.scalar] * (self.scalar != "double"))
 
 
 @dataclass(frozen=True)
@@ -81,10 +105,18 @@ class Audit:
 
 def planned(model: Model, way: Way) -> Plan | None:
     """Return a plan of a robot by one thread or several; None where it is not shared out so."""
-    topology, profile = Topology.of(model), load_profile("default")
-    schedule = named_schedule("balanced", topology, way.threads, profile=profile)
+    profile = load_profile("default")
+    meeting = "gather" if way.meeting == "gathered" else "auto"
     try:
-        plan = make_plan(model, schedule, form="segment", scalar=way.scalar, channel=THREADS)
+        if way.meeting == "searched":
+            schedule = best_schedule(model, way.threads, profile, way.form, way.scalar)
+        else:
+            seen = fold_of(model, way.form)
+            found = named_schedule("balanced", seen.topology, way.threads, profile=profile)
+            schedule = seen.unfold(found, profile)
+        plan = make_plan(
+            model, schedule, form=way.form, scalar=way.scalar, channel=THREADS, meeting=meeting
+        )
     except AdagenError:
         return None
     shared = sum(bool(process.owns) for process in plan.processes)
@@ -104,14 +136,34 @@ def truths(model: Model, states: States) -> list[Array | None]:
 
 def answers(plan: Plan, way: Way, states: States, toolchain: Toolchain) -> Iterator[Array | None]:
     """Yield what the emitted solver answers for each state, None where it refuses."""
-    stem = stem_of(plan, "audited")
-    source = emit(plan, name="audited", shape=way.shape)[f"{stem}.cpp"]
+    return solved(source_of(plan, way), plan, states, toolchain)
+
+
+def source_of(plan: Plan, way: Way) -> str:
+    """Return what is emitted of a plan.
+
+    Raises:
+        UsageError: it cannot be emitted so.
+    """
+    return emit(plan, name=_NAME, shape=way.shape)[f"{stem_of(plan, _NAME)}.cpp"]
+
+
+_NAME = "audited"
+
+
+def solved(source: str, plan: Plan, states: States, toolchain: Toolchain) -> Iterator[Array | None]:
+    """Yield what an emitted source answers for each state, None where it refuses.
+
+    Raises:
+        EnvironmentFault: it cannot be built.
+    """
+    stem = stem_of(plan, _NAME)
     flags = (*toolchain.flags, "-shared", "-fPIC", "-pthread", "-DADAGEN_NO_MAIN")
     built = build_executable(
         f"#define ADAGEN_NO_MAIN\n{source}", f"{stem}.so", replace(toolchain, flags=flags)
     )
     library = ctypes.CDLL(str(built))
-    number = np.dtype(np.float64 if way.scalar == "double" else np.float32)
+    number = np.dtype(np.float64 if plan.scalar == "double" else np.float32)
 
     def function(name: str, result: Any, *arguments: Any) -> Any:
         found = getattr(library, f"{stem}_{name}")

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from adagen.errors import EnvironmentFault
+from adagen.studies.stability.emitted import Cell, digits
 from adagen.studies.stability.maps import Map
 from adagen.studies.stability.methods import EPSILON
 
@@ -115,3 +116,50 @@ def draw_conditions(maps: Sequence[Map], path: Path) -> None:
     handles, names = grid.flat[0].get_legend_handles_labels()
     figure.legend(handles, names, loc="outside right center", frameon=False)
     _save(figure, path)
+
+
+def draw_study(cells: Sequence[Cell], path: Path) -> None:
+    """Draw what emitted solvers keep: a row for each way, a column for each robot.
+
+    Args:
+        cells: of the study.
+        path: where to, .svg or .png.
+
+    Raises:
+        EnvironmentFault: matplotlib is missing.
+    """
+    names = list(dict.fromkeys(cell.robot for cell in cells))
+    shown = [cell for cell in cells if not cell.same]
+    kinds = list(dict.fromkeys(cell.way for cell in shown if not cell.why))
+    table = np.full((len(kinds), len(names)), np.nan)
+    words = [[""] * len(names) for _ in kinds]
+    for cell in shown:
+        if cell.way not in kinds:
+            continue
+        row, column = kinds.index(cell.way), names.index(cell.robot)
+        words[row][column] = _kept(cell)
+        if not cell.why:
+            table[row, column] = digits(cell.error, cell.way.scalar)
+    figure = _figure(3.6 + 0.75 * max(len(names), 3), 2.2 + 0.3 * len(kinds))
+    axes = figure.add_subplot()
+    image = axes.imshow(table, cmap="RdYlGn", vmin=0, vmax=16, aspect="auto")
+    axes.set_xticks(range(len(names)), names, rotation=35, ha="right")
+    axes.set_yticks(range(len(kinds)), [way.words for way in kinds])
+    axes.set_title("decimal digits kept by emitted solvers, in the worst state", loc="left")
+    for row, column in np.ndindex(table.shape):
+        kept = table[row, column]
+        colour = "white" if kept < 2 or kept > 14.5 else "black"
+        axes.text(
+            column, row, words[row][column], ha="center", va="center", fontsize=8, color=colour
+        )
+    figure.colorbar(image, label="digits")
+    _save(figure, path)
+
+
+def _kept(cell: Cell) -> str:
+    if cell.why:
+        return "-"
+    if cell.error is None:
+        return "refused"
+    kept = digits(cell.error, cell.way.scalar)
+    return f"{kept:.0f}" if kept >= 0.5 else "wrong"

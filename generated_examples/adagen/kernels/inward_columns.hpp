@@ -160,7 +160,7 @@ ADAGEN_INLINE void step_inward(Workspace& w, int j, JointKind kind, Columns& X, 
       eliminate<false, reversed>(w, j, X, due, arrive);
       return;
     case JointKind::kPrismatic:
-      if constexpr (any_of(JointKind::kPrismatic)) eliminate<true, reversed>(w, j, X, due, arrive);
+      if constexpr (kAnyPrismatic) eliminate<true, reversed>(w, j, X, due, arrive);
       return;
     default:
       if constexpr (kAnySpherical || kAnyPlanar || kAnyFloating) number_by_number();

@@ -109,6 +109,8 @@ ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
     if (joint.kind == kind && (joint.parent > 0 || kind != JointKind::kFloating)) return true;
   return false;
 }
+// Asked once each, not where templates use it: g++ takes time quadratic in the joints there.
+[[maybe_unused]] constexpr bool kAnyPrismatic = any_of(JointKind::kPrismatic);
 [[maybe_unused]] constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
 [[maybe_unused]] constexpr bool kAnyPlanar = any_of(JointKind::kPlanar);
 [[maybe_unused]] constexpr bool kAnyFloating = any_of(JointKind::kFloating);

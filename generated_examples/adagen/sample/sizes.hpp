@@ -12,7 +12,7 @@ using Real = double;    // of all between
 constexpr int kProcesses = 2;
 constexpr bool kAlone = false;  // whether process 0 does all, and no other takes part
 constexpr int kJointCount = 4, kLinkCount = kJointCount + 1;
-constexpr int kNq = 13, kNv = 11;
+constexpr int kNq = 13, kNv = 11, kNqdd = kNv;
 constexpr int kOuterCount = 1, kNtau = kNv + 6 * kOuterCount;
 constexpr int kColumns = 1;              // right-hand sides: the motion, and one per slaved joint
 constexpr std::size_t kSlavedCount = 1;  // joints that follow others

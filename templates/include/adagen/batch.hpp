@@ -132,7 +132,7 @@ class Solver {
       run(groups);
       for (int g = 0; g < groups; ++g) {
         const int at = first + g * kLanes;
-        good &= give(groups_[size(g)], std::min(kLanes, count - at), qdd + size(at) * kNv);
+        good &= give(groups_[size(g)], std::min(kLanes, count - at), qdd + size(at) * kNqdd);
       }
     }
     return good;
@@ -157,13 +157,13 @@ class Solver {
     const auto all_q = group.q;
     const auto all_v = group.v;
     const auto all_tau = group.tau;
-    for (int s = 0; s < states; ++s, qdd += kNv) {
+    for (int s = 0; s < states; ++s, qdd += kNqdd) {
       everywhere(alone.q, all_q, s), everywhere(alone.v, all_v, s);
       everywhere(alone.tau, all_tau, s);
       if (run(1) == kFine)
         to_rows(1, alone.qdd, qdd);
       else
-        std::fill_n(qdd, kNv, std::numeric_limits<Number>::quiet_NaN());
+        std::fill_n(qdd, kNqdd, std::numeric_limits<Number>::quiet_NaN());
     }
     return false;
   }
@@ -173,7 +173,7 @@ class Solver {
   int name_failures(int count, const Number* q, const Number* v, const Number* tau,
                     const Number* qdd) {
     for (int s = 0; s < count; ++s) {
-      const Number first = qdd[size(s) * kNv];
+      const Number first = qdd[size(s) * kNqdd];
       if (first == first) continue;
       take(groups_.front(), s, 1, q, v, tau);
       const int status = run(1);

@@ -259,6 +259,66 @@ double slip(const Joint& joint, const Number* tau, const Number* qdd) {
   return std::max(worst, std::abs(own - due) / std::max(1.0, std::abs(due)));
 }
 
+// Of each degree of freedom, whether the solver gives its acceleration.
+std::vector<bool> given() {
+  std::vector<bool> found(static_cast<std::size_t>(about.nv));
+  for (const Joint& joint : about.joints)
+    for (int k = joint.v; k < joint.v + joint.nv; ++k)
+      found[static_cast<std::size_t>(k)] = joint.given;
+  return found;
+}
+
+// Solves rows, each with its right-hand side behind it, by Gauss's elimination; nothing where they
+// are singular.
+std::vector<Real> solved(std::vector<std::vector<Real>> rows) {
+  const std::size_t n = rows.size();
+  std::vector<Real> x(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    std::size_t most = k;
+    for (std::size_t i = k; i < n; ++i)
+      if (std::abs(rows[i][k]) > std::abs(rows[most][k])) most = i;
+    std::swap(rows[k], rows[most]);
+    if (rows[k][k] == 0) return {};
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const Real part = rows[i][k] / rows[k][k];
+      for (std::size_t j = k; j <= n; ++j) rows[i][j] -= part * rows[k][j];
+    }
+  }
+  for (std::size_t k = n; k-- > 0;) {
+    x[k] = rows[k][n];
+    for (std::size_t j = k + 1; j < n; ++j) x[k] -= rows[k][j] * x[j];
+    x[k] /= rows[k][k];
+  }
+  return x;
+}
+
+// Accelerations that the solver does not give, beside those that it does: by their own rows of the
+// equation of motion. What is wrong with the others is left over in theirs.
+void complete(const Number* q, const Number* v, const Number* tau, std::vector<Number>& qdd) {
+  std::vector<std::size_t> open;
+  for (const Joint& joint : about.joints)
+    for (int at = joint.v; !joint.given && at < joint.v + joint.nv; ++at) {
+      const std::size_t k = static_cast<std::size_t>(at);
+      qdd[k] = joint.prescribed ? tau[k] : Number(0);
+      if (!joint.prescribed) open.push_back(k);
+    }
+  if (open.empty()) return;
+  const std::size_t nv = static_cast<std::size_t>(about.nv), n = open.size();
+  std::vector<Row> needed(nv), moved(nv);
+  inverse_dynamics(q, v, qdd.data(), tau + nv, needed);
+  std::vector<std::vector<Real>> rows(n, std::vector<Real>(n + 1));
+  for (std::size_t k = 0; k < n; ++k) {
+    std::vector<Number> unit(qdd);
+    unit[open[k]] = 1;
+    std::fill(moved.begin(), moved.end(), Row{});
+    inverse_dynamics(q, v, unit.data(), tau + nv, moved);
+    for (std::size_t i = 0; i < n; ++i) rows[i][k] = moved[open[i]].value - needed[open[i]].value;
+    rows[k][n] = Real(tau[open[k]]) - needed[open[k]].value;
+  }
+  const std::vector<Real> found = solved(rows);
+  for (std::size_t k = 0; k < found.size(); ++k) qdd[open[k]] = static_cast<Number>(found[k]);
+}
+
 // What is left over of the equation of motion.
 struct Left {
   std::vector<Real> over, size;  // of each row: ID(q, v, qdd) - tau, and how much is added up there

@@ -48,7 +48,7 @@ using Solver = AnySolver<Number, MPI_Comm>;
 
 constexpr int kRandomStates = 64;
 
-Description<Number> about;  // the solver, as its main has it
+[[maybe_unused]] Description<Number> about;  // the solver, as its main has it
 
 }  // namespace
 }  // namespace adagen

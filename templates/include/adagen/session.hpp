@@ -86,7 +86,7 @@ States random_states(int count, std::uint64_t seed, Solver& solver) {
           q[joint.q + joint.nq - 4 + k] = static_cast<Number>(p[k] / std::sqrt(squared));
       }
       for (int k = 0; k < joint.nv; ++k) {
-        v[joint.v + k] = static_cast<Number>(uniform());
+        v[joint.v + k] = about.at_rest ? Number(0) : static_cast<Number>(uniform());
         tau[joint.v + k] = static_cast<Number>(uniform());
       }
     }
@@ -94,7 +94,7 @@ States random_states(int count, std::uint64_t seed, Solver& solver) {
     slave(about.joints, q, v);
   }
   if (loops::any()) {
-    std::vector<Number> qdd(static_cast<std::size_t>(std::max(1, about.nv)));
+    std::vector<Number> qdd(static_cast<std::size_t>(std::max(1, about.nqdd)));
     close(states, uniform, [&](int s) {
       const long row = s;
       return solver.solve(states.q.data() + row * about.nq, states.v.data() + row * about.nv,
@@ -156,7 +156,7 @@ struct Session {
   const Number* q(int s) const { return states.q.data() + static_cast<long>(s) * about.nq; }
   const Number* v(int s) const { return states.v.data() + static_cast<long>(s) * about.nv; }
   const Number* tau(int s) const { return states.tau.data() + static_cast<long>(s) * about.ntau; }
-  Number* acceleration(int s) { return qdd.data() + static_cast<long>(s) * about.nv; }
+  Number* acceleration(int s) { return qdd.data() + static_cast<long>(s) * about.nqdd; }
 
   // The states file; where it says another gravity, and that can be set, it holds from now on.
   int load_states() {
@@ -170,7 +170,7 @@ struct Session {
 
   void use(States given) {
     states = std::move(given);
-    qdd.assign(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(about.nv),
+    qdd.assign(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(about.nqdd),
                Number(0));
   }
 

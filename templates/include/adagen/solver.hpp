@@ -127,7 +127,8 @@ class Solver : public InPlace {
   static int result_message(int process) { return kPlanMessages + 2 * (process - 1) + 1; }
 
   std::array<Number, kNq> q_{};
-  std::array<Number, kNv> v_{}, qdd_{};
+  std::array<Number, kNv> v_{};
+  std::array<Number, kNqdd> qdd_{};
   std::array<Number, kNtau> tau_{};
 };
 

@@ -119,8 +119,11 @@ class StatesReader : private JsonReader {
                " numbers, not " + std::to_string(size));
       const std::size_t row = stride * static_cast<std::size_t>(count);
       if (values.size() < row + stride) values.resize(row + stride);
-      for (std::size_t k = 0; k < size; ++k)
+      for (std::size_t k = 0; k < size; ++k) {
         values[row + start + k] = static_cast<Number>(entry[k]);
+        if (about.at_rest && key == "v" && entry[k] != 0)
+          refuse("this solver is for states at rest: velocities are zero; generate it anew");
+      }
       ++count;
     });
     if (count == 0) refuse("there is no state");
@@ -163,29 +166,50 @@ class StatesReader : private JsonReader {
   }
 };
 
+// Numbers first .. first + size - 1 of qdd, of each state.
+void write_numbers(std::FILE* file, const std::vector<Number>& qdd, int count, int first,
+                   int size) {
+  std::fputs("[", file);
+  for (int s = 0; s < count; ++s) {
+    const Number* x = qdd.data() + static_cast<long>(s) * about.nqdd + first;
+    std::fputs(s == 0 ? "" : ", ", file);
+    if (size > 1) std::fputs("[", file);
+    for (int k = 0; k < size; ++k)
+      if (x[k] == x[k])
+        std::fprintf(file, "%s%.17g", k == 0 ? "" : ", ", static_cast<double>(x[k]));
+      else  // of a batch, a state that failed
+        std::fputs(k == 0 ? "null" : ", null", file);
+    if (size > 1) std::fputs("]", file);
+  }
+  std::fputs("]", file);
+}
+
 // more: further members of the file, each after a comma.
 bool write_result(const std::string& path, const std::vector<Number>& qdd, int count,
                   const std::string& more) {
   std::FILE* file = std::fopen(path.c_str(), "w");
   if (file == nullptr) return false;
   std::fputs("{\"joints\": {", file);
-  for (int j = 0; j < about.joints.count; ++j) {
-    std::fprintf(file, "%s\n%s: {\"qdd\": [", j == 0 ? "" : ",",
-                 quoted(about.joints[j].name).c_str());
-    for (int s = 0; s < count; ++s) {
-      const Number* x = qdd.data() + static_cast<long>(s) * about.nv + about.joints[j].v;
-      std::fputs(s == 0 ? "" : ", ", file);
-      if (about.joints[j].nv > 1) std::fputs("[", file);
-      for (int k = 0; k < about.joints[j].nv; ++k)
-        if (x[k] == x[k])
-          std::fprintf(file, "%s%.17g", k == 0 ? "" : ", ", static_cast<double>(x[k]));
-        else  // of a batch, a state that failed
-          std::fputs(k == 0 ? "null" : ", null", file);
-      if (about.joints[j].nv > 1) std::fputs("]", file);
-    }
-    std::fputs("]}", file);
+  const char* between = "";
+  for (const Joint& joint : about.joints) {
+    if (!joint.given) continue;
+    std::fprintf(file, "%s\n%s: {\"qdd\": ", between, quoted(joint.name).c_str());
+    write_numbers(file, qdd, count, joint.v, joint.nv);
+    std::fputs("}", file);
+    between = ",";
   }
-  std::fprintf(file, "\n}%s}\n", more.c_str());
+  std::fputs("\n}", file);
+  int first = about.nv;
+  for (const Output& output : about.outputs) {
+    std::fprintf(file, "%s\n{\"what\": %s, \"of\": %s, \"values\": ",
+                 first == about.nv ? ", \"outputs\": [" : ",", quoted(output.what).c_str(),
+                 quoted(output.name).c_str());
+    write_numbers(file, qdd, count, first, output.size);
+    std::fputs("}", file);
+    first += output.size;
+  }
+  if (about.outputs.count > 0) std::fputs("\n]", file);
+  std::fprintf(file, "%s}\n", more.c_str());
   const bool good = std::ferror(file) == 0;
   return std::fclose(file) == 0 && good;
 }

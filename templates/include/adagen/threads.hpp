@@ -196,7 +196,7 @@ class Solver : public InPlace {
   alignas(kCacheLine) std::array<Number, kNq> q_{};
   std::array<Number, kNv> v_{};
   std::array<Number, kNtau> tau_{};
-  alignas(kCacheLine) std::array<Number, kNv> qdd_{};  // each thread writes its own
+  alignas(kCacheLine) std::array<Number, kNqdd> qdd_{};  // each thread writes its own
 };
 
 }  // namespace

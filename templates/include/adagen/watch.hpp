@@ -16,17 +16,18 @@ namespace {
 // channel to say it better, ends, and mpiexec ends the others.
 class Watch {
  public:
+  // Before MPI is there, which takes a while to start on many hosts, and waits for all of them.
+  void start_of_mpi(double time_limit) {
+    constexpr double kStart = 10;
+    std::snprintf(text(), kLength, "error: MPI did not start within %g s\n", time_limit + kStart);
+    watch(time_limit + kStart);
+  }
+
   void start(int rank, double time_limit) {
     std::snprintf(text(), kLength,
                   "error: process %d: another process did not answer within the time limit\n",
                   rank);
-    seconds_ = time_limit + 1;
-#if defined(__unix__) || defined(__APPLE__)
-    struct sigaction action = {};
-    action.sa_handler = give_up;
-    sigaction(SIGALRM, &action, nullptr);
-#endif
-    again();
+    watch(time_limit + 1);
   }
 
   // There was progress: the time starts anew.
@@ -42,6 +43,16 @@ class Watch {
 
  private:
   static constexpr std::size_t kLength = 100;
+
+  void watch(double seconds) {
+    seconds_ = seconds;
+#if defined(__unix__) || defined(__APPLE__)
+    struct sigaction action = {};
+    action.sa_handler = give_up;
+    sigaction(SIGALRM, &action, nullptr);
+#endif
+    again();
+  }
 
   static char* text() {
     static char place[kLength];

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import builtins
-import csv
 import json
 from dataclasses import fields, replace
 from pathlib import Path
@@ -17,10 +16,11 @@ import pytest
 from adagen.cli import main
 from adagen.cli.console import speaking
 from adagen.errors import EnvironmentFault, InputError
-from adagen.studies.chart import Chart, Point, read_chart, write_csv, write_json
+from adagen.studies.chart import Chart, Point, read_chart, write_json
 from adagen.studies.chart.draw import pyplot, save, work_precision
 from adagen.studies.chart.motion import MotionChart, MotionPoint
 from adagen.studies.chart.record import marked
+from adagen.studies.chart.variants import METHODS
 
 OPTIONAL = {"type": ["number", "null"], "minimum": 0}
 SCHEMA = {
@@ -48,6 +48,11 @@ SCHEMA = {
                     "refine": {"type": "integer", "minimum": 0},
                     **dict.fromkeys(("time_ns", "ratio", "error", "residual"), OPTIONAL),
                     "predicted": OPTIONAL,
+                    "batch": {"type": "boolean"},
+                    "reproducible": {"type": "boolean"},
+                    "lanes": {"type": "boolean"},
+                    "objective": {"enum": ["both", "time", "accuracy"]},
+                    "method": {"enum": ["", *METHODS]},
                     "source": {"enum": ["clock", "stretches", None]},
                     "why": {"type": ["string", "null"]},
                     "front": {"type": "boolean"},
@@ -59,15 +64,15 @@ SCHEMA = {
 
 
 def some_chart() -> Chart:
-    segment = Point("form segment", "adagen", "segment", "auto", "double", 1, 0, "auto")
+    segment = Point("default", "adagen", "segment", "auto", "double", 1, 0, "auto", method="loops")
     points = (
         replace(segment, time_ns=900.0, ratio=1.0, error=3e-16, residual=5e-16),
         replace(segment, label="float", scalar="float", time_ns=700.0, ratio=0.8, error=2e-7,
                 residual=1e-7),
-        replace(segment, label="ada", algorithm="ada", time_ns=4e3, ratio=4.4, error=1e-14,
-                residual=1e-15, predicted=3e-14),
-        replace(segment, label="ada refined", algorithm="ada", refine=1, time_ns=6e3, ratio=6.6,
-                error=2e-16, residual=1e-15),
+        replace(segment, label="ada", algorithm="ada", method="joints", time_ns=4e3, ratio=4.4,
+                error=1e-14, residual=1e-15, predicted=3e-14),
+        replace(segment, label="ada refined", algorithm="ada", method="joints", refine=1,
+                time_ns=6e3, ratio=6.6, error=2e-16, residual=1e-15),
         replace(segment, label="four", processes=4, time_ns=500.0, ratio=0.6, source="stretches",
                 error=2e-16, residual=1e-15),
         replace(segment, label="gone", processes=2, error=4e-16, residual=1e-15, why="no answer"),
@@ -85,16 +90,13 @@ class TestData:
 
     def test_the_front_is_marked(self) -> None:
         on = [p.label for p in some_chart().points if p.front]
-        assert on == ["form segment", "float", "ada refined"]
+        assert on == ["default", "float", "ada refined"]
 
-    def test_csv_has_a_line_for_each_point(self, tmp_path: Path) -> None:
+    def test_what_adagen_does_not_emit_is_not_on_the_front(self) -> None:
         chart = some_chart()
-        write_csv(chart, tmp_path / "c.csv")
-        with (tmp_path / "c.csv").open(newline="") as file:
-            rows = list(csv.DictReader(file))
-        assert [row["label"] for row in rows] == [p.label for p in chart.points]
-        assert [float(row["error"] or "nan") for row in rows[:2]] == [3e-16, 2e-7]
-        assert rows[-1]["why"] == 'joint "a": no inverse' and rows[-1]["time_ns"] == ""
+        best = replace(chart.points[0], label="peer", team="peer", time_ns=1.0, error=1e-20)
+        on = marked([*chart.points, best])
+        assert [p.label for p in on if p.front] == ["default", "float", "ada refined"]
 
     @pytest.mark.parametrize("text", ["", "[]", '{"points": 3}', '{"points": [{"x": 1}]}'])
     def test_what_is_no_chart_is_refused(self, text: str, tmp_path: Path) -> None:
@@ -121,27 +123,55 @@ class TestPictures:
     def test_a_chart_becomes_a_picture_with_all_its_marks(self, tmp_path: Path) -> None:
         text = self.check(save(work_precision(some_chart()), tmp_path / "c"))
         for words in (
-            "Pareto front", "ringed: time from measured stretches",
-            "form segment: 900 ns, 1.00x", "no answer", "No answer:", "Not timed:", "eps,"
+            "Front of what adagen emits", "ringed: time from measured stretches",
+            "default: 900 ns, 1.00x", "No answer:", "Not timed:", "loops",
+            "joint by joint (the paper's form)", "rounding of"
         ):  # fmt: skip
             assert f"<!-- {words}" in text or words in text
 
-    def test_numbers_of_the_front_do_not_cover_each_other(self) -> None:
+    def test_no_label_covers_another(self) -> None:
+        """Points that lie close together, and on each other."""
         (first, *_) = some_chart().points
         front = [
             replace(first, label=f"v{k}", time_ns=time, error=error, front=True)
             for k, (time, error) in enumerate(
                 [(200, 1e-6), (1400, 3.2e-15), (1401, 3.1e-15), (1450, 3e-15), (9000, 1e-16)]
-                + [(9000 * 2**k, 10 ** (-17 - k)) for k in range(8)]
+                + [(9000 * 1.02**k, 10 ** (-16.1 - k / 50)) for k in range(8)]
             )
         ]
+        from matplotlib.text import Text
+
         figure = work_precision(replace(some_chart(), points=tuple(front)))
-        said = [text.get_text() for text in figure.axes[0].texts]
-        assert "1" in said and "2-4" in said and "5" in said
-        assert not {"2", "3", "4"} & set(said)
+        figure.canvas.draw()
+        renderer = figure.canvas.get_renderer()
+        panel = figure.axes[0]
+        boxes = [Text.get_window_extent(text, renderer) for text in panel.texts]
+        assert len(boxes) >= 13
+        for k, box in enumerate(boxes):
+            assert not any(box.overlaps(other) for other in boxes[:k])
+        dots = [panel.transData.transform((p.time_ns, max(p.error or 0.0, 1e-17))) for p in front]
+        numbers = [
+            box for box, text in zip(boxes, panel.texts, strict=True) if text.get_text().isdecimal()
+        ]
+        assert not any(box.contains(*dot) for box in numbers for dot in dots)
         words = [text.get_text() for axes in figure.axes for text in axes.texts]
-        (listed,) = [text for text in words if text.startswith("Pareto front")]
-        assert listed.endswith("in the data)") and "v8" in listed and "v9" not in listed
+        (listed,) = [text for text in words if text.startswith("Front of")]
+        assert "v8" in listed
+
+    def test_axes_go_as_far_as_the_data(self) -> None:
+        chart = some_chart()
+        panel = work_precision(chart).axes[0]
+        shown = [p for p in chart.points if p.error and p.time_ns]
+        assert panel.get_xlim()[1] == pytest.approx(1.25 * max(p.time_ns or 0 for p in shown))
+        assert panel.get_ylim()[0] == pytest.approx(min(p.error or 1 for p in shown) / 8)
+
+    def test_a_record_is_drawn_anew(
+        self, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    ) -> None:
+        write_json(some_chart(), tmp_path / "chart_x.json")
+        assert main(["chart", str(tmp_path / "chart_x.json"), "--out", str(tmp_path / "new")]) == 0
+        assert {p.name for p in (tmp_path / "new").iterdir()} == {"chart_x.svg", "chart_x.png"}
+        assert "default" in capsys.readouterr().out
 
     def test_a_chart_of_failures_alone_is_a_picture_too(self, tmp_path: Path) -> None:
         chart = some_chart()

@@ -21,7 +21,7 @@ from adagen.studies.chart import Point, Study, Variant, chart_of, every_variant
 from adagen.studies.chart.motion import Played, Player, drifts, motion_chart
 from adagen.studies.chart.study import _judged
 from adagen.studies.chart.truth import truth_of
-from adagen.studies.chart.variants import REFERENCE
+from adagen.studies.chart.variants import REFERENCE, SCHEDULES
 from adagen.urdf import read_robot
 from tests.emitted import Builder, Solver, plan_of
 from tests.golden.make_models import MODELS
@@ -37,10 +37,20 @@ class TestVariants:
         assert {(v.algorithm, v.processes) for v in found} >= {
             ("crba", 1), ("aba", 1), ("aba_exact", 1), ("ada", 4), ("segment", 2)
         }  # fmt: skip
-        assert {v.schedule for v in found} == {"auto", "balanced", "sequential", "random"}
+        assert {v.schedule for v in found} == {"auto"}
+        assert {v.schedule for v in every_variant(schedules=SCHEDULES)} == set(SCHEDULES)
         assert set(found) < set(every_variant(whole=True))
-        assert {v.refine for v in found if v.scalar == "float"} == {0, 1, 2}
-        assert {v.refine for v in found if v.scalar == "mixed"} == {2, 3}
+        assert {v.shape for v in found if v.algorithm == "segment"} == {
+            "auto",
+            "kernels",
+            "unrolled",
+        }
+        assert {v.refine for v in found if v.scalar == "float"} == {0, 1}
+        assert {v.refine for v in found if v.scalar == "mixed"} == {2}
+        assert {v.scalar for v in found if v.batch} == {"double", "float"}
+        assert any(v.reproducible for v in found) and any(not v.lanes for v in found)
+        aimed = every_variant(objective="accuracy")
+        assert {v.objective for v in aimed[1:] if not v.baseline} == {"accuracy"}
 
     @pytest.mark.parametrize(("asked", "taken"), [((0,), {2}), ((0, 1), {2}), ((1, 3, 4), {3, 4})])
     def test_a_mixed_solver_takes_what_is_enough(
@@ -83,10 +93,11 @@ def test_a_study_measures_and_tells_why_it_cannot(
     builder: Builder, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    model = serial_chain(2)
+    model = serial_chain(4)
     toolchain = replace(builder.toolchain, flags=("-std=c++17", "-O0"))
     bad = Variant("ada", "no such one")
-    study = Study([Variant("segment", processes=2), bad], rounds=1, repeat=1)
+    shared = Variant("segment", "balanced", processes=2)
+    study = Study([shared, bad], rounds=1, repeat=1)
     allowed = os.sched_getaffinity(0)
     try:
         os.sched_setaffinity(0, {min(allowed)})  # what is started here inherits it
@@ -101,6 +112,37 @@ def test_a_study_measures_and_tells_why_it_cannot(
     assert two.time_ns and two.ratio and not two.front
     assert two.error is not None and two.error < 1e-13
     assert failed.failed and "unknown schedule" in (failed.why or "")
+
+
+def test_identical_programs_and_idle_processes_are_left_out(
+    builder: Builder, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """A straight line that is the default already, and two processes of which one idles."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    model = serial_chain(3)
+    toolchain = replace(builder.toolchain, flags=("-std=c++17", "-O0"))
+    same, idle = Variant("segment", shape="unrolled"), Variant("segment", processes=2)
+    other, many = (
+        Variant("segment", shape="kernels"),
+        Variant("segment", shape="unrolled", batch=True),
+    )
+    study = Study([same, idle, other, many, Variant("segment", reproducible=True)], 1, 1)
+    chart = chart_of(model, truth_of(model, 3, digits=30), study, toolchain)
+    assert [(p.label, p.method) for p in chart.points] == [
+        ("default", "straight"),
+        ("loops", "loops"),
+        ("batch of states, straight line", "batches"),
+        ("reproducible line", "reproducible"),
+    ]
+    assert all(p.error is not None and p.error < 1e-14 and p.time_ns for p in chart.points)
+
+
+def test_errors_are_those_of_given_states() -> None:
+    model = serial_chain(3)
+    states = random_states(model, 4, seed=9)
+    truth = truth_of(model, states, digits=30)
+    assert truth.states is states
+    assert truth.exact.shape == (4, 3)
 
 
 def test_integrators_are_charted_with_their_orders(builder: Builder) -> None:
@@ -131,6 +173,10 @@ def test_what_is_not_kept_has_no_drift() -> None:
         Variant("segment", "random", processes=2),
         Variant("segment", processes=2, refine=1),
         Variant("segment", scalar="float", shape="unrolled"),
+        Variant("segment", shape="kernels", batch=True),
+        Variant("segment", reproducible=True),
+        Variant("segment", shape="kernels", lanes=False),
+        Variant("segment", objective="accuracy"),
         Variant("ada", "balanced", scalar="mixed", processes=3, refine=2),
     ],
 )
@@ -164,9 +210,9 @@ def test_the_command_line_draws_and_emits_what_keeps_a_budget(
     words = [str(MODELS / "chain16.urdf"), "--quick", "--procs", "1", "--scalars", "double"]
     words += ["--algorithms", "segment,crba", "--budget", budget, "--out", str(tmp_path)]
     assert main(["chart", *words]) == 0
-    assert "form segment: " in capsys.readouterr().out
+    assert " us, error " in capsys.readouterr().out
     names = {path.name for path in tmp_path.iterdir()}
-    assert names >= {"chart_chain16.svg", "chart_chain16.png", "chart_chain16.csv",
+    assert names >= {"chart_chain16.svg", "chart_chain16.png", "chart_chain16.json",
                      "chain16_p1.cpp", "chain16_p1.plan.json", "Makefile"}  # fmt: skip
     data = json.loads((tmp_path / "chart_chain16.json").read_text())
     assert {p["algorithm"] for p in data["points"]} == {"segment", "crba"}

@@ -18,7 +18,7 @@ struct Workspace {
   Value* qdd = nullptr;
   int status = 0;
   std::array<Value, 16> angle{}, sine{}, cosine{};
-  std::array<Value, kNv> result{};
+  std::array<Value, kNqdd> result{};
 };
 
 }  // namespace
