@@ -152,7 +152,7 @@ def operation_features(operation: Operation, joints: Sequence[PlanJoint]) -> Fea
     block = operation.block
     if isinstance(block, Limbs):
         return _limbs_features(operation, block, joints)
-    found = [_of_step(step, operation.method, joints) for step in operation.steps]
+    found = [_of_step(step, operation, joints) for step in operation.steps]
     if isinstance(block, Run):
         found.append(_run_features(operation, len(operation.steps)))
     return added(found)
@@ -162,9 +162,11 @@ _RUNS = {
     ("articulate", "each"): "articulate.run",
     ("articulate", "turned"): "articulate.run",
     ("articulate", "columns"): "articulate_columns.run",
+    ("articulate", "tiles"): "articulate_columns.run",
     ("kinematics", "each"): "kinematics.run",
     (PASSING, "each"): "kinematics.run",
     ("kinematics", "segments"): "kinematics_segments.run",
+    ("kinematics", "tiles"): "kinematics_segments.run",
     (PASSING, "segments"): "kinematics_segments.run",
     ("accelerate", "each"): "accelerate.run",
     ("accelerate", "segments"): "accelerate.run",
@@ -178,6 +180,12 @@ def _run_features(operation: Operation, joints: int) -> Features:
         found[name] = 1
     if operation.method == "turned":
         found["articulate.turned"] = joints
+    if operation.method == "carried":
+        last = operation.steps[-1]
+        assert isinstance(last, Propagate)
+        first = operation.steps[0]
+        from_ground = isinstance(first, Propagate) and first.near is None
+        found["propagate_run.product"] = (0 if from_ground else 2) + len(last.spreads)
     return found
 
 
@@ -204,14 +212,22 @@ def _limbs_features(operation: Operation, limbs: Limbs, joints: Sequence[PlanJoi
     return added(found)
 
 
-def _of_step(step: Step, method: str, joints: Sequence[PlanJoint]) -> Features:
+def _of_step(step: Step, operation: Operation, joints: Sequence[PlanJoint]) -> Features:
     """Of a step by the method that its operation passes its block by."""
-    match step, method:
+    match step, operation.method:
         case Kinematics(), "segments":
-            return {f"kinematics_segments.{joints[step.joint].kind}": 1}
-        case Propagate(), "response":
+            group = "passing_segments" if operation.does == PASSING else "kinematics_segments"
+            return {f"{group}.{joints[step.joint].kind}": 1}
+        case Kinematics(), "tiles":
+            return {
+                f"{group}.{joints[step.joint].kind}": 1
+                for group in ("passing_segments", "kinematics_segments")
+            }
+        case Propagate(), "carried":
             return {f"propagate_run.{joints[step.joint].kind}": 1}
-        case Articulate(), "columns":
+        case Load(), "through":
+            return {}
+        case Articulate(), "columns" | "tiles":
             turned = {"articulate.reversed": 1} if step.reversed else {}
             return {f"articulate_columns.{joints[step.joint].kind}": 1, **turned}
     return step_features(step, joints)

@@ -21,7 +21,12 @@ from adagen.schedule.costs import StepCosts
 
 @lru_cache(maxsize=16)  # a plan is priced, checked, drawn and emitted one after the other
 def programmed(
-    plan: Plan, shape: str, profile: CostProfile | None = None, *, batch: bool = False
+    plan: Plan,
+    shape: str,
+    profile: CostProfile | None = None,
+    *,
+    batch: bool = False,
+    again: bool = False,
 ) -> Program:
     """Return the program of a plan in a shape, limbs side by side as they take least time.
 
@@ -31,13 +36,14 @@ def programmed(
         profile: prices limbs and methods; the shipped one where it prices joins alone, or none is
             given.
         batch: whether SIMD lanes are for states, and limbs are taken one by one.
+        again: whether sweeps are done again, for what is left over (refinement).
     """
     costs = step_costs(profile)
     if batch or shape not in (LOOPS, "unrolled"):
         return lower(plan, shape, batch=batch, costs=costs)
     if shape == LOOPS:
         limbs = tuple(chosen_limbs(plan, process, costs) for process in plan.processes)
-        return lower(plan, shape, limbs=limbs, costs=costs)
+        return lower(plan, shape, limbs=limbs, costs=costs, again=again)
     found = lower(plan, shape, limbs=chosen_grouping(plan, costs), costs=costs)
     if any(process.recovery for process in plan.processes):
         return replace(found, recovering=chosen_grouping(plan.recovering(), costs))

@@ -167,7 +167,7 @@ def program_of(
     plan = refinable(plan) if refine else plan
     if limbs is not None and not batch:
         return lower(plan, shape, limbs=limbs, costs=step_costs(profile))
-    return programmed(plan, shape, profile, batch=batch)
+    return programmed(plan, shape, profile, batch=batch, again=refine > 0)
 
 
 def source(plan: Plan, stem: str, shape: str = "auto") -> str:

@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import groupby, takewhile
 from typing import Any
 
+from adagen.plan.carried import carried_runs, holds, mentions
 from adagen.plan.edges import is_base
 from adagen.plan.order import inward_order, outward_order
-from adagen.plan.responses import mentions, responses
 from adagen.plan.simd_groups import Limbs, placed_links
 from adagen.plan.stages import stages
 from adagen.plan.steps import (
@@ -18,6 +18,7 @@ from adagen.plan.steps import (
     FreeAcceleration,
     FreeBase,
     Kinematics,
+    Load,
     Propagate,
     Receive,
     StartEmpty,
@@ -70,9 +71,12 @@ class Loops:
         self.joints = plan.joints
         self.placed = placed_links(plan)
         starts = {s.link for s in process.steps if isinstance(s, StartLink)}
-        self.turned = turned_in_loops(plan, slots.limbs, batch).always
+        turned = turned_in_loops(plan, slots.limbs, batch)
+        self.turned = turned.always
+        self.told_apart = frozenset[int]() if holds(process) else turned.always | turned.if_lost
         self.own = starts - self.placed  # links whose own inertia the sweep adds as it passes them
         self.named = mentions(plan, process)
+        self.through = self._passed_through()  # links that no load but a run's own reaches
         self.needed = needed_outwards(plan, process.steps, limbs)
         self.holding: set[int] = set()  # links at which an inertia has been left
         self.bare: set[int] = set()  # links whose own inertia is set up
@@ -89,6 +93,7 @@ class Loops:
             FreeBase: self._free_bases,
             Articulate: self._articulate,
             Propagate: self._propagate,
+            Load: self._load,
             Deliver: self._deliver,
             Accelerate: self._accelerate,
             FreeAcceleration: self._free_accelerations,
@@ -128,6 +133,9 @@ class Loops:
 
     def _kinematics(self, steps: list[Kinematics]) -> None:
         joints = [step.joint for step in steps]
+        if self.slots.tile:
+            self._add("kinematics", Run(joints[0], joints[-1]), "tiles", steps)
+            return
         self._add("angles", Links(tuple(joints)), "each")
         for j in joints:
             if is_base(self.joints[j]):
@@ -146,6 +154,9 @@ class Loops:
 
         Set up again later, they would lose the outer forces that act on them.
         """
+        if self.slots.tile:
+            self._add("link_inertia", Links(tuple(step.link for step in steps)), "tiles", steps)
+            return
         if not self.bare:
             starts = [step for step in self.process.steps if isinstance(step, StartLink)]
             self.bare.update(step.link for step in starts)
@@ -166,6 +177,10 @@ class Loops:
             self._add("free_base", Run(step.joint, step.joint), "step", [step], [first])
 
     def _articulate(self, steps: list[Articulate]) -> None:
+        if self.slots.tile:
+            run = Run(steps[-1].joint, steps[0].joint)
+            self._add("articulate", run, "tiles", steps, [self._first(self._near(run))])
+            return
         by_joint = {step.joint: step for step in steps}
         swept_inwards = list(units_of_sweep(self.joints, steps, self.limbs, inward_order))
         columns: set[int] = set()
@@ -224,17 +239,39 @@ class Loops:
         self._add("link_columns", Links(tuple(sorted(among))), "columns")
 
     def _propagate(self, steps: list[Propagate]) -> None:
-        for run in responses(self.plan, steps, self.named):
+        for run in carried_runs(self.plan, steps, self.named, self.told_apart):
             if len(run) > 1:
-                block = Run(run[0].joint, run[-1].joint)
-                self._add("propagate", block, "response", run)
+                first, last = sorted((run[0].joint, run[-1].joint))
+                self._add("propagate", Run(first, last, run[0].reversed), "carried", run)
             else:
                 self._add("propagate", None, "step", run)
+
+    def _passed_through(self) -> frozenset[int]:
+        """Links inside of runs that handle forces are delivered through, and that have none."""
+        delivered = [step for step in self.process.steps if isinstance(step, Deliver)]
+        inside: set[int] = set()
+        ends: set[int] = set()
+        for run in swept(self.joints, delivered):
+            links = links_of_run(self.joints, run)
+            inside.update(links)
+            ends.update(ends_of_run(self.joints, run))
+        forced = {s.link for s in self.process.steps if isinstance(s, Load) and s.force is not None}
+        return frozenset(inside - ends - forced)
+
+    def _load(self, steps: list[Load]) -> None:
+        through = [step for step in steps if step.link in self.through]
+        if through:
+            self._add("load", Links(tuple(step.link for step in through)), "through", through)
+        for step in steps:
+            if step.link not in self.through:
+                self._add("load", None, "step", [step])
 
     def _deliver(self, steps: list[Deliver]) -> None:
         by_joint = {step.joint: step for step in steps}
         for run in swept(self.joints, steps):
-            self._add("deliver", run, "each", (by_joint[j] for j in _inwards(run)))
+            inside = set(links_of_run(self.joints, run)) - set(ends_of_run(self.joints, run))
+            method: Method = "through" if inside and inside <= self.through else "each"
+            self._add("deliver", run, method, (by_joint[j] for j in _inwards(run)))
 
     def _accelerate(self, steps: list[Accelerate]) -> None:
         by_joint = {step.joint: step for step in steps}

@@ -27,6 +27,7 @@ def lower(
     batch: bool = False,
     limbs: Grouping | None = None,
     costs: StepCosts | None = None,
+    again: bool = False,
 ) -> Program:
     """Return the program of a plan in a shape; ``adagen.cost.programmed`` finds the fastest one.
 
@@ -36,6 +37,7 @@ def lower(
         batch: whether SIMD lanes are for states.
         limbs: those that each process takes side by side; None for none.
         costs: prices the methods by which runs can be passed; the shipped ones if not given.
+        again: whether sweeps are done again, for what is left over (refinement).
     """
     grouping = tuple(() for _ in plan.processes) if limbs is None else limbs
     prices = step_costs(None) if costs is None else costs
@@ -53,7 +55,7 @@ def lower(
         )
         slots = replace(Slots.plainly(plan), limbs=grouping)
         return Program(plan, shape, batch, slots, processes, tuple(() for _ in plan.processes))
-    slots = Slots.plainly(plan) if batch else Slots.of(plan, grouping, prices)
+    slots = Slots.plainly(plan) if batch else Slots.of(plan, grouping, prices, again=again)
     programs = []
     for p, process in enumerate(plan.processes):
         operations = Loops(plan, process, slots, slots.limbs[p], batch, prices).operations()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
@@ -12,6 +12,7 @@ from adagen.plan.simd_groups import Limbs
 from adagen.plan.types import FACTORS
 from adagen.program.runs import Run
 from adagen.program.segments import LANES, segments_of, slots_of
+from adagen.program.tiles import TILE, fits_tiles, tiles_of
 from adagen.schedule.costs import StepCosts
 
 
@@ -24,17 +25,43 @@ class Slots:
         count: number of slots, some of which may be empty.
         limbs: those that each process takes side by side.
         segments: runs that are passed outwards in segments, outwards from the base.
+        tile: joints that share memory with others as tiles of a run; 0 where all have their own.
     """
 
     slots: tuple[int, ...]
     count: int
     limbs: tuple[tuple[Limbs, ...], ...]
     segments: tuple[Run, ...]
+    tile: int = 0
 
     @cached_property
     def numbers(self) -> dict[Limbs, int]:
         """The limbs of all processes in order, and how they are numbered in emitted code."""
         return {limbs: k for k, limbs in enumerate(chain.from_iterable(self.limbs))}
+
+    def block_kinds(self, of: Sequence[object], width: int) -> tuple[list[int], list[int]]:
+        """Which blocks hold equal constants: the kind of each, and the first block of each kind.
+
+        Args:
+            of: what tells the constants of each joint.
+            width: slots of a block.
+
+        Returns:
+            Two empty lists where there are few blocks, or not half of them are like others.
+        """
+        blocks: list[list[object]] = [[None] * width for _ in range(-(-self.count // width))]
+        for constants, slot in zip(of, self.slots, strict=True):
+            blocks[slot // width][slot % width] = constants
+        kinds: dict[tuple[object, ...], int] = {}
+        first: list[int] = []
+        found: list[int] = []
+        for number, block in enumerate(map(tuple, blocks)):
+            if block not in kinds:
+                kinds[block] = len(first)
+                first.append(number)
+            found.append(kinds[block])
+        alike = len(blocks) >= _MANY_BLOCKS and 2 * len(first) <= len(blocks)
+        return (found, first) if alike else ([], [])
 
     @property
     def plain(self) -> bool:
@@ -58,24 +85,29 @@ class Slots:
         return Slots(tuple(range(count)), count, ((),) * len(plan.processes), ())
 
     @staticmethod
-    def of(plan: Plan, limbs: tuple[tuple[Limbs, ...], ...], costs: StepCosts) -> Slots:
+    def of(
+        plan: Plan,
+        limbs: tuple[tuple[Limbs, ...], ...],
+        costs: StepCosts,
+        *,
+        again: bool = False,
+    ) -> Slots:
         """Lay out a plan's joints.
 
         Args:
             plan: the plan.
             limbs: those that each process takes side by side.
             costs: what the methods take that runs can be passed by.
+            again: whether sweeps are done again, so that all joints keep what they are swept with.
         """
-        segments = tuple(segments_of(plan, limbs, costs))
+        segments, tile = tuple(segments_of(plan, limbs, costs)), 0
+        if not again and fits_tiles(plan, segments, costs):
+            segments, tile = tuple(tiles_of(segments[0], TILE)), TILE
         count, width = len(plan.joints), LANES[FACTORS[plan.scalar]]
         if not segments and not any(limbs):
             return Slots(tuple(range(count)), count, limbs, segments)
-        slots, next_ = [-1] * count, 0
-        for run in segments:
-            own_slots = slots_of(run, width)
-            for j, slot in enumerate(own_slots, start=run.first):
-                slots[j] = next_ + slot
-            next_ = _up(next_ + max(own_slots) + 1, width)
+        slots = [-1] * count
+        next_ = _lay_segments(segments, width, slots)
         for process, own in zip(plan.processes, limbs, strict=True):
             next_ = _up(next_, width)  # blocks of its own
             widest = sorted(own, key=lambda each: -each.lanes)  # so that all are aligned
@@ -90,9 +122,21 @@ class Slots:
         for j in range(count):
             if slots[j] < 0:
                 slots[j], next_ = next_, next_ + 1
-        return Slots(tuple(slots), next_, limbs, segments)
+        return Slots(tuple(slots), next_, limbs, segments, tile)
 
 
+def _lay_segments(segments: Iterable[Run], width: int, slots: list[int]) -> int:
+    """Give the joints of runs in segments their slots, and return the first one that is left."""
+    next_ = 0
+    for run in segments:
+        own_slots = slots_of(run, width)
+        for j, slot in enumerate(own_slots, start=run.first):
+            slots[j] = next_ + slot
+        next_ = _up(next_ + max(own_slots) + 1, width)
+    return next_
+
+
+_MANY_BLOCKS = 32
 _WIDEST = 16  # joints in the widest block: two apart by less may share one
 
 

@@ -17,7 +17,17 @@ from adagen.program.runs import Run
 from adagen.program.slots import Slots
 
 Method = Literal[
-    "step", "each", "columns", "turned", "segments", "lanes", "base", "response", "straight"
+    "step",
+    "each",
+    "columns",
+    "turned",
+    "segments",
+    "lanes",
+    "base",
+    "carried",
+    "through",
+    "tiles",
+    "straight",
 ]
 """How an operation passes its block.
 
@@ -29,7 +39,11 @@ Method = Literal[
 * ``segments``: a run cut into as many segments as there are SIMD lanes, one in each;
 * ``lanes``: limbs side by side, one in each SIMD lane;
 * ``base``: a floating base, whose frame is its own;
-* ``response``: the mobility of a run at its last link, as a sum over its freedoms;
+* ``carried``: the mobility of a run's last link, by unit wrenches there that are carried through
+  the run, one in each SIMD lane;
+* ``tiles``: a long run outwards and inwards tile by tile, so that what it works on stays in the
+  cache;
+* ``through``: a loop over a run on whose links between its ends nothing but the run itself acts;
 * ``straight``: statements without loops or calls.
 """
 

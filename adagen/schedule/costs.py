@@ -38,7 +38,8 @@ PER_KIND: dict[str, tuple[str, ...]] = {
     },
     "articulate_columns": ("run",),
     "kinematics_segments": ("run",),
-    "propagate_run": (),
+    "passing_segments": (),
+    "propagate_run": ("product",),
 }
 """Groups with a coefficient per joint kind, and what else each has.
 
@@ -49,8 +50,9 @@ row of them, of what is swept in the joints' own axes; the others are per handle
 coupling. What ends on a number prices a row of as many joints, passed side by side; the limbs that
 they belong to cost something besides, once for each sweep (``limbs``). ``articulate_columns`` is
 for joints of runs that are taken by columns, ``kinematics_segments`` of runs passed outwards in
-segments, and
-``propagate_run`` of runs from the ground whose mobility is asked for at the last link only.
+segments, ``passing_segments`` of those that are only passed on the way to others, and
+``propagate_run`` of runs whose mobility is asked for at the last link only; ``product`` is a
+product of 6x6 matrices that they need beyond their joints.
 """
 
 OTHERS: dict[str, tuple[str, ...]] = {

@@ -177,7 +177,8 @@ class Floors:
 
     def _pose(self, joint: PlanJoint, in_long: bool) -> float:
         alone = self.costs[f"kinematics.{joint.kind}"]
-        in_segment = self.costs[f"kinematics_segments.{joint.kind}"]
+        groups = ("kinematics_segments", "passing_segments")
+        in_segment = min(self.costs[f"{group}.{joint.kind}"] for group in groups)
         return min(alone, in_segment) if in_long else alone
 
     def _ways(
@@ -269,7 +270,7 @@ class Floors:
             joint = joints[link - 1]
             priced = PRESCRIBED if joint.prescribed else joint.kind
             price = costs["propagate.ground" if joint.parent == 0 else f"propagate.{priced}"]
-            inwards += min(price, costs[f"propagate_run.{joint.kind}"]) if held else price
+            inwards += min(price, costs[f"propagate_run.{joint.kind}"])
             link = joint.parent
         return Floor(inwards, 0.0, inwards)
 

@@ -65,6 +65,7 @@ def least_profile(
         for kind in profile.steps.kinds:
             ways = [table[f"{group}.{kind}"]]
             ways += [] if other is None else [table[f"{other}.{kind}"]]
+            ways += [table[f"passing_segments.{kind}"]] if group == "kinematics" else []
             for count in range(2, min(rows.get(kind, 1), max(_ROWS)) + 1):
                 name, share = _ROWS[count]
                 ways.append(table[f"{group}_{name}.{kind}"] / share)
@@ -73,6 +74,11 @@ def least_profile(
             run = 2 * min(table[f"{group}.revolute"], table[f"{group}.prismatic"])
             for kind in ("spherical", "floating"):
                 table[f"{group}.{kind}"] = min(table[f"{group}.{kind}"], run)
+    for kind in profile.steps.kinds:  # carried through a run, with its handle forces
+        table[f"propagate.{kind}"] = min(table[f"propagate.{kind}"], table[f"propagate_run.{kind}"])
+        table["propagate.ground"] = min(table["propagate.ground"], table[f"propagate_run.{kind}"])
+    table["propagate.spread"] = table["deliver.load"] = 0.0
+    for group in ("kinematics", "articulate", "accelerate"):
         for key in (PRESCRIBED, "ground"):  # priced by their kind where they lie side by side
             if f"{group}.{key}" in table:
                 kinds = (table[f"{group}.{kind}"] for kind in KINDS)

@@ -159,9 +159,8 @@ class Pricing:
                 continue
             for step in moves:
                 kind = self.joints[step.joint].kind
-                total += min(
-                    self.costs[f"kinematics.{kind}"], self.costs[f"kinematics_segments.{kind}"]
-                )
+                groups = ("kinematics", "kinematics_segments", "passing_segments")
+                total += min(self.costs[f"{group}.{kind}"] for group in groups)
         return total
 
     def kinematics(self, shares: Sequence[Share]) -> list[float]:

@@ -4,7 +4,7 @@
 // command   adagen ../models/arm7.urdf --procs 2 --schedule=balanced --scalar=mixed --name=arm7_mixed
 // options   form segment, shape kernels, scalar mixed, refine 3, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI
-// program   2 processes, joined at cuts; 1.39 us predicted (default profile)
+// program   2 processes, joined at cuts; 0.953 us predicted (default profile)
 //           process 0: base_yaw .. forearm_roll
 //           process 1: wrist_pitch .. right_finger_slide
 // schedule  forearm_roll@0-1(shoulder_pitch@0(base_yaw | upper_arm_roll(|elbow_pitch)) | flange_roll@1(wrist_pitch | left_finger_slide(right_finger_slide|)))
@@ -314,10 +314,16 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
 // Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
 // segments of long runs.
 constexpr int kSlotCount = 9;
+constexpr int kTile = 0;  // joints that are swept before others take their memory; 0: all
 constexpr bool kAbreast = false;  // whether there are such
 constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
 constexpr bool kReordered = false;  // whether joints lie in another order than they have
 constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8 };
+// Blocks of slots of equal constants: the number of kinds (0: not looked at), each block's, and the
+// first block of each.
+constexpr int kBlockKindCount = 0;
+[[maybe_unused]] constexpr int kBlockKinds[]{ 0 };
+[[maybe_unused]] constexpr int kFirstOfKind[]{ 0 };
 constexpr bool kByColumns = true;  // whether runs are taken by columns
 // Joints that are eliminated in their own axes; others that are where those of the base lose digits.
 constexpr bool kAnyTurned = false;
@@ -344,12 +350,6 @@ namespace {
 
 // What is kept where segments meet, with the joint that it belongs to.
 struct Joint_shoulder_pitch {
-  Mat6 Phi_turret;
-  Columns6 b_turret;
-  Mat6 Phi_upper_arm;
-  Columns6 b_upper_arm;
-  Mat6 Phi_elbow_housing;
-  Columns6 b_elbow_housing;
   Mat6 Phi_forearm;
   Columns6 b_forearm;
   Columns6 F_on_forearm;
@@ -394,6 +394,7 @@ struct Cuts {
 #include "adagen/kernels/accelerate.hpp"
 #include "adagen/kernels/mobility.hpp"
 #include "adagen/kernels/wrenches.hpp"
+#include "adagen/kernels/carry.hpp"
 #include "adagen/exchange.hpp"
 
 namespace {
@@ -413,10 +414,10 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   set_up_links<block(0), block(3) + 1>(w);
   set_up_columns<block(0), block(3) + 1>(w);
   inward_in_columns<0, 0, 3, true>(w);  // "base_yaw" .. "elbow_pitch"
-  propagate<false>(w, 0, kZero, kGround, w.j_shoulder_pitch.Phi_turret, w.j_shoulder_pitch.b_turret);
-  propagate<false>(w, 1, w.j_shoulder_pitch.Phi_turret, w.j_shoulder_pitch.b_turret, w.j_shoulder_pitch.Phi_upper_arm, w.j_shoulder_pitch.b_upper_arm);
-  propagate<false>(w, 2, w.j_shoulder_pitch.Phi_upper_arm, w.j_shoulder_pitch.b_upper_arm, w.j_shoulder_pitch.Phi_elbow_housing, w.j_shoulder_pitch.b_elbow_housing);
-  propagate<false>(w, 3, w.j_shoulder_pitch.Phi_elbow_housing, w.j_shoulder_pitch.b_elbow_housing, w.j_shoulder_pitch.Phi_forearm, w.j_shoulder_pitch.b_forearm);
+  {  // "base_yaw" .. "elbow_pitch"
+    const Way way = carry<false, 0, 3>(w);
+    show<4>(w, way, w.j_shoulder_pitch.Phi_forearm, w.j_shoulder_pitch.b_forearm);
+  }
   stamp(2);
   {  // from process 1: assembled: chain of "flange_roll"
     const Number* from = channel.receive(0, w.status);
@@ -452,11 +453,8 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     channel.send(1, w.status);
   }
   stamp(6);
-  w.loads[1] = Columns6::Zero();
-  w.loads[2] = Columns6::Zero();
-  w.loads[3] = Columns6::Zero();
   w.loads[4] = in_base(w, 4, w.j_shoulder_pitch.F_on_forearm);
-  deliver<0, 3>(w);  // "base_yaw" .. "elbow_pitch"
+  deliver<0, 3, true>(w);  // "base_yaw" .. "elbow_pitch"
   accelerate<0, 0, 3>(w);  // "base_yaw" .. "elbow_pitch"
   stamp(7);
   require_finite(w, w.answer.data(), 0, 5, &JointConstants::v, kOverflow);
@@ -509,10 +507,10 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 void correct_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   set_up_columns<block(0), block(3) + 1>(w);
   inward_in_columns<0, 0, 3, true>(w);  // "base_yaw" .. "elbow_pitch"
-  propagate<false>(w, 0, kZero, kGround, w.j_shoulder_pitch.Phi_turret, w.j_shoulder_pitch.b_turret);
-  propagate<false>(w, 1, w.j_shoulder_pitch.Phi_turret, w.j_shoulder_pitch.b_turret, w.j_shoulder_pitch.Phi_upper_arm, w.j_shoulder_pitch.b_upper_arm);
-  propagate<false>(w, 2, w.j_shoulder_pitch.Phi_upper_arm, w.j_shoulder_pitch.b_upper_arm, w.j_shoulder_pitch.Phi_elbow_housing, w.j_shoulder_pitch.b_elbow_housing);
-  propagate<false>(w, 3, w.j_shoulder_pitch.Phi_elbow_housing, w.j_shoulder_pitch.b_elbow_housing, w.j_shoulder_pitch.Phi_forearm, w.j_shoulder_pitch.b_forearm);
+  {  // "base_yaw" .. "elbow_pitch"
+    const Way way = carry<false, 0, 3>(w);
+    show<4>(w, way, w.j_shoulder_pitch.Phi_forearm, w.j_shoulder_pitch.b_forearm);
+  }
   {  // from process 1: assembled: chain of "flange_roll"
     const Number* from = channel.receive(0, w.status);
     from = get(from, w.j_flange_roll.Phi_wrist_housing);
@@ -543,11 +541,8 @@ void correct_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel)
     to = put(to, w.j_flange_roll.F_on_wrist_housing);
     channel.send(1, w.status);
   }
-  w.loads[1] = Columns6::Zero();
-  w.loads[2] = Columns6::Zero();
-  w.loads[3] = Columns6::Zero();
   w.loads[4] = in_base(w, 4, w.j_shoulder_pitch.F_on_forearm);
-  deliver<0, 3>(w);  // "base_yaw" .. "elbow_pitch"
+  deliver<0, 3, true>(w);  // "base_yaw" .. "elbow_pitch"
   accelerate<0, 0, 3>(w);  // "base_yaw" .. "elbow_pitch"
   require_finite(w, w.answer.data(), 0, 5, &JointConstants::v, kOverflow);
   give(w, 0, 5);

@@ -4,7 +4,7 @@
 // command   adagen ../models/chain16.urdf --procs 3 --schedule=balanced --shape=kernels
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI
-// program   3 processes, joined at cuts; 2.03 us predicted (default profile)
+// program   3 processes, joined at cuts; 1.61 us predicted (default profile)
 //           process 0: joint01 .. joint08
 //           process 1: joint09 .. joint12
 //           process 2: joint13 .. joint16
@@ -380,10 +380,16 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
 // Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
 // segments of long runs.
 constexpr int kSlotCount = 16;
+constexpr int kTile = 0;  // joints that are swept before others take their memory; 0: all
 constexpr bool kAbreast = false;  // whether there are such
 constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
 constexpr bool kReordered = false;  // whether joints lie in another order than they have
 constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15 };
+// Blocks of slots of equal constants: the number of kinds (0: not looked at), each block's, and the
+// first block of each.
+constexpr int kBlockKindCount = 0;
+[[maybe_unused]] constexpr int kBlockKinds[]{ 0 };
+[[maybe_unused]] constexpr int kFirstOfKind[]{ 0 };
 constexpr bool kByColumns = true;  // whether runs are taken by columns
 // Joints that are eliminated in their own axes; others that are where those of the base lose digits.
 constexpr bool kAnyTurned = false;
@@ -411,18 +417,6 @@ namespace {
 
 // What is kept where segments meet, with the joint that it belongs to.
 struct Joint_joint04 {
-  Mat6 Phi_rod01;
-  Columns6 b_rod01;
-  Mat6 Phi_rod02;
-  Columns6 b_rod02;
-  Mat6 Phi_rod03;
-  Columns6 b_rod03;
-  Mat6 Phi_rod04;
-  Columns6 b_rod04;
-  Mat6 Phi_rod05;
-  Columns6 b_rod05;
-  Mat6 Phi_rod06;
-  Columns6 b_rod06;
   Mat6 Phi_rod07;
   Columns6 b_rod07;
   Columns6 F_on_rod07;
@@ -434,12 +428,6 @@ struct Joint_joint08 {
 struct Joint_joint10 {
   Mat6 Phi_rod08;
   Columns6 b_rod08;
-  Mat6 Phi_rod09;
-  Mat6 Phi_rod08_rod09;
-  Columns6 b_rod09;
-  Mat6 Phi_rod10;
-  Mat6 Phi_rod08_rod10;
-  Columns6 b_rod10;
   Mat6 Phi_rod11;
   Mat6 Phi_rod08_rod11;
   Columns6 b_rod11;
@@ -490,6 +478,7 @@ struct Cuts {
 #include "adagen/kernels/accelerate.hpp"
 #include "adagen/kernels/mobility.hpp"
 #include "adagen/kernels/wrenches.hpp"
+#include "adagen/kernels/carry.hpp"
 #include "adagen/exchange.hpp"
 
 namespace {
@@ -509,13 +498,10 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   set_up_links<block(0), block(6) + 1>(w);
   set_up_columns<block(0), block(6) + 1>(w);
   inward_in_columns<0, 0, 6, true>(w);  // "joint01" .. "joint07"
-  propagate<false>(w, 0, kZero, kGround, w.j_joint04.Phi_rod01, w.j_joint04.b_rod01);
-  propagate<false>(w, 1, w.j_joint04.Phi_rod01, w.j_joint04.b_rod01, w.j_joint04.Phi_rod02, w.j_joint04.b_rod02);
-  propagate<false>(w, 2, w.j_joint04.Phi_rod02, w.j_joint04.b_rod02, w.j_joint04.Phi_rod03, w.j_joint04.b_rod03);
-  propagate<false>(w, 3, w.j_joint04.Phi_rod03, w.j_joint04.b_rod03, w.j_joint04.Phi_rod04, w.j_joint04.b_rod04);
-  propagate<false>(w, 4, w.j_joint04.Phi_rod04, w.j_joint04.b_rod04, w.j_joint04.Phi_rod05, w.j_joint04.b_rod05);
-  propagate<false>(w, 5, w.j_joint04.Phi_rod05, w.j_joint04.b_rod05, w.j_joint04.Phi_rod06, w.j_joint04.b_rod06);
-  propagate<false>(w, 6, w.j_joint04.Phi_rod06, w.j_joint04.b_rod06, w.j_joint04.Phi_rod07, w.j_joint04.b_rod07);
+  {  // "joint01" .. "joint07"
+    const Way way = carry<false, 0, 6>(w);
+    show<7>(w, way, w.j_joint04.Phi_rod07, w.j_joint04.b_rod07);
+  }
   stamp(2);
   {  // from process 1: assembled: chain of "joint12"
     const Number* from = channel.receive(1, w.status);
@@ -550,14 +536,8 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     channel.send(2, w.status);
   }
   stamp(6);
-  w.loads[1] = Columns6::Zero();
-  w.loads[2] = Columns6::Zero();
-  w.loads[3] = Columns6::Zero();
-  w.loads[4] = Columns6::Zero();
-  w.loads[5] = Columns6::Zero();
-  w.loads[6] = Columns6::Zero();
   w.loads[7] = in_base(w, 7, w.j_joint04.F_on_rod07);
-  deliver<0, 6>(w);  // "joint01" .. "joint07"
+  deliver<0, 6, true>(w);  // "joint01" .. "joint07"
   accelerate<0, 0, 6>(w);  // "joint01" .. "joint07"
   stamp(7);
   require_finite(w, w.answer.data(), 0, 8, &JointConstants::v, kOverflow);
@@ -579,12 +559,11 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   set_up_columns<block(8), block(10) + 1>(w);
   inward_in_columns<1, 8, 10, true>(w);  // "joint09" .. "joint11"
   invert_root<1, 8>(w, w.j_joint10.Phi_rod08, w.j_joint10.b_rod08);
-  propagate<false>(w, 8, w.j_joint10.Phi_rod08, w.j_joint10.b_rod08, w.j_joint10.Phi_rod09, w.j_joint10.b_rod09);
-  w.j_joint10.Phi_rod08_rod09 = passed<false>(w, 8, w.j_joint10.Phi_rod08).transpose();  // with link "rod08"
-  propagate<false>(w, 9, w.j_joint10.Phi_rod09, w.j_joint10.b_rod09, w.j_joint10.Phi_rod10, w.j_joint10.b_rod10);
-  w.j_joint10.Phi_rod08_rod10 = passed<false>(w, 9, w.j_joint10.Phi_rod08_rod09.transpose()).transpose();  // with link "rod08"
-  propagate<false>(w, 10, w.j_joint10.Phi_rod10, w.j_joint10.b_rod10, w.j_joint10.Phi_rod11, w.j_joint10.b_rod11);
-  w.j_joint10.Phi_rod08_rod11 = passed<false>(w, 10, w.j_joint10.Phi_rod08_rod10.transpose()).transpose();  // with link "rod08"
+  {  // "joint09" .. "joint11"
+    const Way way = carry<false, 8, 10>(w);
+    show(way, w.j_joint10.Phi_rod08, w.j_joint10.b_rod08, w.j_joint10.Phi_rod11, w.j_joint10.b_rod11);
+    w.j_joint10.Phi_rod08_rod11 = (way.moved * w.j_joint10.Phi_rod08).transpose();  // with link "rod08"
+  }
   stamp(2);
   {  // from process 2: assembled: chain of "joint14"
     const Number* from = channel.receive(0, w.status);
@@ -636,10 +615,8 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   }
   stamp(8);
   w.loads[8] = in_base(w, 8, w.j_joint12.F_on_rod08);
-  w.loads[9] = Columns6::Zero();
-  w.loads[10] = Columns6::Zero();
   w.loads[11] = in_base(w, 11, w.j_joint10.F_on_rod11);
-  deliver<8, 10>(w);  // "joint09" .. "joint11"
+  deliver<8, 10, true>(w);  // "joint09" .. "joint11"
   accelerate_root<8>(w, w.j_joint10.Phi_rod08, w.j_joint10.b_rod08);
   accelerate<1, 8, 10>(w);  // "joint09" .. "joint11"
   stamp(9);

@@ -490,10 +490,16 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
 // Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
 // segments of long runs.
 constexpr int kSlotCount = 30;
+constexpr int kTile = 0;  // joints that are swept before others take their memory; 0: all
 constexpr bool kAbreast = true;  // whether there are such
 constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
 constexpr bool kReordered = true;  // whether joints lie in another order than they have
 constexpr int kSlots[kJointCount]{ 24, 0, 4, 8, 12, 16, 20, 1, 5, 9, 13, 17, 21, 25, 26, 27, 2, 6, 10, 14, 18, 22, 28, 29, 3, 7, 11, 15, 19, 23 };
+// Blocks of slots of equal constants: the number of kinds (0: not looked at), each block's, and the
+// first block of each.
+constexpr int kBlockKindCount = 0;
+[[maybe_unused]] constexpr int kBlockKinds[]{ 0 };
+[[maybe_unused]] constexpr int kFirstOfKind[]{ 0 };
 constexpr bool kByColumns = true;  // whether runs are taken by columns
 // Joints that are eliminated in their own axes; others that are where those of the base lose digits.
 constexpr bool kAnyTurned = false;

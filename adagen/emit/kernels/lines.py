@@ -181,6 +181,12 @@ class KernelLines:
         if isinstance(block, Limbs):
             return [f"outward_group<{self._number(block)}>(w);"]
         assert isinstance(block, Run)
+        if operation.method == "tiles":
+            ends = f"{block.first}, {block.last}"
+            return [
+                f"Starts<{ends}> starts;",
+                f"pass_tiles<{ends}>(w, starts);" + self._names(block),
+            ]
         if operation.method == "base":
             return [f"free_base_frame<{block.first}>(w);"]
         verb = "pass_outward" if operation.does == PASSING else "outward"
@@ -195,6 +201,8 @@ class KernelLines:
     def _link_inertia(self, operation: Operation) -> list[str]:
         assert isinstance(operation.block, Links)
         links = operation.block.numbers
+        if operation.method == "tiles":
+            return []  # each tile's where it is swept
         blocks = self._blocks(link - 1 for link in links)
         return [
             *(f"set_up_links<{a}, {b}>(w);" for a, b in blocks),
@@ -292,6 +300,10 @@ class KernelLines:
             return []
         near = ends_of_run(self.joints, run)[0]
         self.gathers.add(near)
+        if operation.method == "tiles":
+            self.columns |= set(links_of_run(self.joints, run)) - {near}
+            call = f"sweep_tiles<{run.first}, {run.last}>(w, starts);"
+            return [call + self._names(run)]
         verb = "inward"
         if operation.method == "turned":
             verb = "inward_turned"
@@ -321,7 +333,14 @@ class KernelLines:
 
     def _deliver(self, operation: Operation) -> list[str]:
         assert isinstance(operation.block, Run)
-        return [mobility.delivery(self.words, operation.block) + self._names(operation.block)]
+        through = operation.method == "through"
+        call = mobility.delivery(self.words, operation.block, through=through)
+        return [call + self._names(operation.block)]
+
+    def _load(self, operation: Operation) -> list[str]:
+        if operation.method == "through":
+            return []  # nothing but what runs deliver, which their loops carry along
+        return mobility.lines_of(self.words, self.p, operation.steps[0])
 
     def _solve_root(self, operation: Operation) -> list[str]:
         link = _link(operation.steps[0])

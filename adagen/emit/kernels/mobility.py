@@ -7,6 +7,7 @@ into its joint's frame (adagen/kernels/mobility.hpp) and then is that of shape `
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Iterator
 from dataclasses import replace
 
 from adagen.emit import effects
@@ -36,7 +37,7 @@ from adagen.plan.steps import (
     blocks_set_by,
 )
 from adagen.plan.types import Process
-from adagen.program import Operation
+from adagen.program import Operation, Program
 from adagen.program.runs import Run, ends_of_run
 
 STEPS = (
@@ -63,6 +64,15 @@ def has_cuts(plan: Plan) -> bool:
 def holds_ground(plan: Plan) -> bool:
     """Return whether a process takes the ground, as joints on it let it yield, for a body."""
     return any(isinstance(s, HoldMobility) for p in plan.processes for s in all_steps(p))
+
+
+def carries(program: Program) -> bool:
+    """Return whether wrenches are carried through runs to find mobilities."""
+    return any(
+        operation.method == "carried"
+        for own in program.processes
+        for operation in (*own.operations, *own.recovery)
+    )
 
 
 def has_fused(plan: Plan) -> bool:
@@ -96,23 +106,29 @@ def members(words: Words) -> dict[int, list[str]]:
     """Return the members of the memory of each joint that has any."""
     lines: dict[int, dict[str, None]] = defaultdict(dict)
     forces: set[Force] = set()
-    for process in words.plan.processes:
-        for step in all_steps(process):
-            for block in blocks_set_by(step):
-                assert block.joint is not None  # bare links' blocks are constants
-                lines[block.joint][f"Mat6 {words.block_member(block)};"] = None
-            for bias in biases_set_by(step):
-                assert bias.joint is not None
-                lines[bias.joint][f"Columns6 b_{words.links[bias.handle]};"] = None
-            if isinstance(step, LinkBias):
-                lines[step.link - 1]["Columns6 b;"] = None
-            if isinstance(step, Join):
-                lines[step.joint].update(dict.fromkeys(_members_of_join(words, step)))
-            if isinstance(step, Disassemble):
-                forces |= {update.target for update in step.updates}
+    for step in _computed(words.program):
+        for block in blocks_set_by(step):
+            assert block.joint is not None  # bare links' blocks are constants
+            lines[block.joint][f"Mat6 {words.block_member(block)};"] = None
+        for bias in biases_set_by(step):
+            assert bias.joint is not None
+            lines[bias.joint][f"Columns6 b_{words.links[bias.handle]};"] = None
+        if isinstance(step, LinkBias):
+            lines[step.link - 1]["Columns6 b;"] = None
+        if isinstance(step, Join):
+            lines[step.joint].update(dict.fromkeys(_members_of_join(words, step)))
+        if isinstance(step, Disassemble):
+            forces |= {update.target for update in step.updates}
     for force in sorted(forces):
         lines[force.joint][f"Columns6 {words.force_member(force)};"] = None
     return {joint: list(lines[joint]) for joint in sorted(lines)}
+
+
+def _computed(program: Program) -> Iterator[Step]:
+    """Yield the steps whose results have a place: of a carried run that is the last one."""
+    for own in program.processes:
+        for operation in (*own.operations, *own.recovery):
+            yield from operation.steps[-1:] if operation.method == "carried" else operation.steps
 
 
 def _members_of_join(words: Words, join: Join) -> list[str]:
@@ -190,18 +206,48 @@ def propagation(words: Words, operation: Operation) -> list[str]:
     """Return the lines of an operation that takes mobilities outwards."""
     steps = [step for step in operation.steps if isinstance(step, Propagate)]
     first, last = steps[0], steps[-1]
-    if operation.method != "response":
+    if operation.method != "carried":
         return _propagate(words, first)
+    run = operation.block
+    assert isinstance(run, Run)
     target = f"{words.block(last.block)}, {words.bias(last.bias)}"
-    names = words.span(first.joint, last.joint)
-    return [f"respond<{first.joint}, {last.joint}>(w, {target});  // {names}"]
+    if first.near is None or first.near_bias is None:
+        shown = f"show<{run.last + 1}>(w, way, {target});"
+    else:
+        shown = f"show(way, {words.block(first.near)}, {words.bias(first.near_bias)}, {target});"
+    turned = "true" if run.reversed else "false"
+    return [
+        f"{{  // {words.span(run.first, run.last)}",
+        f"  const Way way = carry<{turned}, {run.first}, {run.last}>(w);",
+        f"  {shown}",
+        *(f"  {line}" for line in _coupled(words, first, last)),
+        "}",
+    ]
 
 
-def delivery(words: Words, run: Run) -> str:
-    """Return the call that brings handle forces back through a run."""
+def _coupled(words: Words, first: Propagate, last: Propagate) -> Iterator[str]:
+    """How handles that a run's first link is coupled with feel its last one."""
+    for spread, begun in zip(last.spreads, first.spreads, strict=True):
+        source = words.block(begun.source) + ".transpose()" * begun.source_transposed
+        product = f"way.moved * {source}"
+        if spread.target_transposed:
+            product = f"({product}).transpose()"
+        handle = words.quoted_link(spread.handle)
+        yield f"{words.block(spread.target)} = {product};  // with link {handle}"
+
+
+def delivery(words: Words, run: Run, *, through: bool = False) -> str:
+    """Return the call that brings handle forces back through a run.
+
+    Args:
+        words: the plan's names.
+        run: the run.
+        through: whether nothing else acts on the links between its ends.
+    """
     joints = words.plan.joints
     if not joints[run.first].prescribed:
-        return f"deliver{'_reversed' * run.reversed}<{run.first}, {run.last}>(w);"
+        ends = f"{run.first}, {run.last}{', true' * through}"
+        return f"deliver{'_reversed' * run.reversed}<{ends}>(w);"
     near, far = ends_of_run(joints, run)
     turned = "true" if run.reversed else "false"
     return f"deliver_prescribed<{turned}>(w, {run.first}, w.loads[{far}], w.loads[{near}]);"

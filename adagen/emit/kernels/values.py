@@ -23,6 +23,7 @@ from adagen.plan.gather import why_not_gather
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.turned import ENOUGH
 from adagen.plan.types import FACTORS, PlanLink
+from adagen.program.segments import LANES
 from adagen.program.slots import Slots
 from adagen.program.turned import turned_in_loops
 
@@ -100,6 +101,7 @@ def values(words: Words) -> dict[str, object]:
         "fused": mobility.has_fused(plan),
         "passes_free": mobility.passes_free(plan),
         "holds": mobility.holds_ground(plan),
+        "carries": mobility.carries(program),
         "cut_joints": [
             {"type": f"Joint_{words.joints[j]}", "id": f"j_{words.joints[j]}", "members": lines}
             for j, lines in mobility.members(words).items()
@@ -114,6 +116,8 @@ def values(words: Words) -> dict[str, object]:
         "steps": lines[: len(plan.processes)],
         "recovery": lines[len(plan.processes) :],
         "slots": slots.slots,
+        "tile": slots.tile,
+        "block_kinds": _block_kinds(words),
         "reordered": not slots.plain,
         "slot_count": slots.count,
         "in_segments": bool(slots.segments),
@@ -148,6 +152,21 @@ def _inertia(words: Words, link: PlanLink) -> dict[str, str]:
         "moments": numbers(float(mass * Fraction(x)) for x in link.com),
         "tensor": numbers(float(x) for x in pseudo_inertia(link)),
     }
+
+
+def _block_kinds(words: Words) -> dict[str, list[int]]:
+    """Which blocks of slots hold equal constants."""
+    plan = words.plan
+    if plan.sets_inertias:
+        return {"kinds": [], "first": []}
+    links = ((link.mass, link.com, link.tensor) for link in plan.links[1:])
+    own = [
+        (joint.rotation, joint.translation, link)
+        for joint, link in zip(plan.joints, links, strict=True)
+    ]
+    width = 1 if words.program.batch else LANES[FACTORS[plan.scalar]]
+    kinds, first = words.program.slots.block_kinds(own, width)
+    return {"kinds": kinds, "first": first}
 
 
 def _limbs(words: Words, slots: Slots, limbs: Limbs) -> dict[str, object]:

@@ -33,7 +33,8 @@ ADAGEN_INLINE T freedom(const T* e, const Motion<T>& a) {
 template <class T>
 ADAGEN_INLINE void answer(Workspace& w, const Joints<T>& joints, int k, const T& x) {
   const auto place = [&](int lane) -> Value& {
-    const int v = kJoints[static_cast<std::size_t>(joints.joint[lane])].v;
+    const int j = joints.joint[lane];
+    const int v = kOneEach ? j : kJoints[static_cast<std::size_t>(j)].v;
     return w.answer[static_cast<std::size_t>(v + k)];
   };
   if constexpr (kWidth<T> == 1)

@@ -25,27 +25,39 @@ constexpr int slot_of(int j) { return kReordered ? kSlots[j] : j; }
 using PerJoint = std::array<Real, sizeof(Value) == sizeof(Real) ? kPerBlock : 1>;
 
 struct alignas(64) BlockConstants {
-  PerJoint rotation[6];  // joint frame to parent link's axes, columns x and y
-  PerJoint x, y, z;      // of the joint's origin in the parent link's frame
+  PerJoint rotation[kTile > 0 ? 9 : 6];  // joint frame to parent link's axes: columns x, y, and z
+                                         // in tiles
+  PerJoint x, y, z;                      // of the joint's origin in the parent link's frame
   PerJoint mass, moments[3], tensor[6];
 };
 
 constexpr void fill(PerJoint& numbers, Real x) {
   for (Real& number : numbers) number = x;
 }
-constexpr std::array<BlockConstants, kBlockCount> kBlockConstants = [] {
-  std::array<BlockConstants, kBlockCount> result{};
+
+// The constants of blocks that are alike stand once: which ones a block has, and a block that does.
+constexpr int constants_at(int block) { return kBlockKindCount > 0 ? kBlockKinds[block] : block; }
+constexpr bool has_own_constants(int block) {
+  return kBlockKindCount == 0 || kFirstOfKind[kBlockKinds[block]] == block;
+}
+constexpr int kConstantsCount = kBlockKindCount > 0 ? kBlockKindCount : kBlockCount;
+constexpr std::array<BlockConstants, kConstantsCount> kBlockConstants = [] {
+  std::array<BlockConstants, kConstantsCount> result{};
   for (BlockConstants& block : result) {  // slots that are not filled do not turn, but weigh
     for (const int k : {0, 4}) fill(block.rotation[k], 1);
+    if constexpr (kTile > 0) fill(block.rotation[8], 1);
     fill(block.mass, 1);
     for (const int k : {0, 3, 5}) fill(block.tensor[k], 1);
   }
   for (int j = 0; j < kJointCount; ++j) {
-    BlockConstants& block = result[static_cast<std::size_t>(slot_of(j) / kPerBlock)];
+    const int place = slot_of(j) / kPerBlock;
+    if (!has_own_constants(place)) continue;
+    BlockConstants& block = result[static_cast<std::size_t>(constants_at(place))];
     const std::size_t lane = static_cast<std::size_t>(slot_of(j) % kPerBlock);
     const LinkInertia& link = kInertias[static_cast<std::size_t>(j)];
     const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
-    for (int k = 0; k < 6; ++k) block.rotation[k][lane] = joint.rotation[k % 3 * 3 + k / 3];
+    for (int k = 0; k < (kTile > 0 ? 9 : 6); ++k)
+      block.rotation[k][lane] = joint.rotation[k % 3 * 3 + k / 3];
     block.x[lane] = joint.translation[0];
     block.y[lane] = joint.translation[1];
     block.z[lane] = joint.translation[2];

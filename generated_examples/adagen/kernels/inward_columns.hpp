@@ -37,17 +37,24 @@ constexpr std::array<std::size_t, kBlockCount * kPerBlock> kJointAt = [] {
   return result;
 }();
 
+// Where a joint's columns lie: all joints have a place, or those of a tile.
+ADAGEN_INLINE constexpr std::size_t columns_place(std::size_t joint) {
+  if constexpr (kTile == 0) return joint;
+  return joint == kJointCount ? kColumnCount : joint % kColumnCount;
+}
+
 // What set_up_links found of the links of blocks first .. last - 1, as it is added to columns.
 template <int first, int last>
-void set_up_columns(Workspace& w) {
+void set_up_columns(Workspace& w, int beyond = 0) {
   if constexpr (!kInColumns) return;
-  for (int slot = first * kPerBlock; slot < last * kPerBlock; slot += 8) {
+  for (int slot = (first + beyond) * kPerBlock; slot < (last + beyond) * kPerBlock; slot += 8) {
     const auto row = [&](int entry) {
       return number_at<Column>(w.at(slot, static_cast<Entry>(entry)));
     };
     const auto put = [&](Real(LinkColumns::* place)[8], const Column(&found)[8]) {
       ADAGEN_FOR (k, 0, 8) {
-        LinkColumns& link = w.columns[kJointAt[static_cast<std::size_t>(slot + k)]];
+        const std::size_t joint = kJointAt[static_cast<std::size_t>(slot + k)];
+        LinkColumns& link = w.columns[kTile > 0 ? columns_place(joint) : joint];
         std::memcpy(link.*place, &found[k], sizeof found[k]);
       }
     };
@@ -69,7 +76,7 @@ void set_up_columns(Workspace& w) {
 }
 
 ADAGEN_INLINE void add_bare_link(Workspace& w, int link, Columns& X) {
-  const LinkColumns& own = w.columns[static_cast<std::size_t>(link - 1)];
+  const LinkColumns& own = w.columns[columns_place(static_cast<std::size_t>(link - 1))];
   const Column a = number_at<Column>(own.tensor);   // xx xy xz yy yz zz m 0
   const Column b = number_at<Column>(own.moments);  // x y z -x -y -z 0 0
   X.angular[0] += shuffled<0, 1, 2, 7, 7, 13, 9, 7>(a, b);
@@ -121,7 +128,7 @@ ADAGEN_INLINE void eliminate(Workspace& w, int j, Columns& X, Due& due, const Ar
   const Column before = due.U * due.inverse;
   subtract(X, due);
   Column U = V - before * q;
-  const Real tau = torque(w, joint);
+  const Real tau = torque(w, j);
   const Real u = ((reversed ? -tau : tau) - component<along>(s, X.force)) * inverse;
   constexpr int first = along ? 4 : 0;  // D beside the trace tells what digits are left
   const Real trace = side[0][first] + side[1][first + 1] + side[2][first + 2];

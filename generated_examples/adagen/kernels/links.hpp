@@ -21,7 +21,8 @@ namespace {
 // Constants of each of the joints.
 template <class T>
 ADAGEN_INLINE T constant(const Joints<T>& joints, PerJoint BlockConstants::* member) {
-  const auto& block = kBlockConstants[static_cast<std::size_t>(joints.slot / kPerBlock)];
+  const int place = constants_at(joints.slot / kPerBlock);
+  const auto& block = kBlockConstants[static_cast<std::size_t>(place)];
   return number_at<T>(&(block.*member)[static_cast<std::size_t>(joints.slot % kPerBlock)]);
 }
 template <class T>
@@ -74,17 +75,21 @@ void take_angles(Workspace& w) {
 }
 
 // Turns the joints of blocks first .. last - 1 by their angles: columns x and y of the rotation.
+// Of tiles beyond the first one blocks lie behind by as many as told.
 template <int first, int last>
-void turn(Workspace& w) {
+void turn(Workspace& w, int beyond = 0) {
   for (int b = first; b < last; ++b) {
     Block& block = w.blocks[static_cast<std::size_t>(b)];
-    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    const int place = constants_at(b + beyond);
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(place)];
     Lanes s, c;
     sine_and_cosine(wide(&w.angle[static_cast<std::size_t>(b * kPerBlock)]), s, c);
     ADAGEN_FOR (k, 0, 3) {
       const Lanes x = wide(constants.rotation[k]), y = wide(constants.rotation[3 + k]);
       narrow(x * c + y * s, block.entries[kTurn + 3 * k]);
       narrow(y * c - x * s, block.entries[kTurn + 3 * k + 1]);
+      if constexpr (kTile > 0)
+        narrow(wide(constants.rotation[6 + k]), block.entries[kTurn + 3 * k + 2]);
     }
   }
 }
@@ -110,10 +115,10 @@ ADAGEN_INLINE void bias_force(const Symmetric<T>& J, const Vector<T>& c, const T
 // Inertia and bias force of the bare links of blocks first .. last - 1 in the axes of their base.
 // With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J.
 template <int first, int last>
-void set_up_links(Workspace& w) {
+void set_up_links(Workspace& w, int beyond = 0) {
   for (int b = first; b < last; ++b) {
     Block& block = w.blocks[static_cast<std::size_t>(b)];
-    const BlockConstants& constants = w.constants_of(b);
+    const BlockConstants& constants = w.constants_of(b + beyond);
     const auto& entries = block.entries;
     const Matrix<Lanes> R{wide_vector(entries + kAxes), wide_vector(entries + kAxes + 3),
                           wide_vector(entries + kAxes + 6)};

@@ -76,7 +76,7 @@ template <int p, int first, int last>
 void orient(Workspace& w) {
   for (int b = first; b < last; ++b) {
     Block& block = w.blocks[static_cast<std::size_t>(b)];
-    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(b)];
+    const BlockConstants& constants = kBlockConstants[static_cast<std::size_t>(constants_at(b))];
     const QuaternionPlaces& places = kQuaternionPlaces<p>[static_cast<std::size_t>(b)];
     Lanes q[4];
     take_quaternions(w, places, q, std::make_index_sequence<kPerBlock>{});

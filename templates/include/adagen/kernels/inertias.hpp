@@ -15,7 +15,7 @@ struct Inertias {
     return kInertias[static_cast<std::size_t>(joint)];
   }
   static const BlockConstants& constants_of(int block) {
-    return kBlockConstants[static_cast<std::size_t>(block)];
+    return kBlockConstants[static_cast<std::size_t>(constants_at(block))];
   }
 };
 

@@ -15,7 +15,7 @@ namespace {
 // Inertias of links, of which some are set at run time.
 struct Inertias {
   std::array<LinkInertia, kJointCount> inertias = kInertias;
-  std::array<BlockConstants, kBlockCount> constants = kBlockConstants;
+  std::array<BlockConstants, kConstantsCount> constants = kBlockConstants;
 
   const LinkInertia& inertia_of(int joint) const {
     return inertias[static_cast<std::size_t>(joint)];

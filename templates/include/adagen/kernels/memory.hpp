@@ -63,6 +63,10 @@ ADAGEN_INLINE T each(const Joints<T>& joints, const Number& number) {
   }
 }
 
+// Blocks in memory: all, or those of a tile, which the tiles of a run take in turn (tiles.hpp).
+constexpr int kWindow = kTile > 0 ? kTile / kPerBlock : kBlockCount;
+[[maybe_unused]] constexpr int kColumnCount = kTile > 0 ? kTile : kJointCount;
+
 // What a block holds of each link j + 1, joint j being the one above it; in the axes of its base.
 enum Entry : int {
   kTurn = 0,           // rotation from the child's to the parent link's axes, row by row
@@ -80,6 +84,14 @@ enum Entry : int {
   kReachedAlong = 49,
   kEntries = kCertified ? 50 : 42
 };
+
+// Whether joints have one freedom each, so that their numbers are those of their freedoms.
+[[maybe_unused]] constexpr bool one_each() {
+  for (int j = 0; j < kJointCount; ++j)
+    if (kJoints[static_cast<std::size_t>(j)].v != j) return false;
+  return kJointCount == kNv;
+}
+[[maybe_unused]] constexpr bool kOneEach = one_each();
 
 struct alignas(64) Block {
   Value entries[kEntries][kPerBlock];
@@ -153,13 +165,13 @@ struct Workspace : State, Cuts, Inertias {
   int status = kFine;
   bool lost = false;   // whether a sweep in axes of the base found too few digits left
   bool again = false;  // whether links feel the forces in their blocks, and no motion's
-  alignas(64) std::array<Value, kBlockCount * kPerBlock> angle{};  // of each joint that turns
-  std::array<Block, kBlockCount> blocks{};
+  alignas(64) std::array<Value, kWindow * kPerBlock> angle{};  // of each joint that turns
+  std::array<Block, kWindow> blocks{};
   std::array<Memory, kJointCount> joints{};
   std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
   std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
   // Of the link beyond each joint, and one for slots that are not filled.
-  std::array<LinkColumns, kByColumns ? kJointCount + 1 : 0> columns{};
+  std::array<LinkColumns, kByColumns ? kColumnCount + 1 : 0> columns{};
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
@@ -176,7 +188,8 @@ struct Workspace : State, Cuts, Inertias {
 
   Value* of(int joint, Entry entry) { return at(slot_of(joint), entry); }
   Value* at(int slot, Entry entry) {
-    return &blocks[static_cast<std::size_t>(slot / kPerBlock)].entries[entry][slot % kPerBlock];
+    const int block = slot / kPerBlock % kWindow;
+    return &blocks[static_cast<std::size_t>(block)].entries[entry][slot % kPerBlock];
   }
 
   template <class T>
@@ -260,7 +273,12 @@ ADAGEN_INLINE Lanes wide(const Value* x) {
 
 // The torque along one of a joint's freedoms that reaches the links: less damping, spring and
 // friction.
-ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint, int freedom = 0) {
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint, int freedom = 0);
+ADAGEN_INLINE Value torque(const Workspace& w, int joint) {
+  if constexpr (kOneEach && !kAnyPassive) return w.tau[joint];
+  return torque(w, kJoints[static_cast<std::size_t>(joint)]);
+}
+ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint, int freedom) {
   Value tau = w.tau[joint.v + freedom];
   if constexpr (kAnyPassive) {
     const Passive& own = joint.passive;

@@ -26,7 +26,8 @@ namespace {
 // its own. Where a segment starts from is a product of the rotations before it, and sums of what
 // the joints before it add to velocities and accelerations.
 
-// Joints first .. last. The k-th joints of all segments are a row; their slots follow each other.
+// Joints first .. last, or as many of a tile that lies beyond them by some joints, so many slots
+// behind (tiles.hpp). The k-th joints of all segments are a row; their slots follow each other.
 // The last segments may be a joint shorter: the slots that they leave empty do not turn.
 template <int first, int last>
 struct Segments {
@@ -34,6 +35,7 @@ struct Segments {
   static constexpr int kRows = (kCount + kPerBlock - 1) / kPerBlock;
   static constexpr int kLonger = kCount - (kRows - 1) * kPerBlock;  // segments of kRows joints
   static constexpr int kBlock = kSlots[first] / kPerBlock;
+  static constexpr int kPlace = kBlock % kWindow;  // in memory
   static constexpr const JointConstants& kFirst = kJoints[first];
 
   static constexpr bool filled(int lane, int row) { return row + 1 < kRows || lane < kLonger; }
@@ -43,11 +45,11 @@ struct Segments {
            (filled(lane, row) ? row : row - 1);
   }
   template <std::size_t... lane>
-  static constexpr Joints<Lanes> row_of(int row, std::index_sequence<lane...>) {
-    return {(kBlock + row) * kPerBlock, {joint(static_cast<int>(lane), row)...}};
+  static constexpr Joints<Lanes> row_of(int row, int beyond, std::index_sequence<lane...>) {
+    return {(kBlock + row) * kPerBlock + beyond, {joint(static_cast<int>(lane), row) + beyond...}};
   }
-  static constexpr Joints<Lanes> row(int k) {
-    return row_of(k, std::make_index_sequence<kPerBlock>{});
+  static constexpr Joints<Lanes> row(int k, int beyond) {
+    return row_of(k, beyond, std::make_index_sequence<kPerBlock>{});
   }
   static constexpr bool all_revolute() {
     for (int j = first; j <= last; ++j)
@@ -67,9 +69,10 @@ struct Segments {
 
 // The k-th of three numbers that each joint of a row turns with; a hinge has only the last.
 template <class Run, std::size_t... lane>
-ADAGEN_INLINE Lanes speeds(const Workspace& w, int row, int k, std::index_sequence<lane...>) {
+ADAGEN_INLINE Lanes speeds(const Workspace& w, int row, int beyond, int k,
+                           std::index_sequence<lane...>) {
   const auto speed = [&](int at) -> Value {
-    const int j = Run::joint(at, row);
+    const int j = Run::joint(at, row) + beyond;
     if constexpr (Run::kSpeedsInOrder) return w.v[Run::kFirst.v + j - Run::joint(0, 0)];
     const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
     if (joint.kind == JointKind::kSpherical) return w.v[joint.v + k];
@@ -78,19 +81,20 @@ ADAGEN_INLINE Lanes speeds(const Workspace& w, int row, int k, std::index_sequen
   return Lanes{(Run::filled(lane, row) ? speed(lane) : 0)...};
 }
 template <class Run>
-ADAGEN_INLINE Vector<Lanes> spins(const Workspace& w, int row, const Matrix<Lanes>& R) {
-  const Lanes z = speeds<Run>(w, row, 2, kEachLane);
+ADAGEN_INLINE Vector<Lanes> spins(const Workspace& w, int row, int beyond, const Matrix<Lanes>& R) {
+  const Lanes z = speeds<Run>(w, row, beyond, 2, kEachLane);
   if constexpr (Run::kAllRevolute) return Vector<Lanes>{R.x.z, R.y.z, R.z.z} * z;
-  const Lanes x = speeds<Run>(w, row, 0, kEachLane), y = speeds<Run>(w, row, 1, kEachLane);
+  const Lanes x = speeds<Run>(w, row, beyond, 0, kEachLane);
+  const Lanes y = speeds<Run>(w, row, beyond, 1, kEachLane);
   return R * Vector<Lanes>{x, y, z};
 }
 
 // Keeps r, and axes where they belong to it, of those joints of a row that lie in eight lanes.
 template <class Run, int begin>
-ADAGEN_INLINE void keep_levers(Workspace& w, int row, const Vector<Lanes>& axis,
+ADAGEN_INLINE void keep_levers(Workspace& w, int row, int beyond, const Vector<Lanes>& axis,
                                const Vector<Lanes>& r) {
   const auto memory = [&](int lane) -> Memory& {
-    return w.joints[static_cast<std::size_t>(Run::joint(lane, row))];
+    return w.joints[static_cast<std::size_t>(Run::joint(lane, row) + beyond)];
   };
   if constexpr (kByColumns && kInColumns) {
     const Column x = eight<begin>(r.x), none = x - x;  // see set_up_columns
@@ -119,7 +123,7 @@ ADAGEN_INLINE void keep_levers(Workspace& w, int row, const Vector<Lanes>& axis,
 // A row's numbers, from one of its blocks.
 template <class Run, class Memory>
 ADAGEN_INLINE auto* row_at(Memory& w, int row, Entry entry) {
-  return w.blocks[static_cast<std::size_t>(Run::kBlock + row)].entries[entry];
+  return w.blocks[static_cast<std::size_t>(Run::kPlace + row)].entries[entry];
 }
 
 // Orientations relative to each segment's start; those of the last links are returned.
@@ -137,21 +141,21 @@ ADAGEN_INLINE Matrix<Lanes> orient_segments(Workspace& w) {
 // Orientations, r in the place of accelerations, and angular velocities relative to each segment's
 // start: what a joint adds is left in the place of angular accelerations, all added up returned.
 template <class Run>
-ADAGEN_INLINE Vector<Lanes> spin_segments(Workspace& w, const Matrix<Lanes>& start) {
+ADAGEN_INLINE Vector<Lanes> spin_segments(Workspace& w, int beyond, const Matrix<Lanes>& start) {
   Matrix<Lanes> R = start;
   Vector<Lanes> omega{};
   for (int row = 0; row < Run::kRows; ++row) {
-    const Vector<Lanes> r = R * origin_of(Run::row(row));
+    const Vector<Lanes> r = R * origin_of(Run::row(row, beyond));
     put_at(row_at<Run>(w, row, kAcceleration), r);
     R = start * matrix_at<Lanes>(row_at<Run>(w, row, kAxes));
     put_at(row_at<Run>(w, row, kAxes), R);
-    const Vector<Lanes> spin = spins<Run>(w, row, R);
+    const Vector<Lanes> spin = spins<Run>(w, row, beyond, R);
     put_at(row_at<Run>(w, row, kAlpha), spin);
     omega += spin;
     put_at(row_at<Run>(w, row, kOmega), omega);
     const Vector<Lanes> axis{R.x.z, R.y.z, R.z.z};
-    keep_levers<Run, 0>(w, row, axis, r);
-    if constexpr (kPerBlock > 8) keep_levers<Run, kPerBlock - 8>(w, row, axis, r);
+    keep_levers<Run, 0>(w, row, beyond, axis, r);
+    if constexpr (kPerBlock > 8) keep_levers<Run, kPerBlock - 8>(w, row, beyond, axis, r);
   }
   return omega;
 }
@@ -187,9 +191,9 @@ ADAGEN_INLINE Vector<Lanes> accelerate_origins(Workspace& w, const Vector<Lanes>
 
 // What the links' frames need, left in their blocks.
 template <class Run>
-ADAGEN_INLINE void along_segments(Workspace& w, Frame<Value> at) {
+ADAGEN_INLINE void along_segments(Workspace& w, int beyond, Frame<Value> at) {
   const Matrix<Lanes> R = products_before(orient_segments<Run>(w), at.R);
-  const Vector<Lanes> omega = sums_before(spin_segments<Run>(w, R), at.omega);
+  const Vector<Lanes> omega = sums_before(spin_segments<Run>(w, beyond, R), at.omega);
   const Vector<Lanes> alpha = sums_before(accelerate_spins<Run>(w, omega), at.alpha);
   const Vector<Lanes> a = sums_before(accelerate_origins<Run>(w, omega, alpha), at.a);
   for (int row = 0; row < Run::kRows; ++row) {
@@ -205,16 +209,17 @@ struct Passage {
   Vector<Lanes> omega, alpha, p, v, a;
 };
 template <class Run>
-ADAGEN_INLINE Passage through_segments(const Workspace& w) {
-  Passage at{matrix_at<Lanes>(row_at<Run>(w, 0, kTurn)), {}, {}, origin_of(Run::row(0)), {}, {}};
-  at.omega = spins<Run>(w, 0, at.R);
+ADAGEN_INLINE Passage through_segments(const Workspace& w, int beyond) {
+  const Vector<Lanes> first = origin_of(Run::row(0, beyond));
+  Passage at{matrix_at<Lanes>(row_at<Run>(w, 0, kTurn)), {}, {}, first, {}, {}};
+  at.omega = spins<Run>(w, 0, beyond, at.R);
   for (int row = 1; row < Run::kRows; ++row) {
-    const Vector<Lanes> r = at.R * origin_of(Run::row(row)), v = cross(at.omega, r);
+    const Vector<Lanes> r = at.R * origin_of(Run::row(row, beyond)), v = cross(at.omega, r);
     at.p += r;
     at.v += v;
     at.a += cross(at.omega, v) + cross(at.alpha, r);
     at.R = at.R * matrix_at<Lanes>(row_at<Run>(w, row, kTurn));
-    const Vector<Lanes> spin = spins<Run>(w, row, at.R);
+    const Vector<Lanes> spin = spins<Run>(w, row, beyond, at.R);
     at.alpha += cross(at.omega, spin);
     at.omega += spin;
   }
@@ -224,8 +229,8 @@ ADAGEN_INLINE Passage through_segments(const Workspace& w) {
 // The frame of the last link. Seen from a start that turns, what moves there has the acceleration
 // of Coriolis besides, 2 omega x v, and its spin omega x its own.
 template <class Run>
-ADAGEN_INLINE Frame<Value> past_segments(const Workspace& w, Frame<Value> at) {
-  const Passage own = through_segments<Run>(w);
+ADAGEN_INLINE Frame<Value> past_segments(const Workspace& w, int beyond, Frame<Value> at) {
+  const Passage own = through_segments<Run>(w, beyond);
   const Matrix<Lanes> R = products_before(own.R, at.R);
   const Vector<Lanes> spin = R * own.omega, p = R * own.p, v = R * own.v;
   const Vector<Lanes> omega = sums_before(spin, at.omega);
@@ -240,20 +245,21 @@ ADAGEN_INLINE Frame<Value> past_segments(const Workspace& w, Frame<Value> at) {
 // own: as part of a large one, gcc 12 spills what is carried along.
 template <int first, int last>
 ADAGEN_NOINLINE void outward_in_segments(Workspace& w) {
-  along_segments<Segments<first, last>>(w, frame_near<first>(w));
+  along_segments<Segments<first, last>>(w, 0, frame_near<first>(w));
 }
 template <int first, int last>
 ADAGEN_NOINLINE void pass_outward_in_segments(Workspace& w) {
-  keep(w, slot_of(last), past_segments<Segments<first, last>>(w, frame_near<first>(w)));
+  keep(w, slot_of(last), past_segments<Segments<first, last>>(w, 0, frame_near<first>(w)));
 }
 template <int first, int last>
-void take_angles_in_segments(Workspace& w) {
+void take_angles_in_segments(Workspace& w, int beyond = 0) {
   using Run = Segments<first, last>;
   if constexpr (!Run::kAnglesInOrder) return take_angles<first, last>(w);
+  const Value* const q = w.q + beyond;
   for (int row = 0; row < Run::kRows; ++row) {
-    Value* const angles = &w.angle[static_cast<std::size_t>((Run::kBlock + row) * kPerBlock)];
+    Value* const angles = &w.angle[static_cast<std::size_t>((Run::kPlace + row) * kPerBlock)];
     ADAGEN_FOR (lane, 0, kPerBlock)
-      if (Run::filled(lane, row)) angles[lane] = w.q[Run::kFirst.q + Run::joint(lane, row) - first];
+      if (Run::filled(lane, row)) angles[lane] = q[Run::kFirst.q + Run::joint(lane, row) - first];
   }
 }
 

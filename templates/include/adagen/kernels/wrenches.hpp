@@ -27,23 +27,28 @@ namespace {
 
 // Forces at handles: what they do inside a run.
 
+// How a wrench drives a joint: S^T and D^-1 S^T times it, freedom by freedom.
+template <class T>
+struct Driven {
+  Vector<T> along, by;
+};
+
 // A wrench on the far link becomes what the near link feels of it, L^T times it; what it drives the
-// joint with, D^-1 S^T times it, is returned.
+// joint with is returned.
 template <bool reversed, class T>
-ADAGEN_INLINE Vector<T> hand_on(Workspace& w, int j, Vector<T>& n, Vector<T>& f) {
-  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+ADAGEN_INLINE Driven<T> hand_on(Workspace& w, int j, JointKind kind, Vector<T>& n, Vector<T>& f) {
   const Memory& memory = w.joints[static_cast<std::size_t>(j)];
   const Value* const e = memory.e;
   const Vector<Value>& r = memory.r;
   if constexpr (reversed) n += cross(f, r);
-  Vector<T> driven{};
+  Driven<T> driven{};
   if (kind == JointKind::kSpherical) {
     if constexpr (kAnySpherical) {
-      driven = solved(e + 12, n);
+      driven = {n, solved(e + 12, n)};
       f.x -= e[0] * n.x + e[3] * n.y + e[6] * n.z;
       f.y -= e[1] * n.x + e[4] * n.y + e[7] * n.z;
       f.z -= e[2] * n.x + e[5] * n.y + e[8] * n.z;
-      n = kSphericalRotors ? driven * rotor_of(single(j)) : Vector<T>{};
+      n = kSphericalRotors ? driven.by * rotor_of(single(j)) : Vector<T>{};
       if constexpr (!reversed) n += -cross(f, r);
     }
     return driven;
@@ -56,15 +61,19 @@ ADAGEN_INLINE Vector<T> hand_on(Workspace& w, int j, Vector<T>& n, Vector<T>& f)
         f.x -= of[3] * x, f.y -= of[4] * x, f.z -= of[5] * x;
         return x * of[7];
       };
-      driven.x = taken(e, dot(f, Vector<Value>{R.x.x, R.y.x, R.z.x}));
-      driven.y = taken(e + 8, dot(f, Vector<Value>{R.x.y, R.y.y, R.z.y}));
-      driven.z = taken(e + 16, dot(n, Vector<Value>{R.x.z, R.y.z, R.z.z}));
+      driven.along.x = dot(f, Vector<Value>{R.x.x, R.y.x, R.z.x});
+      driven.by.x = taken(e, driven.along.x);
+      driven.along.y = dot(f, Vector<Value>{R.x.y, R.y.y, R.z.y});
+      driven.by.y = taken(e + 8, driven.along.y);
+      driven.along.z = dot(n, Vector<Value>{R.x.z, R.y.z, R.z.z});
+      driven.by.z = taken(e + 16, driven.along.z);
     }
     if constexpr (!reversed) n += -cross(f, r);
     return driven;
   }
-  const T x = dot(kind == JointKind::kPrismatic ? f : n, axis_at(w.of(j, kAxes)));
-  driven.x = x * e[7];
+  const T x = dot(kind == JointKind::kPrismatic ? f : n, axis_of(w, single(j)));
+  driven.along.x = x;
+  driven.by.x = x * e[7];
   if constexpr (!reversed) n += -cross(f, r);
   n.x -= e[0] * x, n.y -= e[1] * x, n.z -= e[2] * x;
   f.x -= e[3] * x, f.y -= e[4] * x, f.z -= e[5] * x;
@@ -100,12 +109,13 @@ ADAGEN_INLINE void deliver(Workspace& w, int j, Vector<Value>& n, Vector<Value>&
     if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kFloating)
       return push_free<reversed>(w, j, n, f);
   }
-  const Vector<Value> driven = hand_on<reversed>(w, j, n, f);
-  if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kPlanar) {
+  const JointKind kind = kJoints[static_cast<std::size_t>(j)].kind;
+  const Vector<Value> driven = hand_on<reversed>(w, j, kind, n, f).by;
+  if (kind == JointKind::kPlanar) {
     if constexpr (kAnyPlanar) e[6] += driven.x, e[14] += driven.y, e[22] += driven.z;
     return;
   }
-  if (kJoints[static_cast<std::size_t>(j)].kind == JointKind::kSpherical) {
+  if (kind == JointKind::kSpherical) {
     if constexpr (kAnySpherical) e[9] += driven.x, e[10] += driven.y, e[11] += driven.z;
   } else {
     e[6] += driven.x;
@@ -113,23 +123,23 @@ ADAGEN_INLINE void deliver(Workspace& w, int j, Vector<Value>& n, Vector<Value>&
 }
 
 // The loads of links beyond joints first .. last, each on the link of the one before, from the last
-// link to the one that the first joint is on.
-template <int first, int last>
+// link to the one that the first joint is on; through: of the last link alone.
+template <int first, int last, bool through = false>
 void deliver(Workspace& w) {
   Vector<Value> n{}, f{};
   for (int j = last; j >= first; --j) {
-    take_load(w, j + 1, n, f);
+    if (!through || j == last) take_load(w, j + 1, n, f);
     if constexpr (kRefine > 0) keep_load(w, j, n, f);
     deliver<false>(w, j, n, f);
   }
   w.loads[kJoints[first].parent] += columns_of({n, f});
 }
 // The same where the ground's side lies beyond: from the first joint's link to the last one's.
-template <int first, int last>
+template <int first, int last, bool through = false>
 void deliver_reversed(Workspace& w) {
   Vector<Value> n{}, f{};
   for (int j = first; j <= last; ++j) {
-    take_load(w, kJoints[static_cast<std::size_t>(j)].parent, n, f);
+    if (!through || j == first) take_load(w, kJoints[static_cast<std::size_t>(j)].parent, n, f);
     if constexpr (kRefine > 0) keep_load(w, j, n, f);
     deliver<true>(w, j, n, f);
   }

@@ -1,4 +1,4 @@
-"""Runs from the ground whose mobility is asked for at the last link only."""
+"""Runs whose mobility is asked for at the last link only."""
 
 from __future__ import annotations
 
@@ -7,10 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from adagen.emit import emit
 from adagen.model import KINDS, Model
 from adagen.plan import Plan, make_plan
-from adagen.plan.responses import mentions, responses
-from adagen.plan.steps import HoldMobility, Propagate, Send
+from adagen.plan.carried import carried_runs, mentions
+from adagen.plan.steps import Propagate
+from adagen.program import lower
 from adagen.schedule import Topology, load_profile
 from adagen.search import named_schedule
 from tests.emitted import kernels_of
@@ -39,11 +41,11 @@ def test_what_holds_a_chain_is_asked_for_at_one_link(seed: int) -> None:
     rng = np.random.default_rng(seed)
     plan = gathered(random_tree(rng, 20, KINDS_PASSED, branching=0.0))
     p, steps = carried(plan)
-    (run,) = responses(plan, steps, mentions(plan, plan.processes[p]))
+    (run,) = carried_runs(plan, steps, mentions(plan, plan.processes[p]))
     assert list(run) == steps
     assert len(steps) > 1
     text = kernels_of(plan)
-    assert f"respond<{run[0].joint}, {run[-1].joint}>(w, " in text
+    assert f"carry<false, {run[0].joint}, {run[-1].joint}>(w);" in text
 
 
 def test_a_mobility_that_is_asked_for_is_computed() -> None:
@@ -53,15 +55,36 @@ def test_a_mobility_that_is_asked_for_is_computed() -> None:
     told = replace(plan.messages[0], blocks=(asked,))
     plan = replace(plan, messages=(told, *plan.messages[1:]))
     named = mentions(plan, plan.processes[p])
-    found = [list(run) for run in responses(plan, steps, named)]
-    assert found == [steps[:4], *([step] for step in steps[4:])]
+    found = [list(run) for run in carried_runs(plan, steps, named)]
+    assert found == [steps[:4], steps[4:]]
 
 
-def test_where_nothing_is_held_all_mobilities_are_carried() -> None:
+def test_joints_that_are_told_apart_are_carried_one_by_one() -> None:
     plan = gathered(serial_chain(20))
     p, steps = carried(plan)
-    process = plan.processes[p]
-    free = tuple(step for step in process.steps if not isinstance(step, HoldMobility))
-    assert any(isinstance(step, Send) for step in free)
-    found = list(responses(plan, steps, mentions(plan, replace(process, steps=free))))
-    assert found == [[step] for step in steps]
+    named = mentions(plan, plan.processes[p])
+    found = [list(run) for run in carried_runs(plan, steps, named, {steps[2].joint})]
+    assert found == [steps[:2], steps[2:3], steps[3:]]
+
+
+def joined(model: Model, processes: int) -> Plan:
+    schedule = named_schedule("balanced", Topology.of(model), processes, profile=PROFILE)
+    return make_plan(model, schedule)
+
+
+@pytest.mark.parametrize("floating", [False, True])
+def test_a_segment_inside_of_a_chain_is_one_run(floating: bool) -> None:
+    plan = joined(serial_chain(40, floating=floating), 4)
+    program = lower(plan, "kernels")
+    runs = [
+        operation
+        for process in program.processes
+        for operation in process.operations
+        if operation.does == "propagate"
+    ]
+    assert {operation.method for operation in runs} == {"carried"}
+    assert any(isinstance(s, Propagate) and s.spreads for op in runs for s in op.steps)
+    text = emit(plan, name="chain", shape="kernels")["chain_p4.cpp"]
+    assert "propagate<" not in text.split("// ---- 5. processes")[1]
+    loads = [line for line in text.splitlines() if "w.loads[" in line and "Zero()" in line]
+    assert len(loads) < 8  # none for the links inside of runs

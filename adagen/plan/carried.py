@@ -1,0 +1,80 @@
+"""Runs whose mobility is asked for at their last link only.
+
+Unit wrenches there are carried through the run at once, to the link or the ground that it begins
+at: no mobility of the links between is needed.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Container, Iterator, Sequence
+from dataclasses import is_dataclass
+
+from adagen.plan.steps import Block, HoldMobility, Propagate
+from adagen.plan.types import Plan, Process
+
+_KINDS = ("revolute", "prismatic", "spherical", "planar")
+
+
+def mentions(plan: Plan, process: Process) -> Counter[Block]:
+    """Return how often a process's steps and the messages name each block."""
+    if not any(isinstance(step, Propagate) for step in process.steps):
+        return Counter()
+    return Counter(_blocks((*process.steps, *plan.messages)))
+
+
+def holds(process: Process) -> bool:
+    """Whether a process takes the mobility of what hangs on the ground for an inertia."""
+    return any(isinstance(step, HoldMobility) for step in process.steps)
+
+
+def carried_runs(
+    plan: Plan, steps: Sequence[Propagate], named: Counter[Block], apart: Container[int] = ()
+) -> Iterator[Sequence[Propagate]]:
+    """Part steps that follow each other into runs of which the last one's mobility is asked for.
+
+    A run leads outwards from a link or the ground, each joint on the link of the one before, and
+    couples its links with the same handles throughout; any other step is a part by itself.
+
+    Args:
+        plan: the plan.
+        steps: some of a process's steps, in order.
+        named: that process's ``mentions``.
+        apart: joints that are carried across one by one.
+    """
+    first = 0
+    for k, step in enumerate(steps):
+        if k + 1 < len(steps) and _goes_on(plan, named, apart, step, steps[k + 1]):
+            continue
+        yield steps[first : k + 1]
+        first = k + 1
+
+
+def _goes_on(
+    plan: Plan, named: Counter[Block], apart: Container[int], step: Propagate, after: Propagate
+) -> bool:
+    """Whether a step's mobility and couplings serve the next one alone."""
+    for each in (step, after):
+        joint = plan.joints[each.joint]
+        if joint.prescribed or joint.kind not in _KINDS or each.joint in apart:
+            return False
+    if step.reversed != after.reversed or after.near != step.block or named[step.block] != 2:
+        return False
+    upper, lower = (after, step) if step.reversed else (step, after)
+    if not plan.joints[lower.joint].parent == upper.joint + 1 == lower.joint:
+        return False
+    if [spread.handle for spread in step.spreads] != [spread.handle for spread in after.spreads]:
+        return False
+    return all(named[spread.target] == 2 for spread in step.spreads)
+
+
+def _blocks(of: object) -> Iterator[Block]:
+    if isinstance(of, Block):
+        yield of
+    elif isinstance(of, tuple):
+        for each in of:
+            yield from _blocks(each)
+    elif is_dataclass(of):
+        for value in vars(of).values():
+            if not isinstance(value, int):
+                yield from _blocks(value)

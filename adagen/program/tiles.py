@@ -1,0 +1,50 @@
+"""Runs longer than what the second-level cache holds, swept tile by tile.
+
+See templates/include/adagen/kernels/tiles.hpp. Joints of a tile use the memory that those of the
+tile before have used, so that little more than what joints are accelerated with is kept of each.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from adagen.plan import Plan
+from adagen.program.runs import Run, pays_columns
+from adagen.program.turned import turned_in_loops
+from adagen.schedule.costs import StepCosts
+
+TILE = 128
+"""Joints of a tile: what they are swept with, some 500 bytes each, stays in the second-level cache
+beside what is kept of all. A chain of 10,000 takes 46, 43 and 41 ns a joint by tiles of 512, 256
+and 128. Whole blocks, in double and in float."""
+
+LONGEST = 1500
+"""Joints up to which a run is swept as a whole: some 900 bytes each still lie in a second-level
+cache of 1 to 2 MB. To pass a joint twice costs less than to fetch its memory from the next level.
+"""
+
+
+def fits_tiles(plan: Plan, segments: Sequence[Run], costs: StepCosts) -> bool:
+    """Whether a plan is that of a long chain of hinges on the ground, on one process.
+
+    Args:
+        plan: the plan.
+        segments: the runs that are passed outwards in segments.
+        costs: by which runs are taken by columns.
+    """
+    joints = plan.joints
+    whole = Run(0, len(joints) - 1)
+    if len(plan.processes) > 1 or list(segments) != [whole] or whole.length <= LONGEST:
+        return False
+    if plan.scalar == "mixed" or plan.slaved or plan.wrenches or plan.parameters or plan.closed:
+        return False
+    if any(joint.kind != "revolute" or joint.prescribed for joint in joints):
+        return False
+    turned = turned_in_loops(plan, ((),))
+    return not turned.always and not turned.if_lost and pays_columns(joints, whole, costs)
+
+
+def tiles_of(run: Run, tile: int) -> Iterator[Run]:
+    """Yield the tiles of a run; the last one may be shorter."""
+    for first in range(run.first, run.last + 1, tile):
+        yield Run(first, min(first + tile - 1, run.last))
