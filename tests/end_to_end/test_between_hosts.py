@@ -27,6 +27,11 @@ WHY_NOT = why_no_hosts()
 pytestmark = pytest.mark.skipif(bool(WHY_NOT), reason=WHY_NOT)
 
 
+def slow(*values: object) -> object:
+    """Return a case that only the slow tests have."""
+    return pytest.param(*values, marks=pytest.mark.slow)
+
+
 @pytest.fixture(scope="module", params=[2, 4], ids=["two hosts", "four hosts"])
 def hosts(
     request: pytest.FixtureRequest, builder: Builder, tmp_path_factory: pytest.TempPathFactory
@@ -48,8 +53,16 @@ def on(net: Network, stem: str, builder: Builder) -> Solver:
     return replace(solver, toolchain=net.toolchain(solver.toolchain, slots))
 
 
-@pytest.mark.parametrize("delay", [0, 20, 100])
-@pytest.mark.parametrize("stem", ["arm7_p2", "human40_p4", "arm7_batch_p2"])
+@pytest.mark.parametrize(
+    ("stem", "delay"),
+    [
+        ("human40_p4", 20),
+        ("arm7_batch_p2", 0),
+        *(slow("human40_p4", delay) for delay in (0, 100)),
+        *(slow("arm7_batch_p2", delay) for delay in (20, 100)),
+        *(slow("arm7_p2", delay) for delay in (0, 20, 100)),
+    ],
+)
 def test_answers_are_those_of_one_host(
     stem: str, delay: int, hosts: Network, builder: Builder, tmp_path: Path
 ) -> None:
@@ -67,7 +80,7 @@ def test_answers_are_those_of_one_host(
     assert forward_error(found, truth_of(model, states)) < 5e-12
 
 
-@pytest.mark.parametrize("delay", [0, 100])
+@pytest.mark.parametrize("delay", [slow(0), 100])
 def test_nothing_is_faster_than_the_cable(delay: int, pair: Network, builder: Builder) -> None:
     pair.delay(delay)
     done = on(pair, "arm7_p2", builder).run("--time", "--repeat", "1", "--json")
@@ -77,7 +90,7 @@ def test_nothing_is_faster_than_the_cable(delay: int, pair: Network, builder: Bu
     assert there_and_back > 2e3  # through common memory a tenth of that
 
 
-@pytest.mark.parametrize("stem", ["human40_p4", "arm7_batch_p2"])
+@pytest.mark.parametrize("stem", [slow("human40_p4"), "arm7_batch_p2"])
 def test_what_a_network_loses_is_sent_again(
     stem: str, pair: Network, builder: Builder, tmp_path: Path
 ) -> None:
@@ -105,8 +118,14 @@ def loses_its_cable(net: Network) -> None:
     net.cut(2)
 
 
-@pytest.mark.parametrize("event", [dies, loses_its_processes, stalls, loses_its_cable])
-@pytest.mark.parametrize("stem", ["arm7_p2", "arm7_batch_p2"])
+@pytest.mark.parametrize(
+    ("stem", "event"),
+    [
+        *(("arm7_p2", event) for event in (dies, loses_its_processes, stalls, loses_its_cable)),
+        ("arm7_batch_p2", stalls),
+        *(slow("arm7_batch_p2", event) for event in (dies, loses_its_processes, loses_its_cable)),
+    ],
+)
 def test_a_lost_host_is_an_error_within_the_time_limit(
     stem: str, event: Callable[[Network], None], pair: Network, builder: Builder
 ) -> None:
@@ -132,8 +151,8 @@ def test_a_host_that_is_lost_while_mpi_starts_is_an_error(pair: Network, builder
     assert seconds < 45  # eleven for MPI to start, three for mpiexec
 
 
-@pytest.mark.parametrize("stem", ["arm7_p2", "arm7_batch_p2"])
-@pytest.mark.parametrize("what", ["stall", "cut"])
+@pytest.mark.parametrize("stem", ["arm7_p2", slow("arm7_batch_p2")])
+@pytest.mark.parametrize("what", [slow("stall"), "cut"])
 def test_a_host_that_comes_back_in_time_is_waited_for(
     what: str, stem: str, pair: Network, builder: Builder
 ) -> None:
