@@ -174,7 +174,7 @@ ADAGEN_INLINE Reached<T> reached_at([[maybe_unused]] const W& w, [[maybe_unused]
       sides[lane] = &w.reached[static_cast<std::size_t>(limbs.near(lane))];
     return side_by_side<T, Reached>(sides);
   } else {
-    return {};
+    return Reached<T>{};
   }
 }
 
