@@ -16,6 +16,7 @@ from statistics import median
 
 from adagen.build import find_toolchain
 from adagen.emit import stem_of
+from adagen.emit.runtime import joined
 from adagen.emit.shapes import SHAPES
 from adagen.model import Model
 from adagen.plan import FORMS
@@ -30,11 +31,12 @@ _NOTHING = "  static_cast<void>(w), static_cast<void>(kind), static_cast<void>(j
 
 
 def unguarded(text: str) -> str:
-    """Return an emitted source in which failures of an evaluation go unnoticed.
+    """Return an emitted source, with its headers, in which failures of an evaluation go unnoticed.
 
     Raises:
         ValueError: it does not have the one place where they are noted.
     """
+    text = joined(text)
     if text.count(_NOTES) != 1:
         raise ValueError("the emitted source notes failures in another way")
     return text.replace(_NOTES, _NOTHING)

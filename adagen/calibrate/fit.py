@@ -118,11 +118,12 @@ def _alike() -> Array:
     """Return rows that are zero where coefficients that resemble each other are equal.
 
     Those of the joint kinds of a group do, and that of a row of joints side by side, or of a joint
-    of a run that is passed together, resembles that of one such joint.
+    of a run that is passed together, resembles that of one such joint. To pass a segment resembles
+    its kinematics.
     """
     rows = []
     for group in PER_KIND:
-        alone = group.split("_")[0]
+        alone = "kinematics" if group == "passing_segments" else group.split("_")[0]
         priced = (*KINDS, *({PRESCRIBED} & set(PER_KIND[group])))
         for kind in priced:
             others = priced if alone == group else (kind,)

@@ -32,7 +32,7 @@ examples:
   adagen calibrate                      measure, store the profile as "machine"
   adagen robot.urdf --procs 4 --profile machine     use it
   adagen calibrate --out mine.toml      write it to a file instead
-  adagen calibrate --hosts hosts        add what messages between these hosts take
+  adagen calibrate --hosts hosts        add the costs of messages between hosts
                                         to "machine" (to a copy of the shipped
                                         profile, if there is none yet)"""
 

@@ -215,8 +215,7 @@ def add_emission(parser: Parser) -> None:
     group.add_argument(
         "--certify",
         action="store_true",
-        help="tell a bound of its error with each answer, for at most half of the time more "
-        "(docs/explanation/certificates.md)",
+        help="give an error bound with each answer",
     )
     group.add_argument(
         "--shape",

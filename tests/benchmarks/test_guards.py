@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from adagen.emit import stem_of
+from adagen.emit.runtime import joined
 from adagen.emit.shapes import SHAPES
 from benchmarks.guards import unguarded
 from tests.emitted import Builder, Solver, plan_of, text_of
@@ -14,7 +15,7 @@ from tests.models import serial_chain
 @pytest.mark.parametrize("shape", SHAPES)
 def test_one_line_is_what_guards_end_in(shape: str) -> None:
     plan = plan_of(serial_chain(3), 1)
-    text = text_of(plan, shape=shape)
+    text = joined(text_of(plan, shape=shape))
     pairs = zip(text.splitlines(), unguarded(text).splitlines(), strict=True)
     (changed,) = ((old, new) for old, new in pairs if old != new)
     assert "fail" in changed[0] and "fail" not in changed[1]

@@ -68,9 +68,9 @@ def test_a_link_is_replaced_and_not_followed(tmp_path: Path) -> None:
     assert not (tmp_path / "nowhere").exists()
 
 
-@pytest.mark.parametrize("name", ["../x", "a/b", "/x", "", ".", "..", "a\\b", "a\0b"])
+@pytest.mark.parametrize("name", ["../x", "a/../x", "a//b", "/x", "", ".", "..", "a\\b", "a\0b"])
 def test_a_name_never_leads_out_of_the_folder(tmp_path: Path, name: str) -> None:
-    with pytest.raises(ValueError, match="not a plain file name"):
+    with pytest.raises(ValueError, match="not a file inside a folder"):
         write_files(tmp_path / "out", {"fine.cpp": OURS, name: OURS})
     assert list(tmp_path.iterdir()) == []
 
