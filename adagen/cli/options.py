@@ -90,6 +90,7 @@ RARE = frozenset(
         "--tune",
         "--tuned",
         "--channel",
+        "--refine",
         "--reproducible",
         "--loop-forces",
         "--runtime",

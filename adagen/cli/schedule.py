@@ -35,7 +35,7 @@ examples:
   adagen schedule robot.urdf --procs 4 --svg tree.svg     a drawing
   adagen schedule robot.urdf --procs 4 --json             the tree, for programs
   adagen schedule robot.urdf --procs 4 --profile paper --tie lex    the paper's
-  adagen schedule robot.urdf --hosts hosts                what pays on several hosts"""
+  adagen schedule robot.urdf --hosts hosts            what pays on several hosts"""
 
 
 def command_parser() -> Parser:
