@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ import pytest
 from adagen.emit import program_of
 from adagen.executor import interpret
 from adagen.model import REVOLUTE, Model
+from adagen.plan.certificate import certified
 from adagen.program import tiles
 from adagen.program.tiles import LONGEST, TILE
 from adagen.reference import joint_space_inertia
@@ -36,6 +38,19 @@ def test_long_chains_are_swept_tile_by_tile() -> None:
     text = kernels_of(long)
     assert "sweep_tiles<" in text
     assert "sweep_tiles<" not in kernels_of(short)
+
+
+@pytest.mark.usefixtures("soon")
+def test_what_needs_all_joints_again_is_swept_as_a_whole() -> None:
+    model = drawn(2 * TILE, 1)
+    plan = plan_of(model, 1)
+    assert program_of(plan, "kernels").slots.tile == TILE
+    for other in (
+        certified(plan),
+        plan_of(replace(model, wanted=(3,)), 1),
+        plan_of(replace(model, at_rest=True), 1),
+    ):
+        assert program_of(other, "kernels").slots.tile == 0
 
 
 def test_code_does_not_grow_with_a_chain() -> None:
