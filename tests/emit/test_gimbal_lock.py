@@ -59,10 +59,10 @@ CASES: dict[str, tuple[Callable[[], Model], int, int, str]] = {
     "slender rods": (lambda: robots.three_axis(2), 4, 1, "inward_turned<"),
     "in lanes": (two_arms, 5, 1, "inward_group_turned<0"),
     "two processes": (two_arms, 5, 2, "inward_turned<"),
-    "first ball, repeated": (lambda: three_axis_chain(2, POINT), 1, 1, "inward_again<"),
-    "last ball, repeated": (lambda: three_axis_chain(2, POINT), 4, 1, "inward_again<"),
-    "in lanes, repeated": (lambda: two_arms(POINT), 5, 1, "inward_group_again<"),
-    "two processes, repeated": (lambda: two_arms(POINT), 5, 2, "inward_again<"),
+    "first ball, repeated": (lambda: three_axis_chain(2, POINT), 1, 1, "inward_turned.hpp"),
+    "last ball, repeated": (lambda: three_axis_chain(2, POINT), 4, 1, "inward_turned.hpp"),
+    "in lanes, repeated": (lambda: two_arms(POINT), 5, 1, "groups_turned.hpp"),
+    "two processes, repeated": (lambda: two_arms(POINT), 5, 2, "inward_turned.hpp"),
 }
 
 
