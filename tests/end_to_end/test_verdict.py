@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from adagen.emit.runtime import joined
 from adagen.model import REVOLUTE, SPHERICAL, Inertia, Link, Model
 from adagen.reference import exact_forward_dynamics
 from adagen.states import random_states
@@ -49,7 +50,7 @@ def spoilt(text: str, entry: int, factor: float) -> str:
     """Return the source of a solver that answers another acceleration at an entry of qdd."""
     told = f"qdd[{entry}] *= Number({factor!r});"
     text, count = re.subn(
-        r"(    run\(\);\n)(    return finish\(w\.status\);)", rf"\1    {told}\n\2", text
+        r"(    run\(\);\n)(    return finish\(w\.status\);)", rf"\1    {told}\n\2", joined(text)
     )
     assert count >= 1
     return text
