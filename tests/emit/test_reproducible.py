@@ -116,7 +116,7 @@ def test_no_product_is_fused(builder: Builder, tmp_path: Path) -> None:
     command = builder.toolchain.compile_command(source, made, False)
     fused = []
     for each in (plan, replace(plan, reproducible=False)):
-        source.write_text(text_of(each, shape="unrolled"))
+        source.write_text(joined(text_of(each, shape="unrolled")))
         flags = ("-S", "-O3", "-march=x86-64-v3", "-DADAGEN_NO_MAIN")
         subprocess.run([*command, *flags], check=True)
         fused.append(len(re.findall(r"\bvfn?m(?:add|sub)", made.read_text())))
@@ -135,7 +135,7 @@ def test_other_arithmetic_is_not_compiled(
     flags: tuple[str, ...], said: str, builder: Builder, tmp_path: Path
 ) -> None:
     source = tmp_path / "solver.cpp"
-    source.write_text(text_of(reproducible_plan(serial_chain(2))))
+    source.write_text(joined(text_of(reproducible_plan(serial_chain(2)))))
     command = [*builder.toolchain.compile_command(source, tmp_path / "x.o", False), "-c", *flags]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode != 0
@@ -147,14 +147,14 @@ def test_other_arithmetic_is_refused_where_a_solver_is_opened(
 ) -> None:
     """Compilers may do otherwise in spite of the text, and programs tell processors to."""
     plan = reproducible_plan(serial_chain(2))
-    text = re.sub("#pragma (GCC optimize|STDC).*\n", "", text_of(plan))
+    text = re.sub("#pragma (GCC optimize|STDC).*\n", "", joined(text_of(plan)))
     fused = builder.compile(text, "chain", ("-O2", "-march=x86-64-v3", "-ffp-contract=fast"))
     done = subprocess.run([fused], capture_output=True, text=True, check=False)
     assert done.returncode != 0
     assert "compiled to fuse products and sums" in done.stderr
     library = tmp_path / "solver.so"
     source = tmp_path / "solver.cpp"
-    source.write_text(text_of(plan))
+    source.write_text(joined(text_of(plan)))
     stem = stem_of(plan)
     flags = ["-shared", "-fPIC", "-DADAGEN_NO_MAIN"]
     command = [*builder.toolchain.compile_command(source, library, False), *flags]
