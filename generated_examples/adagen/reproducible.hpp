@@ -1,6 +1,7 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
+#include <cfloat>
 #include <limits>
 
 #include "common.hpp"

@@ -24,6 +24,7 @@ from adagen.plan.constants import joints_of
 from adagen.plan.types import THREADS
 from adagen.states import States, random_states, write_states
 from adagen.urdf import read_robot
+from adagen.wholefile import write_files
 from tests.emitted import Builder, plan_of, text_of
 from tests.executor.test_lane_bits import affected, limbs
 from tests.gathered import dealt, reproducible_plan
@@ -191,8 +192,7 @@ def test_a_program_that_flushes_small_numbers_is_refused(
 ) -> None:
     plan = reproducible_plan(serial_chain(2))
     stem = stem_of(plan)
-    for name, text in emit(plan).items():
-        (tmp_path / name).write_text(text)
+    write_files(tmp_path, emit(plan))
     caller = tmp_path / "caller.cpp"
     caller.write_text(_CALLER.format(stem=stem))
     compiled, program = tmp_path / "solver.o", tmp_path / "caller"
@@ -215,10 +215,10 @@ def test_what_is_not_reproducible_is_not_emitted() -> None:
 
 
 def test_others_hold_nothing_of_it() -> None:
-    text = text_of(plan_of(human_figure(), 1), shape="unrolled")
+    text = joined(text_of(plan_of(human_figure(), 1), shape="unrolled"))
     marks = (", reproducible, ", "#define ADAGEN_REPRODUCIBLE", "#pragma GCC optimize(")
     assert not any(mark in text for mark in marks)
-    own = text_of(reproducible_plan(human_figure()))
+    own = joined(text_of(reproducible_plan(human_figure())))
     assert all(mark in own for mark in marks)
 
 
