@@ -79,7 +79,11 @@ def _add_emitted(parser: Parser) -> None:
 
     group = parser.add_argument_group("emitted solvers")
     group.add_argument(
-        "models", nargs="*", metavar="MODEL", help="robots (URDF, xacro or MJCF) to be looked at"
+        "models",
+        nargs="*",
+        default=(),
+        metavar="MODEL",
+        help="robots (URDF, xacro or MJCF) to be looked at",
     )
     group.add_argument("--emitted", action="store_true", help="look at the suite's robots")
     for name, known in (

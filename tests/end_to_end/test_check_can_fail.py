@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from adagen.emit.runtime import joined
 from tests.emitted import Builder, Solver
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "generated_examples"
@@ -38,7 +39,7 @@ SPOILT = {
 @pytest.mark.parametrize("wrong", SPOILT)
 def test_a_spoilt_solver_is_found_out(wrong: str, builder: Builder) -> None:
     stem, pattern, replacement = SPOILT[wrong]
-    text = (EXAMPLES / stem / f"{stem}.cpp").read_text()
+    text = joined((EXAMPLES / stem / f"{stem}.cpp").read_text())
     spoilt, count = re.subn(pattern, replacement, text, count=1)
     assert count == 1
     processes = int(stem[-1])
