@@ -15,7 +15,7 @@
 
 namespace {
 
-constexpr std::size_t kCacheLine = 64;
+[[maybe_unused]] constexpr std::size_t kCacheLine = 64;
 #if defined(ADAGEN_EMBEDDED)
 constexpr std::size_t kTextSize = 200;  // of a failure in words
 #else

@@ -19,7 +19,7 @@ class InPlace {
   Channel channel;
   Text text;  // of the last failure
 
-  static constexpr int kWorkspaces = 1;
+  [[maybe_unused]] static constexpr int kWorkspaces = 1;
   Workspace& workspace(int) { return w; }
 
   // Reads what this process needs, writes what it owns.

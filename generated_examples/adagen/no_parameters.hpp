@@ -8,8 +8,10 @@
 namespace {
 
 // All constants are as they were emitted.
-inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
-inline const Number* unpack_parameters(const Number* from, Workspace&) { return from; }
+[[maybe_unused]] inline Number* pack_parameters(Number* to, const Workspace&) { return to; }
+[[maybe_unused]] inline const Number* unpack_parameters(const Number* from, Workspace&) {
+  return from;
+}
 [[maybe_unused]] inline void copy_parameters(const Workspace&, Workspace&) {}
 
 }  // namespace

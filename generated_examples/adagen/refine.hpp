@@ -66,7 +66,7 @@ struct WideJoint {
   Six<double> moved, stepped;
 };
 
-inline const Number* given(const Number* x) { return x; }
+[[maybe_unused]] inline const Number* given(const Number* x) { return x; }
 
 class Refinement {
  public:

@@ -255,7 +255,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 namespace {
 
-constexpr std::array<MessageInfo, 0> kMessages{ {
+[[maybe_unused]] constexpr std::array<MessageInfo, 0> kMessages{ {
 } };
 
 }  // namespace
@@ -282,7 +282,7 @@ struct Workspace {
   std::array<Value, kNqdd> result{};
   std::array<Real*, kPlanMessages> to{};          // messages to be sent
   std::array<const Real*, kPlanMessages> from{};  // messages received
-  alignas(kCacheLine) std::array<Value, 58> x{};
+  alignas(kCacheLine) std::array<Value, 0> x{};
 };
 
 }  // namespace
@@ -313,13 +313,6 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x37 = sine[1] * 9.809999999933819;
   const Lanes x55 = x25 * x27;
   const Lanes x59 = x27 * x29;
-  // link 2 "upper_arm": force that the reference field takes
-  const Lanes x699 = x32 * 0.00558;
-  w.x[0] = x699;
-  const Lanes x706 = 1.1170584039787268e-05 - (x30 * 0.048670000000000005 + x59 * 0.04309);
-  w.x[1] = x706;
-  const Lanes x709 = x55 * 0.04309 + x37 * 0.31000000000000005;
-  w.x[2] = x709;
   // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
   const Lanes x80 = 3.673205103346574e-06 * x27 + 0.9999999999932537 * x29;
   const Lanes x89 = sine[2] * x80 - x25 * cosine[2];
@@ -340,19 +333,6 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x148 = x93 * x93;
   const Lanes x157 = x93 * x94;
   const Lanes x162 = x89 * x94;
-  // link 3 "elbow_housing": force that the reference field takes
-  const Lanes x745 = x97 * 0.0039325;
-  w.x[3] = x745;
-  const Lanes x750 = x111 * 0.01132625 - x157 * 0.007393749999999999 + x143 * 0.078;
-  w.x[4] = x750;
-  const Lanes x753 = x114 * 0.01132625 + x162 * 0.007393749999999999 - x139 * 0.078;
-  w.x[5] = x753;
-  const Lanes x757 = x139 * 2.6 - (x114 + x162) * 0.078;
-  w.x[6] = x757;
-  const Lanes x761 = x143 * 2.6 - (x157 - x111) * 0.078;
-  w.x[7] = x761;
-  const Lanes x766 = (x89 * x89 + x148) * 0.078 - x134 * 2.6;
-  w.x[8] = x766;
   // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
   const Lanes x174 = 0.9999999999932537 * x94 - 3.673205103346574e-06 * x93;
   const Lanes x183 = x89 * cosine[3] + sine[3] * x174;
@@ -382,20 +362,8 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   // link 4 "forearm": force that the reference field takes
   const Lanes x808 = x199 * 0.037748300000000005 - x249 * 0.023998300000000004;
   const Lanes x790 = x211 * 0.03224830000000001 + x254 * 0.029498300000000005 - x260 * 0.011000000000000003;
-  const Lanes x812 = x790 - x231 * 0.22000000000000003;
-  w.x[9] = x812;
   const Lanes x800 = x256 * 0.011000000000000003 - (x214 * 0.00825 + x259 * 0.005500000000000001);
-  const Lanes x815 = x800 - x231 * 0.11000000000000001;
-  w.x[10] = x815;
   const Lanes x820 = 0.011000000000000003 * (x252 - x247) + x808 - x239 * 0.11000000000000001;
-  const Lanes x821 = x820 - x235 * 0.22000000000000003;
-  w.x[11] = x821;
-  const Lanes x827 = x247 * 0.11000000000000001 + x250 * 0.22000000000000003 + x235 * 2.2;
-  w.x[12] = x827;
-  const Lanes x835 = x239 * 2.2 - (x251 * 0.11000000000000001 + x252 * 0.22000000000000003);
-  w.x[13] = x835;
-  const Lanes x843 = x256 * 0.22000000000000003 - (x231 * 2.2 + x260 * 0.11000000000000001);
-  w.x[14] = x843;
   // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
   const Lanes x273 = 3.673205103346574e-06 * x187 + 0.9999999999932537 * x188;
   const Lanes x282 = x183 * cosine[4] - sine[4] * x273;
@@ -423,22 +391,10 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   // link 5 "wrist_housing": force that the reference field takes
   const Lanes x867 = x369 * 0.01347604 + 0.00136 * (x374 - x367);
   const Lanes x889 = x310 * 0.01553729 + x867 + x341 * 0.017;
-  const Lanes x890 = x889 - x350 * 0.136;
-  w.x[15] = x890;
   const Lanes x876 = x376 * 0.01364604 - x364 * 0.00136 + x313 * 0.01536729;
-  const Lanes x893 = x876 - x345 * 0.136;
-  w.x[16] = x893;
   const Lanes x885 = x362 * 0.00017 - x299 * 0.00189125 + x378 * 0.00136;
-  const Lanes x896 = x885 - x345 * 0.017;
-  w.x[17] = x896;
-  const Lanes x902 = x364 * 0.017 - x378 * 0.136 + x345 * 1.7;
-  w.x[18] = x902;
   const Lanes x909 = (x310 + x369) * 0.136 - x367 * 0.017;
-  const Lanes x910 = x909 - x350 * 1.7;
-  w.x[19] = x910;
   const Lanes x915 = x341 * 1.7 + x374 * 0.136;
-  const Lanes x916 = (x310 - x369) * 0.017 + x915;
-  w.x[20] = x916;
   // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
   const Lanes x387 = 3.673205103346574e-06 * x287 + 0.9999999999932537 * x289;
   const Lanes x395 = x282 * cosine[5] + sine[5] * x387;
@@ -521,9 +477,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x1127 = x555 * 0.0015 + x544 * 0.0005 + x579 * 0.05;
   // joint 8 "right_finger_slide": placement, velocity and reference acceleration of its link
   const Lanes x585 = q[8] * 2.65358979335273e-06;
-  w.x[21] = x585;
   const Lanes x588 = q[8] * 0.9999999999964793;
-  w.x[22] = x588;
   const Lanes x593 = x487 * 2.65358979335273e-06 - x483 * 0.9999999999964793;
   const Lanes x598 = x483 * 2.65358979335273e-06 + x487 * 0.9999999999964793;
   const Lanes x603 = x509 * 2.65358979335273e-06 - x506 * 0.9999999999964793;
@@ -554,7 +508,6 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x1185 = (x603 + x667) * 0.0015 + x665 * 0.0005;
   // joint 8 "right_finger_slide": articulated-body inertia and bias force through it
   const Lanes x1192 = 20.0 * (x640 * 0.05 + x1185 + tau[8]);
-  w.x[23] = x1192;
   const Lanes x1197 = x640 * 0.0015 + x1163 - 0.0015 * x1192;
   const Lanes x1234 = 0.0004999999999982397 + x585 * 1.3267948966716939e-07 + x588 * 0.04999999999964792;
   const Lanes x1244 = -1.3267948966763652e-09 - x585 * 3.5207693956928924e-13 - x588 * 1.3267948966716939e-07;
@@ -581,7 +534,6 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x1133 = x549 * 0.0015 - x546 * 0.0005 + x567 * 0.05;
   // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
   const Lanes x1369 = 20.0 * (tau[7] - x1133);
-  w.x[24] = x1369;
   const Lanes x1375 = q[7] * 0.05;
   const Lanes x1377 = -0.0005 - x1375;
   const Lanes x1378 = 0.0005 + x1375;
@@ -613,15 +565,10 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x1418 = x1089 - x579 * 0.0005 - q[7] * x1127 + x1363;
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
   const Lanes x1425 = x1423 * (tau[6] - x1418);
-  w.x[25] = x1425;
   const Lanes x1426 = x1351 * x1423;
-  w.x[26] = x1426;
   const Lanes x1427 = x1410 * x1423;
-  w.x[27] = x1427;
   const Lanes x1428 = x1413 * x1423;
-  w.x[28] = x1428;
   const Lanes x1429 = x1357 * x1423;
-  w.x[29] = x1429;
   // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
   const Lanes x1407 = 2.16667e-05 + x1379 + q[7] * x1378 + x1350;
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
@@ -710,24 +657,16 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
   const Lanes x1660 = 1 / x1646;
   const Lanes x1662 = x1660 * (tau[5] - (x968 - x439 * 0.013000000000000001 + x1640));
-  w.x[30] = x1662;
   const Lanes x1663 = x1582 * x1660;
-  w.x[31] = x1663;
   const Lanes x1664 = x1594 * x1660;
-  w.x[32] = x1664;
   const Lanes x1665 = x1647 * x1660;
-  w.x[33] = x1665;
   const Lanes x1666 = x1648 * x1660;
-  w.x[34] = x1666;
   const Lanes x1667 = x1575 * x1660;
-  w.x[35] = x1667;
   const Lanes x1670 = x1444 + x1523 + 0.0014299999999999998 - x1582 * x1663;
-  w.x[36] = x1670;
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
   const Lanes x1642 = -0.0005200000000000001 - (3.673205103346574e-06 * x1522 + 0.09 * x1500);
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
   const Lanes x1673 = x1642 - x1582 * x1664;
-  w.x[37] = x1673;
   const Lanes x1676 = x1450 + x1485 - x1582 * x1665;
   const Lanes x1679 = x1495 + x1582 * x1666;
   const Lanes x1683 = 0.013000000000000001 + x1500 - x1582 * x1667;
@@ -735,117 +674,29 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x1644 = x1534 - 0.09 * x1509 - 0.09 * x1574 + 0.00338;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
   const Lanes x1686 = x1644 - x1594 * x1664;
-  w.x[38] = x1686;
   const Lanes x1689 = 3.673205103346574e-06 * x1484 + 0.09 * x1550 + x1594 * x1665;
   const Lanes x1693 = x1569 - x1594 * x1666;
   const Lanes x1696 = -0.052000000000000005 + x1574 - x1594 * x1667;
   const Lanes x1699 = x1459 + x1545 + 1.3 - x1647 * x1665;
-  w.x[39] = x1699;
   const Lanes x1702 = x1548 + x1647 * x1666;
-  w.x[40] = x1702;
   const Lanes x1706 = x1550 - x1647 * x1667;
-  w.x[41] = x1706;
   const Lanes x1709 = 1.3 + x1558 - x1648 * x1666;
-  w.x[42] = x1709;
   const Lanes x1712 = x1554 + x1648 * x1667;
-  w.x[43] = x1712;
   const Lanes x1716 = 1.3 + x1559 - x1575 * x1667;
-  w.x[44] = x1716;
   const Lanes x1718 = x938 + x436 * 0.013000000000000001 + x1603 + x1582 * x1662;
-  w.x[45] = x1718;
   const Lanes x1720 = x1594 * x1662 - (x949 + x436 * 0.052000000000000005 + x1636);
-  w.x[46] = x1720;
   const Lanes x1722 = x439 * 1.3 + x974 + x1620 + x1647 * x1662;
-  w.x[47] = x1722;
   const Lanes x1724 = x981 - x1628 + x1648 * x1662;
-  w.x[48] = x1724;
   const Lanes x1726 = x986 + x1633 + x1575 * x1662;
-  w.x[49] = x1726;
   const Lanes x1730 = cosine[5] * x1683 - sine[5] * x1696;
   const Lanes x1733 = sine[5] * x1683 + cosine[5] * x1696;
-  w.x[50] = x1733;
   const Lanes x1740 = cosine[5] * (x1676 - x1693) + sine[5] * (x1679 + x1689);
   const Lanes x1741 = sine[5] * x1740;
   const Lanes x1743 = x1741 - x1679;
   const Lanes x1744 = x1741 - x1689;
   const Lanes x1745 = cosine[5] * x1740;
-  const Lanes x1746 = x1693 + x1745;
-  w.x[51] = x1746;
   const Lanes x1747 = x1676 - x1745;
-  w.x[52] = x1747;
-  const Lanes x1748 = 3.673205103346574e-06 * x1744;
-  w.x[53] = x1748;
-  const Lanes x1750 = 0.9999999999932537 * x1744;
-  w.x[54] = x1750;
-  const Lanes x1755 = 3.673205103346574e-06 * x1743 + 0.9999999999932537 * x1730;
-  w.x[55] = x1755;
-  const Lanes x1760 = 0.9999999999932537 * x1743 - 3.673205103346574e-06 * x1730;
-  w.x[56] = x1760;
   const Lanes x1765 = 3.673205103346574e-06 * x1747 + 0.9999999999932537 * x1733;
-  w.x[57] = x1765;
-}
-
-ADAGEN_NOINLINE void part_0_1(Workspace& w) {
-  ADAGEN_INPUTS
-  const Lanes x585 = w.x[21];
-  const Lanes x588 = w.x[22];
-  const Lanes x699 = w.x[0];
-  const Lanes x706 = w.x[1];
-  const Lanes x709 = w.x[2];
-  const Lanes x745 = w.x[3];
-  const Lanes x750 = w.x[4];
-  const Lanes x753 = w.x[5];
-  const Lanes x757 = w.x[6];
-  const Lanes x761 = w.x[7];
-  const Lanes x766 = w.x[8];
-  const Lanes x812 = w.x[9];
-  const Lanes x815 = w.x[10];
-  const Lanes x821 = w.x[11];
-  const Lanes x827 = w.x[12];
-  const Lanes x835 = w.x[13];
-  const Lanes x843 = w.x[14];
-  const Lanes x890 = w.x[15];
-  const Lanes x893 = w.x[16];
-  const Lanes x896 = w.x[17];
-  const Lanes x902 = w.x[18];
-  const Lanes x910 = w.x[19];
-  const Lanes x916 = w.x[20];
-  const Lanes x1192 = w.x[23];
-  const Lanes x1369 = w.x[24];
-  const Lanes x1425 = w.x[25];
-  const Lanes x1426 = w.x[26];
-  const Lanes x1427 = w.x[27];
-  const Lanes x1428 = w.x[28];
-  const Lanes x1429 = w.x[29];
-  const Lanes x1662 = w.x[30];
-  const Lanes x1663 = w.x[31];
-  const Lanes x1664 = w.x[32];
-  const Lanes x1665 = w.x[33];
-  const Lanes x1666 = w.x[34];
-  const Lanes x1667 = w.x[35];
-  const Lanes x1670 = w.x[36];
-  const Lanes x1673 = w.x[37];
-  const Lanes x1686 = w.x[38];
-  const Lanes x1699 = w.x[39];
-  const Lanes x1702 = w.x[40];
-  const Lanes x1706 = w.x[41];
-  const Lanes x1709 = w.x[42];
-  const Lanes x1712 = w.x[43];
-  const Lanes x1716 = w.x[44];
-  const Lanes x1718 = w.x[45];
-  const Lanes x1720 = w.x[46];
-  const Lanes x1722 = w.x[47];
-  const Lanes x1724 = w.x[48];
-  const Lanes x1726 = w.x[49];
-  const Lanes x1733 = w.x[50];
-  const Lanes x1746 = w.x[51];
-  const Lanes x1747 = w.x[52];
-  const Lanes x1748 = w.x[53];
-  const Lanes x1750 = w.x[54];
-  const Lanes x1755 = w.x[55];
-  const Lanes x1760 = w.x[56];
-  const Lanes x1765 = w.x[57];
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
   const Lanes x1767 = 0.9999999999932537 * x1765;
   const Lanes x1770 = 3.673205103346574e-06 * x1765;
   const Lanes x1772 = x1747 - x1770;
@@ -870,11 +721,19 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Lanes x1878 = 0.00136 - 0.9999999999932537 * x1789;
   const Lanes x1880 = x1785 - x1793 + 0.00189125;
   require_more(w, x1880, 0.0, kFactorization, 4);
-  const Lanes x1881 = -0.017 + x1750;
+  const Lanes x1881 = -0.017 + 0.9999999999932537 * x1744;
+  const Lanes x1843 = cosine[5] * x1718 - sine[5] * x1720;
+  const Lanes x1851 = 3.673205103346574e-06 * x1846 + 0.9999999999932537 * tau[5];
+  const Lanes x1856 = 0.9999999999932537 * x1846 - 3.673205103346574e-06 * tau[5];
+  // link 5 "wrist_housing": force that the reference field takes
+  const Lanes x902 = x364 * 0.017 - x378 * 0.136 + x345 * 1.7;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Lanes x1868 = 3.673205103346574e-06 * x1863 + 0.9999999999932537 * x1726;
+  // link 5 "wrist_housing": force that the reference field takes
+  const Lanes x916 = (x310 - x369) * 0.017 + x915;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
   const Lanes x1892 = 1 / x1880;
-  const Lanes x1893 = tau[4] - (0.9999999999932537 * x1846 - 3.673205103346574e-06 * tau[5] + x896);
-  const Lanes x1894 = x1892 * x1893;
+  const Lanes x1894 = x1892 * (tau[4] - (x885 - x345 * 0.017 + x1856));
   const Lanes x1895 = x1788 * x1892;
   const Lanes x1896 = x1878 * x1892;
   const Lanes x1897 = x1881 * x1892;
@@ -882,11 +741,17 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Lanes x1900 = x1772 * x1892;
   const Lanes x1903 = x1686 + x1783 + 0.01553729 - x1788 * x1895;
   const Lanes x1906 = 3.673205103346574e-06 * x1782 + x1788 * x1896;
-  const Lanes x1910 = x1746 - x1788 * x1897;
-  const Lanes x1913 = 0.136 - x1755 + x1788 * x1898;
-  const Lanes x1916 = 0.017 + x1760 - x1788 * x1900;
+  const Lanes x1910 = x1693 + x1745 - x1788 * x1897;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Lanes x1875 = 0.136 - (3.673205103346574e-06 * x1743 + 0.9999999999932537 * x1730);
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Lanes x1913 = x1875 + x1788 * x1898;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Lanes x1876 = 0.9999999999932537 * x1743 - 3.673205103346574e-06 * x1730 + 0.017;
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Lanes x1916 = x1876 - x1788 * x1900;
   const Lanes x1919 = 0.01536729 + x1793 - x1878 * x1896;
-  const Lanes x1922 = -0.136 - x1748 - x1878 * x1897;
+  const Lanes x1922 = -0.136 - 3.673205103346574e-06 * x1744 - x1878 * x1897;
   const Lanes x1925 = x1770 + x1878 * x1898;
   const Lanes x1928 = x1733 - x1767 - x1878 * x1900;
   const Lanes x1931 = x1709 + x1812 + 1.7 - x1881 * x1897;
@@ -895,22 +760,13 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Lanes x1940 = x1716 + x1836 + 1.7 - x1767 * x1898;
   const Lanes x1943 = x1803 - 0.9999999999932537 * x1831 + x1767 * x1900;
   const Lanes x1946 = x1814 - x1836 + 1.7 - x1772 * x1900;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Lanes x1885 = cosine[5] * x1718 - sine[5] * x1720 + x890;
-  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Lanes x1948 = x1885 + x1788 * x1894;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Lanes x1886 = x893 - (3.673205103346574e-06 * x1846 + 0.9999999999932537 * tau[5]);
-  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Lanes x1950 = x1886 + x1878 * x1894;
+  const Lanes x1948 = x889 - x350 * 0.136 + x1843 + x1788 * x1894;
+  const Lanes x1950 = x876 - x345 * 0.136 - x1851 + x1878 * x1894;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
   const Lanes x1888 = cosine[5] * x1722 - sine[5] * x1724 + x902;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
   const Lanes x1952 = x1888 + x1881 * x1894;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Lanes x1889 = x910 - (3.673205103346574e-06 * x1863 + 0.9999999999932537 * x1726);
-  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Lanes x1955 = x1889 - x1767 * x1894;
+  const Lanes x1955 = x909 - x350 * 1.7 - x1868 - x1767 * x1894;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
   const Lanes x1890 = 0.9999999999932537 * x1863 - 3.673205103346574e-06 * x1726 + x916;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
@@ -981,9 +837,16 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Lanes x2200 = -0.11000000000000001 - x2091;
   const Lanes x2181 = cosine[4] * x1948 - sine[4] * x1950 - 0.38 * x2177;
   const Lanes x2184 = 0.9999999999932537 * tau[4] - 3.673205103346574e-06 * x2151 - 0.08 * x2177;
+  // link 4 "forearm": force that the reference field takes
+  const Lanes x827 = x247 * 0.11000000000000001 + x250 * 0.22000000000000003 + x235 * 2.2;
+  const Lanes x835 = x239 * 2.2 - (x251 * 0.11000000000000001 + x252 * 0.22000000000000003);
+  const Lanes x843 = x256 * 0.22000000000000003 - (x231 * 2.2 + x260 * 0.11000000000000001);
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
   const Lanes x2211 = 1 / x2198;
-  const Lanes x2213 = x2211 * (tau[3] - (x821 - (0.08 * x2172 + x2189)));
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Lanes x2206 = x820 - x235 * 0.22000000000000003 - (0.08 * x2172 + x2189);
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Lanes x2213 = x2211 * (tau[3] - x2206);
   const Lanes x2214 = x2117 * x2211;
   const Lanes x2215 = x2132 * x2211;
   const Lanes x2216 = x2199 * x2211;
@@ -1007,8 +870,8 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Lanes x2259 = 2.2 + x2063 - x2200 * x2217;
   const Lanes x2262 = x2060 - x2200 * x2218;
   const Lanes x2265 = 2.2 + x2064 - x2099 * x2218;
-  const Lanes x2267 = x812 + x2181 + x2117 * x2213;
-  const Lanes x2269 = x815 + x2184 + x2132 * x2213;
+  const Lanes x2267 = x790 - x231 * 0.22000000000000003 + x2181 + x2117 * x2213;
+  const Lanes x2269 = x800 - x231 * 0.11000000000000001 + x2184 + x2132 * x2213;
   const Lanes x2271 = x827 + x2165 + x2199 * x2213;
   const Lanes x2273 = x835 + x2172 + x2200 * x2213;
   const Lanes x2275 = x843 - x2177 + x2099 * x2213;
@@ -1062,11 +925,18 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Lanes x2426 = x2333 - x2341 - 0.08 * x2315 + 0.08 * x2398;
   const Lanes x2472 = 0.0039325 + x2426;
   require_more(w, x2472, 0.0, kFactorization, 2);
+  // link 3 "elbow_housing": force that the reference field takes
+  const Lanes x750 = x111 * 0.01132625 - x157 * 0.007393749999999999 + x143 * 0.078;
+  const Lanes x753 = x114 * 0.01132625 + x162 * 0.007393749999999999 - x139 * 0.078;
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
   const Lanes x2463 = 3.673205103346574e-06 * x2433 + 0.9999999999932537 * tau[3] + 0.08 * x2460;
   const Lanes x2467 = 0.9999999999932537 * x2433 - 3.673205103346574e-06 * tau[3] - 0.08 * x2455;
+  // link 3 "elbow_housing": force that the reference field takes
+  const Lanes x757 = x139 * 2.6 - (x114 + x162) * 0.078;
+  const Lanes x766 = (x89 * x89 + x148) * 0.078 - x134 * 2.6;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
   const Lanes x2483 = 1 / x2472;
-  const Lanes x2485 = x2483 * (tau[2] - (x2467 - x745));
+  const Lanes x2485 = x2483 * (tau[2] - (x2467 - x97 * 0.0039325));
   const Lanes x2486 = x2409 * x2483;
   const Lanes x2487 = x2421 * x2483;
   const Lanes x2488 = x2393 * x2483;
@@ -1101,7 +971,10 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Lanes x2479 = cosine[3] * x2271 - sine[3] * x2273 + x757;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
   const Lanes x2542 = x2479 + x2393 * x2485;
-  const Lanes x2544 = x761 - x2455 + x2398 * x2485;
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Lanes x2480 = x143 * 2.6 - (x157 - x111) * 0.078 - x2455;
+  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
+  const Lanes x2544 = x2480 + x2398 * x2485;
   const Lanes x2553 = sine[2] * x2506 + cosine[2] * x2518;
   const Lanes x2559 = cosine[2] * (x2500 - x2515) - sine[2] * (x2503 + x2512);
   const Lanes x2560 = sine[2] * x2559;
@@ -1138,12 +1011,11 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Lanes x2744 = x2604 - x2612 + 0.3 * x2569 + x2697 + 0.048670000000000005;
   require_more(w, x2744, 0.0, kFactorization, 1);
   const Lanes x2737 = cosine[2] * x2538 - sine[2] * x2540 - 0.3 * x2734;
+  const Lanes x2740 = 0.9999999999932537 * x2707 - 3.673205103346574e-06 * tau[2] + x2738;
   // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
   const Lanes x2756 = 1 / x2744;
-  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Lanes x2751 = 0.9999999999932537 * x2707 - 3.673205103346574e-06 * tau[2] + x2738 - x709;
-  // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
-  const Lanes x2758 = x2756 * (tau[1] - x2751);
+  const Lanes x2757 = tau[1] - (x2740 - (x55 * 0.04309 + x37 * 0.31000000000000005));
+  const Lanes x2758 = x2756 * x2757;
   const Lanes x2759 = x2690 * x2756;
   const Lanes x2760 = x2693 * x2756;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
@@ -1152,12 +1024,13 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Lanes x2768 = x2741 - x2690 * x2759;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
   const Lanes x2683 = 3.673205103346574e-06 * x2601 + 0.3 * (x2553 - 0.9999999999932537 * x2584);
-  const Lanes x2750 = x699 - (3.673205103346574e-06 * x2707 + 0.9999999999932537 * tau[2]);
+  const Lanes x2749 = 1.1170584039787268e-05 - (x30 * 0.048670000000000005 + x59 * 0.04309) + x2737;
+  const Lanes x2750 = x32 * 0.00558 - (3.673205103346574e-06 * x2707 + 0.9999999999932537 * tau[2]);
   // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
   const Lanes x2868 = cosine[1] * (x2768 - (0.00558 + x2612 - x2693 * x2760));
   const Lanes x2873 = x2868 - (x2690 * x2760 - x2683) * (sine[1] * 2.0);
   const Lanes x2879 = x2768 - cosine[1] * x2873;
-  const Lanes x2972 = sine[1] * (x706 + x2737 + x2690 * x2758);
+  const Lanes x2972 = sine[1] * (x2749 + x2690 * x2758);
   const Lanes x2979 = 0.9999999999932537 * (x2972 + cosine[1] * (x2750 - x2693 * x2758));
   const Lanes x3011 = x2879 - 3.673205103346574e-06 * (3.673205103346574e-06 * x2879) + 0.00882;
   require_more(w, x3011, 0.0, kFactorization, 0);
@@ -1280,7 +1153,7 @@ void end_group(Workspace& w) {
 }
 
 // What is done for a group of states, in order.
-constexpr std::array kParts{begin_group, part_0_0, part_0_1, end_group};
+constexpr std::array kParts{begin_group, part_0_0, end_group};
 
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it

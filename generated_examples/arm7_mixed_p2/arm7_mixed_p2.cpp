@@ -262,7 +262,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 namespace {
 
-constexpr std::array<MessageInfo, 7> kMessages{ {
+[[maybe_unused]] constexpr std::array<MessageInfo, 7> kMessages{ {
     {1, 0, 42},  // 0: assembled: chain of "flange_roll"
     {0, 1, 6},  // 1: forces on: chain of "flange_roll"
     {0, 1, 22},  // 2: state

@@ -251,7 +251,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 namespace {
 
-constexpr std::array<MessageInfo, 6> kMessages{ {
+[[maybe_unused]] constexpr std::array<MessageInfo, 6> kMessages{ {
     {1, 0, 48},  // 0: assembled: chain of "flange_roll"
     {0, 1, 12},  // 1: forces on: chain of "flange_roll"
     {1, 0, 4},  // 2: accelerations of slaved joints

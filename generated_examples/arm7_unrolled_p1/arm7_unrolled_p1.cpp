@@ -232,7 +232,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 namespace {
 
-constexpr std::array<MessageInfo, 0> kMessages{ {
+[[maybe_unused]] constexpr std::array<MessageInfo, 0> kMessages{ {
 } };
 
 }  // namespace
@@ -260,7 +260,7 @@ struct Workspace {
   alignas(kCacheLine) std::array<Value, 2> lanes{};  // results of rows
   std::array<Real*, kPlanMessages> to{};          // messages to be sent
   std::array<const Real*, kPlanMessages> from{};  // messages received
-  alignas(kCacheLine) std::array<Value, 136> x{};
+  alignas(kCacheLine) std::array<Value, 0> x{};
 };
 
 }  // namespace
@@ -288,22 +288,15 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x27 = cosine[1] * x20;
   const Real x25 = sine[1] * x20;
   const Real x37 = sine[1] * 9.809999999933819;
-  w.x[0] = x37;
   const Real x30 = v[1] * x27;
-  w.x[1] = x30;
   const Real x32 = v[1] * x25;
-  w.x[2] = x32;
   const Real x59 = x27 * x29;
-  w.x[3] = x59;
   const Real x55 = x25 * x27;
-  w.x[4] = x55;
   // joints 7 "left_finger_slide", 8 "right_finger_slide": placement, velocity and reference acceleration of their links
   const Two x558 = Two{q[7], q[8]};
   const Two x561 = Two{v[7], v[8]};
   const Two x569 = x558 * Two{0.0, 2.65358979335273e-06};
-  put(x569, w.x.data() + 6);
   const Two x571 = x558 * Two{1.0, -0.9999999999964793};
-  put(x571, w.x.data() + 8);
   // joints 7 "left_finger_slide", 8 "right_finger_slide": articulated-body inertia and bias force through them
   const Two x1111 = Two{tau[7], tau[8]};
   const Two x1203 = x569 * Two{0.0, 1.3267948966763652e-09};
@@ -328,64 +321,31 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1282 = 0.00317433 + across<2>(x1228);
   require_more(w, x1282, 0.0, kFactorization, 6);
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1486 = 0.9999999999932537 * tau[6];
-  w.x[10] = x1486;
   const Real x1392 = 2.0 * sine[6];
   const Real x1351 = sine[6] * x1264 + cosine[6] * x1281;
   const Real x1300 = 1 / x1282;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1731 = 3.673205103346574e-06 * tau[5];
-  w.x[11] = x1731;
-  const Real x1726 = 0.9999999999932537 * tau[5];
-  w.x[12] = x1726;
   const Real x1652 = 2.0 * sine[5];
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x2035 = 3.673205103346574e-06 * tau[4];
-  w.x[13] = x2035;
-  const Real x2031 = 0.9999999999932537 * tau[4];
-  w.x[14] = x2031;
   const Real x1881 = 2.0 * sine[4];
-  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x2318 = 3.673205103346574e-06 * tau[3];
-  w.x[15] = x2318;
-  const Real x2313 = 0.9999999999932537 * tau[3];
-  w.x[16] = x2313;
-  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x2592 = 3.673205103346574e-06 * tau[2];
-  w.x[17] = x2592;
-  const Real x2587 = 0.9999999999932537 * tau[2];
-  w.x[18] = x2587;
-  // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
-  const Real x2858 = 3.673205103346574e-06 * tau[1];
-  w.x[19] = x2858;
   // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
   const Real x80 = 3.673205103346574e-06 * x27 + 0.9999999999932537 * x29;
   const Real x95 = 3.673205103346574e-06 * x32;
   const Real x97 = 0.9999999999932537 * x32;
-  w.x[20] = x97;
   const Real x94 = 0.9999999999932537 * x27 - 3.673205103346574e-06 * x29 + v[2];
-  w.x[21] = x94;
   const Real x118 = x37 + x55 * 0.3;
   const Real x89 = sine[2] * x80 - x25 * cosine[2];
-  w.x[22] = x89;
   const Real x93 = x25 * sine[2] + cosine[2] * x80;
-  w.x[23] = x93;
   const Real x120 = (x25 * x25 + x29 * x29) * 0.3;
   const Real x122 = x120 - cosine[1] * 9.809999999933819;
   const Real x125 = -3.603414206382989e-05 + (x30 + x59) * 0.3;
   const Real x114 = x30 * sine[2] - cosine[2] * x95 - v[2] * x89;
-  w.x[24] = x114;
   const Real x129 = 0.9999999999932537 * x125 - 3.673205103346574e-06 * x122;
   const Real x162 = x89 * x94;
-  w.x[25] = x162;
   const Real x111 = v[2] * x93 - (x30 * cosine[2] + sine[2] * x95);
-  w.x[26] = x111;
   const Real x134 = 0.9999999999932537 * x122 + 3.673205103346574e-06 * x125;
-  w.x[27] = x134;
   const Real x143 = sine[2] * x118 + cosine[2] * x129;
-  w.x[28] = x143;
   const Real x148 = x93 * x93;
-  w.x[29] = x148;
   // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
   const Real x174 = 0.9999999999932537 * x94 - 3.673205103346574e-06 * x93;
   const Real x193 = 3.673205103346574e-06 * x114 + 0.9999999999932537 * x97;
@@ -393,13 +353,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
   const Real x1348 = cosine[6] * x1264 - sine[6] * x1281;
   const Real x1305 = x1271 * x1300;
-  w.x[30] = x1305;
   const Real x1306 = x1283 * x1300;
-  w.x[31] = x1306;
   const Real x1303 = x1277 * x1300;
-  w.x[32] = x1303;
   const Real x1304 = x1266 * x1300;
-  w.x[33] = x1304;
   const Real x1330 = 0.9499999999996479 - x1271 * x1305;
   const Real x1336 = 0.850000000000352 - x1283 * x1306;
   const Real x1333 = -1.3267948966716939e-07 - x1271 * x1306;
@@ -416,37 +372,25 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1422 = cosine[6] * x1418;
   // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
   const Real x139 = sine[2] * x129 - cosine[2] * x118;
-  w.x[34] = x139;
   // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
   const Real x187 = cosine[3] * x174 - x89 * sine[3];
   const Real x188 = v[3] - (0.9999999999932537 * x93 + 3.673205103346574e-06 * x94);
   const Real x220 = x143 + (x89 * x93 - x97) * 0.08;
   const Real x222 = (x162 - x114) * 0.08 - x134;
   const Real x199 = 3.673205103346574e-06 * x97 - 0.9999999999932537 * x114;
-  w.x[35] = x199;
   const Real x214 = x111 * sine[3] + cosine[3] * x193 + v[3] * x183;
-  w.x[36] = x214;
   const Real x246 = x188 * x188;
   const Real x249 = x183 * x187;
-  w.x[37] = x249;
   const Real x259 = x183 * x188;
-  w.x[38] = x259;
   const Real x211 = x111 * cosine[3] - sine[3] * x193 + v[3] * x187;
-  w.x[39] = x211;
   const Real x218 = x139 - (x148 + x94 * x94) * 0.08;
   const Real x226 = 0.9999999999932537 * x222 - 3.673205103346574e-06 * x220;
   const Real x251 = x199 + x249;
-  w.x[40] = x251;
   const Real x252 = x183 * x183 + x246;
-  w.x[41] = x252;
   const Real x254 = x187 * x188;
-  w.x[42] = x254;
   const Real x260 = x214 + x259;
-  w.x[43] = x260;
   const Real x231 = 0.9999999999932537 * x220 + 3.673205103346574e-06 * x222;
-  w.x[44] = x231;
   const Real x256 = x211 + x254;
-  w.x[45] = x256;
   // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
   const Real x273 = 3.673205103346574e-06 * x187 + 0.9999999999932537 * x188;
   const Real x294 = 3.673205103346574e-06 * x214 - 0.9999999999932537 * x199;
@@ -481,34 +425,22 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   require_more(w, x1523, 0.0, kFactorization, 5);
   // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
   const Real x239 = cosine[3] * x226 - sine[3] * x218;
-  w.x[46] = x239;
   const Real x247 = x187 * x187 + x246;
-  w.x[47] = x247;
   const Real x250 = x249 - x199;
-  w.x[48] = x250;
   const Real x235 = cosine[3] * x218 + sine[3] * x226;
-  w.x[49] = x235;
   // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
   const Real x282 = x183 * cosine[4] - sine[4] * x273;
-  w.x[50] = x282;
   const Real x287 = x183 * sine[4] + cosine[4] * x273;
-  w.x[51] = x287;
   const Real x289 = 0.9999999999932537 * x187 - 3.673205103346574e-06 * x188 + v[4];
-  w.x[52] = x289;
   const Real x325 = x239 - (0.08 * x251 + x252 * 0.38);
   const Real x331 = x256 * 0.38 - (x231 + 0.08 * x260);
   const Real x299 = 0.9999999999932537 * x214 + 3.673205103346574e-06 * x199;
-  w.x[53] = x299;
   const Real x313 = cosine[4] * x294 - x211 * sine[4] - v[4] * x282;
-  w.x[54] = x313;
   const Real x318 = 0.08 * x247 + x250 * 0.38 + x235;
   const Real x336 = 3.673205103346574e-06 * x325 + 0.9999999999932537 * x331;
   const Real x310 = x211 * cosine[4] + sine[4] * x294 - v[4] * x287;
-  w.x[55] = x310;
   const Real x341 = 0.9999999999932537 * x325 - 3.673205103346574e-06 * x331;
-  w.x[56] = x341;
   const Real x350 = sine[4] * x318 + cosine[4] * x336;
-  w.x[57] = x350;
   // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
   const Real x387 = 3.673205103346574e-06 * x287 + 0.9999999999932537 * x289;
   const Real x405 = 3.673205103346574e-06 * x313 + 0.9999999999932537 * x299;
@@ -517,23 +449,16 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1421 = x1333 + sine[6] * x1418;
   const Real x1377 = 0.9999999999932537 * x1360 - 3.673205103346574e-06 * x1348;
   const Real x1459 = 0.9999999999932537 * x1399 - 0.09 * x1372;
-  w.x[58] = x1459;
   const Real x1471 = 0.09 * x1446 - (0.9999999999932537 * x1406 + 0.09 * x1389);
-  w.x[59] = x1471;
   const Real x1361 = x1324 + x1358;
   const Real x1425 = 3.673205103346574e-06 * x1421;
   const Real x1524 = 0.9999999999932537 * x1361 - 0.09 * x1425 + -0.013000000000000001;
-  w.x[60] = x1524;
   const Real x1525 = 0.052000000000000005 + x1448;
-  w.x[61] = x1525;
   const Real x1427 = 0.9999999999932537 * x1421;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
   const Real x1537 = 1 / x1523;
-  w.x[62] = x1537;
   const Real x1540 = x1459 * x1537;
-  w.x[63] = x1540;
   const Real x1541 = x1471 * x1537;
-  w.x[64] = x1541;
   const Real x1547 = x1321 + x1400 + 0.0014299999999999998 - x1459 * x1540;
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
   const Real x1521 = x1411 - 0.09 * x1386 - 0.09 * x1451 + 0.00338;
@@ -544,34 +469,24 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
   const Real x1550 = x1519 - x1459 * x1541;
   const Real x1542 = x1524 * x1537;
-  w.x[65] = x1542;
   const Real x1543 = x1525 * x1537;
-  w.x[66] = x1543;
   // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
   const Real x345 = cosine[4] * x318 - sine[4] * x336;
-  w.x[67] = x345;
   // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
   const Real x399 = cosine[5] * x387 - x282 * sine[5];
   const Real x400 = 0.9999999999932537 * x287 - 3.673205103346574e-06 * x289 + v[5];
   const Real x411 = 3.673205103346574e-06 * x299 - 0.9999999999932537 * x313;
-  w.x[68] = x411;
   const Real x426 = x310 * sine[5] + cosine[5] * x405 + v[5] * x395;
   const Real x431 = 3.673205103346574e-06 * x350 + 0.9999999999932537 * x341;
   const Real x452 = x395 * x399;
-  w.x[69] = x452;
   const Real x462 = x395 * x400;
   const Real x454 = x411 + x452;
-  w.x[70] = x454;
   const Real x463 = x426 + x462;
-  w.x[71] = x463;
   const Real x436 = 0.9999999999932537 * x350 - 3.673205103346574e-06 * x341;
-  w.x[72] = x436;
   const Real x443 = cosine[5] * x431 - x345 * sine[5];
-  w.x[73] = x443;
   const Real x449 = x400 * x400;
   const Real x423 = x310 * cosine[5] - sine[5] * x405 + v[5] * x399;
   const Real x450 = x399 * x399 + x449;
-  w.x[74] = x450;
   // joint 6 "flange_roll": placement, velocity and reference acceleration of its link
   const Real x474 = 0.9999999999932537 * x400 - 3.673205103346574e-06 * x399;
   const Real x483 = x395 * cosine[6] + sine[6] * x474;
@@ -582,7 +497,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x516 = x436 + x463 * 0.09;
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
   const Real x1452 = x1389 - x1444;
-  w.x[75] = x1452;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
   const Real x1656 = cosine[5] * (x1547 - x1563) - x1550 * x1652;
   const Real x1576 = x1336 + x1422 + 1.3 - x1524 * x1542;
@@ -595,7 +509,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1579 = x1425 + x1524 * x1543;
   const Real x1662 = x1547 - x1660;
   const Real x1544 = x1452 * x1537;
-  w.x[76] = x1544;
   const Real x1666 = 3.673205103346574e-06 * x1662;
   const Real x1685 = cosine[5] * (x1576 - x1586) + x1579 * x1652;
   const Real x1670 = 3.673205103346574e-06 * x1666;
@@ -606,7 +519,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1617 = cosine[5] * (x1553 - x1570) + sine[5] * (x1556 + x1566);
   // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
   const Real x439 = x345 * cosine[5] + sine[5] * x431;
-  w.x[77] = x439;
   // joint 6 "flange_roll": placement, velocity and reference acceleration of its link
   const Real x497 = 0.9999999999932537 * x426 - 3.673205103346574e-06 * x411;
   const Real x538 = x483 * x483;
@@ -648,10 +560,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1642 = 3.673205103346574e-06 * x1624 + 0.9999999999932537 * x1610;
   const Real x1708 = 3.673205103346574e-06 * (x1691 - x1593) + x1680 * 1.9999999999865075;
   const Real x1644 = 0.9999999999932537 * x1642;
-  w.x[78] = x1644;
   const Real x1713 = 3.673205103346574e-06 * x1708;
   const Real x1758 = -0.017 + 0.9999999999932537 * x1621;
-  w.x[79] = x1758;
   const Real x1607 = cosine[5] * x1560 - sine[5] * x1573;
   const Real x1620 = x1618 - x1556;
   const Real x1659 = x1550 + sine[5] * x1656;
@@ -659,11 +569,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1688 = sine[5] * x1685 - x1579;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
   const Real x1769 = 1 / x1757;
-  w.x[80] = x1769;
   const Real x1774 = x1758 * x1769;
-  w.x[81] = x1774;
   const Real x1775 = x1644 * x1769;
-  w.x[82] = x1775;
   // joint 6 "flange_roll": placement, velocity and reference acceleration of its link
   const Real x551 = x538 + x539;
   const Real x525 = 0.9999999999932537 * x514 + 3.673205103346574e-06 * x516;
@@ -685,22 +592,16 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x1102 = x633 * 0.0015 + x637 * 0.0005 + x626 * 0.05;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
   const Real x1665 = 0.9999999999932537 * x1659;
-  w.x[83] = x1665;
   const Real x1755 = 0.00136 - 0.9999999999932537 * x1666;
-  w.x[84] = x1755;
   const Real x1647 = 3.673205103346574e-06 * x1642;
   const Real x1649 = x1624 - x1647;
-  w.x[85] = x1649;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
   const Real x1772 = x1665 * x1769;
-  w.x[86] = x1772;
   const Real x1773 = x1755 * x1769;
-  w.x[87] = x1773;
   const Real x1808 = x1586 + x1689 + 1.7 - x1758 * x1774;
   const Real x1817 = x1593 + x1713 + 1.7 - x1644 * x1775;
   const Real x1811 = x1758 * x1775 - (3.673205103346574e-06 * x1688 + 0.9999999999932537 * x1676);
   const Real x1777 = x1649 * x1769;
-  w.x[88] = x1777;
   const Real x1780 = x1563 + x1660 + 0.01553729 - x1665 * x1772;
   const Real x1787 = x1570 + x1622 - x1665 * x1774;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
@@ -728,7 +629,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x1242 = Two{0.0, 2.65358979335273e-06} * x1102 + Two{1.0, -0.9999999999964793} * x1111;
   const Two x1239 = Two{1.0, -0.9999999999964793} * x1102 - Two{0.0, 2.65358979335273e-06} * x1111;
   const Two x1114 = 20.0 * (x1111 - (x618 * 0.05 + x1107));
-  put(x1114, w.x.data() + 90);
   const Two x1257 = x1062 - x626 * 0.0005 - x569 * x1242;
   const Two x1258 = x1257 - x571 * x1239;
   const Two x1119 = x1088 - x618 * 0.0015 - 0.0015 * x1114;
@@ -761,7 +661,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1935 = 1.9999999999865075 * x1909 - 3.673205103346574e-06 * (x1920 - x1823);
   // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
   const Real x455 = x395 * x395 + x449;
-  w.x[92] = x455;
   // link 7 "hand": force that the reference field takes
   const Real x1008 = x497 * 0.00317433 - x543 * 0.0018543300000000004 + x549 * 0.00014399999999999992;
   const Real x997 = x553 * 0.006916 - 0.00014399999999999992 * (x541 - x551);
@@ -777,17 +676,13 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1029 = x545 * 0.007199999999999999 + x549 * 0.0754 + x533 * 0.85;
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
   const Real x1302 = x1300 * (tau[6] - (x1008 + x533 * 0.007199999999999999 + across<2>(x1258)));
-  w.x[93] = x1302;
   const Real x1342 = x1024 + across<2>(x1239) + x1271 * x1302;
-  w.x[94] = x1342;
   const Real x1344 = x1029 + across<2>(x1242) + x1283 * x1302;
-  w.x[95] = x1344;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
   const Real x1857 = 0.9999999999932537 * x1851;
   const Real x1872 = 0.9999999999932537 * x1841 - 3.673205103346574e-06 * x1854;
   const Real x1900 = 3.673205103346574e-06 * x1896;
   const Real x1924 = 0.9999999999932537 * x1906 - 3.673205103346574e-06 * x1917;
-  w.x[96] = x1924;
   const Real x1938 = 3.673205103346574e-06 * x1935;
   const Real x1873 = 0.9999999999932537 * x1872;
   const Real x1940 = x1823 - x1938;
@@ -799,262 +694,73 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1850 = x1790 + x1848;
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
   const Real x2088 = 1 / x2075;
-  w.x[97] = x2088;
   // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
   const Real x457 = x399 * x400;
   const Real x459 = x423 + x457;
-  w.x[98] = x459;
   // link 6 "wrist": force that the reference field takes
   const Real x929 = x411 * 0.00351 + x452 * 0.0019500000000000001;
-  const Real x904 = x423 * 0.0014299999999999998;
-  w.x[99] = x904;
-  const Real x905 = x457 * 0.00013000000000000002;
-  w.x[100] = x905;
-  const Real x911 = x426 * 0.00338;
-  w.x[101] = x911;
-  const Real x914 = x462 * 0.0020800000000000003;
-  w.x[102] = x914;
   const Real x940 = x929 - 0.0005200000000000001 * (x455 - x450) + x443 * 0.052000000000000005;
-  const Real x941 = x940 - x439 * 0.013000000000000001;
-  w.x[103] = x941;
   // link 7 "hand": force that the reference field takes
   const Real x1037 = x554 * 0.007199999999999999 - (x525 * 0.85 + x551 * 0.0754);
   // joints 7 "left_finger_slide", 8 "right_finger_slide": articulated-body inertia and bias force through them
   const Real x1298 = x1037 + across<2>(x1097);
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
   const Real x1338 = x990 - x533 * 0.0754 + across<2>(x1247) + x1277 * x1302;
-  w.x[104] = x1338;
   const Real x1340 = x529 * 0.0754 + x1015 + across<2>(x1252) + x1266 * x1302;
-  w.x[105] = x1340;
   const Real x1500 = sine[6] * x1342 + cosine[6] * x1344;
   const Real x1483 = sine[6] * x1338 + cosine[6] * x1340;
-  w.x[106] = x1483;
   const Real x1505 = 3.673205103346574e-06 * x1500 + 0.9999999999932537 * x1298;
-  w.x[107] = x1505;
-  const Real x1507 = 0.9999999999932537 * x1500;
-  w.x[108] = x1507;
-  const Real x1508 = 3.673205103346574e-06 * x1298;
-  w.x[109] = x1508;
-  const Real x1517 = 0.9999999999932537 * x1483 - 3.673205103346574e-06 * tau[6] - 0.09 * x1505;
-  w.x[110] = x1517;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
   const Real x1838 = cosine[4] * x1793 - sine[4] * x1805;
   const Real x1876 = 3.673205103346574e-06 * x1872;
   const Real x1929 = 0.9999999999932537 * x1917 + 3.673205103346574e-06 * x1906;
-  w.x[111] = x1929;
   const Real x1878 = x1854 + x1876;
   const Real x1888 = sine[4] * x1885 - x1783;
   const Real x1937 = x1909 - 0.9999999999932537 * x1935;
-  w.x[112] = x1937;
   const Real x1942 = 0.38 * x1929;
   const Real x2076 = -0.22000000000000003 - x1955;
-  w.x[113] = x2076;
   const Real x2077 = -0.11000000000000001 - x1968;
-  w.x[114] = x2077;
   const Real x1941 = x1920 + x1938;
-  w.x[115] = x1941;
   const Real x1944 = x1802 + x1852 - x1942;
-  w.x[116] = x1944;
   const Real x1947 = 3.673205103346574e-06 * x1851 + 0.08 * x1929;
-  w.x[117] = x1947;
   const Real x1959 = 0.08 * x1937;
   const Real x1867 = 0.9999999999932537 * x1850 + 3.673205103346574e-06 * x1838;
   const Real x1874 = x1841 - x1873;
   const Real x1958 = 0.9999999999932537 * x1838 - 3.673205103346574e-06 * x1850 + 0.38 * x1937;
-  w.x[118] = x1958;
   const Real x1961 = x1959 - x1876;
-  w.x[119] = x1961;
   const Real x1971 = 0.38 * x1941 - x1867;
-  w.x[120] = x1971;
   const Real x1974 = x1874 + 0.08 * x1941;
-  w.x[121] = x1974;
-  const Real x1892 = 3.673205103346574e-06 * x1888;
-  w.x[122] = x1892;
   const Real x1976 = x1878 + x1942 - x1959;
-  w.x[123] = x1976;
-  const Real x1979 = 0.38 * x1971;
-  w.x[124] = x1979;
-  const Real x1980 = x1796 + x1889 - 0.38 * x1867;
-  w.x[125] = x1980;
-  const Real x1982 = 0.38 * x1874;
-  w.x[126] = x1982;
   const Real x1993 = 0.38 * x1878 - 0.9999999999932537 * x1888 - 0.38 * x1944;
   const Real x1994 = x1993 - 0.08 * x1958;
-  w.x[127] = x1994;
-  const Real x1997 = 0.08 * x1974;
-  w.x[128] = x1997;
-  const Real x1999 = x1900 + 0.08 * x1874;
-  w.x[129] = x1999;
   const Real x2008 = 0.9999999999932537 * x1896 + 0.08 * x1878 + 0.38 * x1947;
   const Real x2009 = x2008 - 0.08 * x1961;
-  w.x[130] = x2009;
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
   const Real x2093 = x2076 * x2088;
-  w.x[131] = x2093;
   const Real x2094 = x2077 * x2088;
-  w.x[132] = x2094;
   const Real x2126 = 2.2 + x1919 - x2076 * x2093;
-  w.x[133] = x2126;
-  const Real x2127 = x2076 * x2094;
-  w.x[134] = x2127;
   const Real x2136 = 2.2 + x1940 - x2077 * x2094;
-  w.x[135] = x2136;
-}
-
-ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x30 = w.x[1];
-  const Real x32 = w.x[2];
-  const Real x37 = w.x[0];
-  const Real x55 = w.x[4];
-  const Real x59 = w.x[3];
-  const Real x89 = w.x[22];
-  const Real x93 = w.x[23];
-  const Real x94 = w.x[21];
-  const Real x97 = w.x[20];
-  const Real x111 = w.x[26];
-  const Real x114 = w.x[24];
-  const Real x134 = w.x[27];
-  const Real x139 = w.x[34];
-  const Real x143 = w.x[28];
-  const Real x148 = w.x[29];
-  const Real x162 = w.x[25];
-  const Real x199 = w.x[35];
-  const Real x211 = w.x[39];
-  const Real x214 = w.x[36];
-  const Real x231 = w.x[44];
-  const Real x235 = w.x[49];
-  const Real x239 = w.x[46];
-  const Real x247 = w.x[47];
-  const Real x249 = w.x[37];
-  const Real x250 = w.x[48];
-  const Real x251 = w.x[40];
-  const Real x252 = w.x[41];
-  const Real x254 = w.x[42];
-  const Real x256 = w.x[45];
-  const Real x259 = w.x[38];
-  const Real x260 = w.x[43];
-  const Real x282 = w.x[50];
-  const Real x287 = w.x[51];
-  const Real x289 = w.x[52];
-  const Real x299 = w.x[53];
-  const Real x310 = w.x[55];
-  const Real x313 = w.x[54];
-  const Real x341 = w.x[56];
-  const Real x345 = w.x[67];
-  const Real x350 = w.x[57];
-  const Real x411 = w.x[68];
-  const Real x436 = w.x[72];
-  const Real x439 = w.x[77];
-  const Real x443 = w.x[73];
-  const Real x450 = w.x[74];
-  const Real x452 = w.x[69];
-  const Real x454 = w.x[70];
-  const Real x455 = w.x[92];
-  const Real x459 = w.x[98];
-  const Real x463 = w.x[71];
-  const Two x569 = taken<Two>(w.x.data() + 6);
-  const Two x571 = taken<Two>(w.x.data() + 8);
-  const Real x904 = w.x[99];
-  const Real x905 = w.x[100];
-  const Real x911 = w.x[101];
-  const Real x914 = w.x[102];
-  const Real x941 = w.x[103];
-  const Two x1114 = taken<Two>(w.x.data() + 90);
-  const Real x1302 = w.x[93];
-  const Real x1303 = w.x[32];
-  const Real x1304 = w.x[33];
-  const Real x1305 = w.x[30];
-  const Real x1306 = w.x[31];
-  const Real x1338 = w.x[104];
-  const Real x1340 = w.x[105];
-  const Real x1342 = w.x[94];
-  const Real x1344 = w.x[95];
-  const Real x1452 = w.x[75];
-  const Real x1459 = w.x[58];
-  const Real x1471 = w.x[59];
-  const Real x1483 = w.x[106];
-  const Real x1486 = w.x[10];
-  const Real x1505 = w.x[107];
-  const Real x1507 = w.x[108];
-  const Real x1508 = w.x[109];
-  const Real x1517 = w.x[110];
-  const Real x1524 = w.x[60];
-  const Real x1525 = w.x[61];
-  const Real x1537 = w.x[62];
-  const Real x1540 = w.x[63];
-  const Real x1541 = w.x[64];
-  const Real x1542 = w.x[65];
-  const Real x1543 = w.x[66];
-  const Real x1544 = w.x[76];
-  const Real x1644 = w.x[78];
-  const Real x1649 = w.x[85];
-  const Real x1665 = w.x[83];
-  const Real x1726 = w.x[12];
-  const Real x1731 = w.x[11];
-  const Real x1755 = w.x[84];
-  const Real x1758 = w.x[79];
-  const Real x1769 = w.x[80];
-  const Real x1772 = w.x[86];
-  const Real x1773 = w.x[87];
-  const Real x1774 = w.x[81];
-  const Real x1775 = w.x[82];
-  const Real x1777 = w.x[88];
-  const Real x1892 = w.x[122];
-  const Real x1924 = w.x[96];
-  const Real x1929 = w.x[111];
-  const Real x1937 = w.x[112];
-  const Real x1941 = w.x[115];
-  const Real x1944 = w.x[116];
-  const Real x1947 = w.x[117];
-  const Real x1958 = w.x[118];
-  const Real x1961 = w.x[119];
-  const Real x1971 = w.x[120];
-  const Real x1974 = w.x[121];
-  const Real x1976 = w.x[123];
-  const Real x1979 = w.x[124];
-  const Real x1980 = w.x[125];
-  const Real x1982 = w.x[126];
-  const Real x1994 = w.x[127];
-  const Real x1997 = w.x[128];
-  const Real x1999 = w.x[129];
-  const Real x2009 = w.x[130];
-  const Real x2031 = w.x[14];
-  const Real x2035 = w.x[13];
-  const Real x2076 = w.x[113];
-  const Real x2077 = w.x[114];
-  const Real x2088 = w.x[97];
-  const Real x2093 = w.x[131];
-  const Real x2094 = w.x[132];
-  const Real x2126 = w.x[133];
-  const Real x2127 = w.x[134];
-  const Real x2136 = w.x[135];
-  const Real x2313 = w.x[16];
-  const Real x2318 = w.x[15];
-  const Real x2587 = w.x[18];
-  const Real x2592 = w.x[17];
-  const Real x2858 = w.x[19];
   // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
   const Real x356 = x282 * x282;
   const Real x362 = x282 * x287;
   const Real x376 = x282 * x289;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1510 = x1507 - x1508;
   // link 6 "wrist": force that the reference field takes
-  const Real x932 = x904 + x905 + x463 * 0.0005200000000000001 + x436 * 0.013000000000000001;
-  const Real x935 = x911 + x914 + x459 * 0.0005200000000000001 + x436 * 0.052000000000000005;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1539 = x1537 * (tau[5] - (x941 + x1517));
+  const Real x910 = x423 * 0.0014299999999999998 + x457 * 0.00013000000000000002 + x463 * 0.0005200000000000001;
+  const Real x921 = x426 * 0.00338 + x462 * 0.0020800000000000003 + x459 * 0.0005200000000000001;
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1529 = cosine[6] * x1338 - sine[6] * x1340 + x932;
+  const Real x1510 = 0.9999999999932537 * x1500 - 3.673205103346574e-06 * x1298;
+  const Real x1517 = 0.9999999999932537 * x1483 - 3.673205103346574e-06 * tau[6] - 0.09 * x1505;
+  const Real x1480 = cosine[6] * x1338 - sine[6] * x1340;
+  const Real x1513 = 3.673205103346574e-06 * x1483 + 0.9999999999932537 * tau[6] + 0.09 * x1510;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1595 = x1529 + x1459 * x1539;
-  // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1530 = 3.673205103346574e-06 * x1483 + x1486 + 0.09 * x1510 + x935;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1597 = x1471 * x1539 - x1530;
+  const Real x1539 = x1537 * (tau[5] - (x940 - x439 * 0.013000000000000001 + x1517));
+  const Real x1595 = x910 + x436 * 0.013000000000000001 + x1480 + x1459 * x1539;
+  const Real x1597 = x1471 * x1539 - (x921 + x436 * 0.052000000000000005 + x1513);
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x1981 = x1796 + x1889 - 0.38 * x1867 + 0.38 * x1971;
+  const Real x1986 = 0.38 * x1874 - 3.673205103346574e-06 * x1888 + 0.08 * x1971;
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x2129 = x1924 - x2127;
+  const Real x2129 = x1924 - x2076 * x2094;
   const Real x2200 = 2.0 * sine[3];
   const Real x2091 = x1994 * x2088;
   const Real x2092 = x2009 * x2088;
@@ -1064,15 +770,15 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Real x2116 = x1947 + x2009 * x2093;
   const Real x2120 = x1961 - x2009 * x2094;
   const Real x2235 = cosine[3] * (x2126 - x2136) - x2129 * x2200;
-  const Real x2098 = x1979 + x1980 + 0.03224830000000001 - x1994 * x2091;
-  const Real x2113 = x1997 + x1999 + 0.00825 - x2009 * x2092;
+  const Real x2098 = 0.03224830000000001 + x1981 - x1994 * x2091;
+  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
+  const Real x2073 = x1900 + 0.08 * x1874 + 0.08 * x1974 + 0.00825;
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Real x2113 = x2073 - x2009 * x2092;
   const Real x2132 = x1929 + x2076 * x2095;
   const Real x2139 = x1937 - x2077 * x2095;
   const Real x2239 = cosine[3] * x2235;
-  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x2071 = x1982 - x1892 + 0.08 * x1971 + 0.011000000000000003;
-  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x2101 = x2071 - x1994 * x2092;
+  const Real x2101 = 0.011000000000000003 + x1986 - x1994 * x2092;
   const Real x2142 = 2.2 + x1941 - x1976 * x2095;
   const Real x2241 = x2126 - x2239;
   const Real x2110 = 0.22000000000000003 + x1971 - x1994 * x2095;
@@ -1104,7 +810,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Real x1601 = x953 - x1505 + x1525 * x1539;
   const Real x1603 = x958 + x1510 + x1452 * x1539;
   const Real x1740 = sine[5] * x1599 + cosine[5] * x1601;
-  const Real x1764 = x857 - x345 * 0.017 + (0.9999999999932537 * x1723 - x1731);
+  const Real x1733 = 0.9999999999932537 * x1723 - 3.673205103346574e-06 * tau[5];
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
   const Real x2170 = cosine[3] * x2165;
   const Real x2204 = cosine[3] * (x2098 - x2113) - x2101 * x2200;
@@ -1126,6 +832,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Real x887 = x341 * 1.7 + x374 * 0.136;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
   const Real x1720 = cosine[5] * x1595 - sine[5] * x1597;
+  const Real x1728 = 3.673205103346574e-06 * x1723 + 0.9999999999932537 * tau[5];
   // link 5 "wrist_housing": force that the reference field takes
   const Real x874 = x364 * 0.017 - x378 * 0.136 + x345 * 1.7;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
@@ -1133,12 +840,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   // link 5 "wrist_housing": force that the reference field takes
   const Real x888 = (x310 - x369) * 0.017 + x887;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x1771 = x1769 * (tau[4] - x1764);
+  const Real x1771 = x1769 * (tau[4] - (x857 - x345 * 0.017 + x1733));
   const Real x1825 = x861 - x350 * 0.136 + x1720 + x1665 * x1771;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1763 = x848 - x345 * 0.136 - (3.673205103346574e-06 * x1723 + x1726);
-  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x1827 = x1763 + x1755 * x1771;
+  const Real x1827 = x848 - x345 * 0.136 - x1728 + x1755 * x1771;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
   const Real x1765 = cosine[5] * x1599 - sine[5] * x1601 + x874;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
@@ -1182,7 +886,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Real x762 = x211 * 0.03224830000000001 + x254 * 0.029498300000000005 - x260 * 0.011000000000000003;
   const Real x772 = x256 * 0.011000000000000003 - (x214 * 0.00825 + x259 * 0.005500000000000001);
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x2066 = 0.9999999999932537 * x2028 + x2035 + 0.38 * x2042;
+  const Real x2066 = 0.9999999999932537 * x2028 + 3.673205103346574e-06 * tau[4] + 0.38 * x2042;
   const Real x2054 = 0.9999999999932537 * x2045 + 3.673205103346574e-06 * x1834;
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
   const Real x2298 = 0.08 * x2273 - (0.9999999999932537 * x2214 + 0.08 * x2197);
@@ -1222,7 +926,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Real x807 = x239 * 2.2 - (x251 * 0.11000000000000001 + x252 * 0.22000000000000003);
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
   const Real x2058 = cosine[4] * x1825 - sine[4] * x1827 - 0.38 * x2054;
-  const Real x2061 = x2031 - 3.673205103346574e-06 * x2028 - 0.08 * x2054;
+  const Real x2061 = 0.9999999999932537 * tau[4] - 3.673205103346574e-06 * x2028 - 0.08 * x2054;
   // link 4 "forearm": force that the reference field takes
   const Real x815 = x256 * 0.22000000000000003 - (x231 * 2.2 + x260 * 0.11000000000000001);
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
@@ -1262,10 +966,13 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Real x2525 = x2521 + 1.9999999999865075 * (sine[2] * x2404 + cosine[2] * x2410);
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
   const Real x2337 = 0.9999999999932537 * x2327 - 3.673205103346574e-06 * x2152;
-  const Real x2344 = 0.9999999999932537 * x2310 - x2318 - 0.08 * x2332;
+  const Real x2344 = 0.9999999999932537 * x2310 - 3.673205103346574e-06 * tau[3] - 0.08 * x2332;
   // link 3 "elbow_housing": force that the reference field takes
   const Real x722 = x111 * 0.01132625 - x157 * 0.007393749999999999 + x143 * 0.078;
   const Real x725 = x114 * 0.01132625 + x162 * 0.007393749999999999 - x139 * 0.078;
+  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
+  const Real x2340 = 3.673205103346574e-06 * x2310 + 0.9999999999932537 * tau[3] + 0.08 * x2337;
+  // link 3 "elbow_housing": force that the reference field takes
   const Real x729 = x139 * 2.6 - (x114 + x162) * 0.078;
   const Real x738 = (x89 * x89 + x148) * 0.078 - x134 * 2.6;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
@@ -1283,10 +990,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Real x2353 = cosine[3] * x2144 - sine[3] * x2146 + x722;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
   const Real x2415 = x2353 + x2286 * x2362;
-  // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
-  const Real x2354 = x725 - (3.673205103346574e-06 * x2310 + x2313 + 0.08 * x2337);
-  // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
-  const Real x2417 = x2354 + x2298 * x2362;
+  const Real x2417 = x725 - x2340 + x2298 * x2362;
   const Real x2554 = 0.3 * (x2456 - 0.3 * (x2509 - 3.673205103346574e-06 * x2525));
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
   const Real x2356 = cosine[3] * x2148 - sine[3] * x2150 + x729;
@@ -1308,7 +1012,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
   const Real x2615 = 0.3 * (cosine[2] * x2419 - sine[2] * x2421);
   const Real x2608 = 0.9999999999932537 * (sine[2] * x2419 + cosine[2] * x2421);
-  const Real x2617 = 0.9999999999932537 * x2584 - x2592 + x2615;
+  const Real x2617 = 0.9999999999932537 * x2584 - 3.673205103346574e-06 * tau[2] + x2615;
   const Real x2611 = x2608 - 3.673205103346574e-06 * (x738 + x2337 + x2279 * x2362);
   const Real x2614 = cosine[2] * x2415 - sine[2] * x2417 - 0.3 * x2611;
   const Real x2560 = 3.673205103346574e-06 * x2478 + 0.3 * (x2430 - 0.9999999999932537 * x2461);
@@ -1320,14 +1024,14 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Real x2635 = x2633 * x2634;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
   const Real x2626 = 1.1170584039787268e-05 - (x30 * 0.048670000000000005 + x59 * 0.04309) + x2614;
-  const Real x2627 = x32 * 0.00558 - (3.673205103346574e-06 * x2584 + x2587);
+  const Real x2627 = x32 * 0.00558 - (3.673205103346574e-06 * x2584 + 0.9999999999932537 * tau[2]);
   // joint 1 "shoulder_pitch": articulated-body inertia and bias force through it
   const Real x2888 = x2756 - 3.673205103346574e-06 * (3.673205103346574e-06 * x2756) + 0.00882;
   require_more(w, x2888, 0.0, kFactorization, 0);
   const Real x2849 = sine[1] * (x2626 + x2567 * x2635);
   const Real x2856 = 0.9999999999932537 * (x2849 + cosine[1] * (x2627 - x2570 * x2635));
   // joint 0 "base_yaw": articulated-body inertia and bias force through it
-  const Real x2896 = 1 / x2888 * (x2856 + x2858 + tau[0]);
+  const Real x2896 = 1 / x2888 * (x2856 + 3.673205103346574e-06 * tau[1] + tau[0]);
   w.result[0] = x2896;
   // joint 1 "shoulder_pitch": its acceleration, and that of the link beyond
   const Real x2905 = 0.9999999999932537 * x2896;
@@ -1431,7 +1135,6 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     name_what_is_not_finite(w, kRead_0, kOwned_0);
   take_sines_and_cosines(q, kAngles_0, w.sine.data(), w.cosine.data());
   part_0_0(w);
-  part_0_1(w);
   stamp(1);
   stamp(2);
   stamp(3);

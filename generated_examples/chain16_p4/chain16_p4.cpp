@@ -309,7 +309,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 namespace {
 
-constexpr std::array<MessageInfo, 12> kMessages{ {
+[[maybe_unused]] constexpr std::array<MessageInfo, 12> kMessages{ {
     {1, 0, 120},  // 0: assembled: chain of "joint07"
     {3, 2, 42},  // 1: assembled: chain of "joint15"
     {2, 0, 42},  // 2: assembled: chain of "joint14"

@@ -306,7 +306,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 namespace {
 
-constexpr std::array<MessageInfo, 12> kMessages{ {
+[[maybe_unused]] constexpr std::array<MessageInfo, 12> kMessages{ {
     {1, 0, 42},  // 0: assembled: chain of "left_knee"
     {3, 2, 42},  // 1: assembled: chain of "left_elbow"
     {2, 0, 42},  // 2: assembled: chain of "left_shoulder"

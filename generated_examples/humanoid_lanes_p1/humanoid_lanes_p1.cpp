@@ -402,7 +402,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 namespace {
 
-constexpr std::array<MessageInfo, 0> kMessages{ {
+[[maybe_unused]] constexpr std::array<MessageInfo, 0> kMessages{ {
 } };
 
 }  // namespace
@@ -430,7 +430,7 @@ struct Workspace {
   alignas(kCacheLine) std::array<Value, 24> lanes{};  // results of rows
   std::array<Real*, kPlanMessages> to{};          // messages to be sent
   std::array<const Real*, kPlanMessages> from{};  // messages received
-  alignas(kCacheLine) std::array<Value, 564> x{};
+  alignas(kCacheLine) std::array<Value, 0> x{};
 };
 
 }  // namespace
@@ -460,14 +460,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x67 = q[3] * x66;
   const Real x68 = q[4] * x66;
   const Real x92 = (q[5] * x67 - q[6] * x68) * 9.81;
-  const Real x99 = v[2] * v[4] - v[1] * v[5] + x92;
-  w.x[0] = x99;
   const Real x93 = (q[5] * x68 + q[6] * x67) * 9.81;
-  const Real x104 = v[0] * v[5] - v[2] * v[3] + x93;
-  w.x[1] = x104;
   const Real x94 = (1.0 - (q[4] * x68 + q[3] * x67)) * 9.81;
-  const Real x109 = v[1] * v[3] - v[0] * v[4] + x94;
-  w.x[2] = x109;
   const Real x118 = v[4] * v[5];
   const Real x119 = v[3] * v[3] + v[4] * v[4];
   const Real x121 = v[3] * v[5];
@@ -580,19 +574,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x425 = x346 * x346 + x350 * x350;
   const Four x427 = x346 * x351;
   const Four x429 = x370 + x427;
-  // links 2 "left_hip", 8 "right_hip", 17 "left_shoulder", 25 "right_shoulder": force that the reference field takes
-  const Four x1005 = x354 * Four{0.00175, 0.00175, 0.00064, 0.00064};
-  put(x1005, w.x.data() + 4);
-  const Four x1009 = x367 * Four{0.00308, 0.00308, 0.001366667, 0.001366667} - x422 * Four{0.0013299999999999998, 0.0013299999999999998, 0.0007266669999999999, 0.0007266669999999999} - x408 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024};
-  put(x1009, w.x.data() + 8);
-  const Four x1011 = x370 * Four{0.00308, 0.00308, 0.001366667, 0.001366667} + x427 * Four{0.0013299999999999998, 0.0013299999999999998, 0.0007266669999999999, 0.0007266669999999999} + x404 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024};
-  put(x1011, w.x.data() + 12);
-  const Four x1014 = x404 * Four{1.4, 1.4, 0.8, 0.8} + x429 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024};
-  put(x1014, w.x.data() + 16);
-  const Four x1017 = x408 * Four{1.4, 1.4, 0.8, 0.8} + x423 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024};
-  put(x1017, w.x.data() + 20);
-  const Four x1021 = x397 * Four{1.4, 1.4, 0.8, 0.8} - x425 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024};
-  put(x1021, w.x.data() + 24);
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": placement, velocity and reference acceleration of their links
   const Four x434 = Four{v[7], v[13], v[22], v[30]};
   const Four x440 = Four{1.0, 1.0, 0.0, 0.0} * x346 + Four{0.0, 0.0, 1.0, 1.0} * x350;
@@ -628,23 +609,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x1071 = x511 * Four{0.00036999999999999994, 0.00036999999999999994, -7e-05, -7e-05} - x502 * Four{0.00096, 0.00096, 0.0, 0.0} + x471 * Four{0.00187, 0.00187, 0.00077, 0.00077};
   const Four x1081 = x459 * Four{0.00342, 0.00342, 0.0014, 0.0014} - x501 * Four{0.00192, 0.00192, 0.00056, 0.00056};
   const Four x1062 = x468 * Four{0.00379, 0.00379, 0.0013299999999999998, 0.0013299999999999998} + x1060 - x512 * Four{0.0, 0.0, 0.00020999999999999998, -0.00020999999999999998};
-  const Four x1089 = x1062 - x485 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998} - x492 * Four{0.024, 0.024, 0.0, 0.0};
-  put(x1089, w.x.data() + 28);
   const Four x1093 = x508 * Four{0.0, 0.0, 0.00020999999999999998, -0.00020999999999999998} + x1071 - x485 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999};
-  const Four x1094 = x488 * Four{0.024, 0.024, 0.0, 0.0} + x1093;
-  put(x1094, w.x.data() + 32);
   const Four x1083 = Four{0.0, 0.0, 0.00020999999999999998, -0.00020999999999999998} * (x504 - x499) + x1081 + x513 * Four{0.00096, 0.00096, 0.0, 0.0};
-  const Four x1099 = x1083 + x492 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999} + x488 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998};
-  put(x1099, w.x.data() + 36);
   const Four x1108 = x513 * Four{0.024, 0.024, 0.0, 0.0} - (x499 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999} + x502 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998});
-  const Four x1109 = x488 * Four{1.2, 1.2, 0.7, 0.7} + x1108;
-  put(x1109, w.x.data() + 40);
   const Four x1115 = (x459 + x501) * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999} + x504 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998};
-  const Four x1117 = (x506 - x468) * Four{0.024, 0.024, 0.0, 0.0} + x1115 + x492 * Four{1.2, 1.2, 0.7, 0.7};
-  put(x1117, w.x.data() + 44);
   const Four x1125 = x485 * Four{1.2, 1.2, 0.7, 0.7} - x509 * Four{0.024, 0.024, 0.0, 0.0} + x512 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999};
-  const Four x1126 = x1125 - x508 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998};
-  put(x1126, w.x.data() + 48);
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": placement, velocity and reference acceleration of their links
   const Four x518 = Four{v[8], v[14], v[23], v[31]};
   const Four x525 = taken<Four>(cosine + 8) * x452 + taken<Four>(sine + 8) * x447;
@@ -662,25 +631,10 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x575 = x525 * x525 + x529 * x529;
   const Four x577 = x525 * x530;
   const Four x579 = x542 + x577;
-  // links 4 "left_thigh", 10 "right_thigh", 19 "left_upper_arm", 27 "right_upper_arm": force that the reference field takes
-  const Four x1150 = x471 * Four{0.00468, 0.00468, 0.00064, 0.00064};
-  put(x1150, w.x.data() + 52);
-  const Four x1154 = x539 * Four{0.0429867, 0.0429867, 0.0036266700000000002, 0.0036266700000000002} - x572 * Four{0.038306700000000006, 0.038306700000000006, 0.0029866700000000003, 0.0029866700000000003} + x559 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
-  put(x1154, w.x.data() + 56);
-  const Four x1157 = x542 * Four{0.0429867, 0.0429867, 0.0036266700000000002, 0.0036266700000000002} + x577 * Four{0.038306700000000006, 0.038306700000000006, 0.0029866700000000003, 0.0029866700000000003} - x555 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
-  put(x1157, w.x.data() + 60);
-  const Four x1161 = x555 * Four{2.6, 2.6, 0.8, 0.8} - x579 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
-  put(x1161, w.x.data() + 64);
-  const Four x1165 = x559 * Four{2.6, 2.6, 0.8, 0.8} - x573 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
-  put(x1165, w.x.data() + 68);
-  const Four x1169 = x549 * Four{2.6, 2.6, 0.8, 0.8} + x575 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
-  put(x1169, w.x.data() + 72);
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": placement, velocity and reference acceleration of their links
   const Four x584 = Four{v[9], v[15], v[24], v[32]};
   const Four x592 = taken<Four>(cosine + 12) * Four{1.0, 1.0, 0.0, 0.0} - taken<Four>(sine + 12) * Four{0.0, 0.0, 1.0, 1.0};
-  put(x592, w.x.data() + 76);
   const Four x597 = taken<Four>(sine + 12) * Four{1.0, 1.0, 0.0, 0.0} + taken<Four>(cosine + 12) * Four{0.0, 0.0, 1.0, 1.0};
-  put(x597, w.x.data() + 80);
   const Four x601 = x530 * x592 + x525 * x597;
   const Four x605 = x525 * x592 - x530 * x597;
   const Four x606 = x529 + x584;
@@ -704,20 +658,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // links 5 "left_shank", 11 "right_shank", 20 "left_forearm", 28 "right_forearm": force that the reference field takes
   const Four x1217 = x643 * Four{0.0410888, 0.0410888, -0.004428960000000001, -0.004428960000000001} + Four{0.00234, 0.00234, -0.00098, -0.00098} * (x646 - x641);
   const Four x1202 = x615 * Four{0.0020025, 0.0020025, 0.00513771, 0.00513771} + x648 * Four{0.00018, 0.00018, 0.004708960000000001, 0.004708960000000001} - x654 * Four{0.00234, 0.00234, -0.00098, -0.00098};
-  const Four x1220 = x1202 + x625 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049};
-  put(x1220, w.x.data() + 84);
   const Four x1211 = x618 * Four{0.043091300000000006, 0.043091300000000006, 0.00070875, 0.00070875} - x653 * Four{0.0412688, 0.0412688, 0.00028, 0.00028} + x650 * Four{0.00234, 0.00234, -0.00098, -0.00098};
-  const Four x1223 = x1211 + x625 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999};
-  put(x1223, w.x.data() + 88);
   const Four x1228 = x542 * Four{0.043271300000000006, 0.043271300000000006, 0.005417710000000001, 0.005417710000000001} + x1217 - x635 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999};
-  const Four x1229 = x1228 - x631 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049};
-  put(x1229, w.x.data() + 92);
-  const Four x1235 = x641 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x644 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049} + x631 * Four{1.8, 1.8, 0.7, 0.7};
-  put(x1235, w.x.data() + 96);
-  const Four x1243 = x635 * Four{1.8, 1.8, 0.7, 0.7} - (x645 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x646 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049});
-  put(x1243, w.x.data() + 100);
-  const Four x1249 = x625 * Four{1.8, 1.8, 0.7, 0.7} - x654 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x650 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049};
-  put(x1249, w.x.data() + 104);
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": placement, velocity and reference acceleration of their links
   const Four x660 = Four{v[10], v[16], v[25], v[33]};
   const Four x669 = Four{1.0, 1.0, 0.0, 0.0} * x605 + Four{0.0, 0.0, 1.0, 1.0} * x606;
@@ -741,19 +683,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x749 = x676 * x676 + x737;
   const Four x751 = x676 * x681;
   const Four x753 = x700 + x751;
-  // links 6 "left_ankle", 12 "right_ankle", 21 "left_wrist", 29 "right_wrist": force that the reference field takes
-  const Four x1272 = x688 * Four{7.2e-05, 7.2e-05, 9e-05, 9e-05};
-  put(x1272, w.x.data() + 108);
-  const Four x1276 = x697 * Four{7.2e-05, 7.2e-05, 0.00010666669999999999, 0.00010666669999999999} - x746 * Four{0.0, 0.0, 1.666669999999999e-05, 1.666669999999999e-05} + x732 * Four{0.0, 0.0, 0.002, 0.002};
-  put(x1276, w.x.data() + 112);
-  const Four x1279 = x700 * Four{7.2e-05, 7.2e-05, 0.00010666669999999999, 0.00010666669999999999} + x751 * Four{0.0, 0.0, 1.666669999999999e-05, 1.666669999999999e-05} - x728 * Four{0.0, 0.0, 0.002, 0.002};
-  put(x1279, w.x.data() + 116);
-  const Four x1283 = x728 * 0.2 - x753 * Four{0.0, 0.0, 0.002, 0.002};
-  put(x1283, w.x.data() + 120);
-  const Four x1287 = x732 * 0.2 - x747 * Four{0.0, 0.0, 0.002, 0.002};
-  put(x1287, w.x.data() + 124);
-  const Four x1291 = x725 * 0.2 + x749 * Four{0.0, 0.0, 0.002, 0.002};
-  put(x1291, w.x.data() + 128);
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": placement, velocity and reference acceleration of their links
   const Four x758 = Four{v[11], v[17], v[26], v[34]};
   const Four x765 = taken<Four>(cosine + 20) * x681 + taken<Four>(sine + 20) * x676;
@@ -782,48 +711,14 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x1327 = Four{0.0007199999999999999, 0.0007199999999999999, 0.0, 0.0} * (x826 - x821) - x823 * Four{0.002606663, 0.002606663, 0.00013000000000000002, 0.00013000000000000002};
   const Four x1350 = x779 * Four{0.00416667, 0.00416667, 0.000296667, 0.000296667} + x1327 - x797 * Four{0.024, 0.024, 0.0, 0.0};
   const Four x1351 = x1350 - x810 * Four{0.024, 0.024, 0.0, 0.0};
-  put(x1351, w.x.data() + 132);
   const Four x1352 = x806 * Four{0.024, 0.024, 0.0, 0.0};
   const Four x1336 = x828 * Four{0.002960003, 0.002960003, -0.001706666, -0.001706666} - x819 * Four{0.0007199999999999999, 0.0007199999999999999, 0.0, 0.0} + x782 * Four{0.00381333, 0.00381333, 0.002133333, 0.002133333};
-  const Four x1356 = x1336 + x797 * Four{0.0, 0.0, 0.024, 0.024} + x1352;
-  put(x1356, w.x.data() + 136);
   const Four x1345 = x700 * Four{0.001206667, 0.001206667, 0.002003333, 0.002003333} - x818 * Four{0.00035334, 0.00035334, -0.0018366659999999998, -0.0018366659999999998} + x830 * Four{0.0007199999999999999, 0.0007199999999999999, 0.0, 0.0};
-  const Four x1361 = x1345 - x810 * Four{0.0, 0.0, 0.024, 0.024} + x1352;
-  put(x1361, w.x.data() + 140);
   const Four x1368 = (x814 + x815) * Four{0.0, 0.0, 0.024, 0.024} - x819 * Four{0.024, 0.024, 0.0, 0.0};
-  const Four x1370 = x830 * Four{0.024, 0.024, 0.0, 0.0} + x1368 + x806 * Four{0.8, 0.8, 0.4, 0.4};
-  put(x1370, w.x.data() + 144);
   const Four x1377 = x821 * Four{0.024, 0.024, 0.0, 0.0} - (x700 + x818) * Four{0.0, 0.0, 0.024, 0.024};
-  const Four x1379 = (x823 - x779) * Four{0.024, 0.024, 0.0, 0.0} + x1377 + x810 * Four{0.8, 0.8, 0.4, 0.4};
-  put(x1379, w.x.data() + 148);
   const Four x1387 = x797 * Four{0.8, 0.8, 0.4, 0.4} - x826 * Four{0.024, 0.024, 0.0, 0.0};
   const Four x1388 = x1387 - (x828 - x782) * Four{0.0, 0.0, 0.024, 0.024};
   const Four x1389 = x1388 - (x779 + x823) * Four{0.024, 0.024, 0.0, 0.0};
-  put(x1389, w.x.data() + 152);
-  // link 14 "waist_link": force that the reference field takes
-  const Real x1411 = x136 * 0.00106 - x161 * 6e-05 - x149 * 0.016;
-  w.x[156] = x1411;
-  const Real x1413 = x166 * 6e-05 - x137 * 0.00106 + x145 * 0.016;
-  w.x[157] = x1413;
-  const Real x1416 = x145 * 0.8 + x168 * 0.016;
-  w.x[158] = x1416;
-  const Real x1419 = x149 * 0.8 + x162 * 0.016;
-  w.x[159] = x1419;
-  const Real x1424 = x141 * 0.8 + x164 * 0.016;
-  w.x[160] = x1424;
-  // link 15 "abdomen": force that the reference field takes
-  const Real x1438 = x191 * 0.001125;
-  w.x[161] = x1438;
-  const Real x1447 = x188 * 0.0014025 + x222 * 0.00027750000000000013 + x193 * 0.018000000000000002;
-  w.x[162] = x1447;
-  const Real x1450 = x136 * 0.0014025 - x217 * 0.00027750000000000013 - x203 * 0.018000000000000002;
-  w.x[163] = x1450;
-  const Real x1453 = x203 * 0.9 + x218 * 0.018000000000000002;
-  w.x[164] = x1453;
-  const Real x1458 = x208 * 0.9 + x220 * 0.018000000000000002;
-  w.x[165] = x1458;
-  const Real x1462 = x193 * 0.9 + x224 * 0.018000000000000002;
-  w.x[166] = x1462;
   // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
   const Real x276 = x243 * x243;
   const Real x277 = x242 * x242 + x276;
@@ -837,21 +732,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // link 16 "torso": force that the reference field takes
   const Real x1506 = x188 * 0.38728300000000004 + x279 * 0.34484970000000004;
   const Real x1489 = x252 * 0.0832833 - x284 * 0.040850000000000004 + x290 * 0.01615;
-  const Real x1509 = x1489 + x257 * 0.095;
-  w.x[167] = x1509;
   const Real x1499 = x255 * 0.42813300000000004 - x289 * 0.30399970000000004 - x286 * 0.01615;
-  const Real x1512 = x1499 - x257 * 1.6150000000000002;
-  w.x[168] = x1512;
   const Real x1516 = x1506 - 0.01615 * (x282 - x277) + x271 * 1.6150000000000002;
-  const Real x1517 = x1516 - x267 * 0.095;
-  w.x[169] = x1517;
   const Real x1522 = (x279 - x188) * 0.095 - x277 * 1.6150000000000002;
-  const Real x1523 = x267 * 9.5 + x1522;
-  w.x[170] = x1523;
-  const Real x1529 = x281 * 1.6150000000000002 - x282 * 0.095 + x271 * 9.5;
-  w.x[171] = x1529;
-  const Real x1534 = x257 * 9.5 + x290 * 1.6150000000000002 + x286 * 0.095;
-  w.x[172] = x1534;
   // joint 22 "neck_yaw": placement, velocity and reference acceleration of its link
   const Real x839 = x242 * cosine[27] + x243 * sine[27];
   const Real x843 = x243 * cosine[27] - x242 * sine[27];
@@ -897,136 +780,56 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1621 = (x938 - x856) * 0.048 - x936 * 0.216;
   const Real x1627 = (x856 + x938) * 0.216 - x941 * 0.048;
   const Real x1633 = x920 * 2.4 + x949 * 0.216 + x945 * 0.048;
-  // joint 0 "__base__": its torque on the base
-  const Real x1640 = x121 * 0.12400000000000001 - tau[0];
-  w.x[173] = x1640;
-  const Real x1641 = x118 * 0.12400000000000001 - tau[1];
-  w.x[174] = x1641;
-  const Real x1642 = x119 * 0.12400000000000001 + tau[2];
-  w.x[175] = x1642;
-  const Real x1644 = x118 * 0.015086599999999999 - tau[3];
-  w.x[176] = x1644;
-  const Real x1645 = x121 * 0.00020659999999999716 + tau[4];
-  w.x[177] = x1645;
-  const Real x1647 = v[3] * v[4] * 0.01488 + tau[5];
-  w.x[178] = x1647;
   // joint 23 "neck_pitch": articulated-body inertia and bias force through it
   const Real x3277 = 35.49119818285065 * (tau[28] - (x1615 - x926 * 0.048));
-  w.x[179] = x3277;
   const Real x3290 = x926 * 2.4 + x1621 - 0.048 * x3277;
   const Real x3292 = x930 * 2.4 + x1627 + 0.216 * x3277;
   const Real x3296 = cosine[28] * 0.048 + sine[28] * 0.216;
-  w.x[180] = x3296;
   const Real x3300 = sine[28] * 0.048 - cosine[28] * 0.216;
   const Real x3301 = 2.0 * sine[28];
   const Real x3308 = 0.00432 * x3301 - cosine[28] * 0.018479999999999996;
   const Real x3312 = cosine[28] * x3308;
   const Real x3319 = cosine[28] * 1.574105621805792 - 0.3679727427597956 * x3301;
   const Real x3322 = 0.3679727427597956 + sine[28] * x3319;
-  w.x[181] = x3322;
   const Real x3323 = cosine[28] * x3319;
   const Real x3325 = 2.318228279386712 - x3323;
   const Real x3326 = 0.06 * x3325;
   const Real x3329 = x3300 + -0.144;
   const Real x3330 = 0.06 * x3322;
-  w.x[182] = x3330;
   const Real x3340 = -0.00432 + sine[28] * x3308 - 0.06 * x3296;
-  w.x[183] = x3340;
   const Real x3355 = sine[28] * x3290 + cosine[28] * x3292;
   const Real x3337 = 0.008736 - x3312 - (0.06 * x3300 + 0.06 * x3329);
-  const Real x3362 = -0.008 + x3329;
-  w.x[184] = x3362;
   const Real x3363 = 0.00037000000000000005 + 0.06 * x3326;
-  w.x[185] = x3363;
   const Real x3364 = 0.008 + x3326;
-  w.x[186] = x3364;
   const Real x3365 = 0.027215999999999997 + x3312 + 0.00018;
   require_more(w, x3365, 0.0, kFactorization, 22);
   const Real x3366 = 0.4 + x3325;
-  w.x[187] = x3366;
-  const Real x3368 = 0.74412265758092 + x3323 + 0.4;
-  w.x[188] = x3368;
   // link 23 "neck": force that the reference field takes
   const Real x1556 = x853 * 0.00037000000000000005 - x883 * 0.00019 - x870 * 0.008;
   // joint 23 "neck_pitch": articulated-body inertia and bias force through it
   const Real x3358 = sine[28] * x1608 + cosine[28] * x1611 - 0.06 * x1633;
-  const Real x3369 = x1556 + x3358;
-  w.x[189] = x3369;
   // link 23 "neck": force that the reference field takes
   const Real x1558 = x856 * 0.00037000000000000005 + x888 * 0.00019 + x866 * 0.008;
   // joint 23 "neck_pitch": articulated-body inertia and bias force through it
   const Real x3370 = tau[28] + 0.06 * x3355 + x1558;
-  w.x[190] = x3370;
   const Real x3372 = x866 * 0.4 + x890 * 0.008 + x3355;
-  w.x[191] = x3372;
-  const Real x3373 = x870 * 0.4 + x884 * 0.008 + x1633;
-  w.x[192] = x3373;
   // link 23 "neck": force that the reference field takes
   const Real x1568 = x859 * 0.4 - x886 * 0.008;
-  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
-  const Real x3374 = cosine[28] * x3290 - sine[28] * x3292 + x1568;
-  w.x[193] = x3374;
   // joint 22 "neck_yaw": articulated-body inertia and bias force through it
   const Real x3376 = 1 / x3365;
   // joint 23 "neck_pitch": articulated-body inertia and bias force through it
   const Real x3371 = cosine[28] * x1608 - sine[28] * x1611 + x252 * 0.00018;
   // joint 22 "neck_yaw": articulated-body inertia and bias force through it
   const Real x3378 = x3376 * (tau[27] - x3371);
-  w.x[194] = x3378;
   const Real x3379 = x3340 * x3376;
-  w.x[195] = x3379;
   const Real x3380 = x3296 * x3376;
-  w.x[196] = x3380;
   const Real x3383 = 0.00037000000000000005 + x3337 - x3340 * x3379;
-  w.x[197] = x3383;
-}
-
-ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
-  ADAGEN_INPUTS
-  const Four x592 = taken<Four>(w.x.data() + 76);
-  const Four x597 = taken<Four>(w.x.data() + 80);
-  const Four x1109 = taken<Four>(w.x.data() + 40);
-  const Four x1150 = taken<Four>(w.x.data() + 52);
-  const Four x1161 = taken<Four>(w.x.data() + 64);
-  const Four x1165 = taken<Four>(w.x.data() + 68);
-  const Four x1220 = taken<Four>(w.x.data() + 84);
-  const Four x1223 = taken<Four>(w.x.data() + 88);
-  const Four x1229 = taken<Four>(w.x.data() + 92);
-  const Four x1235 = taken<Four>(w.x.data() + 96);
-  const Four x1243 = taken<Four>(w.x.data() + 100);
-  const Four x1249 = taken<Four>(w.x.data() + 104);
-  const Four x1272 = taken<Four>(w.x.data() + 108);
-  const Four x1276 = taken<Four>(w.x.data() + 112);
-  const Four x1279 = taken<Four>(w.x.data() + 116);
-  const Four x1283 = taken<Four>(w.x.data() + 120);
-  const Four x1287 = taken<Four>(w.x.data() + 124);
-  const Four x1291 = taken<Four>(w.x.data() + 128);
-  const Four x1351 = taken<Four>(w.x.data() + 132);
-  const Four x1356 = taken<Four>(w.x.data() + 136);
-  const Four x1361 = taken<Four>(w.x.data() + 140);
-  const Four x1370 = taken<Four>(w.x.data() + 144);
-  const Four x1379 = taken<Four>(w.x.data() + 148);
-  const Four x1389 = taken<Four>(w.x.data() + 152);
-  const Real x3296 = w.x[180];
-  const Real x3322 = w.x[181];
-  const Real x3330 = w.x[182];
-  const Real x3340 = w.x[183];
-  const Real x3362 = w.x[184];
-  const Real x3363 = w.x[185];
-  const Real x3364 = w.x[186];
-  const Real x3366 = w.x[187];
-  const Real x3368 = w.x[188];
-  const Real x3369 = w.x[189];
-  const Real x3370 = w.x[190];
-  const Real x3372 = w.x[191];
-  const Real x3373 = w.x[192];
-  const Real x3378 = w.x[194];
-  const Real x3380 = w.x[196];
-  const Real x3383 = w.x[197];
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x3386 = x3362 - x3340 * x3380;
+  const Real x3386 = -0.008 + x3329 - x3340 * x3380;
   const Real x3389 = 2.8 - x3296 * x3380;
-  const Real x3391 = x3369 + x3340 * x3378;
+  const Real x3391 = x1556 + x3358 + x3340 * x3378;
+  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
+  const Real x3373 = x870 * 0.4 + x884 * 0.008 + x1633;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
   const Real x3393 = x3373 + x3296 * x3378;
   const Real x3398 = sine[27] * (x3364 + x3386);
   const Real x3400 = sine[27] * x3398;
@@ -1046,13 +849,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Real x3435 = x3403 + 0.38 * x3422;
   const Real x3438 = x3402 - 0.38 * x3423;
   const Real x3465 = cosine[27] * x3372 - sine[27] * x3393;
-  w.x[198] = x3465;
   const Real x3468 = sine[27] * x3372 + cosine[27] * x3393;
-  w.x[199] = x3468;
-  const Real x3471 = cosine[27] * x3391 - sine[27] * x3370 - 0.38 * x3468;
-  w.x[200] = x3471;
-  const Real x3473 = sine[27] * x3391 + cosine[27] * x3370 + 0.38 * x3465;
-  w.x[201] = x3473;
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1708 = taken<Four>(cosine + 20) * Four{0.47734793443427226, 0.47734793443427226, -0.28752084650929227, -0.28752084650929227};
   const Four x1712 = taken<Four>(cosine + 20) * x1708;
@@ -1069,7 +866,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1810 = 1 / x1795;
   const Four x1817 = x1695 * x1810;
-  put(x1817, w.x.data() + 204);
   const Four x1861 = 0.2 + x1714 - x1695 * x1817;
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1710 = taken<Four>(sine + 20) * x1708;
@@ -1083,10 +879,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Four x1715 = Four{0.3226520655657278, 0.3226520655657278, 0.4, 0.4} + x1712;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1815 = x1693 * x1810;
-  put(x1815, w.x.data() + 208);
   const Four x1847 = 0.2 + x1715 - x1693 * x1815;
   const Four x1816 = x1726 * x1810;
-  put(x1816, w.x.data() + 212);
   const Four x1856 = Four{1.0, 1.0, 0.6000000000000001, 0.6000000000000001} - x1726 * x1816;
   const Four x1848 = x1693 * x1816;
   const Four x1915 = taken<Four>(sine + 16) * 2.0;
@@ -1141,10 +935,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Four x1737 = Four{0.00416667, 0.00416667, 0.000296667, 0.000296667} - x1703 + Four{0.0, 0.0, 0.04, 0.04} * x1688 + Four{0.0, 0.0, 0.04, 0.04} * x1724;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1813 = x1748 * x1810;
-  put(x1813, w.x.data() + 216);
   const Four x1820 = Four{7.2e-05, 7.2e-05, 0.00010666669999999999, 0.00010666669999999999} + x1737 - x1748 * x1813;
   const Four x1814 = x1758 * x1810;
-  put(x1814, w.x.data() + 220);
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1793 = Four{0.0, 0.0, 0.04, 0.04} * x1720 + Four{0.02, 0.02, 0.0, 0.0} * x1731 + Four{7.2e-05, 7.2e-05, 0.00010666669999999999, 0.00010666669999999999};
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
@@ -1166,7 +958,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2119 = 1 / x2102;
   const Four x2126 = x2010 * x2119;
-  put(x2126, w.x.data() + 224);
   const Four x2172 = Four{1.8, 1.8, 0.7, 0.7} + x1977 - x2010 * x2126;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1887 = x1830 + x1885;
@@ -1193,13 +984,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Four x2036 = x1925 - x1933 - Four{0.3, 0.3, -0.01, -0.01} * x1906 + Four{0.3, 0.3, -0.01, -0.01} * x2006;
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2123 = x2045 * x2119;
-  put(x2123, w.x.data() + 228);
   const Four x2145 = Four{0.043091300000000006, 0.043091300000000006, 0.00070875, 0.00070875} + x2036 - x2045 * x2123;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x2015 = x1836 + x1923 + Four{0.0, 0.0, 0.16, 0.16} * x1901 + Four{0.0, 0.0, 0.16, 0.16} * x2003;
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2122 = x2030 * x2119;
-  put(x2122, w.x.data() + 232);
   const Four x2130 = Four{0.0020025, 0.0020025, 0.00513771, 0.00513771} + x2015 - x2030 * x2122;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x2021 = Four{1.0, 1.0, 0.0, 0.0} * x1922 - Four{0.0, 0.0, 0.16, 0.16} * x1906 + Four{0.3, 0.3, -0.01, -0.01} * x2003;
@@ -1213,19 +1002,16 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2302 = 1 / x2287;
   const Four x2309 = x2187 * x2302;
-  put(x2309, w.x.data() + 236);
   const Four x2349 = Four{2.6, 2.6, 0.8, 0.8} + x2172 - x2187 * x2309;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x2103 = Four{-0.018000000000000002, -0.018000000000000002, -0.049, -0.049} + x1988;
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2124 = x2103 * x2119;
-  put(x2124, w.x.data() + 240);
   const Four x2157 = Four{1.8, 1.8, 0.7, 0.7} + x1956 - x2103 * x2124;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x2104 = Four{-0.234, -0.234, 0.013999999999999999, 0.013999999999999999} - x2000;
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2125 = x2104 * x2119;
-  put(x2125, w.x.data() + 244);
   const Four x2166 = Four{1.8, 1.8, 0.7, 0.7} + x1976 - x2104 * x2125;
   const Four x2160 = x1961 - x2103 * x2125;
   const Four x2228 = x592 * (x2157 - x2166) - x2160 * x2206;
@@ -1240,7 +1026,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Four x2199 = x2139 + x2197;
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2308 = x2199 * x2302;
-  put(x2308, w.x.data() + 248);
   const Four x2340 = Four{2.6, 2.6, 0.8, 0.8} + x2234 - x2199 * x2308;
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2163 = x1964 + x2103 * x2126;
@@ -1254,7 +1039,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Four x2416 = x2349 + x2415;
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2261 = Four{0.24, 0.24, 0.11, 0.11} * x2199;
-  put(x2261, w.x.data() + 252);
   const Four x2235 = Four{0.24, 0.24, 0.11, 0.11} * x2223;
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2334 = x2261 * x2309 - x2235;
@@ -1262,7 +1046,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Four x2201 = x592 * x2196;
   const Four x2237 = x2136 - x2201 + x2235;
   const Four x2258 = x2133 + x597 * x2210 + Four{0.24, 0.24, 0.11, 0.11} * x2187;
-  put(x2258, w.x.data() + 256);
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2319 = x2237 - x2258 * x2308;
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
@@ -1280,19 +1063,16 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Four x2414 = x2343 + taken<Four>(sine + 8) * x2411;
   const Four x2418 = Four{0.12, 0.12, 0.1, 0.1} * x2414;
   const Four x2433 = x2385 + x2418;
-  put(x2433, w.x.data() + 260);
   const Four x2380 = taken<Four>(sine + 8) * x2379;
   const Four x2382 = x2322 + x2380;
   const Four x2417 = x2340 - x2415;
   const Four x2423 = x2382 + Four{0.12, 0.12, 0.1, 0.1} * x2417;
   const Four x2306 = x2261 * x2302;
-  put(x2306, w.x.data() + 264);
   const Four x2328 = Four{0.0429867, 0.0429867, 0.0036266700000000002, 0.0036266700000000002} + Four{0.24, 0.24, 0.11, 0.11} * x2238 - x2261 * x2306;
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2253 = x2130 - x2214 + (Four{0.24, 0.24, 0.11, 0.11} * x2190 + Four{0.24, 0.24, 0.11, 0.11} * x2242);
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2305 = x2258 * x2302;
-  put(x2305, w.x.data() + 268);
   const Four x2313 = Four{0.0429867, 0.0429867, 0.0036266700000000002, 0.0036266700000000002} + x2253 - x2258 * x2305;
   const Four x2316 = x2258 * x2306 - Four{0.24, 0.24, 0.11, 0.11} * x2237;
   const Four x2393 = taken<Four>(cosine + 8) * (x2313 - x2328) - x2316 * x2389;
@@ -1302,23 +1082,17 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   require_more(w, x2475, 0.0, kFactorization, {2, 8, 17, 25});
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2492 = 1 / x2475;
-  put(x2492, w.x.data() + 272);
   const Four x2499 = x2433 * x2492;
-  put(x2499, w.x.data() + 276);
   const Four x2543 = Four{1.2, 1.2, 0.7, 0.7} + x2416 - x2433 * x2499;
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2476 = Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998} + x2423;
-  put(x2476, w.x.data() + 280);
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2497 = x2476 * x2492;
-  put(x2497, w.x.data() + 284);
   const Four x2528 = Four{1.2, 1.2, 0.7, 0.7} + x2417 - x2476 * x2497;
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2202 = x2151 + x2201;
-  put(x2202, w.x.data() + 288);
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2310 = x2202 * x2302;
-  put(x2310, w.x.data() + 292);
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2220 = x592 * x2163 - x597 * x2169;
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
@@ -1332,10 +1106,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Four x2406 = taken<Four>(sine + 8) * x2346 + taken<Four>(cosine + 8) * x2352;
   const Four x2429 = taken<Four>(cosine + 8) * x2325 - taken<Four>(sine + 8) * x2337 + Four{0.12, 0.12, 0.1, 0.1} * x2406;
   const Four x2477 = Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999} + x2429;
-  put(x2477, w.x.data() + 296);
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2498 = x2477 * x2492;
-  put(x2498, w.x.data() + 300);
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2479 = x2166 + x2232 + Four{2.6, 2.6, 0.8, 0.8} - x2202 * x2310 + Four{1.2, 1.2, 0.7, 0.7};
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
@@ -1359,7 +1131,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Four x2420 = x2319 - x2384 - x2418;
   const Four x2444 = x2316 + taken<Four>(sine + 8) * x2393 - Four{0.12, 0.12, 0.1, 0.1} * x2385;
   const Four x2445 = Four{0.12, 0.12, 0.1, 0.1} * x2420 + x2444;
-  put(x2445, w.x.data() + 304);
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2511 = Four{-0.024, -0.024, 0.0, 0.0} + x2426 - x2445 * x2498;
   const Four x2508 = x2420 - x2445 * x2497;
@@ -1376,15 +1147,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Four x2525 = Four{0.0, 0.0, -0.006999999999999999, 0.006999999999999999} - Four{0.00096, 0.00096, 0.0, 0.0} * x2499;
   const Four x2557 = taken<Four>(cosine + 4) * x2514 - taken<Four>(sine + 4) * x2525;
   const Four x2582 = Four{0.0, 0.0, 1.0, 1.0} * x2569 + Four{1.0, 1.0, 0.0, 0.0} * x2557;
-  put(x2582, w.x.data() + 308);
   const Four x2496 = Four{0.00096, 0.00096, 0.0, 0.0} * x2492;
-  put(x2496, w.x.data() + 312);
   const Four x2517 = Four{0.00187, 0.00187, 0.00077, 0.00077} - Four{0.00096, 0.00096, 0.0, 0.0} * x2496;
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2439 = x2313 - x2397 - Four{0.12, 0.12, 0.1, 0.1} * x2383 - Four{0.12, 0.12, 0.1, 0.1} * x2432;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2495 = x2445 * x2492;
-  put(x2495, w.x.data() + 316);
   const Four x2502 = Four{0.00379, 0.00379, 0.0013299999999999998, 0.0013299999999999998} + x2439 - x2445 * x2495;
   const Four x2505 = Four{0.0, 0.0, 0.00020999999999999998, -0.00020999999999999998} - x2445 * x2496;
   const Four x2600 = taken<Four>(cosine + 4) * (x2502 - x2517) - x2505 * x2596;
@@ -1393,17 +1161,13 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   require_more(w, x2725, 0.0, kFactorization, {1, 7, 16, 24});
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2740 = 1 / x2725;
-  put(x2740, w.x.data() + 320);
   const Four x2746 = x2582 * x2740;
-  put(x2746, w.x.data() + 324);
   const Four x2786 = Four{1.4, 1.4, 0.8, 0.8} + x2653 - x2582 * x2746;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2652 = x2633 - x2650;
   const Four x2579 = Four{1.0, 1.0, 0.0, 0.0} * x2569 - Four{0.0, 0.0, 1.0, 1.0} * x2557;
-  put(x2579, w.x.data() + 328);
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2745 = x2579 * x2740;
-  put(x2745, w.x.data() + 332);
   const Four x2777 = Four{1.4, 1.4, 0.8, 0.8} + x2652 - x2579 * x2745;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2649 = Four{1.0, 1.0, 0.0, 0.0} * x2645 - x2622;
@@ -1416,10 +1180,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2571 = taken<Four>(cosine + 4) * x2566;
   const Four x2572 = x2571 - x2521;
-  put(x2572, w.x.data() + 336);
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2747 = x2572 * x2740;
-  put(x2747, w.x.data() + 340);
   const Four x2792 = x2537 + x2631 + Four{1.4, 1.4, 0.8, 0.8} - x2572 * x2747;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2630 = x2531 + taken<Four>(sine + 4) * x2627;
@@ -1435,21 +1197,16 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Four x2898 = Four{0.0, 0.0, 1.0, 1.0} * (x2792 - x2885) + Four{2.0, 2.0, 0.0, 0.0} * x2872;
   const Four x2903 = Four{0.0, 0.0, 1.0, 1.0} * x2898;
   const Four x2906 = x2885 + x2903;
-  put(x2906, w.x.data() + 344);
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2570 = x2520 + x2567;
   const Four x2603 = x2505 + taken<Four>(sine + 4) * x2600;
   const Four x2681 = Four{1.0, 1.0, 0.0, 0.0} * x2603 - Four{0.04, -0.04, 0.05, -0.05} * x2582;
-  put(x2681, w.x.data() + 348);
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2762 = Four{1.0, 1.0, 0.0, 0.0} * x2570 - Four{0.04, -0.04, 0.05, -0.05} * x2640 - x2681 * x2747;
-  put(x2762, w.x.data() + 352);
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2687 = Four{0.0, 0.0, 1.0, 1.0} * x2603 + Four{0.04, -0.04, 0.05, -0.05} * x2579;
-  put(x2687, w.x.data() + 356);
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2774 = Four{0.0, 0.0, 1.0, 1.0} * x2570 + Four{0.04, -0.04, 0.05, -0.05} * x2637 - x2687 * x2747;
-  put(x2774, w.x.data() + 360);
   const Four x2806 = taken<Four>(cosine + 0) * x2762 - taken<Four>(sine + 0) * x2774;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2573 = x2508 - x2571;
@@ -1463,7 +1220,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Four x2656 = x2573 - x2591 - x2654;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2756 = x2656 - x2681 * x2745;
-  put(x2756, w.x.data() + 364);
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2588 = Four{1.0, 1.0, 0.0, 0.0} * x2586;
   const Four x2661 = x2588 - Four{0.04, -0.04, 0.05, -0.05} * x2653;
@@ -1474,37 +1230,27 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Four x2658 = x2590 + Four{0.04, -0.04, 0.05, -0.05} * x2652;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2768 = Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024} + x2658 - x2687 * x2745;
-  put(x2768, w.x.data() + 368);
   const Four x2815 = taken<Four>(cosine + 0) * (x2756 - x2771) - taken<Four>(sine + 0) * (x2759 + x2768);
   const Four x2820 = taken<Four>(cosine + 0) * x2815;
-  put(x2820, w.x.data() + 372);
   const Four x2821 = x2771 + x2820;
   const Four x2837 = Four{0.0, 0.0, 1.0, 1.0} * x2821 - Four{1.0, 1.0, 0.0, 0.0} * x2806;
   const Four x2838 = Four{1.0, 1.0, 0.0, 0.0} * x2837;
-  put(x2838, w.x.data() + 376);
   const Four x2840 = x2806 + x2838;
-  put(x2840, w.x.data() + 380);
   const Four x2875 = taken<Four>(sine + 0) * x2783 + taken<Four>(cosine + 0) * x2789;
   const Four x2883 = x2780 + taken<Four>(sine + 0) * x2880;
   const Four x2893 = Four{0.0, 0.0, 1.0, 1.0} * x2875 + Four{1.0, 1.0, 0.0, 0.0} * x2883;
-  put(x2893, w.x.data() + 384);
   const Four x2951 = x2840 + Four{0.05, 0.05, -0.15, 0.15} * x2893 + Four{0.0, 0.0, 0.29, 0.29} * x2906;
-  put(x2951, w.x.data() + 388);
   const Four x2816 = taken<Four>(sine + 0) * x2815;
-  put(x2816, w.x.data() + 392);
   const Four x2818 = x2759 + x2816;
   const Four x2823 = Four{0.0, 0.0, 1.0, 1.0} * x2818;
   const Four x2886 = x2777 - x2884;
-  put(x2886, w.x.data() + 396);
   const Four x2918 = x2823 + Four{0.05, 0.05, -0.15, 0.15} * x2886 + Four{0.0, 0.0, 0.29, 0.29} * x2893;
-  put(x2918, w.x.data() + 400);
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2606 = x2502 - x2604;
   const Four x2609 = Four{0.0, 0.0, 1.0, 1.0} * x2606;
   const Four x2613 = Four{0.0, 0.0, 1.0, 1.0} * x2609;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2744 = x2687 * x2740;
-  put(x2744, w.x.data() + 404);
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2723 = x2613 + Four{0.04, -0.04, 0.05, -0.05} * x2590 + Four{0.04, -0.04, 0.05, -0.05} * x2658 + Four{0.00308, 0.00308, 0.001366667, 0.001366667};
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
@@ -1513,338 +1259,208 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Four x2673 = x2606 - x2613 - Four{0.04, -0.04, 0.05, -0.05} * x2588 - Four{0.04, -0.04, 0.05, -0.05} * x2661;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2743 = x2681 * x2740;
-  put(x2743, w.x.data() + 408);
   const Four x2750 = Four{0.00308, 0.00308, 0.001366667, 0.001366667} + x2673 - x2681 * x2743;
-  put(x2750, w.x.data() + 412);
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2678 = Four{1.0, 1.0, 0.0, 0.0} * x2609 - Four{0.04, -0.04, 0.05, -0.05} * x2591 + Four{0.04, -0.04, 0.05, -0.05} * x2656;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2753 = x2678 - x2681 * x2744;
-  put(x2753, w.x.data() + 416);
   const Four x2851 = taken<Four>(cosine + 0) * (x2750 - x2765) - x2753 * x2847;
-  put(x2851, w.x.data() + 420);
   const Four x2855 = taken<Four>(cosine + 0) * x2851;
-  put(x2855, w.x.data() + 424);
   const Four x2856 = x2765 + x2855;
   const Four x2862 = Four{0.0, 0.0, 1.0, 1.0} * x2856;
   const Four x2866 = Four{0.0, 0.0, 1.0, 1.0} * x2862;
   const Four x2997 = x2866 + Four{0.05, 0.05, -0.15, 0.15} * x2823 + Four{0.05, 0.05, -0.15, 0.15} * x2918;
   const Four x2999 = Four{0.0, 0.0, 0.29, 0.29} * x2840 + x2997 + Four{0.0, 0.0, 0.29, 0.29} * x2951;
-  put(x2999, w.x.data() + 428);
   // joint 22 "neck_yaw": articulated-body inertia and bias force through it
   const Real x3444 = x3363 + x3412 - 0.38 * x3402 - 0.38 * x3438;
-  const Real x3474 = x2999[2] + x2999[3] + 0.42813300000000004 + x3444;
-  w.x[432] = x3474;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2842 = Four{0.0, 0.0, 1.0, 1.0} * x2837;
-  put(x2842, w.x.data() + 436);
   const Four x2890 = Four{1.0, 1.0, 0.0, 0.0} * x2875 - Four{0.0, 0.0, 1.0, 1.0} * x2883;
-  put(x2890, w.x.data() + 440);
   const Four x2908 = Four{0.05, 0.05, -0.15, 0.15} * x2890;
-  put(x2908, w.x.data() + 444);
   const Four x2902 = Four{1.0, 1.0, 0.0, 0.0} * x2898 - x2872;
-  put(x2902, w.x.data() + 448);
   const Four x2930 = Four{0.0, 0.0, 0.29, 0.29} * x2902;
   const Four x2933 = x2842 - x2908 - x2930;
-  put(x2933, w.x.data() + 452);
   const Four x2825 = Four{1.0, 1.0, 0.0, 0.0} * x2818;
   const Four x2844 = x2821 - x2842;
-  put(x2844, w.x.data() + 456);
   const Four x3009 = Four{0.09, -0.09, 0.0, 0.0} * x2918 - (Four{1.0, 1.0, 0.0, 0.0} * x2862 + Four{0.05, 0.05, -0.15, 0.15} * x2825);
   const Four x3011 = x3009 - Four{0.0, 0.0, 0.29, 0.29} * x2844 + Four{0.0, 0.0, 0.29, 0.29} * x2933;
-  put(x3011, w.x.data() + 460);
   // joint 22 "neck_yaw": articulated-body inertia and bias force through it
   const Real x3450 = sine[27] * x3407 - 0.38 * x3404 - 0.38 * x3432;
   const Real x3475 = x3011[2] + x3011[3] + x3450;
-  w.x[464] = x3475;
-  const Real x3476 = x2918[2] + x2918[3] + (sine[27] * x3330 + 0.38 * x3416);
-  w.x[465] = x3476;
-  const Real x3478 = x2933[2] + x2933[3] - x3432;
-  w.x[466] = x3478;
-  const Real x3479 = -1.6150000000000002 - (x2951[2] + x2951[3]) + x3438;
-  w.x[467] = x3479;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2905 = x2792 - x2903;
-  put(x2905, w.x.data() + 468);
   const Four x2939 = Four{0.0, 0.0, 0.29, 0.29} * x2905 - (x2838 + Four{0.09, -0.09, 0.0, 0.0} * x2890);
-  put(x2939, w.x.data() + 472);
   const Four x2924 = x2825 - Four{0.09, -0.09, 0.0, 0.0} * x2886 + Four{0.0, 0.0, 0.29, 0.29} * x2890;
-  put(x2924, w.x.data() + 476);
   const Four x3021 = Four{0.0, 0.0, 0.29, 0.29} * x2838 + Four{0.09, -0.09, 0.0, 0.0} * x2825 + Four{0.09, -0.09, 0.0, 0.0} * x2924;
   const Four x3024 = x2856 - x2866 - x3021 + Four{0.0, 0.0, 0.29, 0.29} * x2939;
-  put(x3024, w.x.data() + 480);
   // joint 22 "neck_yaw": articulated-body inertia and bias force through it
   const Real x3454 = x3383 - x3412 + 0.38 * x3403 + 0.38 * x3435;
   const Real x3480 = x3024[2] + x3024[3] + 0.38728300000000004 + x3454;
-  w.x[484] = x3480;
   require_more(w, x3480, 0.0, kFactorization, 15);
   const Real x3429 = cosine[27] * x3330 + 0.38 * x3415;
   const Real x3481 = x2924[2] + x2924[3] + -0.095 + x3429;
-  w.x[485] = x3481;
   const Real x3482 = x2939[2] + x2939[3] + 1.6150000000000002 + x3435;
-  w.x[486] = x3482;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2907 = Four{0.09, -0.09, 0.0, 0.0} * x2893;
-  put(x2907, w.x.data() + 488);
   const Four x2955 = x2844 - x2907 + x2930;
-  put(x2955, w.x.data() + 492);
   // joint 22 "neck_yaw": articulated-body inertia and bias force through it
   const Real x3483 = x2955[2] + x2955[3] + x3432;
-  w.x[496] = x3483;
-  const Real x3484 = x2886[2] + x2886[3] + 9.5 + x3368;
-  w.x[497] = x3484;
-  const Real x3485 = x2890[2] + x2890[3] + x3415;
-  w.x[498] = x3485;
-  const Real x3486 = x2893[2] + x2893[3] + x3416;
-  w.x[499] = x3486;
-  const Real x3487 = x2905[2] + x2905[3] + 9.5 + x3422;
-  w.x[500] = x3487;
-  const Real x3488 = x2902[2] + x2902[3] + x3419;
-  w.x[501] = x3488;
-  const Real x3489 = x2906[2] + x2906[3] + 9.5 + x3423;
-  w.x[502] = x3489;
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1653 = Four{tau[11], tau[17], tau[26], tau[34]};
-  const Four x1656 = Four{828.7290528372782, 828.7290528372782, 499.16813630085466, 499.16813630085466} * (x1653 - x1361);
-  put(x1656, w.x.data() + 504);
+  const Four x1656 = Four{828.7290528372782, 828.7290528372782, 499.16813630085466, 499.16813630085466} * (x1653 - (x1345 - x810 * Four{0.0, 0.0, 0.024, 0.024} + x1352));
+  // links 7 "left_foot", 13 "right_foot", 22 "left_hand", 30 "right_hand": force that the reference field takes
+  const Four x1370 = x830 * Four{0.024, 0.024, 0.0, 0.0} + x1368 + x806 * Four{0.8, 0.8, 0.4, 0.4};
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1675 = x1370 + Four{0.024, 0.024, 0.0, 0.0} * x1656;
+  // links 7 "left_foot", 13 "right_foot", 22 "left_hand", 30 "right_hand": force that the reference field takes
+  const Four x1379 = (x823 - x779) * Four{0.024, 0.024, 0.0, 0.0} + x1377 + x810 * Four{0.8, 0.8, 0.4, 0.4};
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1678 = x1379 - Four{0.0, 0.0, 0.024, 0.024} * x1656;
   const Four x1778 = taken<Four>(sine + 20) * x1675 + taken<Four>(cosine + 20) * x1678;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1809 = Four{tau[10], tau[16], tau[25], tau[33]};
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
-  const Four x1673 = x1356 + Four{0.0007199999999999999, 0.0007199999999999999, 0.0, 0.0} * x1656;
+  const Four x1673 = x1336 + x797 * Four{0.0, 0.0, 0.024, 0.024} + x1352 + Four{0.0007199999999999999, 0.0007199999999999999, 0.0, 0.0} * x1656;
   const Four x1790 = taken<Four>(cosine + 20) * x1351 - taken<Four>(sine + 20) * x1673 - Four{0.02, 0.02, 0.0, 0.0} * x1389;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Four x1812 = x1810 * (x1809 - (x1272 + x1790));
-  put(x1812, w.x.data() + 508);
-  const Four x1867 = x1283 + x1778 + x1693 * x1812;
-  const Four x1869 = x1287 + x1389 + x1726 * x1812;
+  const Four x1812 = x1810 * (x1809 - (x688 * Four{7.2e-05, 7.2e-05, 9e-05, 9e-05} + x1790));
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Four x1802 = x728 * 0.2 - x753 * Four{0.0, 0.0, 0.002, 0.002} + x1778;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x1867 = x1802 + x1693 * x1812;
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Four x1803 = x732 * 0.2 - x747 * Four{0.0, 0.0, 0.002, 0.002} + x1389;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x1869 = x1803 + x1726 * x1812;
   const Four x2075 = taken<Four>(cosine + 16) * x1867 - taken<Four>(sine + 16) * x1869;
+  // links 5 "left_shank", 11 "right_shank", 20 "left_forearm", 28 "right_forearm": force that the reference field takes
+  const Four x1235 = x641 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x644 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049} + x631 * Four{1.8, 1.8, 0.7, 0.7};
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2118 = Four{tau[9], tau[15], tau[24], tau[32]};
-  put(x2118, w.x.data() + 512);
+  // links 6 "left_ankle", 12 "right_ankle", 21 "left_wrist", 29 "right_wrist": force that the reference field takes
+  const Four x1276 = x697 * Four{7.2e-05, 7.2e-05, 0.00010666669999999999, 0.00010666669999999999} - x746 * Four{0.0, 0.0, 1.666669999999999e-05, 1.666669999999999e-05} + x732 * Four{0.0, 0.0, 0.002, 0.002};
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1781 = taken<Four>(sine + 20) * x1351 + taken<Four>(cosine + 20) * x1673 + Four{0.0, 0.0, 0.04, 0.04} * x1389;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1863 = x1276 + x1781 + x1748 * x1812;
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1775 = taken<Four>(cosine + 20) * x1675 - taken<Four>(sine + 20) * x1678;
+  // links 6 "left_ankle", 12 "right_ankle", 21 "left_wrist", 29 "right_wrist": force that the reference field takes
+  const Four x1279 = x700 * Four{7.2e-05, 7.2e-05, 0.00010666669999999999, 0.00010666669999999999} + x751 * Four{0.0, 0.0, 1.666669999999999e-05, 1.666669999999999e-05} - x728 * Four{0.0, 0.0, 0.002, 0.002};
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1800 = x1653 - Four{0.0, 0.0, 0.04, 0.04} * x1778 + Four{0.02, 0.02, 0.0, 0.0} * x1775 + x1279;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1865 = x1800 + x1758 * x1812;
   const Four x2064 = taken<Four>(sine + 16) * x1863 + taken<Four>(cosine + 16) * x1865;
   const Four x2078 = taken<Four>(sine + 16) * x1867 + taken<Four>(cosine + 16) * x1869;
-  const Four x1871 = x1291 + x1775 + x1695 * x1812;
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Four x1804 = x725 * 0.2 + x749 * Four{0.0, 0.0, 0.002, 0.002} + x1775;
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x1871 = x1804 + x1695 * x1812;
   const Four x2082 = Four{1.0, 1.0, 0.0, 0.0} * x2078 - Four{0.0, 0.0, 1.0, 1.0} * x1871;
   const Four x2095 = Four{0.0, 0.0, 1.0, 1.0} * x2064 + Four{1.0, 1.0, 0.0, 0.0} * x1809 - Four{0.0, 0.0, 0.16, 0.16} * x2075;
+  const Four x2110 = x1228 - x631 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049} + (x2095 - Four{0.3, 0.3, -0.01, -0.01} * x2082);
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Four x2121 = x2119 * (x2118 - (x2095 - Four{0.3, 0.3, -0.01, -0.01} * x2082 + x1229));
-  put(x2121, w.x.data() + 516);
+  const Four x2121 = x2119 * (x2118 - x2110);
   const Four x2178 = x1235 + x2075 + x2103 * x2121;
-  put(x2178, w.x.data() + 520);
+  // links 5 "left_shank", 11 "right_shank", 20 "left_forearm", 28 "right_forearm": force that the reference field takes
+  const Four x1243 = x635 * Four{1.8, 1.8, 0.7, 0.7} - (x645 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x646 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049});
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2180 = x1243 + x2082 + x2104 * x2121;
-  put(x2180, w.x.data() + 524);
   const Four x2276 = x597 * x2178 + x592 * x2180;
-  put(x2276, w.x.data() + 528);
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2301 = Four{tau[8], tau[14], tau[23], tau[31]};
-  put(x2301, w.x.data() + 532);
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x2085 = Four{0.0, 0.0, 1.0, 1.0} * x2078 + Four{1.0, 1.0, 0.0, 0.0} * x1871;
   const Four x2087 = taken<Four>(cosine + 16) * x1863 - taken<Four>(sine + 16) * x1865 + Four{0.0, 0.0, 0.16, 0.16} * x2085;
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Four x2174 = x1220 + x2087 + x2030 * x2121;
+  const Four x2174 = x1202 + x625 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049} + x2087 + x2030 * x2121;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x2090 = Four{1.0, 1.0, 0.0, 0.0} * x2064 - Four{0.0, 0.0, 1.0, 1.0} * x1809 + Four{0.3, 0.3, -0.01, -0.01} * x2085;
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Four x2176 = x1223 + x2090 + x2045 * x2121;
+  const Four x2176 = x1211 + x625 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x2090 + x2045 * x2121;
+  const Four x2293 = x592 * x2174 - x597 * x2176 + x471 * Four{0.00468, 0.00468, 0.00064, 0.00064};
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Four x2303 = x2301 - (x592 * x2174 - x597 * x2176 + x1150);
-  const Four x2304 = x2302 * x2303;
-  put(x2304, w.x.data() + 536);
-  const Four x2362 = x1161 + x2276 + x2199 * x2304;
-  put(x2362, w.x.data() + 540);
+  const Four x2304 = x2302 * (x2301 - x2293);
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2294 = x555 * Four{2.6, 2.6, 0.8, 0.8} - x579 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001} + x2276;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2362 = x2294 + x2199 * x2304;
+  // links 5 "left_shank", 11 "right_shank", 20 "left_forearm", 28 "right_forearm": force that the reference field takes
+  const Four x1249 = x625 * Four{1.8, 1.8, 0.7, 0.7} - x654 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x650 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049};
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2183 = x1249 + x2085 - x2010 * x2121;
+  const Four x2295 = x559 * Four{2.6, 2.6, 0.8, 0.8} - x573 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001} + x2183;
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Four x2364 = x1165 + x2183 + x2187 * x2304;
-  put(x2364, w.x.data() + 544);
+  const Four x2364 = x2295 + x2187 * x2304;
   const Four x2465 = taken<Four>(sine + 8) * x2362 + taken<Four>(cosine + 8) * x2364;
-  put(x2465, w.x.data() + 548);
-  const Four x2484 = x1109 + x2465;
-  put(x2484, w.x.data() + 552);
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2491 = Four{tau[7], tau[13], tau[22], tau[30]};
-  put(x2491, w.x.data() + 556);
+  // links 4 "left_thigh", 10 "right_thigh", 19 "left_upper_arm", 27 "right_upper_arm": force that the reference field takes
+  const Four x1154 = x539 * Four{0.0429867, 0.0429867, 0.0036266700000000002, 0.0036266700000000002} - x572 * Four{0.038306700000000006, 0.038306700000000006, 0.0029866700000000003, 0.0029866700000000003} + x559 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2279 = x597 * x2174 + x592 * x2176 + Four{0.24, 0.24, 0.11, 0.11} * x2183;
-  put(x2279, w.x.data() + 560);
-}
-
-ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
-  ADAGEN_INPUTS
-  const Four x592 = taken<Four>(w.x.data() + 76);
-  const Four x597 = taken<Four>(w.x.data() + 80);
-  const Four x1005 = taken<Four>(w.x.data() + 4);
-  const Four x1009 = taken<Four>(w.x.data() + 8);
-  const Four x1011 = taken<Four>(w.x.data() + 12);
-  const Four x1014 = taken<Four>(w.x.data() + 16);
-  const Four x1017 = taken<Four>(w.x.data() + 20);
-  const Four x1021 = taken<Four>(w.x.data() + 24);
-  const Four x1089 = taken<Four>(w.x.data() + 28);
-  const Four x1094 = taken<Four>(w.x.data() + 32);
-  const Four x1099 = taken<Four>(w.x.data() + 36);
-  const Four x1117 = taken<Four>(w.x.data() + 44);
-  const Four x1126 = taken<Four>(w.x.data() + 48);
-  const Four x1154 = taken<Four>(w.x.data() + 56);
-  const Four x1157 = taken<Four>(w.x.data() + 60);
-  const Four x1169 = taken<Four>(w.x.data() + 72);
-  const Real x1411 = w.x[156];
-  const Real x1413 = w.x[157];
-  const Real x1416 = w.x[158];
-  const Real x1419 = w.x[159];
-  const Real x1424 = w.x[160];
-  const Real x1438 = w.x[161];
-  const Real x1447 = w.x[162];
-  const Real x1450 = w.x[163];
-  const Real x1453 = w.x[164];
-  const Real x1458 = w.x[165];
-  const Real x1462 = w.x[166];
-  const Real x1509 = w.x[167];
-  const Real x1512 = w.x[168];
-  const Real x1517 = w.x[169];
-  const Real x1523 = w.x[170];
-  const Real x1529 = w.x[171];
-  const Real x1534 = w.x[172];
-  const Real x1640 = w.x[173];
-  const Real x1641 = w.x[174];
-  const Real x1642 = w.x[175];
-  const Real x1644 = w.x[176];
-  const Real x1645 = w.x[177];
-  const Real x1647 = w.x[178];
-  const Four x2118 = taken<Four>(w.x.data() + 512);
-  const Four x2178 = taken<Four>(w.x.data() + 520);
-  const Four x2180 = taken<Four>(w.x.data() + 524);
-  const Four x2202 = taken<Four>(w.x.data() + 288);
-  const Four x2258 = taken<Four>(w.x.data() + 256);
-  const Four x2261 = taken<Four>(w.x.data() + 252);
-  const Four x2276 = taken<Four>(w.x.data() + 528);
-  const Four x2279 = taken<Four>(w.x.data() + 560);
-  const Four x2301 = taken<Four>(w.x.data() + 532);
-  const Four x2304 = taken<Four>(w.x.data() + 536);
-  const Four x2362 = taken<Four>(w.x.data() + 540);
-  const Four x2364 = taken<Four>(w.x.data() + 544);
-  const Four x2433 = taken<Four>(w.x.data() + 260);
-  const Four x2445 = taken<Four>(w.x.data() + 304);
-  const Four x2465 = taken<Four>(w.x.data() + 548);
-  const Four x2476 = taken<Four>(w.x.data() + 280);
-  const Four x2477 = taken<Four>(w.x.data() + 296);
-  const Four x2484 = taken<Four>(w.x.data() + 552);
-  const Four x2491 = taken<Four>(w.x.data() + 556);
-  const Four x2492 = taken<Four>(w.x.data() + 272);
-  const Four x2572 = taken<Four>(w.x.data() + 336);
-  const Four x2579 = taken<Four>(w.x.data() + 328);
-  const Four x2582 = taken<Four>(w.x.data() + 308);
-  const Four x2681 = taken<Four>(w.x.data() + 348);
-  const Four x2687 = taken<Four>(w.x.data() + 356);
-  const Four x2740 = taken<Four>(w.x.data() + 320);
-  const Four x2750 = taken<Four>(w.x.data() + 412);
-  const Four x2753 = taken<Four>(w.x.data() + 416);
-  const Four x2756 = taken<Four>(w.x.data() + 364);
-  const Four x2762 = taken<Four>(w.x.data() + 352);
-  const Four x2768 = taken<Four>(w.x.data() + 368);
-  const Four x2774 = taken<Four>(w.x.data() + 360);
-  const Four x2816 = taken<Four>(w.x.data() + 392);
-  const Four x2820 = taken<Four>(w.x.data() + 372);
-  const Four x2838 = taken<Four>(w.x.data() + 376);
-  const Four x2840 = taken<Four>(w.x.data() + 380);
-  const Four x2842 = taken<Four>(w.x.data() + 436);
-  const Four x2844 = taken<Four>(w.x.data() + 456);
-  const Four x2851 = taken<Four>(w.x.data() + 420);
-  const Four x2855 = taken<Four>(w.x.data() + 424);
-  const Four x2886 = taken<Four>(w.x.data() + 396);
-  const Four x2890 = taken<Four>(w.x.data() + 440);
-  const Four x2893 = taken<Four>(w.x.data() + 384);
-  const Four x2902 = taken<Four>(w.x.data() + 448);
-  const Four x2905 = taken<Four>(w.x.data() + 468);
-  const Four x2906 = taken<Four>(w.x.data() + 344);
-  const Four x2907 = taken<Four>(w.x.data() + 488);
-  const Four x2908 = taken<Four>(w.x.data() + 444);
-  const Four x2918 = taken<Four>(w.x.data() + 400);
-  const Four x2924 = taken<Four>(w.x.data() + 476);
-  const Four x2933 = taken<Four>(w.x.data() + 452);
-  const Four x2939 = taken<Four>(w.x.data() + 472);
-  const Four x2951 = taken<Four>(w.x.data() + 388);
-  const Four x2955 = taken<Four>(w.x.data() + 492);
-  const Four x2999 = taken<Four>(w.x.data() + 428);
-  const Four x3011 = taken<Four>(w.x.data() + 460);
-  const Four x3024 = taken<Four>(w.x.data() + 480);
-  const Real x3374 = w.x[193];
-  const Real x3465 = w.x[198];
-  const Real x3468 = w.x[199];
-  const Real x3471 = w.x[200];
-  const Real x3473 = w.x[201];
-  const Real x3474 = w.x[432];
-  const Real x3475 = w.x[464];
-  const Real x3476 = w.x[465];
-  const Real x3478 = w.x[466];
-  const Real x3479 = w.x[467];
-  const Real x3480 = w.x[484];
-  const Real x3481 = w.x[485];
-  const Real x3482 = w.x[486];
-  const Real x3483 = w.x[496];
-  const Real x3484 = w.x[497];
-  const Real x3485 = w.x[498];
-  const Real x3486 = w.x[499];
-  const Real x3487 = w.x[500];
-  const Real x3488 = w.x[501];
-  const Real x3489 = w.x[502];
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2357 = x1154 + x2279 + x2258 * x2304;
+  // links 4 "left_thigh", 10 "right_thigh", 19 "left_upper_arm", 27 "right_upper_arm": force that the reference field takes
+  const Four x1157 = x542 * Four{0.0429867, 0.0429867, 0.0036266700000000002, 0.0036266700000000002} + x577 * Four{0.038306700000000006, 0.038306700000000006, 0.0029866700000000003, 0.0029866700000000003} - x555 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2360 = x2118 - Four{0.24, 0.24, 0.11, 0.11} * x2276 + x1157 - x2261 * x2304;
   const Four x2471 = taken<Four>(cosine + 8) * x2357 - taken<Four>(sine + 8) * x2360 + Four{0.12, 0.12, 0.1, 0.1} * x2465;
+  const Four x2483 = x1083 + x492 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999} + x488 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998} + x2471;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Four x2494 = x2492 * (x2491 - (x1099 + x2471));
-  put(x2494, w.x.data() + 152);
-  const Four x2549 = x2484 + x2476 * x2494;
+  const Four x2494 = x2492 * (x2491 - x2483);
+  const Four x2549 = x488 * Four{1.2, 1.2, 0.7, 0.7} + x1108 + x2465 + x2476 * x2494;
+  // links 4 "left_thigh", 10 "right_thigh", 19 "left_upper_arm", 27 "right_upper_arm": force that the reference field takes
+  const Four x1169 = x549 * Four{2.6, 2.6, 0.8, 0.8} + x575 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2296 = x592 * x2178 - x597 * x2180 + x1169;
+  // links 3 "left_groin", 9 "right_groin", 18 "left_shoulder_cap", 26 "right_shoulder_cap": force that the reference field takes
+  const Four x1117 = (x506 - x468) * Four{0.024, 0.024, 0.0, 0.0} + x1115 + x492 * Four{1.2, 1.2, 0.7, 0.7};
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2551 = x2296 + x2202 * x2304 + x1117 + x2477 * x2494;
+  // links 2 "left_hip", 8 "right_hip", 17 "left_shoulder", 25 "right_shoulder": force that the reference field takes
+  const Four x1021 = x397 * Four{1.4, 1.4, 0.8, 0.8} - x425 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024};
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2739 = Four{tau[6], tau[12], tau[21], tau[29]};
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2462 = taken<Four>(cosine + 8) * x2362 - taken<Four>(sine + 8) * x2364;
   const Four x2468 = taken<Four>(sine + 8) * x2357 + taken<Four>(cosine + 8) * x2360 - Four{0.12, 0.12, 0.1, 0.1} * x2462;
+  const Four x2481 = x1062 - x485 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998} - x492 * Four{0.024, 0.024, 0.0, 0.0} + x2468;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Four x2545 = x1089 + x2468 + x2445 * x2494;
-  const Four x2547 = x1094 + x2301 + Four{0.00096, 0.00096, 0.0, 0.0} * x2494;
+  const Four x2545 = x2481 + x2445 * x2494;
+  const Four x2547 = x488 * Four{0.024, 0.024, 0.0, 0.0} + x1093 + x2301 + Four{0.00096, 0.00096, 0.0, 0.0} * x2494;
+  const Four x2731 = taken<Four>(cosine + 4) * x2545 - taken<Four>(sine + 4) * x2547 + x354 * Four{0.00175, 0.00175, 0.00064, 0.00064};
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Four x2741 = x2739 - (taken<Four>(cosine + 4) * x2545 - taken<Four>(sine + 4) * x2547 + x1005);
-  const Four x2742 = x2740 * x2741;
-  put(x2742, w.x.data() + 148);
+  const Four x2742 = x2740 * (x2739 - x2731);
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2734 = taken<Four>(cosine + 4) * x2549 - taken<Four>(sine + 4) * x2551 + x1021;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2802 = x2734 + x2572 * x2742;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2708 = taken<Four>(sine + 4) * x2549 + taken<Four>(cosine + 4) * x2551;
-  const Four x2553 = x1126 + x2462 + x2433 * x2494;
+  const Four x2553 = x1125 - x508 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998} + x2462 + x2433 * x2494;
   const Four x2712 = Four{1.0, 1.0, 0.0, 0.0} * x2708 - Four{0.0, 0.0, 1.0, 1.0} * x2553;
+  const Four x2732 = x404 * Four{1.4, 1.4, 0.8, 0.8} + x429 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024} + x2712;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Four x2798 = x1014 + x2712 + x2579 * x2742;
+  const Four x2798 = x2732 + x2579 * x2742;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2715 = Four{0.0, 0.0, 1.0, 1.0} * x2708 + Four{1.0, 1.0, 0.0, 0.0} * x2553;
+  const Four x2733 = x408 * Four{1.4, 1.4, 0.8, 0.8} + x423 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024} + x2715;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Four x2800 = x1017 + x2715 + x2582 * x2742;
+  const Four x2800 = x2733 + x2582 * x2742;
   const Four x3042 = taken<Four>(cosine + 0) * x2798 - taken<Four>(sine + 0) * x2800;
   const Four x3049 = Four{1.0, 1.0, 0.0, 0.0} * x2802 - Four{0.0, 0.0, 1.0, 1.0} * x3042;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2694 = taken<Four>(sine + 4) * x2545 + taken<Four>(cosine + 4) * x2547;
+  // links 2 "left_hip", 8 "right_hip", 17 "left_shoulder", 25 "right_shoulder": force that the reference field takes
+  const Four x1009 = x367 * Four{0.00308, 0.00308, 0.001366667, 0.001366667} - x422 * Four{0.0013299999999999998, 0.0013299999999999998, 0.0007266669999999999, 0.0007266669999999999} - x408 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024};
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2718 = Four{1.0, 1.0, 0.0, 0.0} * x2694 - Four{0.0, 0.0, 1.0, 1.0} * x2491 - Four{0.04, -0.04, 0.05, -0.05} * x2715;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2794 = x1009 + x2718 + x2681 * x2742;
+  // links 2 "left_hip", 8 "right_hip", 17 "left_shoulder", 25 "right_shoulder": force that the reference field takes
+  const Four x1011 = x370 * Four{0.00308, 0.00308, 0.001366667, 0.001366667} + x427 * Four{0.0013299999999999998, 0.0013299999999999998, 0.0007266669999999999, 0.0007266669999999999} + x404 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024};
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2720 = Four{0.0, 0.0, 1.0, 1.0} * x2694 + Four{1.0, 1.0, 0.0, 0.0} * x2491 + Four{0.04, -0.04, 0.05, -0.05} * x2712;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
@@ -1856,11 +1472,24 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Four x3045 = taken<Four>(sine + 0) * x2798 + taken<Four>(cosine + 0) * x2800;
   const Four x3062 = Four{1.0, 1.0, 0.0, 0.0} * x2739 - Four{0.0, 0.0, 1.0, 1.0} * x3028 - Four{0.05, 0.05, -0.15, 0.15} * x3045;
   const Four x3063 = x3062 - Four{0.0, 0.0, 0.29, 0.29} * x3052;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3471 = cosine[27] * x3391 - sine[27] * x3370 - 0.38 * x3468;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x3067 = Four{0.0, 0.0, 1.0, 1.0} * x2739 + Four{1.0, 1.0, 0.0, 0.0} * x3028 - Four{0.09, -0.09, 0.0, 0.0} * x3045;
   const Four x3068 = Four{0.0, 0.0, 0.29, 0.29} * x3049 + x3067;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3473 = sine[27] * x3391 + cosine[27] * x3370 + 0.38 * x3465;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Real x3271 = x267 * 9.5 + x1522 + (x3045[2] + x3045[3]);
+  // link 16 "torso": force that the reference field takes
+  const Real x1529 = x281 * 1.6150000000000002 - x282 * 0.095 + x271 * 9.5;
+  const Real x1534 = x257 * 9.5 + x290 * 1.6150000000000002 + x286 * 0.095;
   // joint 15 "waist_pitch": articulated-body inertia and bias force through it
   const Real x3497 = 1 / x3480;
-  const Real x3499 = x3497 * (tau[20] - (x3068[2] + x3068[3] + x1517 + x3473));
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3492 = x1516 - x267 * 0.095 + (x3068[2] + x3068[3]) + x3473;
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
+  const Real x3499 = x3497 * (tau[20] - x3492);
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2809 = taken<Four>(sine + 0) * x2762 + taken<Four>(cosine + 0) * x2774;
   const Four x2819 = x2768 + x2816;
@@ -1892,19 +1521,34 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x3513 = x2911[2] + x2911[3] - x3194 * x3502;
   const Real x3516 = x2929[2] + x2929[3] - x3194 * x3503;
   const Real x3519 = x2944[2] + x2944[3] + 0.095 - x3194 * x3504;
-  const Real x3522 = x3474 - x3475 * x3501;
+  const Real x3522 = x2999[2] + x2999[3] + 0.42813300000000004 + x3444 - x3475 * x3501;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3476 = x2918[2] + x2918[3] + (sine[27] * x3330 + 0.38 * x3416);
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
   const Real x3525 = x3476 + x3475 * x3502;
-  const Real x3529 = x3478 - x3475 * x3503;
-  const Real x3532 = x3479 - x3475 * x3504;
+  const Real x3529 = x2933[2] + x2933[3] - x3432 - x3475 * x3503;
+  const Real x3532 = -1.6150000000000002 - (x2951[2] + x2951[3]) + x3438 - x3475 * x3504;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3484 = x2886[2] + x2886[3] + 9.5 + (0.74412265758092 + x3323 + 0.4);
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
   const Real x3535 = x3484 - x3481 * x3502;
-  const Real x3538 = x3485 - x3481 * x3503;
-  const Real x3541 = x3486 - x3481 * x3504;
-  const Real x3544 = x3487 - x3482 * x3503;
-  const Real x3547 = x3488 - x3482 * x3504;
-  const Real x3550 = x3489 - x3483 * x3504;
-  const Real x3552 = x3057[2] + x3057[3] + x1509 + tau[27] + x3194 * x3499;
-  const Real x3554 = x3063[2] + x3063[3] + x1512 + x3471 + x3475 * x3499;
-  const Real x3556 = x3045[2] + x3045[3] + x1523 + x3374 + x3481 * x3499;
+  const Real x3538 = x2890[2] + x2890[3] + x3415 - x3481 * x3503;
+  const Real x3541 = x2893[2] + x2893[3] + x3416 - x3481 * x3504;
+  const Real x3544 = x2905[2] + x2905[3] + 9.5 + x3422 - x3482 * x3503;
+  const Real x3547 = x2902[2] + x2902[3] + x3419 - x3482 * x3504;
+  const Real x3550 = x2906[2] + x2906[3] + 9.5 + x3423 - x3483 * x3504;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3490 = x1489 + x257 * 0.095 + (x3057[2] + x3057[3]) + tau[27];
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
+  const Real x3552 = x3490 + x3194 * x3499;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3491 = x1499 - x257 * 1.6150000000000002 + (x3063[2] + x3063[3]) + x3471;
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
+  const Real x3554 = x3491 + x3475 * x3499;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3493 = cosine[28] * x3290 - sine[28] * x3292 + x1568 + x3271;
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
+  const Real x3556 = x3493 + x3481 * x3499;
   const Real x3558 = x3049[2] + x3049[3] + x1529 + x3465 + x3482 * x3499;
   const Real x3560 = x3052[2] + x3052[3] + x1534 + x3468 + x3483 * x3499;
   const Real x3564 = cosine[26] * x3519 - sine[26] * x3532;
@@ -1935,7 +1579,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x3661 = 0.0014025 + x3638;
   require_more(w, x3661, 0.0, kFactorization, 14);
   const Real x3662 = -0.018000000000000002 + x3615;
+  // link 15 "abdomen": force that the reference field takes
+  const Real x1447 = x188 * 0.0014025 + x222 * 0.00027750000000000013 + x193 * 0.018000000000000002;
+  const Real x1450 = x136 * 0.0014025 - x217 * 0.00027750000000000013 - x203 * 0.018000000000000002;
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
   const Real x3657 = sine[26] * x3552 + cosine[26] * x3554 - 0.04 * x3560;
+  const Real x3649 = cosine[26] * x3556 - sine[26] * x3558;
   // joint 14 "waist_roll": articulated-body inertia and bias force through it
   const Real x3673 = 1 / x3661;
   const Real x3675 = x3673 * (tau[19] - (x1450 + x3657));
@@ -1961,15 +1610,21 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x3725 = 0.9 + x3611 - x3622 * x3680;
   const Real x3727 = tau[20] + 0.04 * x3652 + x1447 + x3628 * x3675;
   // joint 15 "waist_pitch": articulated-body inertia and bias force through it
-  const Real x3667 = cosine[26] * x3552 - sine[26] * x3554 + x1438;
+  const Real x3667 = cosine[26] * x3552 - sine[26] * x3554 + x191 * 0.001125;
   // joint 14 "waist_roll": articulated-body inertia and bias force through it
   const Real x3729 = x3667 + x3631 * x3675;
-  const Real x3731 = x1453 + x3560 + x3662 * x3675;
   // joint 15 "waist_pitch": articulated-body inertia and bias force through it
-  const Real x3670 = cosine[26] * x3556 - sine[26] * x3558 - x1458;
+  const Real x3669 = x203 * 0.9 + x218 * 0.018000000000000002 + x3560;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3731 = x3669 + x3662 * x3675;
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
+  const Real x3670 = x3649 - (x208 * 0.9 + x220 * 0.018000000000000002);
   // joint 14 "waist_roll": articulated-body inertia and bias force through it
   const Real x3733 = x3670 + x3619 * x3675;
-  const Real x3735 = x1462 + x3652 + x3622 * x3675;
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
+  const Real x3671 = x193 * 0.9 + x224 * 0.018000000000000002 + x3652;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3735 = x3671 + x3622 * x3675;
   const Real x3739 = cosine[25] * x3695 - sine[25] * x3707;
   const Real x3742 = sine[25] * x3695 + cosine[25] * x3707;
   const Real x3748 = cosine[25] * (x3689 - x3704) - sine[25] * (x3692 + x3701);
@@ -1996,7 +1651,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x3811 = x3698 + x3766 + (0.05 * x3739 + 0.05 * x3790);
   const Real x3837 = x3683 - x3766 + 0.001;
   require_more(w, x3837, 0.0, kFactorization, 13);
+  // link 14 "waist_link": force that the reference field takes
+  const Real x1411 = x136 * 0.00106 - x161 * 6e-05 - x149 * 0.016;
+  const Real x1413 = x166 * 6e-05 - x137 * 0.00106 + x145 * 0.016;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
   const Real x3832 = cosine[25] * x3727 - sine[25] * x3729 + 0.05 * x3735;
+  const Real x3827 = sine[25] * x3731 + cosine[25] * x3733;
   // joint 13 "waist_yaw": articulated-body inertia and bias force through it
   const Real x3847 = 1 / x3837;
   const Real x3849 = x3847 * (tau[18] - (sine[25] * x3727 + cosine[25] * x3729));
@@ -2021,10 +1681,16 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x3897 = x3783 - x3752 * x3855;
   const Real x3903 = tau[19] - 0.05 * x3824 + x1411 - x3806 * x3849;
   const Real x3905 = x1413 + x3832 + x3813 * x3849;
-  const Real x3907 = x1416 + x3735 + x3742 * x3849;
-  const Real x3909 = x1419 + x3824 + x3752 * x3849;
   // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x3845 = sine[25] * x3731 + cosine[25] * x3733 - x1424;
+  const Real x3843 = x145 * 0.8 + x168 * 0.016 + x3735;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x3907 = x3843 + x3742 * x3849;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3844 = x149 * 0.8 + x162 * 0.016 + x3824;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x3909 = x3844 + x3752 * x3849;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3845 = x3827 - (x141 * 0.8 + x164 * 0.016);
   // joint 13 "waist_yaw": articulated-body inertia and bias force through it
   const Real x3924 = cosine[24] * (x3864 - x3879) - sine[24] * (x3867 + x3876);
   const Real x3925 = sine[24] * x3924;
@@ -2065,9 +1731,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x3900 = x3710 - x3784 + 0.8 - x3755 * x3855;
   const Real x4025 = x2906[0] + x2906[1] + 6.2 + x3900;
   const Real x4008 = cosine[24] * x3903 - sine[24] * x3905 - 0.09 * x4005;
-  const Real x4026 = x3057[0] + x3057[1] + x1644 + x4008;
+  const Real x4026 = x118 * 0.015086599999999999 - tau[3] + (x3057[0] + x3057[1]) + x4008;
   const Real x4010 = sine[24] * x3903 + cosine[24] * x3905 + 0.09 * x4002;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Real x3246 = x3068[0] + x3068[1] - (v[3] * v[4] * 0.01488 + tau[5]);
+  const Real x3249 = x3052[0] + x3052[1] - (x119 * 0.12400000000000001 + tau[2]);
   const Real x3117 = x2987[0] + x2987[1];
   const Real x3142 = x3024[0] + x3024[1] + 0.0351333;
   // link 1 "pelvis": acceleration from its articulated-body inertia
@@ -2124,28 +1792,28 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   require_more(w, x4127, x4162, kFactorization, 0);
   const Real x4163 = x4025 * 1.7763568394002505e-15;
   require_more(w, x4156, x4163, kFactorization, 0);
-  const Real x4172 = x4026 * x4033 - (x3063[0] + x3063[1] - x1645 + x4010);
-  const Real x4177 = x4026 * x4034 - (x3068[0] + x3068[1] - x1647 + tau[18]);
-  const Real x4178 = x4177 - x4054 * x4172;
-  const Real x4185 = x4026 * x4035 - (x3045[0] + x3045[1] + x1640 + x4002);
-  const Real x4187 = x4185 - x4055 * x4172 - x4083 * x4178;
-  const Real x4196 = x4026 * x4036 - (x3049[0] + x3049[1] + x1641 + x4005);
-  const Real x4198 = x4196 - x4056 * x4172 - x4084 * x4178;
-  const Real x4199 = x4198 - x4114 * x4187;
   // joint 13 "waist_yaw": articulated-body inertia and bias force through it
-  const Real x4031 = x3052[0] + x3052[1] - x1642 + (x3845 + x3755 * x3849);
+  const Real x4027 = x3063[0] + x3063[1] - (x121 * 0.00020659999999999716 + tau[4]) + x4010;
   // link 1 "pelvis": acceleration from its articulated-body inertia
-  const Real x4211 = x4026 * x4037 - x4031 - x4057 * x4172;
-  const Real x4213 = x4211 - x4085 * x4178 - x4115 * x4187;
-  const Real x4221 = 1 / x4156 * (x4213 - x4141 * x4199);
-  w.x[197] = x4221;
+  const Real x4172 = x4026 * x4033 - x4027;
+  const Real x4178 = x4026 * x4034 - (x3246 + tau[18]) - x4054 * x4172;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x4029 = x121 * 0.12400000000000001 - tau[0] + (x3045[0] + x3045[1]) + x4002;
+  // link 1 "pelvis": acceleration from its articulated-body inertia
+  const Real x4186 = x4026 * x4035 - x4029 - x4055 * x4172;
+  const Real x4187 = x4186 - x4083 * x4178;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x4030 = x118 * 0.12400000000000001 - tau[1] + (x3049[0] + x3049[1]) + x4005;
+  // link 1 "pelvis": acceleration from its articulated-body inertia
+  const Real x4197 = x4026 * x4036 - x4030 - x4056 * x4172;
+  const Real x4199 = x4197 - x4084 * x4178 - x4114 * x4187;
+  const Real x4210 = x4026 * x4037 - (x3845 + x3755 * x3849 + x3249);
+  const Real x4212 = x4210 - x4057 * x4172 - x4085 * x4178;
+  const Real x4221 = 1 / x4156 * (x4212 - x4115 * x4187 - x4141 * x4199);
   const Real x4224 = x4140 * x4199 - x4141 * x4221;
-  w.x[192] = x4224;
   const Real x4230 = x4113 * x4187 - x4115 * x4221 - x4114 * x4224;
-  w.x[191] = x4230;
   const Real x4238 = x4082 * x4178 - x4085 * x4221 - x4084 * x4224;
   const Real x4239 = x4238 - x4083 * x4230;
-  w.x[190] = x4239;
   w.result[5] = x4239;
   const Real x4249 = x4053 * x4172 - x4057 * x4221 - x4056 * x4224;
   const Real x4251 = x4249 - x4055 * x4230 - x4054 * x4239;
@@ -2157,7 +1825,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   w.result[3] = x4271;
   // joint 13 "waist_yaw": its acceleration, and that of the link beyond
   const Real x4281 = sine[24] * x4251 - cosine[24] * x4270;
-  w.x[189] = x4281;
   const Real x4285 = sine[24] * x4270 + cosine[24] * x4251;
   const Real x4304 = x3849 - x3855 * x4221 + x3850 * x4281;
   const Real x4274 = x4230 + 0.09 * x4251;
@@ -2166,7 +1833,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x4292 = cosine[24] * x4277 - sine[24] * x4274;
   const Real x4306 = x4304 - x3852 * x4285 - x3853 * x4288;
   const Real x4307 = x4306 - x3854 * x4292;
-  w.x[188] = x4307;
   // joint 14 "waist_roll": its acceleration, and that of the link beyond
   const Real x4321 = cosine[25] * x4307 - sine[25] * x4285;
   const Real x4311 = x4288 + 0.05 * x4285;
@@ -2175,114 +1841,29 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x4328 = cosine[25] * x4221 - sine[25] * x4314;
   const Real x4340 = x3675 - x3680 * x4311 - x3678 * x4324;
   const Real x4317 = cosine[25] * x4285 + sine[25] * x4307;
-  w.x[187] = x4317;
   const Real x4342 = x4340 - x3679 * x4328 - x3676 * x4317;
   const Real x4343 = x4342 - x3677 * x4321;
-  w.x[186] = x4343;
   // joint 15 "waist_pitch": its acceleration, and that of the link beyond
   const Real x4353 = cosine[26] * x4321 + sine[26] * x4343;
-  w.x[185] = x4353;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": their accelerations, and those of the links beyond
   const Four x4381 = Four{x4271, x4271, x4353, x4353};
-  put(x4381, w.x.data() + 144);
   // joint 15 "waist_pitch": its acceleration, and that of the link beyond
   const Real x4357 = cosine[26] * x4343 - sine[26] * x4321;
-  w.x[184] = x4357;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": their accelerations, and those of the links beyond
   const Four x4382 = Four{x4251, x4251, x4357, x4357};
-  put(x4382, w.x.data() + 140);
   // joint 15 "waist_pitch": its acceleration, and that of the link beyond
   const Real x4350 = x4311 + 0.04 * x4317;
   const Real x4360 = cosine[26] * x4328 + sine[26] * x4350;
-  w.x[183] = x4360;
   const Real x4364 = cosine[26] * x4350 - sine[26] * x4328;
-  w.x[182] = x4364;
   const Real x4376 = x3499 - x3502 * x4360 - x3503 * x4364;
   const Real x4347 = x4324 - 0.04 * x4343;
-  w.x[181] = x4347;
   const Real x4378 = x4376 - x3500 * x4353 - x3501 * x4357;
   const Real x4379 = x4378 - x3504 * x4347;
-  w.x[180] = x4379;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": their accelerations, and those of the links beyond
   const Four x4383 = Four{x4239, x4239, x4379, x4379};
-  put(x4383, w.x.data() + 136);
-  const Four x4385 = Four{x4224, x4224, x4364, x4364};
-  put(x4385, w.x.data() + 132);
-  const Four x4386 = Four{x4221, x4221, x4347, x4347};
-  put(x4386, w.x.data() + 128);
-  const Four x4389 = Four{0.09, -0.09, 0.0, 0.0} * x4383;
-  put(x4389, w.x.data() + 124);
-  const Four x4393 = Four{x4230, x4230, x4360, x4360} - Four{0.05, 0.05, -0.15, 0.15} * x4382;
-  put(x4393, w.x.data() + 120);
-}
-
-ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_3(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x99 = w.x[0];
-  const Real x104 = w.x[1];
-  const Real x109 = w.x[2];
-  const Four x592 = taken<Four>(w.x.data() + 76);
-  const Four x597 = taken<Four>(w.x.data() + 80);
-  const Four x1656 = taken<Four>(w.x.data() + 504);
-  const Four x1812 = taken<Four>(w.x.data() + 508);
-  const Four x1813 = taken<Four>(w.x.data() + 216);
-  const Four x1814 = taken<Four>(w.x.data() + 220);
-  const Four x1815 = taken<Four>(w.x.data() + 208);
-  const Four x1816 = taken<Four>(w.x.data() + 212);
-  const Four x1817 = taken<Four>(w.x.data() + 204);
-  const Four x2121 = taken<Four>(w.x.data() + 516);
-  const Four x2122 = taken<Four>(w.x.data() + 232);
-  const Four x2123 = taken<Four>(w.x.data() + 228);
-  const Four x2124 = taken<Four>(w.x.data() + 240);
-  const Four x2125 = taken<Four>(w.x.data() + 244);
-  const Four x2126 = taken<Four>(w.x.data() + 224);
-  const Four x2304 = taken<Four>(w.x.data() + 536);
-  const Four x2305 = taken<Four>(w.x.data() + 268);
-  const Four x2306 = taken<Four>(w.x.data() + 264);
-  const Four x2308 = taken<Four>(w.x.data() + 248);
-  const Four x2309 = taken<Four>(w.x.data() + 236);
-  const Four x2310 = taken<Four>(w.x.data() + 292);
-  const Four x2494 = taken<Four>(w.x.data() + 152);
-  const Four x2495 = taken<Four>(w.x.data() + 316);
-  const Four x2496 = taken<Four>(w.x.data() + 312);
-  const Four x2497 = taken<Four>(w.x.data() + 284);
-  const Four x2498 = taken<Four>(w.x.data() + 300);
-  const Four x2499 = taken<Four>(w.x.data() + 276);
-  const Four x2742 = taken<Four>(w.x.data() + 148);
-  const Four x2743 = taken<Four>(w.x.data() + 408);
-  const Four x2744 = taken<Four>(w.x.data() + 404);
-  const Four x2745 = taken<Four>(w.x.data() + 332);
-  const Four x2746 = taken<Four>(w.x.data() + 324);
-  const Four x2747 = taken<Four>(w.x.data() + 340);
-  const Real x3277 = w.x[179];
-  const Real x3378 = w.x[194];
-  const Real x3379 = w.x[195];
-  const Real x3380 = w.x[196];
-  const Real x4221 = w.x[197];
-  const Real x4224 = w.x[192];
-  const Real x4230 = w.x[191];
-  const Real x4239 = w.x[190];
-  const Real x4281 = w.x[189];
-  const Real x4307 = w.x[188];
-  const Real x4317 = w.x[187];
-  const Real x4343 = w.x[186];
-  const Real x4347 = w.x[181];
-  const Real x4353 = w.x[185];
-  const Real x4357 = w.x[184];
-  const Real x4360 = w.x[183];
-  const Real x4364 = w.x[182];
-  const Real x4379 = w.x[180];
-  const Four x4381 = taken<Four>(w.x.data() + 144);
-  const Four x4382 = taken<Four>(w.x.data() + 140);
-  const Four x4383 = taken<Four>(w.x.data() + 136);
-  const Four x4385 = taken<Four>(w.x.data() + 132);
-  const Four x4386 = taken<Four>(w.x.data() + 128);
-  const Four x4389 = taken<Four>(w.x.data() + 124);
-  const Four x4393 = taken<Four>(w.x.data() + 120);
-  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": their accelerations, and those of the links beyond
-  const Four x4394 = x4393 - x4389;
-  const Four x4399 = x4385 + Four{0.05, 0.05, -0.15, 0.15} * x4381 + Four{0.0, 0.0, 0.29, 0.29} * x4383;
-  const Four x4405 = x4386 - Four{0.0, 0.0, 0.29, 0.29} * x4382 + Four{0.09, -0.09, 0.0, 0.0} * x4381;
+  const Four x4394 = Four{x4230, x4230, x4360, x4360} - Four{0.05, 0.05, -0.15, 0.15} * x4382 - Four{0.09, -0.09, 0.0, 0.0} * x4383;
+  const Four x4399 = Four{x4224, x4224, x4364, x4364} + Four{0.05, 0.05, -0.15, 0.15} * x4381 + Four{0.0, 0.0, 0.29, 0.29} * x4383;
+  const Four x4405 = Four{x4221, x4221, x4347, x4347} - Four{0.0, 0.0, 0.29, 0.29} * x4382 + Four{0.09, -0.09, 0.0, 0.0} * x4381;
   const Four x4412 = Four{1.0, 1.0, 0.0, 0.0} * x4383 - Four{0.0, 0.0, 1.0, 1.0} * x4382;
   const Four x4415 = taken<Four>(cosine + 0) * x4412 + taken<Four>(sine + 0) * x4381;
   const Four x4419 = taken<Four>(cosine + 0) * x4381 - taken<Four>(sine + 0) * x4412;
@@ -2381,11 +1962,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_3(Workspace& w) {
   const Real x4741 = x4740 - x4699;
   w.result[28] = x4741;
   // joint 0 "__base__": acceleration of the base
-  const Real x4742 = x4230 - x99;
+  const Real x4742 = x4230 - (v[2] * v[4] - v[1] * v[5] + x92);
   w.result[0] = x4742;
-  const Real x4743 = x4224 - x104;
+  const Real x4743 = x4224 - (v[0] * v[5] - v[2] * v[3] + x93);
   w.result[1] = x4743;
-  const Real x4744 = x4221 - x109;
+  const Real x4744 = x4221 - (v[1] * v[3] - v[0] * v[4] + x94);
   w.result[2] = x4744;
 }
 
@@ -2403,9 +1984,6 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     name_what_is_not_finite(w, kRead_0, kOwned_0);
   take_sines_and_cosines(q, kAngles_0, w.sine.data(), w.cosine.data());
   part_0_0(w);
-  part_0_1(w);
-  part_0_2(w);
-  part_0_3(w);
   stamp(1);
   stamp(2);
   stamp(3);

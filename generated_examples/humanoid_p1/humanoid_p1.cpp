@@ -403,7 +403,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 namespace {
 
-constexpr std::array<MessageInfo, 0> kMessages{ {
+[[maybe_unused]] constexpr std::array<MessageInfo, 0> kMessages{ {
 } };
 
 }  // namespace

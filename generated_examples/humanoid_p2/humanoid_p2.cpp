@@ -421,7 +421,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 namespace {
 
-constexpr std::array<MessageInfo, 4> kMessages{ {
+[[maybe_unused]] constexpr std::array<MessageInfo, 4> kMessages{ {
     {0, 1, 27},  // 0: what hangs on "torso"
     {1, 0, 27},  // 1: what hangs on "torso"
     {0, 1, 61},  // 2: state

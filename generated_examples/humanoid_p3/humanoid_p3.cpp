@@ -420,7 +420,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 namespace {
 
-constexpr std::array<MessageInfo, 8> kMessages{ {
+[[maybe_unused]] constexpr std::array<MessageInfo, 8> kMessages{ {
     {2, 1, 42},  // 0: assembled: chain of "left_shoulder_roll"
     {1, 0, 42},  // 1: assembled: chain of "waist_roll"
     {0, 1, 6},  // 2: forces on: chain of "waist_roll"

@@ -206,7 +206,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 namespace {
 
-constexpr std::array<MessageInfo, 0> kMessages{ {
+[[maybe_unused]] constexpr std::array<MessageInfo, 0> kMessages{ {
 } };
 
 }  // namespace
@@ -233,7 +233,7 @@ struct Workspace {
   std::array<Value, kNqdd> result{};
   std::array<Real*, kPlanMessages> to{};          // messages to be sent
   std::array<const Real*, kPlanMessages> from{};  // messages received
-  alignas(kCacheLine) std::array<Value, 71> x{};
+  alignas(kCacheLine) std::array<Value, 0> x{};
 };
 
 }  // namespace
@@ -259,23 +259,13 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Real x12 = v[1] * v[2];
   const Real x14 = v[0] * v[2];
   const Real x15 = v[2] * v[2];
-  // link 1 "cart": force that the reference field takes
-  const Real x659 = x14 * 0.9938046806644694;
-  w.x[0] = x659;
-  const Real x665 = x15 * 0.9938046806644694 - x12 * 35.5;
-  w.x[1] = x665;
-  const Real x666 = x14 * 35.5;
-  w.x[2] = x666;
   // joint 1 "laser_spin": placement, velocity and reference acceleration of its link
   const Real x29 = x12 + x15 * 0.22;
   // link 2 "laser": force that the reference field takes
   const Real x682 = (cosine[1] * x29 + x14 * sine[1]) * 0.35;
-  w.x[3] = x682;
   const Real x684 = (sine[1] * x29 - x14 * cosine[1]) * 0.35;
-  w.x[4] = x684;
   // joint 2 "lift": placement, velocity and reference acceleration of its link
   const Real x57 = -0.08507706744923418 + q[4] * 0.04997916927067833;
-  w.x[5] = x57;
   const Real x60 = v[2] * 0.9987502603949663;
   const Real x61 = v[2] * 0.04997916927067833;
   const Real x65 = x12 + x15 * x57;
@@ -284,30 +274,15 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Real x80 = x14 + v[4] * (2.0 * x61);
   const Real x83 = x60 * x60;
   const Real x87 = x60 * x61;
-  // link 3 "carriage": force that the reference field takes
-  const Real x705 = x80 * 0.336;
-  w.x[6] = x705;
-  const Real x709 = x74 * 4.2 - x83 * 0.336;
-  w.x[7] = x709;
-  const Real x710 = x80 * 4.2;
-  w.x[8] = x710;
-  const Real x714 = x70 * 4.2 - x87 * 0.336;
-  w.x[9] = x714;
   // joint 3 "shoulder": placement, velocity and reference acceleration of its link
   const Real x105 = 0.12208685160190179 * sine[2];
   const Real x106 = 0.9755826296796196 * cosine[2] + x105;
-  w.x[10] = x106;
   const Real x107 = 0.12208685160190179 * cosine[2];
   const Real x109 = x107 - 0.9755826296796196 * sine[2];
-  w.x[11] = x109;
   const Real x114 = x107 + sine[2] * 0.3895657419904911;
-  w.x[12] = x114;
   const Real x119 = x105 - cosine[2] * 0.3895657419904911;
-  w.x[13] = x119;
   const Real x123 = 0.18257418583505539 * cosine[2] - 0.9128709291752769 * sine[2];
-  w.x[14] = x123;
   const Real x127 = 0.9128709291752769 * cosine[2] + 0.18257418583505539 * sine[2];
-  w.x[15] = x127;
   const Real x132 = x60 * x123 - x61 * x106;
   const Real x137 = x61 * x109 + x60 * x127;
   const Real x146 = v[5] - (x61 * 0.18257418583505539 + x60 * 0.36514837167011077);
@@ -343,17 +318,11 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Real x842 = x182 * 2.4 + x206 * 0.42145169602159566 - x201 * 0.05274151989202157;
   // joint 4 "wrist": placement, velocity and reference acceleration of its link
   const Real x229 = 0.04136261787763011 * sine[3] - cosine[3] * 0.4028214625008311;
-  w.x[16] = x229;
   const Real x233 = 0.04136261787763011 * cosine[3] + sine[3] * 0.4028214625008311;
-  w.x[17] = x233;
   const Real x240 = cosine[3] * 0.4955543024180784 + sine[3] * 0.8497464879390758;
-  w.x[18] = x240;
   const Real x246 = sine[3] * 0.4955543024180784 - cosine[3] * 0.8497464879390758;
-  w.x[19] = x246;
   const Real x251 = 0.7695198520529689 * cosine[3] - sine[3] * 0.5255663993041366;
-  w.x[20] = x251;
   const Real x255 = cosine[3] * 0.5255663993041366 + 0.7695198520529689 * sine[3];
-  w.x[21] = x255;
   const Real x262 = x132 * x229 + x146 * x251 + x137 * x240;
   const Real x269 = x132 * x233 - x146 * x255 - x137 * x246;
   const Real x276 = x132 * 0.9143434820629502 + x146 * 0.3627935462750979 + x137 * 0.17988007001927067;
@@ -406,30 +375,18 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Real x414 = x410 + x411;
   const Real x416 = 1.0 - (x396 + x407);
   const Real x427 = q[8] * 0.9362933635841992 - q[7] * 0.19866933079506122 - q[9] * 0.28962947762551555;
-  w.x[22] = x427;
   const Real x431 = 0.08 + q[8] * 0.29552020666133955 + q[9] * 0.955336489125606;
-  w.x[23] = x431;
   const Real x438 = 0.1 + q[7] * 0.9800665778412416 + q[8] * 0.18979606097868743;
   const Real x439 = x438 - q[9] * 0.058710801693826524;
-  w.x[24] = x439;
   const Real x446 = 0.9362933635841992 * x406 - x413 * 0.28962947762551555 - x399 * 0.19866933079506122;
-  w.x[25] = x446;
   const Real x454 = 0.9362933635841992 * x409 - (x402 * 0.19866933079506122 + x414 * 0.28962947762551555);
-  w.x[26] = x454;
   const Real x461 = 0.9362933635841992 * x412 - x405 * 0.19866933079506122 - x416 * 0.28962947762551555;
-  w.x[27] = x461;
   const Real x464 = 0.29552020666133955 * x406 + 0.955336489125606 * x413;
-  w.x[28] = x464;
   const Real x467 = 0.29552020666133955 * x409 + 0.955336489125606 * x414;
-  w.x[29] = x467;
   const Real x470 = 0.29552020666133955 * x412 + 0.955336489125606 * x416;
-  w.x[30] = x470;
   const Real x476 = 0.18979606097868743 * x406 - x413 * 0.058710801693826524 + 0.9800665778412416 * x399;
-  w.x[31] = x476;
   const Real x482 = 0.9800665778412416 * x402 - x414 * 0.058710801693826524 + 0.18979606097868743 * x409;
-  w.x[32] = x482;
   const Real x488 = 0.9800665778412416 * x405 + 0.18979606097868743 * x412 - x416 * 0.058710801693826524;
-  w.x[33] = x488;
   const Real x493 = x262 * x446 + x269 * x464 + x277 * x476;
   const Real x498 = x262 * x454 + x269 * x467 + x277 * x482;
   const Real x503 = x262 * x461 + x269 * x470 + x277 * x488;
@@ -493,17 +450,8 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Real x1017 = tau[11] - (x936 + x598 * 0.009 - x608 * 0.006);
   const Real x1018 = tau[12] - (x950 + x603 * 0.006 + x598 * 0.012);
   const Real x1040 = 1666.6666666666667 * (x1016 + 0.015 * x1014 + 0.02 * x1015);
-  w.x[34] = x1040;
   const Real x1041 = 1666.6666666666667 * (x1017 - 0.015 * x1013 + 0.01 * x1015);
-  w.x[35] = x1041;
   const Real x1042 = 1666.6666666666667 * (x1018 - 0.02 * x1013 - 0.01 * x1014);
-  w.x[36] = x1042;
-  const Real x1048 = 1.6666666666666667 * x1015 + 0.02 * x1040 + 0.01 * x1041;
-  w.x[37] = x1048;
-  const Real x1054 = 1.6666666666666667 * x1014 + 0.015 * x1040 - 0.01 * x1042;
-  w.x[38] = x1054;
-  const Real x1060 = 1.6666666666666667 * x1013 - 0.015 * x1041 - 0.02 * x1042;
-  w.x[39] = x1060;
   const Real x1080 = x446 * tau[7] + x454 * tau[8] + x461 * tau[9];
   const Real x1085 = x464 * tau[7] + x467 * tau[8] + x470 * tau[9];
   const Real x1090 = x476 * tau[7] + x482 * tau[8] + x488 * tau[9];
@@ -525,7 +473,6 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   // joint 4 "wrist": articulated-body inertia and bias force through it
   const Real x1114 = tau[6] - (x293 * 0.0021075 + x350 * 0.0017325 + x1105);
   const Real x1115 = 474.4958481613286 * x1114;
-  w.x[40] = x1115;
   const Real x1116 = x233 * 0.09000000000000001;
   const Real x1117 = x229 * 0.09000000000000001;
   const Real x1119 = x246 * 0.09000000000000001;
@@ -601,17 +548,11 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Real x1421 = x1370 + 0.3707213992782555 * x1382 - 0.04639300360872268 * x1375 + x816;
   // joint 3 "shoulder": articulated-body inertia and bias force through it
   const Real x1428 = x1426 * (tau[5] - x1421);
-  w.x[41] = x1428;
   const Real x1429 = x1406 * x1426;
-  w.x[42] = x1429;
   const Real x1430 = x1410 * x1426;
-  w.x[43] = x1430;
   const Real x1431 = x1414 * x1426;
-  w.x[44] = x1431;
   const Real x1432 = x1415 * x1426;
-  w.x[45] = x1432;
   const Real x1433 = x1288 * x1426;
-  w.x[46] = x1433;
   const Real x1436 = x1297 - 0.06937819061732105 * x1266 + 0.0068750620755951355 - x1406 * x1429;
   const Real x1439 = x1307 - 0.3707213992782555 * x1280 + -0.012234548981428322 - x1406 * x1430;
   const Real x1442 = x1251 - x1406 * x1431;
@@ -622,145 +563,36 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Real x1457 = x1270 - x1410 * x1432;
   const Real x1460 = -0.42145169602159566 + x1285 - x1410 * x1433;
   const Real x1463 = 2.4 + x1215 - x1414 * x1431;
-  w.x[47] = x1463;
   const Real x1466 = x1221 - x1414 * x1432;
-  w.x[48] = x1466;
   const Real x1469 = x1227 - x1414 * x1433;
-  w.x[49] = x1469;
   const Real x1472 = 2.4 + x1233 - x1415 * x1432;
-  w.x[50] = x1472;
   const Real x1475 = x1240 - x1415 * x1433;
-  w.x[51] = x1475;
   const Real x1478 = 2.4 + x1246 - x1288 * x1433;
-  w.x[52] = x1478;
   // joint 4 "wrist": articulated-body inertia and bias force through it
   const Real x1419 = x1356 + 0.04639300360872268 * x1388 - 0.06937819061732105 * x1382 + x806;
   // joint 3 "shoulder": articulated-body inertia and bias force through it
   const Real x1480 = x1419 + x1406 * x1428;
-  w.x[53] = x1480;
   // joint 4 "wrist": articulated-body inertia and bias force through it
   const Real x1420 = x1364 + 0.06937819061732105 * x1375 - 0.3707213992782555 * x1388 + x811;
   // joint 3 "shoulder": articulated-body inertia and bias force through it
   const Real x1482 = x1420 + x1410 * x1428;
-  w.x[54] = x1482;
   const Real x1484 = x207 * 0.07887204828074391 + x824 + x1375 + x1414 * x1428;
-  w.x[55] = x1484;
   const Real x1486 = x200 * 0.07887204828074391 + x833 + x1382 + x1415 * x1428;
-  w.x[56] = x1486;
   const Real x1488 = x842 - x203 * 0.07887204828074391 + x1388 + x1288 * x1428;
-  w.x[57] = x1488;
   const Real x1491 = x106 * x1442 + x109 * x1454;
   const Real x1494 = x106 * x1445 + x109 * x1457;
   const Real x1497 = x106 * x1448 + x109 * x1460;
   const Real x1513 = x123 * x1442 - x127 * x1454;
   const Real x1517 = x123 * x1445 - x127 * x1457;
   const Real x1521 = x123 * x1448 - x127 * x1460;
-  const Real x1526 = x106 * x1491 + x109 * x1494 + 0.18257418583505539 * x1497;
-  w.x[58] = x1526;
   const Real x1532 = x119 * x1494 - x114 * x1491 + 0.9128709291752769 * x1497;
-  w.x[59] = x1532;
-  const Real x1539 = x123 * x1491 - x127 * x1494 - 0.36514837167011077 * x1497;
-  w.x[60] = x1539;
-  const Real x1562 = x106 * x1513 + x109 * x1517 + 0.18257418583505539 * x1521;
-  w.x[61] = x1562;
   const Real x1568 = x119 * x1517 - x114 * x1513 + 0.9128709291752769 * x1521;
-  w.x[62] = x1568;
-  const Real x1575 = x123 * x1513 - x127 * x1517 - 0.36514837167011077 * x1521;
-  w.x[63] = x1575;
   const Real x1578 = x106 * x1436 + x109 * x1439;
   const Real x1581 = x106 * x1439 + x109 * x1451;
-  const Real x1600 = x106 * x1578 + x109 * x1581;
-  w.x[64] = x1600;
-  const Real x1608 = x123 * x1578 - x127 * x1581;
-  w.x[65] = x1608;
   const Real x1617 = x123 * (x123 * x1436 - x127 * x1439);
-  const Real x1620 = x1617 - x127 * (x123 * x1439 - x127 * x1451);
-  w.x[66] = x1620;
   const Real x1625 = x106 * x1463 + x109 * x1466 + 0.18257418583505539 * x1469;
-  w.x[67] = x1625;
   const Real x1630 = x106 * x1466 + x109 * x1472 + 0.18257418583505539 * x1475;
-  w.x[68] = x1630;
-  const Real x1631 = x106 * x1469;
-  w.x[69] = x1631;
-  const Real x1632 = x109 * x1475;
-  w.x[70] = x1632;
-}
-
-ADAGEN_NOINLINE void part_0_1(Workspace& w) {
-  ADAGEN_INPUTS
-  const Real x57 = w.x[5];
-  const Real x106 = w.x[10];
-  const Real x109 = w.x[11];
-  const Real x114 = w.x[12];
-  const Real x119 = w.x[13];
-  const Real x123 = w.x[14];
-  const Real x127 = w.x[15];
-  const Real x229 = w.x[16];
-  const Real x233 = w.x[17];
-  const Real x240 = w.x[18];
-  const Real x246 = w.x[19];
-  const Real x251 = w.x[20];
-  const Real x255 = w.x[21];
-  const Real x427 = w.x[22];
-  const Real x431 = w.x[23];
-  const Real x439 = w.x[24];
-  const Real x446 = w.x[25];
-  const Real x454 = w.x[26];
-  const Real x461 = w.x[27];
-  const Real x464 = w.x[28];
-  const Real x467 = w.x[29];
-  const Real x470 = w.x[30];
-  const Real x476 = w.x[31];
-  const Real x482 = w.x[32];
-  const Real x488 = w.x[33];
-  const Real x659 = w.x[0];
-  const Real x665 = w.x[1];
-  const Real x666 = w.x[2];
-  const Real x682 = w.x[3];
-  const Real x684 = w.x[4];
-  const Real x705 = w.x[6];
-  const Real x709 = w.x[7];
-  const Real x710 = w.x[8];
-  const Real x714 = w.x[9];
-  const Real x1040 = w.x[34];
-  const Real x1041 = w.x[35];
-  const Real x1042 = w.x[36];
-  const Real x1048 = w.x[37];
-  const Real x1054 = w.x[38];
-  const Real x1060 = w.x[39];
-  const Real x1115 = w.x[40];
-  const Real x1428 = w.x[41];
-  const Real x1429 = w.x[42];
-  const Real x1430 = w.x[43];
-  const Real x1431 = w.x[44];
-  const Real x1432 = w.x[45];
-  const Real x1433 = w.x[46];
-  const Real x1463 = w.x[47];
-  const Real x1466 = w.x[48];
-  const Real x1469 = w.x[49];
-  const Real x1472 = w.x[50];
-  const Real x1475 = w.x[51];
-  const Real x1478 = w.x[52];
-  const Real x1480 = w.x[53];
-  const Real x1482 = w.x[54];
-  const Real x1484 = w.x[55];
-  const Real x1486 = w.x[56];
-  const Real x1488 = w.x[57];
-  const Real x1526 = w.x[58];
-  const Real x1532 = w.x[59];
-  const Real x1539 = w.x[60];
-  const Real x1562 = w.x[61];
-  const Real x1568 = w.x[62];
-  const Real x1575 = w.x[63];
-  const Real x1600 = w.x[64];
-  const Real x1608 = w.x[65];
-  const Real x1620 = w.x[66];
-  const Real x1625 = w.x[67];
-  const Real x1630 = w.x[68];
-  const Real x1631 = w.x[69];
-  const Real x1632 = w.x[70];
-  // joint 3 "shoulder": articulated-body inertia and bias force through it
-  const Real x1635 = x1631 + x1632 + 0.18257418583505539 * x1478;
+  const Real x1635 = x106 * x1469 + x109 * x1475 + 0.18257418583505539 * x1478;
   const Real x1641 = x119 * x1466 - x114 * x1463 + 0.9128709291752769 * x1469;
   const Real x1647 = x119 * x1472 - x114 * x1466 + 0.9128709291752769 * x1475;
   const Real x1653 = x119 * x1475 - x114 * x1469 + 0.9128709291752769 * x1478;
@@ -771,10 +603,17 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Real x1660 = x123 * x1463 - x127 * x1466 - 0.36514837167011077 * x1469;
   const Real x1667 = x123 * x1466 - x127 * x1472 - 0.36514837167011077 * x1475;
   const Real x1674 = x123 * x1469 - x127 * x1475 - 0.36514837167011077 * x1478;
+  const Real x1526 = x106 * x1491 + x109 * x1494 + 0.18257418583505539 * x1497;
+  const Real x1562 = x106 * x1513 + x109 * x1517 + 0.18257418583505539 * x1521;
   const Real x1725 = x1532 - 0.02 * x1698;
   const Real x1731 = x1568 + 0.15 * x1698;
+  const Real x1539 = x123 * x1491 - x127 * x1494 - 0.36514837167011077 * x1497;
   const Real x1734 = x1539 - 0.02 * x1705;
+  const Real x1575 = x123 * x1513 - x127 * x1517 - 0.36514837167011077 * x1521;
   const Real x1740 = x1575 + 0.15 * x1705;
+  const Real x1745 = x106 * x1578 + x109 * x1581 - 0.02 * x1532;
+  const Real x1758 = x123 * x1578 - x127 * x1581 - 0.02 * x1568;
+  const Real x1620 = x1617 - x127 * (x123 * x1439 - x127 * x1451);
   const Real x1809 = x119 * x1486 - x114 * x1484 + 0.9128709291752769 * x1488;
   const Real x1785 = x106 * x1480 + 0.18257418583505539 * tau[5] + x109 * x1482;
   const Real x1798 = x123 * x1480 - 0.36514837167011077 * tau[5] - x127 * x1482;
@@ -786,42 +625,48 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Real x1816 = x123 * x1484 - x127 * x1486 - 0.36514837167011077 * x1488;
   // joint 2 "lift": articulated-body inertia and bias force through it
   const Real x1841 = 1 / x1834;
-  const Real x1843 = x1841 * (tau[4] - (x714 + x1816));
+  const Real x1842 = tau[4] - (x70 * 4.2 - x87 * 0.336 + x1816);
+  const Real x1843 = x1841 * x1842;
   const Real x1844 = x1734 * x1841;
   const Real x1846 = x1740 * x1841;
   const Real x1847 = x1692 * x1841;
   const Real x1848 = x1705 * x1841;
   // joint 3 "shoulder": articulated-body inertia and bias force through it
-  const Real x1827 = x1600 - 0.02 * x1532 - 0.02 * x1725 + 0.02086;
-  const Real x1759 = x1608 - 0.02 * x1568 + 0.15 * x1725;
   const Real x1830 = x1620 + 0.15 * x1568 + 0.15 * x1731 + 0.047740000000000005;
   // joint 2 "lift": articulated-body inertia and bias force through it
   const Real x1878 = x1830 - x1740 * x1846;
   const Real x1887 = 4.2 + x1679 - x1692 * x1847;
   const Real x1893 = 4.2 + x1698 - x1705 * x1848;
-  const Real x1903 = x710 + x1809 + x1705 * x1843;
+  // joint 3 "shoulder": articulated-body inertia and bias force through it
+  const Real x1836 = x1798 + 0.15 * x1809 + x80 * 0.336;
+  const Real x1837 = x74 * 4.2 - x83 * 0.336 + x1803;
+  // joint 2 "lift": articulated-body inertia and bias force through it
+  const Real x1903 = x80 * 4.2 + x1809 + x1705 * x1843;
   const Real x1904 = 0.9987502603949663 * (0.336 + x1731 - x1740 * x1848);
   const Real x1907 = x1904 - 0.04997916927067833 * (x1725 - x1734 * x1848);
   const Real x1915 = 0.04997916927067833 * (x1526 - 0.02 * x1685 - x1734 * x1847);
   const Real x1917 = 0.9987502603949663 * (x1562 + 0.15 * x1685 - x1740 * x1847);
-  const Real x1934 = 0.04997916927067833 * (x1878 - (x1827 - x1734 * x1844));
-  const Real x1943 = 0.04997916927067833 * (x1934 + (x1759 - x1734 * x1846) * 1.9975005207899326);
+  const Real x1851 = x1745 - 0.02 * x1725 + 0.02086 - x1734 * x1844;
+  const Real x1937 = (0.15 * x1725 + x1758 - x1734 * x1846) * 1.9975005207899326;
   const Real x1949 = 0.9987502603949663 * (x1685 - x1692 * x1848);
   const Real x1967 = x57 * x1949 - 0.9987502603949663 * (x1915 - x1917);
   const Real x1976 = x1907 + x57 * x1893;
-  const Real x1899 = x1798 + 0.15 * x1809 + x705 + x1740 * x1843;
+  const Real x1945 = x1878 - 0.04997916927067833 * (0.04997916927067833 * (x1878 - x1851) + x1937);
   const Real x2032 = 0.04997916927067833 * (x1785 - 0.02 * x1809 + x1734 * x1843);
-  const Real x2043 = 0.9987502603949663 * (x709 + x1803 + x1692 * x1843);
-  const Real x2030 = x1878 - x1943 + (x57 * x1907 + x57 * x1976);
+  const Real x2034 = 0.9987502603949663 * (x1836 + x1740 * x1843) - x2032;
+  const Real x2044 = 0.04997916927067833 * tau[4] + 0.9987502603949663 * (x1837 + x1692 * x1843);
   // joint 1 "laser_spin": articulated-body inertia and bias force through it
   const Real x2111 = cosine[1] * x684 - sine[1] * x682;
-  const Real x2133 = 1.4699288717103012 + x2030 + 0.01694;
+  // joint 2 "lift": articulated-body inertia and bias force through it
+  const Real x2061 = x57 * x1907 + x57 * x1976 + x1945 + 1.4699288717103012;
+  // joint 1 "laser_spin": articulated-body inertia and bias force through it
+  const Real x2133 = x2061 + 0.01694;
   const Real x2135 = x1887 - 0.04997916927067833 * (0.04997916927067833 * x1887) + 35.5 + 0.35;
   require_more(w, x2135, 0.0, kFactorization, 0);
   const Real x2136 = 35.5 + x1893 + 0.35;
   // joint 2 "lift": articulated-body inertia and bias force through it
-  const Real x2068 = 0.9987502603949663 * x1899 - x2032 + x57 * x1903 - x659;
-  const Real x2069 = 0.04997916927067833 * tau[4] + x2043 + x665;
+  const Real x2068 = x2034 + x57 * x1903 - x14 * 0.9938046806644694;
+  const Real x2069 = x15 * 0.9938046806644694 - x12 * 35.5 + x2044;
   // joint 0 "drive": articulated-body inertia and bias force through it
   const Real x2147 = 1 / x2135;
   const Real x2148 = x1949 * x2147;
@@ -836,7 +681,8 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Real x2166 = 1.7763568394002505e-15 * x2133;
   require_more(w, x2163, x2166, kFactorization, 0);
   const Real x2167 = tau[0] - (x2069 - (cosine[1] * x682 + sine[1] * x684));
-  const Real x2172 = tau[1] - (x666 + x1903 - x2111) - x2148 * x2167;
+  const Real x2168 = tau[1] - (x14 * 35.5 + x1903 - x2111);
+  const Real x2172 = x2168 - x2148 * x2167;
   const Real x2169 = tau[2] - (x2068 - (tau[3] + 0.22 * x2111));
   const Real x2181 = 1 / x2163 * (x2169 - x2149 * x2167 - x2157 * x2172);
   w.result[2] = x2181;
@@ -888,12 +734,21 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   const Real x2412 = 0.9143434820629502 * x2363 + 0.3627935462750979 * x2375 - 0.17988007001927067 * x2369;
   // joint 5 "loose": its acceleration, and that of the link beyond
   const Real x2434 = x431 * x2381 - x427 * x2388 + x2412;
+  // joint 5 "loose": articulated-body inertia and bias force through it
+  const Real x1060 = 1.6666666666666667 * x1013 - 0.015 * x1041 - 0.02 * x1042;
+  // joint 5 "loose": its acceleration, and that of the link beyond
   const Real x2454 = x446 * x2422 + x464 * x2428 + x476 * x2434;
   const Real x2465 = x1060 - x2454;
   w.result[7] = x2465;
+  // joint 5 "loose": articulated-body inertia and bias force through it
+  const Real x1054 = 1.6666666666666667 * x1014 + 0.015 * x1040 - 0.01 * x1042;
+  // joint 5 "loose": its acceleration, and that of the link beyond
   const Real x2459 = x454 * x2422 + x467 * x2428 + x482 * x2434;
   const Real x2466 = x1054 - x2459;
   w.result[8] = x2466;
+  // joint 5 "loose": articulated-body inertia and bias force through it
+  const Real x1048 = 1.6666666666666667 * x1015 + 0.02 * x1040 + 0.01 * x1041;
+  // joint 5 "loose": its acceleration, and that of the link beyond
   const Real x2464 = x461 * x2422 + x470 * x2428 + x488 * x2434;
   const Real x2467 = x1048 - x2464;
   w.result[9] = x2467;
@@ -925,7 +780,6 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.angle[3] = q[6];
   take_sines_and_cosines<4>(w.angle.data(), w.sine.data(), w.cosine.data());
   part_0_0(w);
-  part_0_1(w);
   stamp(1);
   stamp(2);
   stamp(3);

@@ -228,7 +228,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 namespace {
 
-constexpr std::array<MessageInfo, 6> kMessages{ {
+[[maybe_unused]] constexpr std::array<MessageInfo, 6> kMessages{ {
     {1, 0, 42},  // 0: assembled: chain of "wrist"
     {0, 1, 6},  // 1: forces on: chain of "wrist"
     {0, 1, 32},  // 2: state

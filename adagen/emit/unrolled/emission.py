@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
 from collections.abc import Sequence
 
@@ -20,9 +21,10 @@ from adagen.plan.stages import stages
 from adagen.plan.steps import LinkBias, StartLink
 from adagen.plan.types import Process
 
-CHUNK = 1000
+CHUNK = 4000
 """Values that one function computes, unless it is said otherwise."""
 
+_NAMES = re.compile(r"\bx(\d+)")
 _NAMED = ("reciprocal", "pack", "lane", "across")
 _ANGLES_AT_ONCE = 16  # the most that registers hold
 
@@ -408,17 +410,26 @@ class _ProcessText:
     def _chunk(self, chunk: Chunk) -> list[str]:
         """The statements of one function."""
         lines = [self._load(k, at) for k, at in sorted(chunk.loads.items())]
+        named = self._named(chunk)
         mark = -1
         for index, right in self.text.statements(chunk.values).items():
             node = self.graph.nodes[index]
             if node.mark != mark:
                 mark = node.mark
                 lines.append(f"// {self._described(mark)}")
-            lines.append(f"const {self._type(index)} x{index} = {right};")
             if index in chunk.stores:
-                lines.append(self._store(index, chunk.stores[index]))
+                right = self._stored(index, right, chunk.stores[index])
+            name = f"const {self._type(index)} x{index} = " if index in named else ""
+            lines.append(f"{name}{right};")
             lines += self.followers.get(index, [])
         return lines
+
+    def _named(self, chunk: Chunk) -> set[int]:
+        """The values of a function that it uses itself: all but some that it leaves to others."""
+        lines = " ".join(line for k in chunk.values for line in self.followers.get(k, []))
+        used = {int(number) for number in _NAMES.findall(lines)}
+        used.update(k for index in chunk.values for k in self.graph.nodes[index].args)
+        return used | (set(chunk.values) - set(chunk.stores))
 
     def _described(self, mark: int) -> str:
         return describe_step(self.words, self.process.steps[mark], self.machine.rows.own)
@@ -432,7 +443,8 @@ class _ProcessText:
         kind = self._type(index)
         return f"const {kind} x{index} = taken<{kind}>(w.x.data() + {place});"
 
-    def _store(self, index: int, place: int) -> str:
+    def _stored(self, index: int, right: str, place: int) -> str:
+        """A value that is left to another function where it is computed."""
         if self.graph.nodes[index].width == 1:
-            return f"w.x[{place}] = x{index};"
-        return f"put(x{index}, w.x.data() + {place});"
+            return f"w.x[{place}] = {right}"
+        return f"put({right}, w.x.data() + {place})"

@@ -38,7 +38,7 @@ class Solver {
   Channel channel;
   Text text;  // of the last failure
 
-  static constexpr int kWorkspaces = kGroups;
+  [[maybe_unused]] static constexpr int kWorkspaces = kGroups;
   Workspace& workspace(int k) { return groups_[size(k)].w; }
 
   void close() { channel.close(); }

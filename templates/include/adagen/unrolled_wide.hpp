@@ -44,8 +44,9 @@ ADAGEN_INLINE T taken(const Real* from) {
   return x;
 }
 template <class T>
-ADAGEN_INLINE void put(const T& x, Real* to) {
+ADAGEN_INLINE T put(const T& x, Real* to) {
   std::memcpy(to, &x, sizeof x);
+  return x;
 }
 
 // The sum of the first numbers, half by half.
