@@ -2,6 +2,7 @@
 
 One state a call, with ``out`` and without, beside one state of many, which is solved by the C
 function alone; the least of several rounds, taken by turns.
+Many states of one call on one thread and on two.
 --page writes it into docs/how_to/python.md.
 """
 
@@ -20,7 +21,7 @@ from adagen.studies.bench.machine import machine
 from benchmarks.page import write_between_marks
 
 ROOT = Path(__file__).resolve().parents[1]
-ROUNDS, CALLS, STATES = 15, 20_000, 1000
+ROUNDS, CALLS, STATES, SHARED = 15, 20_000, 1000, 20_000
 
 
 def measured(model: Path) -> dict[str, float]:
@@ -30,11 +31,15 @@ def measured(model: Path) -> dict[str, float]:
     states = random_states(compiled.model, STATES, seed=1)
     q, v, tau = (np.ascontiguousarray(x[0]) for x in (states.q, states.v, states.tau))
     out, many = np.empty_like(v), np.empty_like(states.v)
+    shared = [np.tile(x, (SHARED // STATES, 1)) for x in (states.q, states.v, states.tau)]
+    all_out = np.empty_like(shared[1])
     calls: dict[str, tuple[Callable[[], object], int, int]] = {
         "one of many": (lambda: solver(states.q, states.v, states.tau, out=many), 20, STATES),
         "with out": (lambda: solver(q, v, tau, out=out), CALLS, 1),
         "without": (lambda: solver(q, v, tau), CALLS, 1),
         "an empty lambda": (lambda: None, CALLS, 1),
+        "on one thread": (lambda: solver(*shared, out=all_out, threads=1), 2, SHARED),
+        "on two threads": (lambda: solver(*shared, out=all_out, threads=2), 2, SHARED),
     }
     least = dict.fromkeys(calls, float("inf"))
     for _ in range(ROUNDS):
@@ -55,7 +60,9 @@ def main() -> None:
     above = {name: found[name] - lambda_ - alone for name in ("with out", "without")}
     text = (
         f"`{options.model.name}`: {alone:.0f} ns a state in C; a call from Python takes "
-        f"{above['with out']:.0f} ns more with `out`, {above['without']:.0f} ns without "
+        f"{above['with out']:.0f} ns more with `out`, {above['without']:.0f} ns without. "
+        f"{SHARED} states in one call: {found['on one thread']:.0f} ns a state on one thread, "
+        f"{found['on two threads']:.0f} on two "
         f"({machine()['processor']}, load before {machine()['load_before']})."
     )
     print(text)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from adagen import __version__
@@ -121,7 +122,7 @@ def emit(
         "CMakeLists.txt": template("CMakeLists.txt"),
     }
     if single_file:
-        files[f"{stem}.cpp"] = standalone(text)
+        files[f"{stem}.cpp"] = standalone(text, header=header)
     else:
         files[PROGRAM_FILE] = program_text()
     return files
@@ -191,7 +192,7 @@ def _texts(
     limbs: Grouping | None,
     target: str = "host",
 ) -> tuple[str, str]:
-    """Return the C header and the C++ source of a plan; the source holds the header's text."""
+    """Return the C header and the C++ source of a plan."""
     program = program_of(plan, shape, refine, batch=bool(batch), profile=profile, limbs=limbs)
     check(program)
     refine = refinement_steps(refine, plan.scalar)
@@ -227,7 +228,6 @@ def _texts(
         "program_options": options_of(mpi, words.number),
         "comm": "MPI_Comm" if mpi else "adagen::OneProcess",
         "embedded": embedded,
-        "macros": _macros(plan, mpi=mpi, batch=bool(batch), embedded=embedded, values=of_shape),
         "failures": FAILURES,
         **_head(program, stem, chunk, compiler),
         "algorithm": algorithm(program),
@@ -236,21 +236,25 @@ def _texts(
         **of_shape,
         **(embedded_values(words, of_shape) if embedded else {}),
     }
-    header = render("interface.h.j2", **values)
-    return header, render("solver.cpp.j2", interface=header, **values)
+    return render("interface.h.j2", **values), render(
+        "solver.cpp.j2", macros=_macros(plan, values), **values
+    )
 
 
-def _macros(
-    plan: Plan, *, mpi: bool, batch: bool, embedded: bool, values: dict[str, object]
-) -> list[str]:
+def _macros(plan: Plan, values: Mapping[str, object]) -> list[str]:
     """What tells the headers what they are to do."""
+    settable = {parameter.what for parameter in plan.parameters}
     wanted = {
-        "ADAGEN_MPI": mpi,
-        "ADAGEN_EMBEDDED": embedded,
-        "ADAGEN_BATCH": batch,
+        "ADAGEN_MPI": values["mpi"],
+        "ADAGEN_THREADS": plan.threads,
+        "ADAGEN_EMBEDDED": values["embedded"],
+        "ADAGEN_BATCH": values["batch"],
         "ADAGEN_LOOPS": plan.closed,
-        "ADAGEN_RECOVERS": bool(values.get("recovery")),
+        "ADAGEN_CERTIFIED": plan.certified,
+        "ADAGEN_REFINES": values["refine"],
+        "ADAGEN_RECOVERS": values.get("recovery"),
         "ADAGEN_SETS_GRAVITY": plan.entry_of_parameter("gravity") is not None,
+        **{f"ADAGEN_SETS_{what.upper()}": what in settable for what in ("mass", "center")},
     }
     return [name for name, asked in wanted.items() if asked]
 

@@ -17,6 +17,7 @@ _MPI = "#if defined(ADAGEN_MPI)\n#include <mpi.h>\n#endif\n"
 _COMMENTS = re.compile(r"^//.*\n", re.MULTILINE)
 _SECTION = "#ifndef ADAGEN_NO_MAIN\n"
 _TOLD = f"what the program around it, {PROGRAM_FILE}, is told; main"
+_HEADER = re.compile(r"#if __has_include.*\n#include .*\n#define ADAGEN_HEADER\n#endif\n")
 _LINKS = re.compile(rf"^// links     {re.escape(PROGRAM_FILE)}(.*)\n", re.MULTILINE)
 
 
@@ -37,7 +38,10 @@ def options_of(mpi: bool, number: str) -> str:
 
 
 def standalone(
-    source: str, program: str | None = None, files: Mapping[str, str] | None = None
+    source: str,
+    program: str | None = None,
+    files: Mapping[str, str] | None = None,
+    header: str = "",
 ) -> str:
     """Return an emitted source with runtime and program in it, which is compiled alone.
 
@@ -45,7 +49,10 @@ def standalone(
         source: of a solver.
         program: the text of the program around it; that of this version by default.
         files: the runtime's headers, path to text; those of this version by default.
+        header: the solver's own, if it is to hold that, too.
     """
+    if header:
+        source = _HEADER.sub(lambda _: f"{header}#define ADAGEN_HEADER\n", source, count=1)
     options = options_in(source)
     if options is None:
         return joined(source, files)

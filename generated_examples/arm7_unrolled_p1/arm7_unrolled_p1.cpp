@@ -21,95 +21,14 @@
 //   6. program     what the program around it, adagen_program.cpp, is told; main
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN and link it; arm7_unrolled_p1.h
-// beside it is this part.
-// C interface of the solver arm7_unrolled_p1: forward dynamics of "arm7" on 1 process,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
-#ifndef ADAGEN_ARM7_UNROLLED_P1_H
-#define ADAGEN_ARM7_UNROLLED_P1_H
+// arm7_unrolled_p1.h says what a program calls that links this file, compiled with -DADAGEN_NO_MAIN.
 
-enum {
-  ARM7_UNROLLED_P1_PROCESSES = 1,
-  ARM7_UNROLLED_P1_JOINTS = 9,
-  ARM7_UNROLLED_P1_NQ = 9,  // numbers in q
-  ARM7_UNROLLED_P1_NV = 9,  // in v and qdd
-  ARM7_UNROLLED_P1_NTAU = 9  // in tau
-};
-
-// Where each joint begins in q, and in v, tau and qdd.
-enum {
-  ARM7_UNROLLED_P1_Q_base_yaw = 0,
-  ARM7_UNROLLED_P1_V_base_yaw = 0,  // joint 0, "base_yaw": revolute, 1 in q, 1 in v
-  ARM7_UNROLLED_P1_Q_shoulder_pitch = 1,
-  ARM7_UNROLLED_P1_V_shoulder_pitch = 1,  // joint 1, "shoulder_pitch": revolute, 1 in q, 1 in v
-  ARM7_UNROLLED_P1_Q_upper_arm_roll = 2,
-  ARM7_UNROLLED_P1_V_upper_arm_roll = 2,  // joint 2, "upper_arm_roll": revolute, 1 in q, 1 in v
-  ARM7_UNROLLED_P1_Q_elbow_pitch = 3,
-  ARM7_UNROLLED_P1_V_elbow_pitch = 3,  // joint 3, "elbow_pitch": revolute, 1 in q, 1 in v
-  ARM7_UNROLLED_P1_Q_forearm_roll = 4,
-  ARM7_UNROLLED_P1_V_forearm_roll = 4,  // joint 4, "forearm_roll": revolute, 1 in q, 1 in v
-  ARM7_UNROLLED_P1_Q_wrist_pitch = 5,
-  ARM7_UNROLLED_P1_V_wrist_pitch = 5,  // joint 5, "wrist_pitch": revolute, 1 in q, 1 in v
-  ARM7_UNROLLED_P1_Q_flange_roll = 6,
-  ARM7_UNROLLED_P1_V_flange_roll = 6,  // joint 6, "flange_roll": revolute, 1 in q, 1 in v
-  ARM7_UNROLLED_P1_Q_left_finger_slide = 7,
-  ARM7_UNROLLED_P1_V_left_finger_slide = 7,  // joint 7, "left_finger_slide": prismatic, 1 in q, 1 in v
-  ARM7_UNROLLED_P1_Q_right_finger_slide = 8,
-  ARM7_UNROLLED_P1_V_right_finger_slide = 8  // joint 8, "right_finger_slide": prismatic, 1 in q, 1 in v
-};
-
-// Why a call failed, as arm7_unrolled_p1_reason tells of the status that it returned.
-enum {
-  ARM7_UNROLLED_P1_FINE = 0,  // none
-  ARM7_UNROLLED_P1_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
-  ARM7_UNROLLED_P1_ZERO_QUATERNION = 2,  // a joint's quaternion cannot be normalised
-  ARM7_UNROLLED_P1_FACTORIZATION = 3,  // inertias beside a joint differ too much for the scalar
-  ARM7_UNROLLED_P1_OVERFLOW = 4,  // a joint's acceleration is not a finite number
-  ARM7_UNROLLED_P1_NO_ANSWER = 5,  // a process did not answer within the time limit
-  ARM7_UNROLLED_P1_ENDED = 6,  // process 0 has ended the evaluations
-  ARM7_UNROLLED_P1_NOT_REFINED = 7,  // refinement does not converge
-  ARM7_UNROLLED_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
-  ARM7_UNROLLED_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  ARM7_UNROLLED_P1_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
-  ARM7_UNROLLED_P1_TOO_FEW_STEPS = 11,  // refinement converges too slowly
-  ARM7_UNROLLED_P1_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  ARM7_UNROLLED_P1_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  ARM7_UNROLLED_P1_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  ARM7_UNROLLED_P1_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
-};
-
-#ifdef __cplusplus
-extern "C" {
+#if __has_include("arm7_unrolled_p1.h")
+#include "arm7_unrolled_p1.h"
+#define ADAGEN_HEADER
 #endif
-typedef struct arm7_unrolled_p1_solver arm7_unrolled_p1_solver;
-
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
-int arm7_unrolled_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
-
-// A solver, with all the memory that it will ever need: no other call allocates, waits or takes a
-// lock. One solver is for one thread at a time. Returns null where there is no memory;
-// arm7_unrolled_p1_failure(NULL) says so.
-arm7_unrolled_p1_solver* arm7_unrolled_p1_open(void);
-
-// One evaluation. q: 9 numbers, v and tau: 9 each, qdd: 9; joints in order, quaternions
-// x y z w (normalised here), floating joints [linear; angular] in the body's frame.
-// Returns 0, or a status that arm7_unrolled_p1_failure puts into words; no acceleration is written then.
-int arm7_unrolled_p1_solve(arm7_unrolled_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
-
-// What a status says: its reason, and which joint it is about, -1 for none.
-int arm7_unrolled_p1_reason(int status);
-int arm7_unrolled_p1_failed_joint(int status);
-
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
-const char* arm7_unrolled_p1_failure(const arm7_unrolled_p1_solver* solver);
-
-void arm7_unrolled_p1_close(arm7_unrolled_p1_solver* solver);
-#ifdef __cplusplus
-}
-#endif
-#endif
+#define ADAGEN_CALL(word) arm7_unrolled_p1_##word
+#define ADAGEN_NAMED(WORD) ARM7_UNROLLED_P1_##WORD
 
 #include <algorithm>
 #include <array>
@@ -134,9 +53,9 @@ using Real = double;    // of all between
 constexpr int kProcesses = 1;
 [[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all, and no other takes part
 constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
-constexpr int kNq = 9, kNv = 9;
+[[maybe_unused]] constexpr int kNq = 9, kNv = 9;
 [[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
-constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
+[[maybe_unused]] constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
@@ -1170,57 +1089,8 @@ constexpr std::array<Range, 1> kTorque_0{ {{0, 9}} };
 #include "adagen/no_parameters.hpp"
 #include "adagen/solver_alone.hpp"
 #include "adagen/open_alone.hpp"
-
-static_assert(ARM7_UNROLLED_P1_NQ == kNq && ARM7_UNROLLED_P1_NV == kNv && ARM7_UNROLLED_P1_NTAU == kNtau);
-static_assert(int(ARM7_UNROLLED_P1_FINE) == int(kFine));
-static_assert(int(ARM7_UNROLLED_P1_NOT_FINITE) == int(kNotFinite));
-static_assert(int(ARM7_UNROLLED_P1_ZERO_QUATERNION) == int(kZeroQuaternion));
-static_assert(int(ARM7_UNROLLED_P1_FACTORIZATION) == int(kFactorization));
-static_assert(int(ARM7_UNROLLED_P1_OVERFLOW) == int(kOverflow));
-static_assert(int(ARM7_UNROLLED_P1_NO_ANSWER) == int(kNoAnswer));
-static_assert(int(ARM7_UNROLLED_P1_ENDED) == int(kEnded));
-static_assert(int(ARM7_UNROLLED_P1_NOT_REFINED) == int(kNotRefined));
-static_assert(int(ARM7_UNROLLED_P1_GIMBAL_LOCK) == int(kGimbalLock));
-static_assert(int(ARM7_UNROLLED_P1_GROWTH) == int(kGrowth));
-static_assert(int(ARM7_UNROLLED_P1_NOT_SET) == int(kNotSet));
-static_assert(int(ARM7_UNROLLED_P1_TOO_FEW_STEPS) == int(kTooFewSteps));
-static_assert(int(ARM7_UNROLLED_P1_LOOP_OPEN) == int(kLoopOpen));
-static_assert(int(ARM7_UNROLLED_P1_LOOP_TORN) == int(kLoopTorn));
-static_assert(int(ARM7_UNROLLED_P1_LOOP_SINGULAR) == int(kLoopSingular));
-static_assert(int(ARM7_UNROLLED_P1_LOOP_FREE) == int(kLoopFree));
-
 struct arm7_unrolled_p1_solver : Solver {};
-
-extern "C" {
-
-int arm7_unrolled_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv) {
-  if (k < 0 || k >= kJointCount) return 0;
-  const JointConstants& joint = kJoints[k];
-  *name = joint.name, *q = joint.q, *nq = joint.nq, *v = joint.v, *nv = joint.nv;
-  return 1;
-}
-
-arm7_unrolled_p1_solver* arm7_unrolled_p1_open(void) { return opened<arm7_unrolled_p1_solver>(); }
-
-int arm7_unrolled_p1_solve(arm7_unrolled_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd) {
-  return solver->solve(q, v, tau, qdd);
-}
-
-int arm7_unrolled_p1_reason(int status) { return failure_kind(status); }
-
-int arm7_unrolled_p1_failed_joint(int status) { return is_of_joint(failure_kind(status)) ? failure_place(status) : -1; }
-
-const char* arm7_unrolled_p1_failure(const arm7_unrolled_p1_solver* solver) {
-  return solver == nullptr ? open_failure.c_str() : solver->text.c_str();
-}
-
-void arm7_unrolled_p1_close(arm7_unrolled_p1_solver* solver) {
-  if (solver == nullptr) return;
-  solver->close();
-  delete solver;
-}
-
-}  // extern "C"
+#include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
 // What this solver tells the program around it, which is the same for all robots: states in,
@@ -1229,7 +1099,7 @@ void arm7_unrolled_p1_close(arm7_unrolled_p1_solver* solver) {
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/description.hpp"
 #include "adagen/measured_alone.hpp"
-#include "adagen/this_solver.hpp"
+#include "adagen/tell.hpp"
 
 namespace {
 
@@ -1247,18 +1117,14 @@ constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
-}  // namespace
-
-// Compiled for size: it runs once.
-[[gnu::cold]] int main(int count, char** words) {
-  const adagen::Description<Number> description{
+adagen::Description<Number> description() {
+  return {
       "arm7", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
       false, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop,
-      kMessageHop};
-  auto* const solver = new ThisSolver;
-  const int status = adagen::program(description, *solver, count, words);
-  delete solver;
-  return status;
+      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop, kMessageHop};
 }
+
+}  // namespace
+
+#include "adagen/entry.hpp"
 #endif  // ADAGEN_NO_MAIN

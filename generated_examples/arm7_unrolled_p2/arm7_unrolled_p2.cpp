@@ -24,109 +24,16 @@
 //   6. program     what the program around it, adagen_program.cpp, is told; main
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN and link it; arm7_unrolled_p2.h
-// beside it is this part.
-// C interface of the solver arm7_unrolled_p2: forward dynamics of "arm7" on 2 processes,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
-#ifndef ADAGEN_ARM7_UNROLLED_P2_H
-#define ADAGEN_ARM7_UNROLLED_P2_H
+// arm7_unrolled_p2.h says what a program calls that links this file, compiled with -DADAGEN_NO_MAIN.
+
+#if __has_include("arm7_unrolled_p2.h")
+#include "arm7_unrolled_p2.h"
+#define ADAGEN_HEADER
+#endif
+#define ADAGEN_CALL(word) arm7_unrolled_p2_##word
+#define ADAGEN_NAMED(WORD) ARM7_UNROLLED_P2_##WORD
 
 #include <mpi.h>
-
-enum {
-  ARM7_UNROLLED_P2_PROCESSES = 2,
-  ARM7_UNROLLED_P2_JOINTS = 9,
-  ARM7_UNROLLED_P2_NQ = 9,  // numbers in q
-  ARM7_UNROLLED_P2_NV = 9,  // in v and qdd
-  ARM7_UNROLLED_P2_NTAU = 9  // in tau
-};
-
-// Where each joint begins in q, and in v, tau and qdd.
-enum {
-  ARM7_UNROLLED_P2_Q_base_yaw = 0,
-  ARM7_UNROLLED_P2_V_base_yaw = 0,  // joint 0, "base_yaw": revolute, 1 in q, 1 in v
-  ARM7_UNROLLED_P2_Q_shoulder_pitch = 1,
-  ARM7_UNROLLED_P2_V_shoulder_pitch = 1,  // joint 1, "shoulder_pitch": revolute, 1 in q, 1 in v
-  ARM7_UNROLLED_P2_Q_upper_arm_roll = 2,
-  ARM7_UNROLLED_P2_V_upper_arm_roll = 2,  // joint 2, "upper_arm_roll": revolute, 1 in q, 1 in v
-  ARM7_UNROLLED_P2_Q_elbow_pitch = 3,
-  ARM7_UNROLLED_P2_V_elbow_pitch = 3,  // joint 3, "elbow_pitch": revolute, 1 in q, 1 in v
-  ARM7_UNROLLED_P2_Q_forearm_roll = 4,
-  ARM7_UNROLLED_P2_V_forearm_roll = 4,  // joint 4, "forearm_roll": revolute, 1 in q, 1 in v
-  ARM7_UNROLLED_P2_Q_wrist_pitch = 5,
-  ARM7_UNROLLED_P2_V_wrist_pitch = 5,  // joint 5, "wrist_pitch": revolute, 1 in q, 1 in v
-  ARM7_UNROLLED_P2_Q_flange_roll = 6,
-  ARM7_UNROLLED_P2_V_flange_roll = 6,  // joint 6, "flange_roll": revolute, 1 in q, 1 in v
-  ARM7_UNROLLED_P2_Q_left_finger_slide = 7,
-  ARM7_UNROLLED_P2_V_left_finger_slide = 7,  // joint 7, "left_finger_slide": prismatic, 1 in q, 1 in v
-  ARM7_UNROLLED_P2_Q_right_finger_slide = 8,
-  ARM7_UNROLLED_P2_V_right_finger_slide = 8  // joint 8, "right_finger_slide": prismatic, 1 in q, 1 in v
-};
-
-// Why a call failed, as arm7_unrolled_p2_reason tells of the status that it returned.
-enum {
-  ARM7_UNROLLED_P2_FINE = 0,  // none
-  ARM7_UNROLLED_P2_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
-  ARM7_UNROLLED_P2_ZERO_QUATERNION = 2,  // a joint's quaternion cannot be normalised
-  ARM7_UNROLLED_P2_FACTORIZATION = 3,  // inertias beside a joint differ too much for the scalar
-  ARM7_UNROLLED_P2_OVERFLOW = 4,  // a joint's acceleration is not a finite number
-  ARM7_UNROLLED_P2_NO_ANSWER = 5,  // a process did not answer within the time limit
-  ARM7_UNROLLED_P2_ENDED = 6,  // process 0 has ended the evaluations
-  ARM7_UNROLLED_P2_NOT_REFINED = 7,  // refinement does not converge
-  ARM7_UNROLLED_P2_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
-  ARM7_UNROLLED_P2_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  ARM7_UNROLLED_P2_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
-  ARM7_UNROLLED_P2_TOO_FEW_STEPS = 11,  // refinement converges too slowly
-  ARM7_UNROLLED_P2_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  ARM7_UNROLLED_P2_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  ARM7_UNROLLED_P2_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  ARM7_UNROLLED_P2_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
-};
-
-#ifdef __cplusplus
-extern "C" {
-#endif
-typedef struct arm7_unrolled_p2_solver arm7_unrolled_p2_solver;
-
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
-int arm7_unrolled_p2_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
-
-// Collective over a communicator of 2 processes. channel: "auto", "window" (shared memory) or
-// "message"; time_limit: seconds that a process waits for another. Returns null where it cannot be
-// done; arm7_unrolled_p2_failure(NULL) says why.
-arm7_unrolled_p2_solver* arm7_unrolled_p2_open(MPI_Comm comm, const char* channel, double time_limit);
-
-// One evaluation, collective. q: 9 numbers, v and tau: 9 each, qdd: 9; joints in order, quaternions
-// x y z w (normalised here), floating joints [linear; angular] in the body's frame.
-// solve: every process passes the state and gets its own joints' accelerations (others untouched);
-// solve_at_root: process 0 passes the state and gets them all, the others may pass null, or serve.
-// Returns 0, or a status that arm7_unrolled_p2_failure puts into words; no acceleration is written then.
-int arm7_unrolled_p2_solve(arm7_unrolled_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
-int arm7_unrolled_p2_solve_at_root(arm7_unrolled_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
-
-// What every process but 0 can do all the time: takes part in each solve_at_root of process 0, however
-// long that lets it wait, until process 0 ends it. Returns 0, or why it cannot go on.
-int arm7_unrolled_p2_serve(arm7_unrolled_p2_solver* solver);
-
-// At process 0: the others' serve returns. They may serve again, or all close.
-int arm7_unrolled_p2_end(arm7_unrolled_p2_solver* solver);
-
-// What a status says: its reason, and which joint it is about, -1 for none.
-int arm7_unrolled_p2_reason(int status);
-int arm7_unrolled_p2_failed_joint(int status);
-
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
-const char* arm7_unrolled_p2_failure(const arm7_unrolled_p2_solver* solver);
-
-// Collective.
-void arm7_unrolled_p2_close(arm7_unrolled_p2_solver* solver);
-#ifdef __cplusplus
-}
-#endif
-#endif
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -151,9 +58,9 @@ using Real = double;    // of all between
 constexpr int kProcesses = 2;
 [[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all, and no other takes part
 constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
-constexpr int kNq = 9, kNv = 9;
+[[maybe_unused]] constexpr int kNq = 9, kNv = 9;
 [[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
-constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
+[[maybe_unused]] constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
@@ -2895,67 +2802,8 @@ constexpr std::array<Range, 1> kTorque_1{ {{6, 3}} };
 #include "adagen/no_parameters.hpp"
 #include "adagen/solver.hpp"
 #include "adagen/open.hpp"
-
-static_assert(ARM7_UNROLLED_P2_NQ == kNq && ARM7_UNROLLED_P2_NV == kNv && ARM7_UNROLLED_P2_NTAU == kNtau);
-static_assert(int(ARM7_UNROLLED_P2_FINE) == int(kFine));
-static_assert(int(ARM7_UNROLLED_P2_NOT_FINITE) == int(kNotFinite));
-static_assert(int(ARM7_UNROLLED_P2_ZERO_QUATERNION) == int(kZeroQuaternion));
-static_assert(int(ARM7_UNROLLED_P2_FACTORIZATION) == int(kFactorization));
-static_assert(int(ARM7_UNROLLED_P2_OVERFLOW) == int(kOverflow));
-static_assert(int(ARM7_UNROLLED_P2_NO_ANSWER) == int(kNoAnswer));
-static_assert(int(ARM7_UNROLLED_P2_ENDED) == int(kEnded));
-static_assert(int(ARM7_UNROLLED_P2_NOT_REFINED) == int(kNotRefined));
-static_assert(int(ARM7_UNROLLED_P2_GIMBAL_LOCK) == int(kGimbalLock));
-static_assert(int(ARM7_UNROLLED_P2_GROWTH) == int(kGrowth));
-static_assert(int(ARM7_UNROLLED_P2_NOT_SET) == int(kNotSet));
-static_assert(int(ARM7_UNROLLED_P2_TOO_FEW_STEPS) == int(kTooFewSteps));
-static_assert(int(ARM7_UNROLLED_P2_LOOP_OPEN) == int(kLoopOpen));
-static_assert(int(ARM7_UNROLLED_P2_LOOP_TORN) == int(kLoopTorn));
-static_assert(int(ARM7_UNROLLED_P2_LOOP_SINGULAR) == int(kLoopSingular));
-static_assert(int(ARM7_UNROLLED_P2_LOOP_FREE) == int(kLoopFree));
-
 struct arm7_unrolled_p2_solver : Solver {};
-
-extern "C" {
-
-int arm7_unrolled_p2_joint(int k, const char** name, int* q, int* nq, int* v, int* nv) {
-  if (k < 0 || k >= kJointCount) return 0;
-  const JointConstants& joint = kJoints[k];
-  *name = joint.name, *q = joint.q, *nq = joint.nq, *v = joint.v, *nv = joint.nv;
-  return 1;
-}
-
-arm7_unrolled_p2_solver* arm7_unrolled_p2_open(MPI_Comm comm, const char* channel, double time_limit) {
-  return opened<arm7_unrolled_p2_solver>(comm, channel, time_limit);
-}
-
-int arm7_unrolled_p2_solve(arm7_unrolled_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd) {
-  return solver->solve(q, v, tau, qdd);
-}
-
-int arm7_unrolled_p2_solve_at_root(arm7_unrolled_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd) {
-  return solver->solve_at_root(q, v, tau, qdd);
-}
-
-int arm7_unrolled_p2_serve(arm7_unrolled_p2_solver* solver) { return solver->serve(); }
-
-int arm7_unrolled_p2_end(arm7_unrolled_p2_solver* solver) { return solver->end(); }
-
-int arm7_unrolled_p2_reason(int status) { return failure_kind(status); }
-
-int arm7_unrolled_p2_failed_joint(int status) { return is_of_joint(failure_kind(status)) ? failure_place(status) : -1; }
-
-const char* arm7_unrolled_p2_failure(const arm7_unrolled_p2_solver* solver) {
-  return solver == nullptr ? open_failure.c_str() : solver->text.c_str();
-}
-
-void arm7_unrolled_p2_close(arm7_unrolled_p2_solver* solver) {
-  if (solver == nullptr) return;
-  solver->close();
-  delete solver;
-}
-
-}  // extern "C"
+#include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
 // What this solver tells the program around it, which is the same for all robots: states in,
@@ -2964,7 +2812,7 @@ void arm7_unrolled_p2_close(arm7_unrolled_p2_solver* solver) {
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/description.hpp"
 #include "adagen/measured.hpp"
-#include "adagen/this_solver.hpp"
+#include "adagen/tell.hpp"
 
 namespace {
 
@@ -2994,18 +2842,14 @@ constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
-}  // namespace
-
-// Compiled for size: it runs once.
-[[gnu::cold]] int main(int count, char** words) {
-  const adagen::Description<Number> description{
+adagen::Description<Number> description() {
+  return {
       "arm7", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
       false, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop,
-      kMessageHop};
-  auto* const solver = new ThisSolver;
-  const int status = adagen::program(description, *solver, count, words);
-  delete solver;
-  return status;
+      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop, kMessageHop};
 }
+
+}  // namespace
+
+#include "adagen/entry.hpp"
 #endif  // ADAGEN_NO_MAIN

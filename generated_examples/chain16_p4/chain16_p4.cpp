@@ -26,123 +26,16 @@
 //   6. program     what the program around it, adagen_program.cpp, is told; main
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN and link it; chain16_p4.h
-// beside it is this part.
-// C interface of the solver chain16_p4: forward dynamics of "chain16" on 4 processes,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
-#ifndef ADAGEN_CHAIN16_P4_H
-#define ADAGEN_CHAIN16_P4_H
+// chain16_p4.h says what a program calls that links this file, compiled with -DADAGEN_NO_MAIN.
+
+#if __has_include("chain16_p4.h")
+#include "chain16_p4.h"
+#define ADAGEN_HEADER
+#endif
+#define ADAGEN_CALL(word) chain16_p4_##word
+#define ADAGEN_NAMED(WORD) CHAIN16_P4_##WORD
 
 #include <mpi.h>
-
-enum {
-  CHAIN16_P4_PROCESSES = 4,
-  CHAIN16_P4_JOINTS = 16,
-  CHAIN16_P4_NQ = 16,  // numbers in q
-  CHAIN16_P4_NV = 16,  // in v and qdd
-  CHAIN16_P4_NTAU = 16  // in tau
-};
-
-// Where each joint begins in q, and in v, tau and qdd.
-enum {
-  CHAIN16_P4_Q_joint01 = 0,
-  CHAIN16_P4_V_joint01 = 0,  // joint 0, "joint01": revolute, 1 in q, 1 in v
-  CHAIN16_P4_Q_joint02 = 1,
-  CHAIN16_P4_V_joint02 = 1,  // joint 1, "joint02": revolute, 1 in q, 1 in v
-  CHAIN16_P4_Q_joint03 = 2,
-  CHAIN16_P4_V_joint03 = 2,  // joint 2, "joint03": revolute, 1 in q, 1 in v
-  CHAIN16_P4_Q_joint04 = 3,
-  CHAIN16_P4_V_joint04 = 3,  // joint 3, "joint04": revolute, 1 in q, 1 in v
-  CHAIN16_P4_Q_joint05 = 4,
-  CHAIN16_P4_V_joint05 = 4,  // joint 4, "joint05": revolute, 1 in q, 1 in v
-  CHAIN16_P4_Q_joint06 = 5,
-  CHAIN16_P4_V_joint06 = 5,  // joint 5, "joint06": revolute, 1 in q, 1 in v
-  CHAIN16_P4_Q_joint07 = 6,
-  CHAIN16_P4_V_joint07 = 6,  // joint 6, "joint07": revolute, 1 in q, 1 in v
-  CHAIN16_P4_Q_joint08 = 7,
-  CHAIN16_P4_V_joint08 = 7,  // joint 7, "joint08": revolute, 1 in q, 1 in v
-  CHAIN16_P4_Q_joint09 = 8,
-  CHAIN16_P4_V_joint09 = 8,  // joint 8, "joint09": revolute, 1 in q, 1 in v
-  CHAIN16_P4_Q_joint10 = 9,
-  CHAIN16_P4_V_joint10 = 9,  // joint 9, "joint10": revolute, 1 in q, 1 in v
-  CHAIN16_P4_Q_joint11 = 10,
-  CHAIN16_P4_V_joint11 = 10,  // joint 10, "joint11": revolute, 1 in q, 1 in v
-  CHAIN16_P4_Q_joint12 = 11,
-  CHAIN16_P4_V_joint12 = 11,  // joint 11, "joint12": revolute, 1 in q, 1 in v
-  CHAIN16_P4_Q_joint13 = 12,
-  CHAIN16_P4_V_joint13 = 12,  // joint 12, "joint13": revolute, 1 in q, 1 in v
-  CHAIN16_P4_Q_joint14 = 13,
-  CHAIN16_P4_V_joint14 = 13,  // joint 13, "joint14": revolute, 1 in q, 1 in v
-  CHAIN16_P4_Q_joint15 = 14,
-  CHAIN16_P4_V_joint15 = 14,  // joint 14, "joint15": revolute, 1 in q, 1 in v
-  CHAIN16_P4_Q_joint16 = 15,
-  CHAIN16_P4_V_joint16 = 15  // joint 15, "joint16": revolute, 1 in q, 1 in v
-};
-
-// Why a call failed, as chain16_p4_reason tells of the status that it returned.
-enum {
-  CHAIN16_P4_FINE = 0,  // none
-  CHAIN16_P4_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
-  CHAIN16_P4_ZERO_QUATERNION = 2,  // a joint's quaternion cannot be normalised
-  CHAIN16_P4_FACTORIZATION = 3,  // inertias beside a joint differ too much for the scalar
-  CHAIN16_P4_OVERFLOW = 4,  // a joint's acceleration is not a finite number
-  CHAIN16_P4_NO_ANSWER = 5,  // a process did not answer within the time limit
-  CHAIN16_P4_ENDED = 6,  // process 0 has ended the evaluations
-  CHAIN16_P4_NOT_REFINED = 7,  // refinement does not converge
-  CHAIN16_P4_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
-  CHAIN16_P4_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  CHAIN16_P4_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
-  CHAIN16_P4_TOO_FEW_STEPS = 11,  // refinement converges too slowly
-  CHAIN16_P4_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  CHAIN16_P4_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  CHAIN16_P4_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  CHAIN16_P4_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
-};
-
-#ifdef __cplusplus
-extern "C" {
-#endif
-typedef struct chain16_p4_solver chain16_p4_solver;
-
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
-int chain16_p4_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
-
-// Collective over a communicator of 4 processes. channel: "auto", "window" (shared memory) or
-// "message"; time_limit: seconds that a process waits for another. Returns null where it cannot be
-// done; chain16_p4_failure(NULL) says why.
-chain16_p4_solver* chain16_p4_open(MPI_Comm comm, const char* channel, double time_limit);
-
-// One evaluation, collective. q: 16 numbers, v and tau: 16 each, qdd: 16; joints in order, quaternions
-// x y z w (normalised here), floating joints [linear; angular] in the body's frame.
-// solve: every process passes the state and gets its own joints' accelerations (others untouched);
-// solve_at_root: process 0 passes the state and gets them all, the others may pass null, or serve.
-// Returns 0, or a status that chain16_p4_failure puts into words; no acceleration is written then.
-int chain16_p4_solve(chain16_p4_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
-int chain16_p4_solve_at_root(chain16_p4_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
-
-// What every process but 0 can do all the time: takes part in each solve_at_root of process 0, however
-// long that lets it wait, until process 0 ends it. Returns 0, or why it cannot go on.
-int chain16_p4_serve(chain16_p4_solver* solver);
-
-// At process 0: the others' serve returns. They may serve again, or all close.
-int chain16_p4_end(chain16_p4_solver* solver);
-
-// What a status says: its reason, and which joint it is about, -1 for none.
-int chain16_p4_reason(int status);
-int chain16_p4_failed_joint(int status);
-
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
-const char* chain16_p4_failure(const chain16_p4_solver* solver);
-
-// Collective.
-void chain16_p4_close(chain16_p4_solver* solver);
-#ifdef __cplusplus
-}
-#endif
-#endif
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -169,9 +62,9 @@ using Real = double;    // of all between
 constexpr int kProcesses = 4;
 [[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all, and no other takes part
 constexpr int kJointCount = 16, kLinkCount = kJointCount + 1;
-constexpr int kNq = 16, kNv = 16;
+[[maybe_unused]] constexpr int kNq = 16, kNv = 16;
 [[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
-constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
+[[maybe_unused]] constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
@@ -1550,67 +1443,8 @@ constexpr std::array<Range, 1> kTorque_3{ {{14, 2}} };
 #include "adagen/no_parameters.hpp"
 #include "adagen/solver.hpp"
 #include "adagen/open.hpp"
-
-static_assert(CHAIN16_P4_NQ == kNq && CHAIN16_P4_NV == kNv && CHAIN16_P4_NTAU == kNtau);
-static_assert(int(CHAIN16_P4_FINE) == int(kFine));
-static_assert(int(CHAIN16_P4_NOT_FINITE) == int(kNotFinite));
-static_assert(int(CHAIN16_P4_ZERO_QUATERNION) == int(kZeroQuaternion));
-static_assert(int(CHAIN16_P4_FACTORIZATION) == int(kFactorization));
-static_assert(int(CHAIN16_P4_OVERFLOW) == int(kOverflow));
-static_assert(int(CHAIN16_P4_NO_ANSWER) == int(kNoAnswer));
-static_assert(int(CHAIN16_P4_ENDED) == int(kEnded));
-static_assert(int(CHAIN16_P4_NOT_REFINED) == int(kNotRefined));
-static_assert(int(CHAIN16_P4_GIMBAL_LOCK) == int(kGimbalLock));
-static_assert(int(CHAIN16_P4_GROWTH) == int(kGrowth));
-static_assert(int(CHAIN16_P4_NOT_SET) == int(kNotSet));
-static_assert(int(CHAIN16_P4_TOO_FEW_STEPS) == int(kTooFewSteps));
-static_assert(int(CHAIN16_P4_LOOP_OPEN) == int(kLoopOpen));
-static_assert(int(CHAIN16_P4_LOOP_TORN) == int(kLoopTorn));
-static_assert(int(CHAIN16_P4_LOOP_SINGULAR) == int(kLoopSingular));
-static_assert(int(CHAIN16_P4_LOOP_FREE) == int(kLoopFree));
-
 struct chain16_p4_solver : Solver {};
-
-extern "C" {
-
-int chain16_p4_joint(int k, const char** name, int* q, int* nq, int* v, int* nv) {
-  if (k < 0 || k >= kJointCount) return 0;
-  const JointConstants& joint = kJoints[k];
-  *name = joint.name, *q = joint.q, *nq = joint.nq, *v = joint.v, *nv = joint.nv;
-  return 1;
-}
-
-chain16_p4_solver* chain16_p4_open(MPI_Comm comm, const char* channel, double time_limit) {
-  return opened<chain16_p4_solver>(comm, channel, time_limit);
-}
-
-int chain16_p4_solve(chain16_p4_solver* solver, const double* q, const double* v, const double* tau, double* qdd) {
-  return solver->solve(q, v, tau, qdd);
-}
-
-int chain16_p4_solve_at_root(chain16_p4_solver* solver, const double* q, const double* v, const double* tau, double* qdd) {
-  return solver->solve_at_root(q, v, tau, qdd);
-}
-
-int chain16_p4_serve(chain16_p4_solver* solver) { return solver->serve(); }
-
-int chain16_p4_end(chain16_p4_solver* solver) { return solver->end(); }
-
-int chain16_p4_reason(int status) { return failure_kind(status); }
-
-int chain16_p4_failed_joint(int status) { return is_of_joint(failure_kind(status)) ? failure_place(status) : -1; }
-
-const char* chain16_p4_failure(const chain16_p4_solver* solver) {
-  return solver == nullptr ? open_failure.c_str() : solver->text.c_str();
-}
-
-void chain16_p4_close(chain16_p4_solver* solver) {
-  if (solver == nullptr) return;
-  solver->close();
-  delete solver;
-}
-
-}  // extern "C"
+#include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
 // What this solver tells the program around it, which is the same for all robots: states in,
@@ -1619,7 +1453,7 @@ void chain16_p4_close(chain16_p4_solver* solver) {
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/description.hpp"
 #include "adagen/measured.hpp"
-#include "adagen/this_solver.hpp"
+#include "adagen/tell.hpp"
 
 namespace {
 
@@ -1673,18 +1507,14 @@ constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
-}  // namespace
-
-// Compiled for size: it runs once.
-[[gnu::cold]] int main(int count, char** words) {
-  const adagen::Description<Number> description{
+adagen::Description<Number> description() {
+  return {
       "chain16", "message", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
       false, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop,
-      kMessageHop};
-  auto* const solver = new ThisSolver;
-  const int status = adagen::program(description, *solver, count, words);
-  delete solver;
-  return status;
+      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop, kMessageHop};
 }
+
+}  // namespace
+
+#include "adagen/entry.hpp"
 #endif  // ADAGEN_NO_MAIN

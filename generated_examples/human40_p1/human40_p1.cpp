@@ -22,107 +22,14 @@
 //   6. program     what the program around it, adagen_program.cpp, is told; main
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN and link it; human40_p1.h
-// beside it is this part.
-// C interface of the solver human40_p1: forward dynamics of "human40" on 1 process,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
-#ifndef ADAGEN_HUMAN40_P1_H
-#define ADAGEN_HUMAN40_P1_H
+// human40_p1.h says what a program calls that links this file, compiled with -DADAGEN_NO_MAIN.
 
-enum {
-  HUMAN40_P1_PROCESSES = 1,
-  HUMAN40_P1_JOINTS = 15,
-  HUMAN40_P1_NQ = 51,  // numbers in q
-  HUMAN40_P1_NV = 40,  // in v and qdd
-  HUMAN40_P1_NTAU = 40  // in tau
-};
-
-// Where each joint begins in q, and in v, tau and qdd.
-enum {
-  HUMAN40_P1_Q_root = 0,
-  HUMAN40_P1_V_root = 0,  // joint 0, "root": floating, 7 in q, 6 in v
-  HUMAN40_P1_Q_left_hip = 7,
-  HUMAN40_P1_V_left_hip = 6,  // joint 1, "left_hip": spherical, 4 in q, 3 in v
-  HUMAN40_P1_Q_left_knee = 11,
-  HUMAN40_P1_V_left_knee = 9,  // joint 2, "left_knee": revolute, 1 in q, 1 in v
-  HUMAN40_P1_Q_left_ankle = 12,
-  HUMAN40_P1_V_left_ankle = 10,  // joint 3, "left_ankle": spherical, 4 in q, 3 in v
-  HUMAN40_P1_Q_right_hip = 16,
-  HUMAN40_P1_V_right_hip = 13,  // joint 4, "right_hip": spherical, 4 in q, 3 in v
-  HUMAN40_P1_Q_right_knee = 20,
-  HUMAN40_P1_V_right_knee = 16,  // joint 5, "right_knee": revolute, 1 in q, 1 in v
-  HUMAN40_P1_Q_right_ankle = 21,
-  HUMAN40_P1_V_right_ankle = 17,  // joint 6, "right_ankle": spherical, 4 in q, 3 in v
-  HUMAN40_P1_Q_spine = 25,
-  HUMAN40_P1_V_spine = 20,  // joint 7, "spine": spherical, 4 in q, 3 in v
-  HUMAN40_P1_Q_left_shoulder = 29,
-  HUMAN40_P1_V_left_shoulder = 23,  // joint 8, "left_shoulder": spherical, 4 in q, 3 in v
-  HUMAN40_P1_Q_left_elbow = 33,
-  HUMAN40_P1_V_left_elbow = 26,  // joint 9, "left_elbow": revolute, 1 in q, 1 in v
-  HUMAN40_P1_Q_left_wrist = 34,
-  HUMAN40_P1_V_left_wrist = 27,  // joint 10, "left_wrist": spherical, 4 in q, 3 in v
-  HUMAN40_P1_Q_neck = 38,
-  HUMAN40_P1_V_neck = 30,  // joint 11, "neck": spherical, 4 in q, 3 in v
-  HUMAN40_P1_Q_right_shoulder = 42,
-  HUMAN40_P1_V_right_shoulder = 33,  // joint 12, "right_shoulder": spherical, 4 in q, 3 in v
-  HUMAN40_P1_Q_right_elbow = 46,
-  HUMAN40_P1_V_right_elbow = 36,  // joint 13, "right_elbow": revolute, 1 in q, 1 in v
-  HUMAN40_P1_Q_right_wrist = 47,
-  HUMAN40_P1_V_right_wrist = 37  // joint 14, "right_wrist": spherical, 4 in q, 3 in v
-};
-
-// Why a call failed, as human40_p1_reason tells of the status that it returned.
-enum {
-  HUMAN40_P1_FINE = 0,  // none
-  HUMAN40_P1_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
-  HUMAN40_P1_ZERO_QUATERNION = 2,  // a joint's quaternion cannot be normalised
-  HUMAN40_P1_FACTORIZATION = 3,  // inertias beside a joint differ too much for the scalar
-  HUMAN40_P1_OVERFLOW = 4,  // a joint's acceleration is not a finite number
-  HUMAN40_P1_NO_ANSWER = 5,  // a process did not answer within the time limit
-  HUMAN40_P1_ENDED = 6,  // process 0 has ended the evaluations
-  HUMAN40_P1_NOT_REFINED = 7,  // refinement does not converge
-  HUMAN40_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
-  HUMAN40_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  HUMAN40_P1_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
-  HUMAN40_P1_TOO_FEW_STEPS = 11,  // refinement converges too slowly
-  HUMAN40_P1_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  HUMAN40_P1_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  HUMAN40_P1_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  HUMAN40_P1_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
-};
-
-#ifdef __cplusplus
-extern "C" {
+#if __has_include("human40_p1.h")
+#include "human40_p1.h"
+#define ADAGEN_HEADER
 #endif
-typedef struct human40_p1_solver human40_p1_solver;
-
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
-int human40_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
-
-// A solver, with all the memory that it will ever need: no other call allocates, waits or takes a
-// lock. One solver is for one thread at a time. Returns null where there is no memory;
-// human40_p1_failure(NULL) says so.
-human40_p1_solver* human40_p1_open(void);
-
-// One evaluation. q: 51 numbers, v and tau: 40 each, qdd: 40; joints in order, quaternions
-// x y z w (normalised here), floating joints [linear; angular] in the body's frame.
-// Returns 0, or a status that human40_p1_failure puts into words; no acceleration is written then.
-int human40_p1_solve(human40_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
-
-// What a status says: its reason, and which joint it is about, -1 for none.
-int human40_p1_reason(int status);
-int human40_p1_failed_joint(int status);
-
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
-const char* human40_p1_failure(const human40_p1_solver* solver);
-
-void human40_p1_close(human40_p1_solver* solver);
-#ifdef __cplusplus
-}
-#endif
-#endif
+#define ADAGEN_CALL(word) human40_p1_##word
+#define ADAGEN_NAMED(WORD) HUMAN40_P1_##WORD
 
 #include <algorithm>
 #include <array>
@@ -149,9 +56,9 @@ using Real = double;    // of all between
 constexpr int kProcesses = 1;
 [[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all, and no other takes part
 constexpr int kJointCount = 15, kLinkCount = kJointCount + 1;
-constexpr int kNq = 51, kNv = 40;
+[[maybe_unused]] constexpr int kNq = 51, kNv = 40;
 [[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
-constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
+[[maybe_unused]] constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
@@ -1220,57 +1127,8 @@ constexpr std::array<Range, 1> kTorque_0{ {{0, 40}} };
 #include "adagen/no_parameters.hpp"
 #include "adagen/solver_alone.hpp"
 #include "adagen/open_alone.hpp"
-
-static_assert(HUMAN40_P1_NQ == kNq && HUMAN40_P1_NV == kNv && HUMAN40_P1_NTAU == kNtau);
-static_assert(int(HUMAN40_P1_FINE) == int(kFine));
-static_assert(int(HUMAN40_P1_NOT_FINITE) == int(kNotFinite));
-static_assert(int(HUMAN40_P1_ZERO_QUATERNION) == int(kZeroQuaternion));
-static_assert(int(HUMAN40_P1_FACTORIZATION) == int(kFactorization));
-static_assert(int(HUMAN40_P1_OVERFLOW) == int(kOverflow));
-static_assert(int(HUMAN40_P1_NO_ANSWER) == int(kNoAnswer));
-static_assert(int(HUMAN40_P1_ENDED) == int(kEnded));
-static_assert(int(HUMAN40_P1_NOT_REFINED) == int(kNotRefined));
-static_assert(int(HUMAN40_P1_GIMBAL_LOCK) == int(kGimbalLock));
-static_assert(int(HUMAN40_P1_GROWTH) == int(kGrowth));
-static_assert(int(HUMAN40_P1_NOT_SET) == int(kNotSet));
-static_assert(int(HUMAN40_P1_TOO_FEW_STEPS) == int(kTooFewSteps));
-static_assert(int(HUMAN40_P1_LOOP_OPEN) == int(kLoopOpen));
-static_assert(int(HUMAN40_P1_LOOP_TORN) == int(kLoopTorn));
-static_assert(int(HUMAN40_P1_LOOP_SINGULAR) == int(kLoopSingular));
-static_assert(int(HUMAN40_P1_LOOP_FREE) == int(kLoopFree));
-
 struct human40_p1_solver : Solver {};
-
-extern "C" {
-
-int human40_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv) {
-  if (k < 0 || k >= kJointCount) return 0;
-  const JointConstants& joint = kJoints[k];
-  *name = joint.name, *q = joint.q, *nq = joint.nq, *v = joint.v, *nv = joint.nv;
-  return 1;
-}
-
-human40_p1_solver* human40_p1_open(void) { return opened<human40_p1_solver>(); }
-
-int human40_p1_solve(human40_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd) {
-  return solver->solve(q, v, tau, qdd);
-}
-
-int human40_p1_reason(int status) { return failure_kind(status); }
-
-int human40_p1_failed_joint(int status) { return is_of_joint(failure_kind(status)) ? failure_place(status) : -1; }
-
-const char* human40_p1_failure(const human40_p1_solver* solver) {
-  return solver == nullptr ? open_failure.c_str() : solver->text.c_str();
-}
-
-void human40_p1_close(human40_p1_solver* solver) {
-  if (solver == nullptr) return;
-  solver->close();
-  delete solver;
-}
-
-}  // extern "C"
+#include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
 // What this solver tells the program around it, which is the same for all robots: states in,
@@ -1279,7 +1137,7 @@ void human40_p1_close(human40_p1_solver* solver) {
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/description.hpp"
 #include "adagen/measured_alone.hpp"
-#include "adagen/this_solver.hpp"
+#include "adagen/tell.hpp"
 
 namespace {
 
@@ -1297,18 +1155,14 @@ constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
-}  // namespace
-
-// Compiled for size: it runs once.
-[[gnu::cold]] int main(int count, char** words) {
-  const adagen::Description<Number> description{
+adagen::Description<Number> description() {
+  return {
       "human40", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
       false, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop,
-      kMessageHop};
-  auto* const solver = new ThisSolver;
-  const int status = adagen::program(description, *solver, count, words);
-  delete solver;
-  return status;
+      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop, kMessageHop};
 }
+
+}  // namespace
+
+#include "adagen/entry.hpp"
 #endif  // ADAGEN_NO_MAIN

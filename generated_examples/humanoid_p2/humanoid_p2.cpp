@@ -27,151 +27,16 @@
 //   6. program     what the program around it, adagen_program.cpp, is told; main
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN and link it; humanoid_p2.h
-// beside it is this part.
-// C interface of the solver humanoid_p2: forward dynamics of "humanoid" on 2 processes,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
-#ifndef ADAGEN_HUMANOID_P2_H
-#define ADAGEN_HUMANOID_P2_H
+// humanoid_p2.h says what a program calls that links this file, compiled with -DADAGEN_NO_MAIN.
+
+#if __has_include("humanoid_p2.h")
+#include "humanoid_p2.h"
+#define ADAGEN_HEADER
+#endif
+#define ADAGEN_CALL(word) humanoid_p2_##word
+#define ADAGEN_NAMED(WORD) HUMANOID_P2_##WORD
 
 #include <mpi.h>
-
-enum {
-  HUMANOID_P2_PROCESSES = 2,
-  HUMANOID_P2_JOINTS = 30,
-  HUMANOID_P2_NQ = 36,  // numbers in q
-  HUMANOID_P2_NV = 35,  // in v and qdd
-  HUMANOID_P2_NTAU = 35  // in tau
-};
-
-// Where each joint begins in q, and in v, tau and qdd.
-enum {
-  HUMANOID_P2_Q_base = 0,
-  HUMANOID_P2_V_base = 0,  // joint 0, "__base__": floating, 7 in q, 6 in v
-  HUMANOID_P2_Q_left_hip_pitch = 7,
-  HUMANOID_P2_V_left_hip_pitch = 6,  // joint 1, "left_hip_pitch": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_left_hip_roll = 8,
-  HUMANOID_P2_V_left_hip_roll = 7,  // joint 2, "left_hip_roll": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_left_hip_yaw = 9,
-  HUMANOID_P2_V_left_hip_yaw = 8,  // joint 3, "left_hip_yaw": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_left_knee = 10,
-  HUMANOID_P2_V_left_knee = 9,  // joint 4, "left_knee": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_left_ankle_pitch = 11,
-  HUMANOID_P2_V_left_ankle_pitch = 10,  // joint 5, "left_ankle_pitch": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_left_ankle_roll = 12,
-  HUMANOID_P2_V_left_ankle_roll = 11,  // joint 6, "left_ankle_roll": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_right_hip_pitch = 13,
-  HUMANOID_P2_V_right_hip_pitch = 12,  // joint 7, "right_hip_pitch": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_right_hip_roll = 14,
-  HUMANOID_P2_V_right_hip_roll = 13,  // joint 8, "right_hip_roll": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_right_hip_yaw = 15,
-  HUMANOID_P2_V_right_hip_yaw = 14,  // joint 9, "right_hip_yaw": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_right_knee = 16,
-  HUMANOID_P2_V_right_knee = 15,  // joint 10, "right_knee": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_right_ankle_pitch = 17,
-  HUMANOID_P2_V_right_ankle_pitch = 16,  // joint 11, "right_ankle_pitch": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_right_ankle_roll = 18,
-  HUMANOID_P2_V_right_ankle_roll = 17,  // joint 12, "right_ankle_roll": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_waist_yaw = 19,
-  HUMANOID_P2_V_waist_yaw = 18,  // joint 13, "waist_yaw": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_waist_roll = 20,
-  HUMANOID_P2_V_waist_roll = 19,  // joint 14, "waist_roll": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_waist_pitch = 21,
-  HUMANOID_P2_V_waist_pitch = 20,  // joint 15, "waist_pitch": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_left_shoulder_pitch = 22,
-  HUMANOID_P2_V_left_shoulder_pitch = 21,  // joint 16, "left_shoulder_pitch": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_left_shoulder_roll = 23,
-  HUMANOID_P2_V_left_shoulder_roll = 22,  // joint 17, "left_shoulder_roll": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_left_shoulder_yaw = 24,
-  HUMANOID_P2_V_left_shoulder_yaw = 23,  // joint 18, "left_shoulder_yaw": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_left_elbow = 25,
-  HUMANOID_P2_V_left_elbow = 24,  // joint 19, "left_elbow": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_left_wrist_roll = 26,
-  HUMANOID_P2_V_left_wrist_roll = 25,  // joint 20, "left_wrist_roll": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_left_wrist_pitch = 27,
-  HUMANOID_P2_V_left_wrist_pitch = 26,  // joint 21, "left_wrist_pitch": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_neck_yaw = 28,
-  HUMANOID_P2_V_neck_yaw = 27,  // joint 22, "neck_yaw": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_neck_pitch = 29,
-  HUMANOID_P2_V_neck_pitch = 28,  // joint 23, "neck_pitch": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_right_shoulder_pitch = 30,
-  HUMANOID_P2_V_right_shoulder_pitch = 29,  // joint 24, "right_shoulder_pitch": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_right_shoulder_roll = 31,
-  HUMANOID_P2_V_right_shoulder_roll = 30,  // joint 25, "right_shoulder_roll": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_right_shoulder_yaw = 32,
-  HUMANOID_P2_V_right_shoulder_yaw = 31,  // joint 26, "right_shoulder_yaw": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_right_elbow = 33,
-  HUMANOID_P2_V_right_elbow = 32,  // joint 27, "right_elbow": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_right_wrist_roll = 34,
-  HUMANOID_P2_V_right_wrist_roll = 33,  // joint 28, "right_wrist_roll": revolute, 1 in q, 1 in v
-  HUMANOID_P2_Q_right_wrist_pitch = 35,
-  HUMANOID_P2_V_right_wrist_pitch = 34  // joint 29, "right_wrist_pitch": revolute, 1 in q, 1 in v
-};
-
-// Why a call failed, as humanoid_p2_reason tells of the status that it returned.
-enum {
-  HUMANOID_P2_FINE = 0,  // none
-  HUMANOID_P2_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
-  HUMANOID_P2_ZERO_QUATERNION = 2,  // a joint's quaternion cannot be normalised
-  HUMANOID_P2_FACTORIZATION = 3,  // inertias beside a joint differ too much for the scalar
-  HUMANOID_P2_OVERFLOW = 4,  // a joint's acceleration is not a finite number
-  HUMANOID_P2_NO_ANSWER = 5,  // a process did not answer within the time limit
-  HUMANOID_P2_ENDED = 6,  // process 0 has ended the evaluations
-  HUMANOID_P2_NOT_REFINED = 7,  // refinement does not converge
-  HUMANOID_P2_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
-  HUMANOID_P2_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  HUMANOID_P2_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
-  HUMANOID_P2_TOO_FEW_STEPS = 11,  // refinement converges too slowly
-  HUMANOID_P2_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  HUMANOID_P2_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  HUMANOID_P2_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  HUMANOID_P2_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
-};
-
-#ifdef __cplusplus
-extern "C" {
-#endif
-typedef struct humanoid_p2_solver humanoid_p2_solver;
-
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
-int humanoid_p2_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
-
-// Collective over a communicator of 2 processes. channel: "auto", "window" (shared memory) or
-// "message"; time_limit: seconds that a process waits for another. Returns null where it cannot be
-// done; humanoid_p2_failure(NULL) says why.
-humanoid_p2_solver* humanoid_p2_open(MPI_Comm comm, const char* channel, double time_limit);
-
-// One evaluation, collective. q: 36 numbers, v and tau: 35 each, qdd: 35; joints in order, quaternions
-// x y z w (normalised here), floating joints [linear; angular] in the body's frame.
-// solve: every process passes the state and gets its own joints' accelerations (others untouched);
-// solve_at_root: process 0 passes the state and gets them all, the others may pass null, or serve.
-// Returns 0, or a status that humanoid_p2_failure puts into words; no acceleration is written then.
-int humanoid_p2_solve(humanoid_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
-int humanoid_p2_solve_at_root(humanoid_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
-
-// What every process but 0 can do all the time: takes part in each solve_at_root of process 0, however
-// long that lets it wait, until process 0 ends it. Returns 0, or why it cannot go on.
-int humanoid_p2_serve(humanoid_p2_solver* solver);
-
-// At process 0: the others' serve returns. They may serve again, or all close.
-int humanoid_p2_end(humanoid_p2_solver* solver);
-
-// What a status says: its reason, and which joint it is about, -1 for none.
-int humanoid_p2_reason(int status);
-int humanoid_p2_failed_joint(int status);
-
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
-const char* humanoid_p2_failure(const humanoid_p2_solver* solver);
-
-// Collective.
-void humanoid_p2_close(humanoid_p2_solver* solver);
-#ifdef __cplusplus
-}
-#endif
-#endif
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -196,9 +61,9 @@ using Real = double;    // of all between
 constexpr int kProcesses = 2;
 [[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all, and no other takes part
 constexpr int kJointCount = 30, kLinkCount = kJointCount + 1;
-constexpr int kNq = 36, kNv = 35;
+[[maybe_unused]] constexpr int kNq = 36, kNv = 35;
 [[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
-constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
+[[maybe_unused]] constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
@@ -693,67 +558,8 @@ constexpr std::array<Range, 1> kTorque_1{ {{21, 14}} };
 #include "adagen/no_parameters.hpp"
 #include "adagen/solver.hpp"
 #include "adagen/open.hpp"
-
-static_assert(HUMANOID_P2_NQ == kNq && HUMANOID_P2_NV == kNv && HUMANOID_P2_NTAU == kNtau);
-static_assert(int(HUMANOID_P2_FINE) == int(kFine));
-static_assert(int(HUMANOID_P2_NOT_FINITE) == int(kNotFinite));
-static_assert(int(HUMANOID_P2_ZERO_QUATERNION) == int(kZeroQuaternion));
-static_assert(int(HUMANOID_P2_FACTORIZATION) == int(kFactorization));
-static_assert(int(HUMANOID_P2_OVERFLOW) == int(kOverflow));
-static_assert(int(HUMANOID_P2_NO_ANSWER) == int(kNoAnswer));
-static_assert(int(HUMANOID_P2_ENDED) == int(kEnded));
-static_assert(int(HUMANOID_P2_NOT_REFINED) == int(kNotRefined));
-static_assert(int(HUMANOID_P2_GIMBAL_LOCK) == int(kGimbalLock));
-static_assert(int(HUMANOID_P2_GROWTH) == int(kGrowth));
-static_assert(int(HUMANOID_P2_NOT_SET) == int(kNotSet));
-static_assert(int(HUMANOID_P2_TOO_FEW_STEPS) == int(kTooFewSteps));
-static_assert(int(HUMANOID_P2_LOOP_OPEN) == int(kLoopOpen));
-static_assert(int(HUMANOID_P2_LOOP_TORN) == int(kLoopTorn));
-static_assert(int(HUMANOID_P2_LOOP_SINGULAR) == int(kLoopSingular));
-static_assert(int(HUMANOID_P2_LOOP_FREE) == int(kLoopFree));
-
 struct humanoid_p2_solver : Solver {};
-
-extern "C" {
-
-int humanoid_p2_joint(int k, const char** name, int* q, int* nq, int* v, int* nv) {
-  if (k < 0 || k >= kJointCount) return 0;
-  const JointConstants& joint = kJoints[k];
-  *name = joint.name, *q = joint.q, *nq = joint.nq, *v = joint.v, *nv = joint.nv;
-  return 1;
-}
-
-humanoid_p2_solver* humanoid_p2_open(MPI_Comm comm, const char* channel, double time_limit) {
-  return opened<humanoid_p2_solver>(comm, channel, time_limit);
-}
-
-int humanoid_p2_solve(humanoid_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd) {
-  return solver->solve(q, v, tau, qdd);
-}
-
-int humanoid_p2_solve_at_root(humanoid_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd) {
-  return solver->solve_at_root(q, v, tau, qdd);
-}
-
-int humanoid_p2_serve(humanoid_p2_solver* solver) { return solver->serve(); }
-
-int humanoid_p2_end(humanoid_p2_solver* solver) { return solver->end(); }
-
-int humanoid_p2_reason(int status) { return failure_kind(status); }
-
-int humanoid_p2_failed_joint(int status) { return is_of_joint(failure_kind(status)) ? failure_place(status) : -1; }
-
-const char* humanoid_p2_failure(const humanoid_p2_solver* solver) {
-  return solver == nullptr ? open_failure.c_str() : solver->text.c_str();
-}
-
-void humanoid_p2_close(humanoid_p2_solver* solver) {
-  if (solver == nullptr) return;
-  solver->close();
-  delete solver;
-}
-
-}  // extern "C"
+#include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
 // What this solver tells the program around it, which is the same for all robots: states in,
@@ -762,7 +568,7 @@ void humanoid_p2_close(humanoid_p2_solver* solver) {
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/description.hpp"
 #include "adagen/measured.hpp"
-#include "adagen/this_solver.hpp"
+#include "adagen/tell.hpp"
 
 namespace {
 
@@ -792,18 +598,14 @@ constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
-}  // namespace
-
-// Compiled for size: it runs once.
-[[gnu::cold]] int main(int count, char** words) {
-  const adagen::Description<Number> description{
+adagen::Description<Number> description() {
+  return {
       "humanoid", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
       true, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop,
-      kMessageHop};
-  auto* const solver = new ThisSolver;
-  const int status = adagen::program(description, *solver, count, words);
-  delete solver;
-  return status;
+      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop, kMessageHop};
 }
+
+}  // namespace
+
+#include "adagen/entry.hpp"
 #endif  // ADAGEN_NO_MAIN

@@ -21,89 +21,14 @@
 //   6. program     what the program around it, adagen_program.cpp, is told; main
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN and link it; mobile_p1.h
-// beside it is this part.
-// C interface of the solver mobile_p1: forward dynamics of "mobile" on 1 process,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
-#ifndef ADAGEN_MOBILE_P1_H
-#define ADAGEN_MOBILE_P1_H
+// mobile_p1.h says what a program calls that links this file, compiled with -DADAGEN_NO_MAIN.
 
-enum {
-  MOBILE_P1_PROCESSES = 1,
-  MOBILE_P1_JOINTS = 6,
-  MOBILE_P1_NQ = 14,  // numbers in q
-  MOBILE_P1_NV = 13,  // in v and qdd
-  MOBILE_P1_NTAU = 13  // in tau
-};
-
-// Where each joint begins in q, and in v, tau and qdd.
-enum {
-  MOBILE_P1_Q_drive = 0,
-  MOBILE_P1_V_drive = 0,  // joint 0, "drive": planar, 3 in q, 3 in v
-  MOBILE_P1_Q_laser_spin = 3,
-  MOBILE_P1_V_laser_spin = 3,  // joint 1, "laser_spin": revolute, 1 in q, 1 in v
-  MOBILE_P1_Q_lift = 4,
-  MOBILE_P1_V_lift = 4,  // joint 2, "lift": prismatic, 1 in q, 1 in v
-  MOBILE_P1_Q_shoulder = 5,
-  MOBILE_P1_V_shoulder = 5,  // joint 3, "shoulder": revolute, 1 in q, 1 in v
-  MOBILE_P1_Q_wrist = 6,
-  MOBILE_P1_V_wrist = 6,  // joint 4, "wrist": revolute, 1 in q, 1 in v
-  MOBILE_P1_Q_loose = 7,
-  MOBILE_P1_V_loose = 7  // joint 5, "loose": floating, 7 in q, 6 in v
-};
-
-// Why a call failed, as mobile_p1_reason tells of the status that it returned.
-enum {
-  MOBILE_P1_FINE = 0,  // none
-  MOBILE_P1_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
-  MOBILE_P1_ZERO_QUATERNION = 2,  // a joint's quaternion cannot be normalised
-  MOBILE_P1_FACTORIZATION = 3,  // inertias beside a joint differ too much for the scalar
-  MOBILE_P1_OVERFLOW = 4,  // a joint's acceleration is not a finite number
-  MOBILE_P1_NO_ANSWER = 5,  // a process did not answer within the time limit
-  MOBILE_P1_ENDED = 6,  // process 0 has ended the evaluations
-  MOBILE_P1_NOT_REFINED = 7,  // refinement does not converge
-  MOBILE_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
-  MOBILE_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  MOBILE_P1_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
-  MOBILE_P1_TOO_FEW_STEPS = 11,  // refinement converges too slowly
-  MOBILE_P1_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  MOBILE_P1_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  MOBILE_P1_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  MOBILE_P1_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
-};
-
-#ifdef __cplusplus
-extern "C" {
+#if __has_include("mobile_p1.h")
+#include "mobile_p1.h"
+#define ADAGEN_HEADER
 #endif
-typedef struct mobile_p1_solver mobile_p1_solver;
-
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
-int mobile_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
-
-// A solver, with all the memory that it will ever need: no other call allocates, waits or takes a
-// lock. One solver is for one thread at a time. Returns null where there is no memory;
-// mobile_p1_failure(NULL) says so.
-mobile_p1_solver* mobile_p1_open(void);
-
-// One evaluation. q: 14 numbers, v and tau: 13 each, qdd: 13; joints in order, quaternions
-// x y z w (normalised here), floating joints [linear; angular] in the body's frame.
-// Returns 0, or a status that mobile_p1_failure puts into words; no acceleration is written then.
-int mobile_p1_solve(mobile_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
-
-// What a status says: its reason, and which joint it is about, -1 for none.
-int mobile_p1_reason(int status);
-int mobile_p1_failed_joint(int status);
-
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
-const char* mobile_p1_failure(const mobile_p1_solver* solver);
-
-void mobile_p1_close(mobile_p1_solver* solver);
-#ifdef __cplusplus
-}
-#endif
-#endif
+#define ADAGEN_CALL(word) mobile_p1_##word
+#define ADAGEN_NAMED(WORD) MOBILE_P1_##WORD
 
 #include <algorithm>
 #include <array>
@@ -128,9 +53,9 @@ using Real = double;    // of all between
 constexpr int kProcesses = 1;
 [[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all, and no other takes part
 constexpr int kJointCount = 6, kLinkCount = kJointCount + 1;
-constexpr int kNq = 14, kNv = 13;
+[[maybe_unused]] constexpr int kNq = 14, kNv = 13;
 [[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
-constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
+[[maybe_unused]] constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
 [[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
 [[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
@@ -811,57 +736,8 @@ constexpr std::array<Range, 1> kTorque_0{ {{0, 13}} };
 #include "adagen/no_parameters.hpp"
 #include "adagen/solver_alone.hpp"
 #include "adagen/open_alone.hpp"
-
-static_assert(MOBILE_P1_NQ == kNq && MOBILE_P1_NV == kNv && MOBILE_P1_NTAU == kNtau);
-static_assert(int(MOBILE_P1_FINE) == int(kFine));
-static_assert(int(MOBILE_P1_NOT_FINITE) == int(kNotFinite));
-static_assert(int(MOBILE_P1_ZERO_QUATERNION) == int(kZeroQuaternion));
-static_assert(int(MOBILE_P1_FACTORIZATION) == int(kFactorization));
-static_assert(int(MOBILE_P1_OVERFLOW) == int(kOverflow));
-static_assert(int(MOBILE_P1_NO_ANSWER) == int(kNoAnswer));
-static_assert(int(MOBILE_P1_ENDED) == int(kEnded));
-static_assert(int(MOBILE_P1_NOT_REFINED) == int(kNotRefined));
-static_assert(int(MOBILE_P1_GIMBAL_LOCK) == int(kGimbalLock));
-static_assert(int(MOBILE_P1_GROWTH) == int(kGrowth));
-static_assert(int(MOBILE_P1_NOT_SET) == int(kNotSet));
-static_assert(int(MOBILE_P1_TOO_FEW_STEPS) == int(kTooFewSteps));
-static_assert(int(MOBILE_P1_LOOP_OPEN) == int(kLoopOpen));
-static_assert(int(MOBILE_P1_LOOP_TORN) == int(kLoopTorn));
-static_assert(int(MOBILE_P1_LOOP_SINGULAR) == int(kLoopSingular));
-static_assert(int(MOBILE_P1_LOOP_FREE) == int(kLoopFree));
-
 struct mobile_p1_solver : Solver {};
-
-extern "C" {
-
-int mobile_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv) {
-  if (k < 0 || k >= kJointCount) return 0;
-  const JointConstants& joint = kJoints[k];
-  *name = joint.name, *q = joint.q, *nq = joint.nq, *v = joint.v, *nv = joint.nv;
-  return 1;
-}
-
-mobile_p1_solver* mobile_p1_open(void) { return opened<mobile_p1_solver>(); }
-
-int mobile_p1_solve(mobile_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd) {
-  return solver->solve(q, v, tau, qdd);
-}
-
-int mobile_p1_reason(int status) { return failure_kind(status); }
-
-int mobile_p1_failed_joint(int status) { return is_of_joint(failure_kind(status)) ? failure_place(status) : -1; }
-
-const char* mobile_p1_failure(const mobile_p1_solver* solver) {
-  return solver == nullptr ? open_failure.c_str() : solver->text.c_str();
-}
-
-void mobile_p1_close(mobile_p1_solver* solver) {
-  if (solver == nullptr) return;
-  solver->close();
-  delete solver;
-}
-
-}  // extern "C"
+#include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
 // What this solver tells the program around it, which is the same for all robots: states in,
@@ -870,7 +746,7 @@ void mobile_p1_close(mobile_p1_solver* solver) {
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/description.hpp"
 #include "adagen/measured_alone.hpp"
-#include "adagen/this_solver.hpp"
+#include "adagen/tell.hpp"
 
 namespace {
 
@@ -888,18 +764,14 @@ constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
-}  // namespace
-
-// Compiled for size: it runs once.
-[[gnu::cold]] int main(int count, char** words) {
-  const adagen::Description<Number> description{
+adagen::Description<Number> description() {
+  return {
       "mobile", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
       false, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop,
-      kMessageHop};
-  auto* const solver = new ThisSolver;
-  const int status = adagen::program(description, *solver, count, words);
-  delete solver;
-  return status;
+      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop, kMessageHop};
 }
+
+}  // namespace
+
+#include "adagen/entry.hpp"
 #endif  // ADAGEN_NO_MAIN

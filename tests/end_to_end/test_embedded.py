@@ -140,7 +140,7 @@ def test_its_memory_is_what_the_head_says(case: str, builder: Builder) -> None:
     assert found
     assert f"OWN_P1_BYTES = {found[1]}" in compiled.header
     probe = "int main() { return sizeof(own_p1_solver) * 4 < 3 * OWN_P1_BYTES; }\n"
-    program = builder.compile(f"{compiled.source}{probe}", "probe", EXACT)
+    program = builder.compile(f"{compiled.header}{compiled.source}{probe}", "probe", EXACT)
     run(program)  # no more is asked for than four thirds of what is needed
 
 

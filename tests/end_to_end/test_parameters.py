@@ -195,8 +195,8 @@ def on_processes(model: Model, batch: bool, builder: Builder) -> list[str]:
     stem = stem_of(plan, "falling", 2 * batch)
     solve, count = ("solve_batch", "1,") if batch else ("solve", "")
     text = filled("parameters.cpp", stem, SOLVER_SOLVE=f"{stem}_{solve}", COUNT=count)
-    text = text.replace(f'#include "{stem}.h"\n', "")  # the source has it
-    source = f"#define ADAGEN_NO_MAIN\n{files[f'{stem}.cpp']}{text}"
+    text = text.replace(f'#include "{stem}.h"\n', "")  # it stands in front
+    source = f"#define ADAGEN_NO_MAIN\n{files[f'{stem}.h']}{files[f'{stem}.cpp']}{text}"
     done = launch(builder.compile(source, stem, QUICK), 2, [], builder.toolchain, 60)
     assert (done.status, done.stderr) == (0, "")
     return done.stdout.splitlines()

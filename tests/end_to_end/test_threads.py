@@ -92,7 +92,8 @@ def solver_and(program: str, case: str, **words: str) -> str:
     _, plan, options = CASES[case]
     plan = replace(plan, channel=THREADS)
     stem = stem_of(plan, "team")
-    source = emit(plan, name="team", **options)[f"{stem}.cpp"]
+    files = emit(plan, name="team", **options)
+    source = f"{files[f'{stem}.h']}{files[f'{stem}.cpp']}"
     assert "mpi.h" not in source
     return f"#define ADAGEN_NO_MAIN\n{source}{filled(program, stem, **words)}"
 

@@ -199,7 +199,7 @@ inline std::vector<Real> least(const Constraints& at, const std::vector<Real>& r
   for (int i = 0; i < m; ++i) y[std::size_t(i)] *= scale[std::size_t(i)];
   for (int i = 0; i < m; ++i)
     for (int j = 0; j < n; ++j) x[std::size_t(j)] += weight(j) * at.row(i)[j] * y[std::size_t(i)];
-  if (forces != nullptr) *forces = y;
+  if (forces != nullptr) *forces = std::move(y);
   return x;
 }
 

@@ -27,7 +27,7 @@ namespace {
 // The memory of a process.
 
 // Joints that are treated together, one in each lane of T; their slots follow each other.
-template <class T>
+template <class T>  // T may be one Value itself: NOLINTNEXTLINE(bugprone-sizeof-expression)
 [[maybe_unused]] constexpr int kWidth = static_cast<int>(sizeof(T) / sizeof(Value));
 template <class T>
 struct Joints {
