@@ -13,6 +13,7 @@ from dataclasses import astuple, dataclass
 from itertools import accumulate
 from math import inf
 
+from adagen.plan.carried import may_be_carried
 from adagen.plan.simd_groups import KINDS
 from adagen.plan.types import PlanJoint
 from adagen.program.runs import OF_ONE_FREEDOM, Run
@@ -270,13 +271,15 @@ class Floors:
         costs, joints = self.costs, self.robot.joints
         held = self.robot.held[limb.link]
         inwards = costs["root.invert"] if held else 0.0
-        link = held or limb.link
+        beyond, link = 0, held or limb.link
         while link > 0:
             joint = joints[link - 1]
             priced = PRESCRIBED if joint.prescribed else joint.kind
             price = costs["propagate.ground" if joint.parent == 0 else f"propagate.{priced}"]
-            inwards += min(price, costs[f"propagate_run.{joint.kind}"])
-            link = joint.parent
+            if may_be_carried(joints, link - 1) or (beyond and may_be_carried(joints, beyond - 1)):
+                price = min(price, costs[f"propagate_run.{joint.kind}"])
+            inwards += price
+            beyond, link = link, joint.parent
         return Floor(inwards, 0.0, inwards)
 
 
