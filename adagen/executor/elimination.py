@@ -49,13 +49,13 @@ class Elimination:
 
     Args:
         state: whose process it is.
-        step: what follows from what.
+        lanes: what follows from what: of closures that go side by side, one for each lane.
         front: the closure.
     """
 
-    def __init__(self, state: State, step: Eliminate, front: Front) -> None:
-        self.state, self.step, self.front = state, step, front
-        self.memory: dict[Any, Any] = state.memory
+    def __init__(self, state: State, lanes: Sequence[Eliminate], front: Front) -> None:
+        self.state, self.lanes, self.front = state, lanes, front
+        self.step = step = lanes[0]
         self.epsilon = EPSILON[FACTORS[state.plan.scalar]]
         self.columns = front.columns.pop(step.link, {}) if step.link else {}
         self.fails = SINGULAR if step.recovers else "kLoopSingular"
@@ -72,6 +72,11 @@ class Elimination:
         else:
             self._keep_forces(step.moved)
             self._follow()
+        if step.link:
+            tops = [lane.link for lane in self.lanes]
+            count = len(dict.fromkeys(lane.closure for lane in self.lanes))
+            for name, value in self.front.handed.items():
+                self.state.rows.add(name, tops, count, value)
 
     # -- the closure's function -------------------------------------------------------------------
 
@@ -108,7 +113,8 @@ class Elimination:
 
     def _scales(self) -> Array:
         """What brings the kept rows to one size, shape (rows, 1)."""
-        return self.state.constants(self.step.scales)[:, None]
+        each = [self.state.constants(lane.scales) for lane in self.lanes]
+        return self.state.rows.packed(each)[:, None]
 
     def _keep_forces(self, moving: Sequence[int]) -> None:
         """Keep what forces follow from, where they are asked for: how rows push accelerations."""
@@ -229,16 +235,14 @@ class Elimination:
         """Keep unknowns as they follow from the top; take what they give way from the top."""
         none = self.state.zeros(len(unknowns), 0)
         self.front.solved.append(Solved(tuple(unknowns), -found[:, :6], (), none, -found[:, 6:]))
-        link = self.step.link
-        if not link:
+        if not self.step.link:
             return
-        inertia, p = self.memory["IA", link].copy(), self.memory["pA", link]
+        inertia = self.state.zeros(6, 6)
         for i in range(6):
             for k in range(i, 6):
-                value = inertia[i, k] - dot(across[:, i], found[:, k])
-                inertia[i, k] = inertia[k, i] = value
-        self.memory["IA", link] = inertia
-        self.memory["pA", link] = p - matrix_times(across.T, found[:, 6:])
+                inertia[i, k] = inertia[k, i] = -dot(across[:, i], found[:, k])
+        self.front.hand("IA", inertia)
+        self.front.hand("pA", -matrix_times(across.T, found[:, 6:]))
 
     def _move_top(
         self, across: Array, at_top: Array, own: Array, offset: Array, biases: Array
@@ -256,16 +260,14 @@ class Elimination:
         if link and any(x.constant != 0 for x in across.flat):
             added = matrix_times(across.T, at_top + matrix_times(own, across))
             added = added + matrix_times(at_top.T, across)
-            self.memory["IA", link] = _symmetric(self.memory["IA", link] + added)
-            force = matrix_times(across.T, biases + matrix_times(own, offset))
-            self.memory["pA", link] = self.memory["pA", link] + force
+            self.front.hand("IA", _symmetric(added))
+            self.front.hand("pA", matrix_times(across.T, biases + matrix_times(own, offset)))
         self._push_top(at_top, offset)
 
     def _push_top(self, at_top: Array, offset: Array) -> None:
         """What accelerations that the rows give by themselves do to the top."""
-        link = self.step.link
-        if link:
-            self.memory["pA", link] = self.memory["pA", link] + matrix_times(at_top.T, offset)
+        if self.step.link:
+            self.front.hand("pA", matrix_times(at_top.T, offset))
 
     def _forward(self, lower: Array, right: Array) -> Array:
         """Solve L x = right for a lower triangular L, shape (n, k)."""
