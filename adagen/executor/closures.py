@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from adagen.executor.checks import Check
 from adagen.executor.elimination import Elimination
 from adagen.executor.frames import Transform, columnwise
-from adagen.executor.front import Front
+from adagen.executor.front import Front, Opening
 from adagen.executor.kinematics import Motion
 from adagen.executor.loop_forces import give_forces
 from adagen.executor.loop_frames import LoopFrames
@@ -80,6 +80,7 @@ class Closures:
                 self._carry(step, front)
             case Eliminate():
                 lanes = [lane.eliminate for lane in self._lanes(step.closure)]
+                self._look_at_rates(front)
                 Elimination(self.state, lanes, front).run()
             case Release():
                 self._release(step, front)
@@ -131,7 +132,12 @@ class Closures:
         place = self._named(numbers, len(self.state.plan.joints))
         joints = (*frames.one.joints, *frames.two.joints)
         tolerance = self._packed([one.tolerance for one in loops])
-        self._refuse_open(place, frames.gap(), frames.rate(), joints, tolerance)
+        fastest = self._refuse_open(place, frames.gap(), joints, tolerance)
+        if self._moves_by_rows(step):
+            forces = range(step.first, step.first + len(step.rows))
+            front.opening.append(Opening(place, fastest, tuple(forces)))
+        else:
+            self._refuse_torn(place, frames.rate(), fastest)
         fields = [
             self.motion.field_of_all([one.link1 for one in loops]),
             self.motion.field_of_all([one.link2 for one in loops]),
@@ -165,25 +171,29 @@ class Closures:
                 in_frame = matrix_times(turn, in_frame)
             front.loops[step.loop].append((unknown, linear, in_frame))
 
-    def _refuse_open(
-        self,
-        place: int,
-        gap: Expression,
-        rate: Expression,
-        joints: Sequence[int],
-        tolerance: Array,
-    ) -> None:
-        """Check that a constraint holds, and goes on to; its gap and rate are squares.
+    def _moves_by_rows(self, step: CloseLoop) -> bool:
+        """Whether how fast a loop opens is told by what its rows do to what is held back."""
+        one = self.alone.get(step.closure)
+        return one is not None and len(one.held) == len(one.path) and not one.eliminate.grounded
 
-        The faster its joints move, the faster it may open.
+    def _refuse_open(
+        self, place: int, gap: Expression, joints: Sequence[int], tolerance: Array
+    ) -> Expression:
+        """Check that a constraint holds; its gap is a square.
+
+        Returns the square of how fast it may open: the faster its joints move, the faster.
         """
-        zero = self.state.graph.constant(0)
         speeds = total([v * v for j in joints for v in self.state.configuration(j)[1]])
         tolerated: Expression = tolerance.item()
         most = tolerated * tolerated
-        fastest = (speeds + 1.0) * (most * RATES**2)
-        for left, failure in ((most - gap, "kLoopOpen"), (fastest - rate, "kLoopTorn")):
-            self.state.checks.append(Check(left, zero, place, failure))
+        zero: Expression = self.state.graph.constant(0)
+        self.state.checks.append(Check(most - gap, zero, place, "kLoopOpen"))
+        return (speeds + 1.0) * (most * RATES**2)
+
+    def _refuse_torn(self, place: int, rate: Expression, fastest: Expression) -> None:
+        """Check that a constraint goes on to hold; its rate is a square."""
+        zero: Expression = self.state.graph.constant(0)
+        self.state.checks.append(Check(fastest - rate, zero, place, "kLoopTorn"))
 
     def _close_coupling(self, step: CloseCoupling, front: Front) -> None:
         plan, numbers = self.state.plan, self._couplings(step)
@@ -196,7 +206,8 @@ class Closures:
         gap = gap - self._packed([one.offset for one in couplings])[()]
         place = self._named(numbers, len(plan.joints) + len(plan.loops))
         tolerance = self._packed([one.tolerance for one in couplings])
-        self._refuse_open(place, gap * gap, rate * rate, joints, tolerance)
+        fastest = self._refuse_open(place, gap * gap, joints, tolerance)
+        self._refuse_torn(place, rate * rate, fastest)
         front.lanes[place] = tuple(dict.fromkeys(numbers))
         front.couplings[step.coupling] = step.unknown
         if step.unknown is None:
@@ -226,7 +237,7 @@ class Closures:
             p = p + matrix_times(inertia, drift)
             for unknown, column in columns.items():
                 front.add_bias(unknown, matrix_times(column[None, :], drift)[0])
-        pull = self.state.torques(j)
+        pull, (_, speeds) = self.state.torques(j), self.state.configuration(j)
         rotor = self.state.rotor(j)
         front.first[j] = step.first
         for k, row in enumerate(free):
@@ -242,6 +253,7 @@ class Closures:
             for unknown, factor in front.ties.get(j, []):
                 front.add(own, unknown, factor)
             front.places[own] = j
+            front.speeds[own] = speeds[k]
         if parent > 0:
             self._pass(step, front, inertia, p, columns)
 
@@ -261,6 +273,19 @@ class Closures:
                 front.hand(name, value)
             else:
                 self.state.rows.hand_on(name, j, value)
+
+    def _look_at_rates(self, front: Front) -> None:
+        """Check that loops do not open: J v, of all rows that are any."""
+        for opening in front.opening:
+            rates = []
+            for force in opening.rows:
+                pairs = ((front.entry(own, force), v) for own, v in front.speeds.items())
+                terms = [entry * v for entry, v in pairs if entry is not None]
+                if terms:
+                    rates.append(total(terms))
+            if rates:
+                rate = total([x * x for x in rates])
+                self._refuse_torn(opening.place, rate, opening.fastest)
 
     def _carry(self, step: CarryRows, front: Front) -> None:
         """Take C through a joint that was articulated: C - U D^-1 S^T C, and what that does."""

@@ -20,10 +20,12 @@ from adagen.executor.state import State
 from adagen.graph import (
     Expression,
     Factors,
+    Regular,
     dot,
     factorize,
     matrix_times,
     reflect,
+    solved_by_parts,
     solved_by_reflections,
     total,
 )
@@ -112,9 +114,9 @@ class Elimination:
         return np.concatenate([at_top, self._block(rows, self.step.singles)], axis=1)
 
     def _scales(self) -> Array:
-        """What brings the kept rows to one size, shape (rows, 1)."""
+        """What brings the kept rows to one size, shape (rows,)."""
         each = [self.state.constants(lane.scales) for lane in self.lanes]
-        return self.state.rows.packed(each)[:, None]
+        return self.state.rows.packed(each)
 
     def _keep_forces(self, moving: Sequence[int]) -> None:
         """Keep what forces follow from, where they are asked for: how rows push accelerations."""
@@ -143,10 +145,9 @@ class Elimination:
         step, y, z = self.step, self.step.singles, self.step.moved
         to_z, by_others = self._block(step.rows, z), self._by_others(step.rows)
         right = np.concatenate([by_others, self._biases(step.rows)], axis=1)
-        scales = self._scales()
-        solved, diagonal = solved_by_reflections(to_z * scales, right * scales)
+        solved, regular = solved_by_parts(to_z, right, self._scales())
         gained = -solved
-        self._check_rank(diagonal)
+        self._check_regular(regular)
         count = by_others.shape[1]
         self._check_size(gained[:, :count])
         rest, to_left_out = self._by_others(step.followers), self._block(step.followers, z)
@@ -170,11 +171,12 @@ class Elimination:
     def _follow_basis(self) -> None:
         """By an orthogonal basis N of what the rows leave free, w = N y + g: J^T = Q R, N in Q."""
         step, w, count = self.step, self.step.singles, len(self.step.rows)
-        scales = self._scales()
+        scales = self._scales()[:, None]
         r = (self._block(step.rows, w) * scales).T.copy()
         nothing = self.state.zeros(len(w), 0)
         reflections = [reflect(k, r, nothing) for k in range(count)]
-        self._check_rank([r[k, k] for k in range(count)])
+        pivots = (r[k, k] for k in range(count))
+        self._check_regular([Regular(k, x * x, 1.0) for k, x in enumerate(pivots)])
         free = len(w) - count
         basis = self.state.zeros(len(w), free + self.state.columns)
         basis[count:, :free] = self.state.constants(np.eye(free))
@@ -286,11 +288,11 @@ class Elimination:
         limit = self.state.graph.constant(least) if isinstance(least, float) else least
         self.state.checks.append(Check(value, limit, self.front.places[unknown], how))
 
-    def _check_rank(self, diagonal: Sequence[Expression]) -> None:
-        """What follows has to follow: no pivot of the rows, brought to one size, may vanish."""
+    def _check_regular(self, regular: Sequence[Regular]) -> None:
+        """What follows has to follow: the rows, brought to one size, may not be singular."""
         least = LEAST[FACTORS[self.state.plan.scalar]] ** 2
-        for unknown, pivot in zip(self.step.rows, diagonal, strict=True):
-            self._check(pivot * pivot, least, unknown, self.fails)
+        for each in regular:
+            self._check(each.square, each.beside * least, self.step.rows[each.row], self.fails)
 
     def _check_size(self, g: Array) -> None:
         """Look at G: where it is large, this choice of what follows is poor."""
