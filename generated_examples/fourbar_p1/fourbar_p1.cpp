@@ -4,7 +4,7 @@
 // command   adagen ../models/fourbar.urdf --scene=../models/fourbar.toml --procs 1
 // options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp
-// program   1 process; 0.0807 us predicted (default profile)
+// program   1 process; 0.0725 us predicted (default profile)
 //           process 0: crank_pin .. rocker_pin
 // licence   yours to choose: what adagen emits belongs to whoever emits it
 //
@@ -238,7 +238,7 @@ namespace {
 // with all joint accelerations zero.
 
 // =================================================================================================
-// Process 0: 115 products, 70 sums, 4 quotients
+// Process 0: 94 products, 59 sums, 2 quotients
 // =================================================================================================
 
 ADAGEN_NOINLINE void part_0_0(Workspace& w) {
@@ -258,89 +258,81 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   // link 2 "coupler": force that the reference field takes
   const Real x76 = x27 * 0.25;
   // what a loop holds its two links by
-  const Real x131 = v[0] * 0.2;
-  const Real x125 = v[2] * 0.4;
-  const Real x167 = cosine[0] * cosine[1] - sine[0] * sine[1];
-  const Real x135 = sine[1] * x131;
-  const Real x170 = sine[0] * cosine[1] + cosine[0] * sine[1];
-  const Real x205 = 9.81 * sine[2] + x47 * 0.4;
-  const Real x139 = cosine[1] * x131 + x19 * 0.5;
-  const Real x191 = cosine[2] * x167 + sine[2] * x170;
-  const Real x195 = cosine[2] * x170 - sine[2] * x167;
+  const Real x137 = cosine[0] * cosine[1] - sine[0] * sine[1];
   const Real x106 = sine[1] * 0.5;
+  const Real x140 = sine[0] * cosine[1] + cosine[0] * sine[1];
+  const Real x157 = 9.81 * sine[2] + x47 * 0.4;
   const Real x109 = 0.2 + cosine[1] * 0.5;
-  const Real x145 = cosine[1] * x139 + sine[1] * x135;
-  const Real x221 = x44 * x195 + x191 * x205;
-  const Real x150 = cosine[1] * x135 - sine[1] * x139;
-  // joint 1 "coupler_pin": inertia and bias force of what is beyond, its own motion left open
-  const Real x232 = cosine[1] * 0.25;
-  const Real x238 = 0.0834083 + 0.2 * x232;
-  // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x293 = sine[1] * 0.2 * 4.0;
-  const Real x290 = 2.0 * (0.5 + cosine[1] * 0.2);
-  const Real x300 = x293 * x293;
-  const Real x291 = 2.0 * (0.4 * x191);
-  const Real x295 = 0.4 * x195 * 4.0;
-  const Real x296 = 2.0 * (x44 * x191 - x195 * x205 - x27);
-  // what a loop holds its two links by
-  const Real x121 = cosine[0] * x106 + sine[0] * x109 - sine[2] * 0.4;
+  const Real x143 = cosine[2] * x137 + sine[2] * x140;
+  const Real x147 = cosine[2] * x140 - sine[2] * x137;
+  const Real x163 = 0.4 * x143;
+  const Real x178 = 0.4 * x147;
+  const Real x165 = x44 * x143 - x147 * x157 - x27;
   const Real x119 = cosine[0] * x109 - sine[0] * x106;
   const Real x120 = 0.45 + cosine[2] * 0.4 - x119;
-  const Real x163 = cosine[0] * x145 + sine[0] * x150 - cosine[2] * x125;
-  const Real x161 = cosine[0] * x150 - sine[0] * x145 + sine[2] * x125;
-  const Real x187 = 1e-08 - (x120 * x120 + x121 * x121);
-  require_more(w, x187, 0.0, kLoopOpen, 3);
-  const Real x186 = (x11 + v[1] * v[1] + x47 + 1.0) * 1.0000000000000002e-06;
-  const Real x188 = x186 - (x161 * x161 + x163 * x163);
-  require_more(w, x188, 0.0, kLoopTorn, 3);
+  const Real x121 = cosine[0] * x106 + sine[0] * x109 - sine[2] * 0.4;
+  const Real x176 = x44 * x147 + x143 * x157;
+  const Real x180 = x32 + x36 * 0.5 - x176;
   // joint 1 "coupler_pin": inertia and bias force of what is beyond, its own motion left open
-  const Real x267 = cosine[1] * x27 + sine[1] * (x32 + x36 * 0.25);
+  const Real x198 = sine[1] * 0.2;
+  const Real x187 = cosine[1] * 0.25;
+  const Real x197 = 0.5 + cosine[1] * 0.2;
+  const Real x193 = 0.0834083 + 0.2 * x187;
+  const Real x222 = cosine[1] * x27 + sine[1] * (x32 + x36 * 0.25);
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x297 = (x32 + x36 * 0.5 - x221) * 4.0;
-  const Real x304 = sign_of(x290) * sqrt_of(x290 * x290 + x300);
-  const Real x305 = x290 + x304;
-  const Real x343 = 1 / x304;
-  const Real x357 = x304 * x304;
-  require_more(w, x357, 9.999999999999998e-15, kSingularPose, 3);
-  const Real x307 = x300 + x305 * x305;
-  const Real x309 = 2.0 * (1 / x307);
-  const Real x316 = x309 * (x291 * x305 + x293 * x295);
-  const Real x324 = x305 * x309;
-  const Real x333 = x309 * (x296 * x305 - x293 * x297);
-  const Real x323 = x295 - x293 * x316;
-  const Real x322 = x305 * x316 - x291;
-  const Real x340 = 1 / x323;
-  const Real x360 = x323 * x323;
-  require_more(w, x360, 9.999999999999998e-15, kSingularPose, 3);
-  const Real x341 = x293 * x324 * x340;
-  const Real x342 = (x297 + x293 * x333) * x340;
-  const Real x368 = 0.042726700000000006 * x341;
-  const Real x348 = x343 * (1.0 - x305 * x324 - x322 * x341);
-  const Real x353 = x343 * (x296 - x305 * x333 - x322 * x342);
+  const Real x262 = x178 * x197 - x163 * x198;
+  const Real x249 = v[1] * 0.5 + v[0] * x197 - v[2] * x163;
+  const Real x263 = 1 / x262;
+  const Real x253 = v[2] * x178 - v[0] * x198;
+  // what a loop holds its two links by
+  const Real x129 = 1e-08 - (x120 * x120 + x121 * x121);
+  require_more(w, x129, 0.0, kLoopOpen, 3);
+  // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
+  const Real x288 = x262 * x262;
+  const Real x279 = x197 * x197 + x163 * x163;
+  const Real x283 = x198 * x198 + x178 * x178;
+  const Real x284 = 4.0 * x279;
+  require_more(w, x284, 9.999999999999998e-15, kSingularPose, 3);
+  const Real x286 = x283 * 16.0;
+  require_more(w, x286, 9.999999999999998e-15, kSingularPose, 3);
+  // what a loop holds its two links by
+  const Real x133 = (x11 + v[1] * v[1] + x47 + 1.0) * 1.0000000000000002e-06;
+  // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
+  const Real x257 = x133 - (x249 * x249 + x253 * x253);
+  require_more(w, x257, 0.0, kLoopTorn, 3);
+  const Real x294 = x279 * x283 * 9.999999999999998e-15;
+  require_more(w, x288, x294, kSingularPose, 3);
+  const Real x264 = x178 * x263;
+  const Real x266 = x198 * x263;
+  const Real x268 = 0.5 * x264;
+  const Real x272 = 0.5 * x266;
+  const Real x304 = 0.042726700000000006 * x272;
+  const Real x271 = x165 * x264 + x180 * (x163 * x263);
   // joint 0 "crank_pin": inertia and bias force of what is beyond, its own motion left open
-  const Real x287 = x76 + 0.2 * x267 + x8 * 0.04000000000000001 + tau[0];
+  const Real x242 = x76 + 0.2 * x222 + x8 * 0.04000000000000001 + tau[0];
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x367 = (x238 - 0.2 * (-0.2 - x232) + 0.00536333) * x348;
-  const Real x370 = x238 + x367;
-  const Real x382 = (x44 * 0.16000000000000003 + tau[2]) * x341 - x287 * x348;
-  const Real x366 = 40000.0 - (x348 * x348 + x341 * x341);
-  require_more(w, x366, 0.0, kSingularPose, 3);
-  const Real x387 = x353 * x370 + x342 * x368;
-  const Real x375 = x348 * x370 + x341 * x368 + 0.0834083;
-  const Real x377 = x375 + x238 * x348;
-  require_more(w, x377, 0.0, kLoopFree, 1);
-  const Real x390 = (x382 - (x76 + tau[1]) + x387) * (1 / x377);
-  const Real x391 = -x390;
-  w.result[1] = x391;
+  const Real x275 = x165 * x266 + x180 * (x197 * x263);
+  const Real x302 = (x193 - 0.2 * (-0.2 - x187) + 0.00536333) * x268;
+  const Real x306 = x193 - x302;
+  const Real x320 = x242 * x268 + (x44 * 0.16000000000000003 + tau[2]) * x272;
+  const Real x301 = 40000.0 - (x268 * x268 + x272 * x272);
+  require_more(w, x301, 0.0, kSingularPose, 3);
+  const Real x326 = x275 * x304 - x271 * x306;
+  const Real x312 = x272 * x304 - x268 * x306 + 0.0834083;
+  const Real x315 = x312 - x193 * x268;
+  require_more(w, x315, 0.0, kLoopFree, 1);
+  const Real x329 = (x320 - (x76 + tau[1]) + x326) * (1 / x315);
+  const Real x330 = -x329;
+  w.result[1] = x330;
   // link 0 "ground": accelerations and constraint forces of loops below it
-  const Real x396 = x353 - x348 * x390;
-  w.result[0] = x396;
-  const Real x397 = x341 * x390 - x342;
-  w.result[2] = x397;
+  const Real x335 = x268 * x329 - x271;
+  w.result[0] = x335;
+  const Real x336 = x272 * x329 - x275;
+  w.result[2] = x336;
 }
 
 // =================================================================================================
-// Process 0 in a singular pose: 129 products, 80 sums, 5 quotients
+// Process 0 in a singular pose: 119 products, 76 sums, 5 quotients
 // =================================================================================================
 
 ADAGEN_NOINLINE void part_1_0(Workspace& w) {
@@ -360,96 +352,95 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
   // link 2 "coupler": force that the reference field takes
   const Real x76 = x27 * 0.25;
   // what a loop holds its two links by
-  const Real x131 = v[0] * 0.2;
-  const Real x125 = v[2] * 0.4;
-  const Real x167 = cosine[0] * cosine[1] - sine[0] * sine[1];
-  const Real x135 = sine[1] * x131;
-  const Real x170 = sine[0] * cosine[1] + cosine[0] * sine[1];
-  const Real x205 = 9.81 * sine[2] + x47 * 0.4;
-  const Real x139 = cosine[1] * x131 + x19 * 0.5;
-  const Real x191 = cosine[2] * x167 + sine[2] * x170;
-  const Real x195 = cosine[2] * x170 - sine[2] * x167;
+  const Real x137 = cosine[0] * cosine[1] - sine[0] * sine[1];
   const Real x106 = sine[1] * 0.5;
+  const Real x140 = sine[0] * cosine[1] + cosine[0] * sine[1];
+  const Real x157 = 9.81 * sine[2] + x47 * 0.4;
   const Real x109 = 0.2 + cosine[1] * 0.5;
-  const Real x145 = cosine[1] * x139 + sine[1] * x135;
-  const Real x150 = cosine[1] * x135 - sine[1] * x139;
-  const Real x221 = x44 * x195 + x191 * x205;
-  // joint 1 "coupler_pin": inertia and bias force of what is beyond, its own motion left open
-  const Real x232 = cosine[1] * 0.25;
-  const Real x238 = 0.0834083 + 0.2 * x232;
-  // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x293 = sine[1] * 0.2 * 4.0;
-  const Real x290 = 2.0 * (0.5 + cosine[1] * 0.2);
-  const Real x291 = 2.0 * (0.4 * x191);
-  const Real x295 = 0.4 * x195 * 4.0;
-  const Real x298 = x291 * x291;
-  // what a loop holds its two links by
-  const Real x121 = cosine[0] * x106 + sine[0] * x109 - sine[2] * 0.4;
+  const Real x143 = cosine[2] * x137 + sine[2] * x140;
+  const Real x147 = cosine[2] * x140 - sine[2] * x137;
+  const Real x163 = 0.4 * x143;
+  const Real x178 = 0.4 * x147;
+  const Real x176 = x44 * x147 + x143 * x157;
   const Real x119 = cosine[0] * x109 - sine[0] * x106;
   const Real x120 = 0.45 + cosine[2] * 0.4 - x119;
-  const Real x163 = cosine[0] * x145 + sine[0] * x150 - cosine[2] * x125;
-  const Real x161 = cosine[0] * x150 - sine[0] * x145 + sine[2] * x125;
-  const Real x187 = 1e-08 - (x120 * x120 + x121 * x121);
-  require_more(w, x187, 0.0, kLoopOpen, 3);
-  const Real x186 = (x11 + v[1] * v[1] + x47 + 1.0) * 1.0000000000000002e-06;
-  const Real x188 = x186 - (x161 * x161 + x163 * x163);
-  require_more(w, x188, 0.0, kLoopTorn, 3);
   // joint 1 "coupler_pin": inertia and bias force of what is beyond, its own motion left open
-  const Real x267 = cosine[1] * x27 + sine[1] * (x32 + x36 * 0.25);
+  const Real x198 = sine[1] * 0.2;
+  const Real x187 = cosine[1] * 0.25;
+  const Real x197 = 0.5 + cosine[1] * 0.2;
+  const Real x193 = 0.0834083 + 0.2 * x187;
+  const Real x222 = cosine[1] * x27 + sine[1] * (x32 + x36 * 0.25);
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x303 = sign_of(x290) * sqrt_of(1.0 + x290 * x290 + x298);
-  const Real x304 = x290 + x303;
-  const Real x337 = x303 * x303;
-  require_more(w, x337, 9.999999999999998e-15, kLoopSingular, 3);
-  const Real x307 = 1.0 + x298 + x304 * x304;
-  const Real x342 = 2.0 * (x44 * x191 - x195 * x205 - x27);
-  const Real x348 = x342 * (1 / x303);
-  const Real x309 = 2.0 * (1 / x307);
-  const Real x316 = x309 * (x293 * x304 + x291 * x295);
-  const Real x323 = x295 - x291 * x316;
-  const Real x327 = x323 * x323;
-  const Real x343 = (x32 + x36 * 0.5 - x221) * 4.0;
-  const Real x330 = sign_of(x316) * sqrt_of(x316 * x316 + x327);
-  const Real x331 = x316 + x330;
-  const Real x340 = x330 * x330;
-  require_more(w, x340, 9.999999999999998e-15, kLoopSingular, 3);
-  const Real x333 = x327 + x331 * x331;
-  const Real x356 = 1 / x330 * (x343 + (x304 * x316 - x293) * x348);
-  const Real x335 = 2.0 * (1 / x333);
-  const Real x358 = x323 * x335;
-  const Real x364 = x335 * (x331 * x356);
-  const Real x359 = x331 * x358;
-  const Real x366 = x323 * x364;
-  const Real x362 = 1.0 - x323 * x358;
-  const Real x367 = x356 - x331 * x364;
-  const Real x373 = x309 * (x359 + x291 * x362);
-  const Real x386 = x309 * (x367 + x304 * x348 + x291 * x366);
-  const Real x375 = x304 * x373;
-  const Real x379 = x373 - x359;
-  const Real x391 = x367 - x386;
-  const Real x380 = x362 - x291 * x373;
-  const Real x390 = x348 - x304 * x386;
-  const Real x392 = x291 * x386 - x366;
+  const Real x262 = x198 * 4.0;
+  const Real x259 = 2.0 * x197;
+  const Real x260 = 2.0 * x163;
+  const Real x264 = x178 * 4.0;
+  const Real x267 = x260 * x260;
+  // what a loop holds its two links by
+  const Real x121 = cosine[0] * x106 + sine[0] * x109 - sine[2] * 0.4;
+  const Real x129 = 1e-08 - (x120 * x120 + x121 * x121);
+  require_more(w, x129, 0.0, kLoopOpen, 3);
+  // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
+  const Real x249 = v[1] * 0.5 + v[0] * x197 - v[2] * x163;
+  const Real x253 = v[2] * x178 - v[0] * x198;
+  // what a loop holds its two links by
+  const Real x133 = (x11 + v[1] * v[1] + x47 + 1.0) * 1.0000000000000002e-06;
+  // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
+  const Real x257 = x133 - (x249 * x249 + x253 * x253);
+  require_more(w, x257, 0.0, kLoopTorn, 3);
+  const Real x272 = sign_of(x259) * sqrt_of(1.0 + x259 * x259 + x267);
+  const Real x273 = x259 + x272;
+  const Real x306 = x272 * x272;
+  require_more(w, x306, 9.999999999999998e-15, kLoopSingular, 3);
+  const Real x276 = 1.0 + x267 + x273 * x273;
+  const Real x311 = 2.0 * (x44 * x143 - x147 * x157 - x27);
+  const Real x317 = x311 * (1 / x272);
+  const Real x278 = 2.0 * (1 / x276);
+  const Real x285 = x278 * (x262 * x273 + x260 * x264);
+  const Real x292 = x264 - x260 * x285;
+  const Real x296 = x292 * x292;
+  const Real x312 = (x32 + x36 * 0.5 - x176) * 4.0;
+  const Real x299 = sign_of(x285) * sqrt_of(x285 * x285 + x296);
+  const Real x300 = x285 + x299;
+  const Real x308 = x299 * x299;
+  require_more(w, x308, 9.999999999999998e-15, kLoopSingular, 3);
+  const Real x302 = x296 + x300 * x300;
+  const Real x325 = 1 / x299 * (x312 + (x273 * x285 - x262) * x317);
+  const Real x304 = 2.0 * (1 / x302);
+  const Real x327 = x292 * x304;
+  const Real x333 = x304 * (x300 * x325);
+  const Real x328 = x300 * x327;
+  const Real x335 = x292 * x333;
+  const Real x331 = 1.0 - x292 * x327;
+  const Real x336 = x325 - x300 * x333;
+  const Real x342 = x278 * (x328 + x260 * x331);
+  const Real x355 = x278 * (x336 + x273 * x317 + x260 * x335);
+  const Real x344 = x273 * x342;
+  const Real x348 = x342 - x328;
+  const Real x360 = x336 - x355;
+  const Real x349 = x331 - x260 * x342;
+  const Real x359 = x317 - x273 * x355;
+  const Real x361 = x260 * x355 - x335;
   // joint 0 "crank_pin": inertia and bias force of what is beyond, its own motion left open
-  const Real x287 = x76 + 0.2 * x267 + x8 * 0.04000000000000001 + tau[0];
+  const Real x242 = x76 + 0.2 * x222 + x8 * 0.04000000000000001 + tau[0];
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x393 = (x238 - 0.2 * (-0.2 - x232) + 0.00536333) * x375;
-  const Real x395 = x393 + x238 * x379;
-  const Real x398 = x238 * x375 + 0.0834083 * x379;
-  const Real x399 = 0.042726700000000006 * x380;
-  const Real x406 = x287 * x375 + (x76 + tau[1]) * x379;
-  const Real x420 = x375 * x395 + x379 * x398 + x380 * x399;
-  require_more(w, x420, 0.0, kLoopFree, 0);
-  const Real x414 = x390 * x395 + x391 * x398 + x392 * x399;
-  const Real x415 = x414 - ((x44 * 0.16000000000000003 + tau[2]) * x380 + x406);
-  const Real x422 = x415 * (1 / x420);
+  const Real x362 = (x193 - 0.2 * (-0.2 - x187) + 0.00536333) * x344;
+  const Real x364 = x362 + x193 * x348;
+  const Real x367 = x193 * x344 + 0.0834083 * x348;
+  const Real x368 = 0.042726700000000006 * x349;
+  const Real x375 = x242 * x344 + (x76 + tau[1]) * x348;
+  const Real x389 = x344 * x364 + x348 * x367 + x349 * x368;
+  require_more(w, x389, 0.0, kLoopFree, 0);
+  const Real x383 = x359 * x364 + x360 * x367 + x361 * x368;
+  const Real x384 = x383 - ((x44 * 0.16000000000000003 + tau[2]) * x349 + x375);
+  const Real x391 = x384 * (1 / x389);
   // link 0 "ground": accelerations and constraint forces of loops below it
-  const Real x430 = x390 - x375 * x422;
-  w.result[0] = x430;
-  const Real x431 = x391 - x379 * x422;
-  w.result[1] = x431;
-  const Real x432 = x392 - x380 * x422;
-  w.result[2] = x432;
+  const Real x399 = x359 - x344 * x391;
+  w.result[0] = x399;
+  const Real x400 = x360 - x348 * x391;
+  w.result[1] = x400;
+  const Real x401 = x361 - x349 * x391;
+  w.result[2] = x401;
 }
 
 // ---- 5. processes -------------------------------------------------------------------------------

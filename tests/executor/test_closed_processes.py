@@ -25,7 +25,7 @@ from adagen.search import best_schedule
 from adagen.states import States
 from tests.emitted import QUICK, Builder
 from tests.executor.plans import kinds_of
-from tests.executor.test_closures import plan_of, worst
+from tests.executor.test_closures import worst
 from tests.mechanisms import four_bar, looped_tree, quadruped, standing, states_of
 from tests.models import human_figure
 
