@@ -150,7 +150,7 @@ def test_what_cannot_be_made_again_is_told(place: Path, said: Said, tmp_path: Pa
     good = source.read_text()
     cases = (
         (good.replace("// command ", "// commend "), 1, "mobile_p1.cpp: error: its head has no"),
-        (good.replace("--procs 1", "--procs 3"), 1, "the command in its head makes mobile_p3.cpp"),
+        (good.replace("--procs 1", "--procs 3"), 1, "the command in its head writes mobile_p3.cpp"),
         (good.replace("../mobile.urdf", "../gone.urdf"), 1, "gone.urdf"),
         (good.replace("--procs 1", "--prics 1"), 2, "unknown option --prics"),
     )
