@@ -46,7 +46,7 @@ def test_the_examples_of_this_project_are_verified(said: Said) -> None:
     assert main(["verify", str(FOLDER / "mobile_p1"), str(FOLDER / "arm7_float_p2")]) == 0
     stdout, stderr = said()
     assert stdout == ""
-    assert stderr.endswith("2 solvers: as emitted now\n")
+    assert stderr.endswith("2 solvers: up to date\n")
 
 
 def test_the_head_names_the_robot_from_where_the_source_is(place: Path) -> None:
