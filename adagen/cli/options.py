@@ -214,6 +214,13 @@ def add_emission(parser: Parser) -> None:
         help="refine answers N times and report their error",
     )
     group.add_argument(
+        "--residual",
+        choices=("auto", "own", "wide"),
+        default="auto",
+        help="find residuals of --refine in the solver's own numbers (own: quick), in wide ones "
+        "(wide: exact), or in its own where loops have them (auto, default)",
+    )
+    group.add_argument(
         "--certify",
         action="store_true",
         help="give an error bound with each answer",
