@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from adagen.cli.console import note
+from adagen.cli.console import note, wrote
 from adagen.cli.parser import Parser, make_parser, parse, whole
 from adagen.cli.tables import table_of
 
@@ -147,5 +147,5 @@ def draw(record: Record, folder: Path, endings: Sequence[str] = ("svg",)) -> lis
         return []
     written = draw_all(record, folder, endings)
     for path in written:
-        note(f"wrote {path}")
+        wrote([path])
     return written

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from adagen.cli.chart_options import command_parser
-from adagen.cli.console import Stages, note, speaking, warn
+from adagen.cli.console import Stages, speaking, warn, wrote
 from adagen.cli.parser import parse
 from adagen.cli.tables import table_of
 from adagen.errors import AdagenError, UsageError
@@ -98,7 +98,7 @@ def _redraw(path: Path, options: argparse.Namespace) -> None:
     options.out.mkdir(parents=True, exist_ok=True)
     if options.picture:
         paths = save(work_precision(chart), options.out / path.stem)
-        note(f"wrote {', '.join(map(str, paths))}")
+        wrote(paths)
     _show(chart)
 
 
@@ -151,7 +151,7 @@ def _write(chart: Chart, options: argparse.Namespace) -> None:
         from adagen.studies.chart.draw import save, work_precision
 
         paths += save(work_precision(chart), path)
-    note(f"wrote {', '.join(map(str, paths))}")
+    wrote(paths)
 
 
 def _show(chart: Chart) -> None:
@@ -192,4 +192,4 @@ def _answer(point: Point, model: Model, options: argparse.Namespace) -> None:
     files = variant.files(plan, model_stem(options.model), picture)
     write_files(options.out, files)
     print(f"{point.label}: {point.time_ns / 1e3:.3g} us, error {point.error:.1e}")
-    note(f"wrote {', '.join(str(options.out / name) for name in sorted(files))}")
+    wrote([options.out / name for name in sorted(files)])
