@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "../sample/cuts.hpp"
+#include "../sample/layout.hpp"
 #include "../sample/sizes.hpp"
 #include "../sample/value.hpp"
 #include "../status.hpp"
