@@ -93,6 +93,7 @@ RARE = frozenset(
         "--refine",
         "--reproducible",
         "--loop-forces",
+        "--residual",
         "--runtime",
         "--target",
         "--single-file",

@@ -123,7 +123,6 @@ class Request:
                 "answers are certified by one process: leave out --certify, or say --procs 1"
             )
         for name, asked in (
-            ("reproducible", self.reproducible),
             ("tune", self.tuned),
             ("target", self.target != "host"),
         ):

@@ -28,7 +28,16 @@ def test_the_head_makes_it_again(tmp_path: Path, capsys: pytest.CaptureFixture[s
     assert capsys.readouterr().err.endswith("1 solver: as emitted now\n")
 
 
-@pytest.mark.parametrize("more", [("--shape", "kernels"), ("--shape", "unrolled"), ("--batch",)])
+@pytest.mark.parametrize(
+    "more",
+    [
+        ("--shape", "kernels"),
+        ("--shape", "unrolled"),
+        ("--batch",),
+        ("--reproducible",),
+        ("--reproducible", "--batch"),
+    ],
+)
 def test_a_bound_for_each_state_is_in_the_result(tmp_path: Path, more: tuple[str, ...]) -> None:
     model = read_robot(Path(CHAIN)).model
     given, found = tmp_path / "states.json", tmp_path / "result.json"
@@ -48,7 +57,6 @@ def test_a_bound_for_each_state_is_in_the_result(tmp_path: Path, more: tuple[str
         (("--scalar", "mixed"), "refined answers come with an estimate of their own"),
         (("--refine", "1"), "refined answers come with an estimate of their own"),
         (("--shape", "joints"), "certificates are emitted in shapes kernels and unrolled"),
-        (("--reproducible",), "certified solvers are not emitted with --reproducible"),
         (("--target", "embedded"), "certified solvers are not emitted with --target"),
         (("--tune",), "certified solvers are not emitted with --tune"),
         (("--procs", "2"), "answers are certified by one process"),
