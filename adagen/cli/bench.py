@@ -32,6 +32,7 @@ compiler the first time.
 examples:
   adagen bench arm.urdf                                 a table
   adagen bench humanoid.urdf --floating --out result    tables, record, pictures
+  adagen bench fourbar.urdf --scene fourbar.toml        with closed loops
   adagen bench arm.urdf --variant "--procs 2 --form ada" --peers none"""
 
 
@@ -44,6 +45,7 @@ def run(argv: Sequence[str]) -> int:
     rules = Rules(rounds=3, repeat=5) if options.quick else Rules(options.rounds)
     variants = tuple(options.variant or (QUICK if options.quick else VARIANTS))
     extra = ["--profile", options.profile, *(["--floating"] if options.floating else [])]
+    extra += [] if options.scene is None else ["--scene", options.scene]
     entries = [Entry(Path(path).stem, Path(path), tuple(extra)) for path in options.models]
     peers = PEERS if options.peers is None else options.peers
     record = contest(entries, rules, variants, peers)
@@ -61,6 +63,7 @@ def command_parser() -> Parser:
     parser = make_parser("adagen bench", _DESCRIPTION, _EPILOG)
     parser.add_argument("models", nargs="+", metavar="MODEL", help="robot descriptions (URDF)")
     parser.add_argument("--floating", action="store_true", help="put the robots on floating bases")
+    parser.add_argument("--scene", metavar="FILE", help="scene of the robots: loops, base, ...")
     parser.add_argument(
         "--profile",
         default="default",

@@ -78,7 +78,6 @@ def _given(options: argparse.Namespace) -> tuple[Model, int | States]:
     if isinstance(file, str) and (found := states_gravity(file)) is not None:
         gravity = found.tolist()
     model = pipeline.read_model(options, Stages(), gravity)
-    pipeline.refuse_loops(model)
     if model.wanted or model.outputs:
         raise UsageError(
             "charts compare all accelerations, and nothing else: leave accelerations and [outputs]"
@@ -123,16 +122,15 @@ def _peers(
     model: Model, truth: Truth, folder: Path, said: Callable[[str], None]
 ) -> list[Contestant]:
     """Return the peers that are installed and can treat the robot, with notes on the others."""
-    from adagen.model import canonical
-    from adagen.studies.bench.peers import PEERS, missing
+    from adagen.studies.bench.peers import PEERS, contestants, missing
 
     found: list[Contestant] = []
-    for name, (_, make) in PEERS.items():
+    for name in PEERS:
         reason = missing(name)
         if reason is None:
             said(f"compiling {name}")
             try:
-                found += make(canonical(model), truth.states, folder)
+                found += contestants(name, model, truth.states, folder)
             except AdagenError as error:
                 reason = str(error).removeprefix("error: ")
         if reason is not None:

@@ -31,7 +31,6 @@ def chart_motion(options: argparse.Namespace) -> None:
     from adagen.studies.chart.variants import REFERENCE
 
     model = pipeline.read_model(options, Stages(), options.gravity)
-    pipeline.refuse_loops(model)
     toolchain = find_toolchain()
     with speaking(Path(options.model).stem) as said:
         _, plan = REFERENCE.plan(model)

@@ -73,13 +73,17 @@ def run(argv: Sequence[str]) -> int:
     from adagen.cli import pipeline
     from adagen.cli.files import write_file
     from adagen.cost.document import schedule_document
+    from adagen.errors import UsageError
     from adagen.schedule import Topology
 
     stages = Stages()
     try:
         model = pipeline.read_model(options, stages, None)
         if options.hosts is not None:
-            pipeline.refuse_loops(model)
+            if model.closed:
+                raise UsageError(
+                    "--hosts does not support closed loops: leave them out of the scene"
+                )
             show_hosts(model, options)
             return 0
         schedule = pipeline.schedule_model(model, options, stages)

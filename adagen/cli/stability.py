@@ -176,7 +176,6 @@ ADAGENS = ("kernels", "unrolled")
 
 def _subjects(options: argparse.Namespace) -> list[Subject]:
     """The robots of the command line, each as its scene leaves it."""
-    from adagen.cli.pipeline import refuse_loops
     from adagen.library import Origin
     from adagen.library.robot import read_whole
     from adagen.scene import apply_scene
@@ -189,7 +188,6 @@ def _subjects(options: argparse.Namespace) -> list[Subject]:
         reading, said = read_whole(origin)
         tell_reading(reading, verbose=False)
         model = reading.model if said is None else apply_scene(reading.model, said).model
-        refuse_loops(model)
         if model.wanted or model.outputs:
             model = replace(model, wanted=(), outputs=())  # all accelerations are compared
         found.append(subject(Path(name).stem, model, options.states, options.seed))

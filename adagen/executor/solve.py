@@ -110,7 +110,10 @@ class Run:
         self.machines: list[Machine] = []
         if once:
             mail: dict[int, list[Any]] = {}
-            self.machines += [Machine(plan, mail, refining, Numbers(look)) for look in lookups]
+            self.machines += [
+                Machine(plan, mail, refining, Numbers(look), steps=process.steps)
+                for look, process in zip(lookups, plan.processes, strict=True)
+            ]
             with np.errstate(all="ignore"):  # pivots are looked at afterwards
                 after_all_steps(plan, self.machines)
         else:
