@@ -222,7 +222,7 @@ _SAID = {
     "kGrowth": "no digits left",
     "kGimbalLock": "gimbal lock",
     "kLoopOpen": "it is open",
-    "kLoopTorn": "its velocity tears it open",
+    "kLoopTorn": "the velocity violates it",
     "kLoopSingular": "singular pose",
-    "kLoopFree": "nothing resists its motion",
+    "kLoopFree": "it can move without inertia",
 }
