@@ -20,9 +20,9 @@ PEERS = ("pinocchio", "casadi", "mujoco")
 QUICK = ("--procs 1", "--procs 2")
 
 _DESCRIPTION = """\
-Time emitted solvers of each MODEL beside pinocchio's, casadi's and MuJoCo's
-forward dynamics: the same robot and states, one process each, by turns, and
-judge everybody's answers."""
+Compare emitted solvers of each MODEL with the forward dynamics of pinocchio,
+casadi and MuJoCo: same robot, same states, times measured in turns, errors of
+all answers checked."""
 
 _EPILOG = """\
 Peers that are not installed are skipped by name; pip install 'adagen[bench]'
@@ -82,7 +82,7 @@ def command_parser() -> Parser:
         "--peers",
         type=_peers,
         metavar="NAMES",
-        help=f"which of {', '.join(PEERS)} take part, with commas, or none (default: all)",
+        help=f"comma-separated peers, of {', '.join(PEERS)}, or none (default: all)",
     )
     parser.add_argument(
         "--rounds",
@@ -92,7 +92,7 @@ def command_parser() -> Parser:
         help="rounds of interleaved timing (default: 9)",
     )
     parser.add_argument("--quick", action="store_true", help="few rounds and variants")
-    parser.add_argument("--json", action="store_true", help="the record on standard output")
+    parser.add_argument("--json", action="store_true", help="print the record as JSON")
     parser.add_argument(
         "--out", type=Path, metavar="DIR", help="write bench.json, bench.md and pictures there"
     )

@@ -60,7 +60,9 @@ def wrote(paths: Sequence[Path]) -> None:
     """Say which files were written: each folder once, in lines that fit the terminal."""
     for folder in dict.fromkeys(path.parent for path in paths):
         names = ", ".join(path.name for path in paths if path.parent == folder)
-        note(wrapped(f"wrote {names if folder == Path() else f'{folder}: {names}'}", indent=2))
+        text = f"wrote {names if folder == Path() else f'{folder}: {names}'}"
+        for line in wrapped(printable(text), indent=2).splitlines():
+            note(line)
 
 
 def say(message: str) -> None:

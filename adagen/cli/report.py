@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from adagen.studies.chart import Chart
 
 _DESCRIPTION = """\
-Write one HTML page about a robot and the program that solves it: the robot to
-be posed, the program in time, predicted and measured times. No network needed."""
+Write one HTML page about a robot and its solver: a posable skeleton, a timeline
+of the program, predicted and measured times. It needs no network."""
 
 _EPILOG = """\
 examples:
