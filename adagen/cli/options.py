@@ -42,7 +42,7 @@ def add_model(parser: Parser, *, gravity: bool = True, several: bool = False) ->
     group.add_argument(
         "--strict",
         action="store_true",
-        help="refuse slips of the file that change nothing, instead of warning of them",
+        help="reject harmless mistakes of the file instead of warning about them",
     )
     group.add_argument(
         "--xacro-arg",
@@ -93,6 +93,7 @@ RARE = frozenset(
         "--refine",
         "--reproducible",
         "--loop-forces",
+        "--residual",
         "--runtime",
         "--target",
         "--single-file",
@@ -194,8 +195,8 @@ def _add_algorithm(parser: Parser) -> None:
     group.add_argument(
         "--reproducible",
         action="store_true",
-        help="the same answers to the last bit on every number of processes, by every compiler and "
-        "on every x86-64 processor",
+        help="the same answers to the last bit on any number of processes, with any compiler and "
+        "on any x86-64 processor",
     )
 
 
@@ -205,13 +206,20 @@ def add_emission(parser: Parser) -> None:
     group.add_argument(
         "--loop-forces",
         action="store_true",
-        help="give the forces of loops and couplings behind the accelerations (docs/loops.md)",
+        help="also give the forces of loops and couplings (docs/how_to/loops.md)",
     )
     group.add_argument(
         "--refine",
         type=whole(0, 9),
         metavar="N",
         help="refine answers N times and report their error",
+    )
+    group.add_argument(
+        "--residual",
+        choices=("auto", "own", "wide"),
+        default="auto",
+        help="find residuals of --refine in the solver's own numbers (own: quick), in wide ones "
+        "(wide: exact), or in its own where loops have them (auto, default)",
     )
     group.add_argument(
         "--certify",

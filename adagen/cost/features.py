@@ -31,6 +31,7 @@ from adagen.plan.steps import (
     LoadRoot,
     Propagate,
     Receive,
+    Refine,
     Send,
     SolveCoupling,
     SolveMobility,
@@ -72,8 +73,9 @@ def step_features(step: Step, joints: Sequence[PlanJoint]) -> Features:
         step: a step of a plan.
         joints: the plan's joints.
     """
-    if isinstance(step, Certify):
-        return added(_certified(joint) for joint in joints)
+    if isinstance(step, Certify | Refine):
+        times = step.count if isinstance(step, Refine) else 1
+        return added(times * [_weighed(joint) for joint in joints])
     known = _without_joint(step)
     if known is not None:
         return known
@@ -128,8 +130,8 @@ def _without_joint(step: Step) -> Features | None:
     return None if plain is None else {plain: 1}
 
 
-def _certified(joint: PlanJoint) -> Features:
-    """Of a joint's share of a certificate: as much as forces that are handed on, and a bias."""
+def _weighed(joint: PlanJoint) -> Features:
+    """Of a joint's share of a residual: as much as forces that are handed on, and a bias."""
     if joint.parent == 0 and joint.kind == "floating":
         return {"root.solve": 1, "link.bias": 1}
     return {f"deliver.{joint.kind}": 1, "link.bias": 1}

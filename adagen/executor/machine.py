@@ -70,6 +70,7 @@ class Machine(State):
         refining: Refining = None,
         graph: Graph | Numbers | None = None,
         all_limbs: Sequence[Limbs] = (),
+        steps: Sequence[Step] = (),
     ) -> None:
         super().__init__(plan, refining, graph, all_limbs)
         self.mail = mail
@@ -77,7 +78,7 @@ class Machine(State):
         self.motion = Motion(self)
         self.segments = Segments(self, self.motion)
         self.joins = Joins(self, self.motion)
-        self.closures = Closures(self, self.motion)
+        self.closures = Closures(self, self.motion, steps)
         self.bounds = Certificate(self, self.motion)
         self.given_outputs = Outputs(self, self.motion)
         self.take_angles_of_rows()

@@ -25,6 +25,7 @@ from adagen.plan.steps import (
     Load,
     LoadRoot,
     Receive,
+    Refine,
     Release,
     Send,
     SolveCoupling,
@@ -47,6 +48,7 @@ _DOWN = (
     Release,
     FreeAcceleration,
     Certify,
+    Refine,
     GiveOutput,
 )
 

@@ -50,6 +50,7 @@ from adagen.plan.steps import (
     LoadRoot,
     Propagate,
     Receive,
+    Refine,
     Release,
     Send,
     SolveCoupling,
@@ -130,7 +131,7 @@ def effects(plan: Plan, step: Step, runs: Mapping[int, tuple[int, ...]]) -> Effe
             | AccelerateHeld()
         ):
             return _closed(plan, step)
-        case Certify():
+        case Certify() | Refine():
             return _certify(plan)
         case GiveOutput():
             return _output(plan, step)

@@ -1,4 +1,4 @@
-// Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
+// Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 2 --schedule=balanced --shape=kernels
@@ -8,25 +8,27 @@
 //           process 0: base_yaw .. forearm_roll
 //           process 1: wrist_pitch .. right_finger_slide
 // schedule  forearm_roll@0-1(shoulder_pitch@0(base_yaw | upper_arm_roll(|elbow_pitch)) | flange_roll@1(wrist_pitch | left_finger_slide(right_finger_slide|)))
-// licence   yours to choose: what adagen emits belongs to whoever emits it
+// licence   yours to choose: generated code belongs to its user
 //
-// Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
-// link's inertia and bias force with all that hangs on it, are swept to the segment's root, and the
-// accelerations come back. Where segments meet, the assembly-disassembly algorithm of Yamane and Nakamura
-// joins them: Phi = (I^A)^-1 and b are what a segment shows at a cut; joint i joins chain A (its parent
-// link's side) and chain B (its child link's side), Eq. (3)-(7), and gives back its force, Eq. (8)-(10).
-// Spatial vectors are [angular; linear], in the axes of the base, about each link's origin.
+// Each process solves a segment of the robot with the articulated-body algorithm: the articulated-body
+// inertias I^A and bias forces p^A (IA, pA) are computed from the ends to the segment's root, then the
+// accelerations from there outwards. Where segments meet, the assembly-disassembly algorithm of Yamane
+// and Nakamura joins them: Phi = (I^A)^-1 and b are a segment's inverse inertia and bias acceleration at
+// a cut; joint i joins chain A (on its parent link's side) and chain B (on its child link's side), Eq.
+// (3)-(7), and its force follows from Eq. (8)-(10). Spatial vectors are [angular; linear], in the axes of
+// the base, about each link's origin.
 //
-// How to read on:
-//   1. interface   what a program that links this file calls
+// Contents:
+//   1. interface   the C functions for a program that links this file
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint its memory, then what is done with it, step by step
-//   5. processes   who does what, in order
-//   6. program     what the program around it, adagen_program.cpp, is told; main
+//   4. joints      memory of each joint, and the functions that compute its steps
+//   5. processes   the work of each process, in order
+//   6. program     description for the program around it (adagen_program.cpp), and main
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// arm7_p2.h says what a program calls that links this file, compiled with -DADAGEN_NO_MAIN.
+// arm7_p2.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
+// and link it.
 
 #if __has_include("arm7_p2.h")
 #include "arm7_p2.h"
@@ -47,20 +49,20 @@
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// What the headers of the runtime (adagen/) are to take from here, and what they are to do.
+// Configuration of the runtime headers (adagen/).
 #define ADAGEN_SOLVER
 #define ADAGEN_MPI
 #include "adagen/version.hpp"
 #if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are not those of adagen 0.1.0, which this file was emitted by"
+#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
 namespace {
 
-using Number = double;  // of states, answers and messages
-using Real = double;    // of all between
+using Number = double;  // type of states, results and messages
+using Real = double;    // type of all other values
 constexpr int kProcesses = 2;
-[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all, and no other takes part
+[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all the work
 constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
 [[maybe_unused]] constexpr int kNq = 9, kNv = 9;
 [[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
@@ -70,7 +72,9 @@ constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
 [[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
+[[maybe_unused]] constexpr bool kWide = false;  // whether their residuals are found in wider numbers
 [[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
+[[maybe_unused]] constexpr bool kWeighed = kCertified || (kRefine > 0 && !kWide);  // whether residuals are swept inwards
 [[maybe_unused]] constexpr int kPlanMessages = 2;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
 
@@ -176,18 +180,18 @@ namespace {
 #include "adagen/stamp.hpp"
 
 // ---- 4. kernels ---------------------------------------------------------------------------------
-// Vectors are in the axes of the base, which all its links share (of the ground, or of a floating
-// base's link), about each link's own origin. Links move as they would were all joint accelerations
-// zero (omega, alpha, a); joint accelerations are solved for as what comes on top.
+// Vectors are expressed in the axes of the base (of the ground, or of a floating base's link), about
+// each link's own origin. omega, alpha, a: motion of links for zero joint accelerations; the joint
+// accelerations that are solved for come on top.
 
 #include "adagen/kernels/tables.hpp"
 
 namespace {
 
-// What is computed with.
+// Type of values.
 using Value = Real;
 
-// Of each link its mass, that times its centre of mass, and its pseudo-inertia.
+// Mass, mass times centre of mass, and pseudo-inertia of each link.
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {3.6, {0.0, 0.0, 0.36000000000000004},
      {0.00441, 0.0, 0.0, 0.00441, 0.0, 0.04800000000000001}},
@@ -209,31 +213,31 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
      {6.0000035e-05, 0.0, 1.5e-05, 1.666665e-06, 0.0, 6.666665e-06}},
 } };
 
-// Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
-// segments of long runs.
+// Memory slot of each joint and its child link; limbs that share lanes, and segments of long runs,
+// are interleaved.
 constexpr int kSlotCount = 9;
-constexpr int kTile = 0;  // joints that are swept before others take their memory; 0: all
-constexpr bool kAbreast = false;  // whether there are such
-constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
-constexpr bool kReordered = false;  // whether joints lie in another order than they have
+constexpr int kTile = 0;  // joints whose memory is in use at the same time; 0: all
+constexpr bool kInLanes = false;  // whether limbs share lanes
+constexpr bool kPrescribedInLanes = false;  // with prescribed motions
+constexpr bool kReordered = false;  // whether slots are in another order than joints
 constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8 };
-// Blocks of slots of equal constants: the number of kinds (0: not looked at), each block's, and the
-// first block of each.
+// Blocks of slots with equal constants: number of kinds (0: not compared), kind of each block, and
+// first block of each kind.
 constexpr int kBlockKindCount = 0;
 [[maybe_unused]] constexpr int kBlockKinds[]{ 0 };
 [[maybe_unused]] constexpr int kFirstOfKind[]{ 0 };
-constexpr bool kByColumns = true;  // whether runs are taken by columns
-// Joints that are eliminated in their own axes; others that are where those of the base lose digits.
+constexpr bool kByColumns = true;  // whether runs are computed by columns
+// Joints that are eliminated in their own axes: always, or only if the axes of the base lose digits.
 constexpr bool kAnyTurned = false;
 constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0 };
 constexpr bool kAnyTurnedIfLost = false;
 constexpr bool kTurnedIfLost[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0 };
-constexpr double kLosing = 256.0;  // times D: a trace from which on they do
-// Whether sweeps are done again for other forces on links than their motion takes.
+constexpr double kLosing = 256.0;  // they do if trace > kLosing * D
+// Whether sweeps are repeated with other forces.
 constexpr bool kPassesFree = false;  // whether mobilities pass floating joints
-constexpr bool kAgain = kRefine > 0 || kSlavedCount > 0;
+constexpr bool kAgain = kWide || kSlavedCount > 0;
 
-// What each process does at each link: gathers, adds_own, parts, oriented.
+// Role of each process at each link: gathers, adds_own, parts, oriented.
 constexpr LinkRole kRoles[2][kLinkCount]{
     {{1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
@@ -246,7 +250,7 @@ constexpr LinkRole kRoles[2][kLinkCount]{
 
 namespace {
 
-// What is kept where segments meet, with the joint that it belongs to.
+// Memory where segments meet, by joint.
 struct Joint_shoulder_pitch {
   Mat6 Phi_forearm;
   Columns6 b_forearm;
@@ -422,8 +426,8 @@ struct arm7_p2_solver : Solver {};
 #include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// What this solver tells the program around it, which is the same for all robots: states in,
-// accelerations out; check; time; trace; simulate.
+// Description of this solver for the program around it, which is the same for all robots: it reads
+// states, writes accelerations, checks, times, traces and simulates.
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/description.hpp"
@@ -454,7 +458,7 @@ constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
     {kStages_1.data(), 5},
 } };
 
-// As the cost profile default has them.
+// From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 

@@ -1,4 +1,4 @@
-// Forward dynamics of "chain16" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
+// Forward dynamics of "chain16" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 //
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // command   adagen ../models/chain16.urdf --procs 4 --form=ada --channel=message
@@ -10,23 +10,24 @@
 //           process 2: joint11 .. joint14
 //           process 3: joint15 .. joint16
 // schedule  joint10@0-3(joint06@0-1(joint05@0(joint04(joint03(joint02(joint01|)|)|)|) | joint07@1(|joint08(|joint09))) | joint14@2-3(joint11@2(|joint12(|joint13)) | joint15@3(|joint16)))
-// licence   yours to choose: what adagen emits belongs to whoever emits it
+// licence   yours to choose: generated code belongs to its user
 //
-// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
+// Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
 // bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
 // to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
 // vectors are [angular; linear], in link frames turned so that every joint axis is z.
 //
-// How to read on:
-//   1. interface   what a program that links this file calls
+// Contents:
+//   1. interface   the C functions for a program that links this file
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint its memory, then what is done with it, step by step
-//   5. processes   who does what, in order
-//   6. program     what the program around it, adagen_program.cpp, is told; main
+//   4. joints      memory of each joint, and the functions that compute its steps
+//   5. processes   the work of each process, in order
+//   6. program     description for the program around it (adagen_program.cpp), and main
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// chain16_p4.h says what a program calls that links this file, compiled with -DADAGEN_NO_MAIN.
+// chain16_p4.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
+// and link it.
 
 #if __has_include("chain16_p4.h")
 #include "chain16_p4.h"
@@ -47,20 +48,20 @@
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// What the headers of the runtime (adagen/) are to take from here, and what they are to do.
+// Configuration of the runtime headers (adagen/).
 #define ADAGEN_SOLVER
 #define ADAGEN_MPI
 #include "adagen/version.hpp"
 #if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are not those of adagen 0.1.0, which this file was emitted by"
+#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
 namespace {
 
-using Number = double;  // of states, answers and messages
-using Real = double;    // of all between
+using Number = double;  // type of states, results and messages
+using Real = double;    // type of all other values
 constexpr int kProcesses = 4;
-[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all, and no other takes part
+[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all the work
 constexpr int kJointCount = 16, kLinkCount = kJointCount + 1;
 [[maybe_unused]] constexpr int kNq = 16, kNv = 16;
 [[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
@@ -70,7 +71,9 @@ constexpr int kJointCount = 16, kLinkCount = kJointCount + 1;
 [[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
+[[maybe_unused]] constexpr bool kWide = false;  // whether their residuals are found in wider numbers
 [[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
+[[maybe_unused]] constexpr bool kWeighed = kCertified || (kRefine > 0 && !kWide);  // whether residuals are swept inwards
 [[maybe_unused]] constexpr int kPlanMessages = 6;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
 
@@ -226,7 +229,7 @@ namespace {
 
 namespace {
 
-// The memory of a process. Whatever belongs to a joint is kept with it.
+// Memory of a process, joint by joint.
 struct Workspace;
 
 struct Joint_joint01 {
@@ -1447,8 +1450,8 @@ struct chain16_p4_solver : Solver {};
 #include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// What this solver tells the program around it, which is the same for all robots: states in,
-// accelerations out; check; time; trace; simulate.
+// Description of this solver for the program around it, which is the same for all robots: it reads
+// states, writes accelerations, checks, times, traces and simulates.
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/description.hpp"
@@ -1503,7 +1506,7 @@ constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
     {kStages_3.data(), 5},
 } };
 
-// As the cost profile default has them.
+// From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 

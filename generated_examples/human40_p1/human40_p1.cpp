@@ -1,4 +1,4 @@
-// Forward dynamics of "human40" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
+// Forward dynamics of "human40" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 //
 // robot     "human40", 15 joints, 40 degrees of freedom, description sha256 bdc16488e5ef4610f46ad114b2f2b09a8601d7b212cf0d9aa1794a195cd4ce35
 // command   adagen ../models/human40.urdf --procs 1 --shape=joints --form=ada
@@ -6,23 +6,24 @@
 // links     adagen_program.cpp
 // program   1 process; 3.15 us predicted (default profile)
 //           process 0: root .. right_wrist
-// licence   yours to choose: what adagen emits belongs to whoever emits it
+// licence   yours to choose: generated code belongs to its user
 //
-// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
+// Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
 // bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
 // to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
 // vectors are [angular; linear], in link frames turned so that every joint axis is z.
 //
-// How to read on:
-//   1. interface   what a program that links this file calls
+// Contents:
+//   1. interface   the C functions for a program that links this file
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint its memory, then what is done with it, step by step
-//   5. processes   who does what, in order
-//   6. program     what the program around it, adagen_program.cpp, is told; main
+//   4. joints      memory of each joint, and the functions that compute its steps
+//   5. processes   the work of each process, in order
+//   6. program     description for the program around it (adagen_program.cpp), and main
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// human40_p1.h says what a program calls that links this file, compiled with -DADAGEN_NO_MAIN.
+// human40_p1.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
+// and link it.
 
 #if __has_include("human40_p1.h")
 #include "human40_p1.h"
@@ -42,19 +43,19 @@
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// What the headers of the runtime (adagen/) are to take from here, and what they are to do.
+// Configuration of the runtime headers (adagen/).
 #define ADAGEN_SOLVER
 #include "adagen/version.hpp"
 #if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are not those of adagen 0.1.0, which this file was emitted by"
+#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
 namespace {
 
-using Number = double;  // of states, answers and messages
-using Real = double;    // of all between
+using Number = double;  // type of states, results and messages
+using Real = double;    // type of all other values
 constexpr int kProcesses = 1;
-[[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all, and no other takes part
+[[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all the work
 constexpr int kJointCount = 15, kLinkCount = kJointCount + 1;
 [[maybe_unused]] constexpr int kNq = 51, kNv = 40;
 [[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
@@ -64,7 +65,9 @@ constexpr int kJointCount = 15, kLinkCount = kJointCount + 1;
 [[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
+[[maybe_unused]] constexpr bool kWide = false;  // whether their residuals are found in wider numbers
 [[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
+[[maybe_unused]] constexpr bool kWeighed = kCertified || (kRefine > 0 && !kWide);  // whether residuals are swept inwards
 [[maybe_unused]] constexpr int kPlanMessages = 0;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
 
@@ -202,7 +205,7 @@ namespace {
 
 namespace {
 
-// The memory of a process. Whatever belongs to a joint is kept with it.
+// Memory of a process, joint by joint.
 struct Workspace;
 
 struct Joint_root {
@@ -1131,8 +1134,8 @@ struct human40_p1_solver : Solver {};
 #include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// What this solver tells the program around it, which is the same for all robots: states in,
-// accelerations out; check; time; trace; simulate.
+// Description of this solver for the program around it, which is the same for all robots: it reads
+// states, writes accelerations, checks, times, traces and simulates.
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/description.hpp"
@@ -1151,7 +1154,7 @@ constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
     {kStages_0.data(), 3},
 } };
 
-// As the cost profile default has them.
+// From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 

@@ -1,4 +1,4 @@
-// Forward dynamics of "humanoid" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
+// Forward dynamics of "humanoid" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 //
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 1 --shape=unrolled --name=humanoid_lanes
@@ -8,22 +8,23 @@
 //           process 0: left_hip_pitch .. left_ankle_roll | right_hip_pitch .. right_ankle_roll |
 //           left_shoulder_pitch .. left_wrist_pitch | right_shoulder_pitch .. right_wrist_pitch in 4
 //           lanes, __base__, waist_yaw .. waist_pitch, neck_yaw .. neck_pitch
-// licence   yours to choose: what adagen emits belongs to whoever emits it
+// licence   yours to choose: generated code belongs to its user
 //
-// The articulated-body algorithm: I^A and p^A (IA, pA), a link's inertia and bias force with all that
-// hangs on it, are swept to the base, and the accelerations come back. Spatial vectors are [angular;
+// Articulated-body algorithm: the articulated-body inertias I^A and bias forces p^A (IA, pA) are computed
+// from the ends to the base, then the accelerations from the base outwards. Spatial vectors are [angular;
 // linear], in link frames turned so that every joint axis is z.
 //
-// How to read on:
-//   1. interface   what a program that links this file calls
+// Contents:
+//   1. interface   the C functions for a program that links this file
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint its memory, then what is done with it, step by step
-//   5. processes   who does what, in order
-//   6. program     what the program around it, adagen_program.cpp, is told; main
+//   4. joints      memory of each joint, and the functions that compute its steps
+//   5. processes   the work of each process, in order
+//   6. program     description for the program around it (adagen_program.cpp), and main
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// humanoid_lanes_p1.h says what a program calls that links this file, compiled with -DADAGEN_NO_MAIN.
+// humanoid_lanes_p1.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
+// and link it.
 
 #if __has_include("humanoid_lanes_p1.h")
 #include "humanoid_lanes_p1.h"
@@ -41,19 +42,19 @@
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// What the headers of the runtime (adagen/) are to take from here, and what they are to do.
+// Configuration of the runtime headers (adagen/).
 #define ADAGEN_SOLVER
 #include "adagen/version.hpp"
 #if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are not those of adagen 0.1.0, which this file was emitted by"
+#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
 namespace {
 
-using Number = double;  // of states, answers and messages
-using Real = double;    // of all between
+using Number = double;  // type of states, results and messages
+using Real = double;    // type of all other values
 constexpr int kProcesses = 1;
-[[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all, and no other takes part
+[[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all the work
 constexpr int kJointCount = 30, kLinkCount = kJointCount + 1;
 [[maybe_unused]] constexpr int kNq = 36, kNv = 35;
 [[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
@@ -63,7 +64,9 @@ constexpr int kJointCount = 30, kLinkCount = kJointCount + 1;
 [[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
+[[maybe_unused]] constexpr bool kWide = false;  // whether their residuals are found in wider numbers
 [[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
+[[maybe_unused]] constexpr bool kWeighed = kCertified || (kRefine > 0 && !kWide);  // whether residuals are swept inwards
 [[maybe_unused]] constexpr int kPlanMessages = 0;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
 
@@ -291,7 +294,7 @@ namespace {
 
 namespace {
 
-// What is computed with.
+// Type of values.
 using Value = Real;
 
 // The memory of a process: the state, angles with sine and cosine, what messages hold, and values
@@ -319,7 +322,7 @@ struct Workspace {
 namespace {
 
 // Each function is a straight line. A value is called x and its number in the expression graph; zeros
-// and constants are folded in, nothing is computed twice, and what nobody needs is not there.
+// and constants are folded in, common subexpressions are shared, and dead code is left out.
 // Frames are the links' own; accelerations are deviations from the field that the links would have
 // with all joint accelerations zero.
 
@@ -1946,8 +1949,8 @@ struct humanoid_lanes_p1_solver : Solver {};
 #include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// What this solver tells the program around it, which is the same for all robots: states in,
-// accelerations out; check; time; trace; simulate.
+// Description of this solver for the program around it, which is the same for all robots: it reads
+// states, writes accelerations, checks, times, traces and simulates.
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/description.hpp"
@@ -1966,7 +1969,7 @@ constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
     {kStages_0.data(), 3},
 } };
 
-// As the cost profile default has them.
+// From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 

@@ -53,6 +53,7 @@ CASES: dict[str, tuple[Path, bool, dict[str, Any]]] = {
     "batch of loops": (ARM, False, {"batch": True, "shape": "kernels"}),
     "float": (ARM, False, {"scalar": "float"}),
     "refined loops": (ARM, False, {"refine": 1, "shape": "kernels"}),
+    "loops refined wide": (ARM, False, {"refine": 1, "shape": "kernels", "residual": "wide"}),
     "refined joints": (ARM, False, {"refine": 1, "shape": "joints"}),
     "mixed": (ARM, False, {"scalar": "mixed"}),
     "threads": (HUMANOID, True, {"procs": 2, "channel": "threads"}),
@@ -177,7 +178,11 @@ def test_masses_and_their_centres_are_set_at_run_time(case: str) -> None:
         ("mass:camera", {}, "camera is fixed to hand: say mass:hand"),
         ("mass:pedestal", {}, "no moving link of this name"),
         ("mass:hand", {"shape": "joints"}, "in it masses are constants"),
-        ("mass:hand", {"refine": 1}, "masses cannot be set where answers are refined"),
+        (
+            "mass:hand",
+            {"refine": 1, "residual": "wide"},
+            "masses cannot be set where answers are refined",
+        ),
         ("mass:hand", {"form": "ada"}, "use --form segment or --procs 1"),
         ("center:", {}, "no moving link"),
     ],
@@ -206,7 +211,7 @@ def on_processes(model: Model, batch: bool, builder: Builder) -> list[str]:
 def test_processes_go_by_what_process_0_has_set(batch: bool, builder: Builder) -> None:
     model = BY_STEM["arm7_p1"].model()
     earth, wrong, moon, told, heavy, each = on_processes(model, batch, builder)
-    assert wrong == "1 what is to be set at run time is not finite, or is no mass"
+    assert wrong == "1 a run-time constant is not finite, or a mass is not positive"
     assert told == "0 0 16 16 16"
     sizes = (model.nq, model.nv, model.ntau)
     state = States(*(np.full((1, n), x) for n, x in zip(sizes, (0.3, 0.2, 0.1), strict=True)))

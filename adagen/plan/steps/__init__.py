@@ -46,6 +46,7 @@ from adagen.plan.steps.process import (
     GiveOutput,
     Kinematics,
     Receive,
+    Refine,
     Send,
     SolveCoupling,
 )
@@ -84,6 +85,7 @@ __all__ = [
     "LoadRoot",
     "Propagate",
     "Receive",
+    "Refine",
     "Release",
     "Send",
     "SolveCoupling",
@@ -131,6 +133,7 @@ Step = (
     | Release
     | AccelerateHeld
     | Certify
+    | Refine
 )
 
 

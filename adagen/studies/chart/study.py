@@ -96,7 +96,7 @@ def _built(
                 continue  # another variant's program
             texts.add(text)
             point = replace(point, method=variant.method(plan))
-            if not variant.baseline:
+            if not variant.baseline and not model.closed:  # what is predicted is of joins
                 growth = predicted_growth(plan).error
                 point = replace(point, predicted=growth if math.isfinite(growth) else None)
             sources[point.label] = Emitted(
@@ -140,6 +140,7 @@ def _point(variant: Variant) -> Point:
         reproducible=variant.reproducible,
         lanes=variant.lanes,
         objective=variant.objective,
+        certify=variant.certify,
     )
 
 

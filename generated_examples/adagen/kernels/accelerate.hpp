@@ -43,7 +43,7 @@ ADAGEN_INLINE void answer(Workspace& w, const Joints<T>& joints, int k, const T&
     ADAGEN_FOR (lane, 0, kWidth<T>) place(lane) = x[lane];
 }
 
-// The same for joints with several freedoms, told at the joint's origin throughout.
+// The same for joints with several freedoms, expressed at the joint's origin throughout.
 template <bool reversed>
 ADAGEN_INLINE void move_at_joint(Workspace& w, const Joints<Value>& joints, Motion<Value>& a) {
   const JointConstants& joint = joints.any();
@@ -88,8 +88,8 @@ ADAGEN_INLINE void turn_at_joint(Workspace& w, const Joints<T>& joints, Motion<T
   a.angular = far;
 }
 
-// A joint's acceleration from the near link's, which becomes the far link's; each is told at its
-// own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
+// A joint's acceleration from the near link's, which becomes the far link's; each is expressed at
+// its own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
 template <bool reversed, class T>
 ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, Motion<T>& a) {
   const T* const e = w.memory(joints).e;
@@ -134,7 +134,7 @@ void accelerate(Workspace& w) {
   Reached<Value> reached = reached_at(w, kJoints[first].parent);
   each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     move<false>(w, single(first + k), kind, a);
-    if constexpr (kRefine > 0) keep_force<false>(w, single(first + k), a);
+    if constexpr (kWide) keep_force<false>(w, single(first + k), a);
     reach(w, single(first + k), kind, a, reached);
     const std::size_t far = static_cast<std::size_t>(first + k + 1);
     if (kRoles[p][far].parts) w.motions[far] = a, keep_reached(w, far, reached);
@@ -154,7 +154,7 @@ ADAGEN_ONE_BY_ONE void accelerate_reversed(Workspace& w) {
   each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     move<true>(w, single(j), kind, a);
-    if constexpr (kRefine > 0) keep_force<true>(w, single(j), a);
+    if constexpr (kWide) keep_force<true>(w, single(j), a);
     const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
     if (kRoles[p][far].parts) w.motions[far] = a;
   });
@@ -163,6 +163,7 @@ ADAGEN_ONE_BY_ONE void accelerate_reversed(Workspace& w) {
 // The Frame of a floating base knows nothing of its linear velocity, whose axes turn with the base.
 template <int j>
 void as_joint_acceleration(Workspace& w) {
+  if (kRefine > 0 && w.again) return;  // a correction has none
   const Value* v = w.v + kJoints[j].v;
   Value* qdd = &w.answer[kJoints[j].v];
   const Vector<Value> turned =

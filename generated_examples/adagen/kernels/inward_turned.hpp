@@ -32,8 +32,8 @@ ADAGEN_INLINE Vector<T> lever_on_parent(Workspace& w, const Joints<T>& joints, J
   return r;
 }
 
-// One joint, or one in each lane. The slot is that of the parent link if its body is told in its
-// own axes, and negative if in those of the base.
+// One joint, or one in each lane. The slot is that of the parent link if its body is expressed in
+// its own axes, and negative if in those of the base.
 template <bool reversed, bool lost, class T>
 ADAGEN_INLINE void step_turned(Workspace& w, const Joints<T>& joints, JointKind kind, int slot,
                                Body<T>& X) {
@@ -69,13 +69,13 @@ ADAGEN_INLINE void step_turned(Workspace& w, const Joints<T>& joints, JointKind 
   }
 }
 
-// The slot of a link whose body is told in its own axes, -1 of others.
+// The slot of a link whose body is expressed in its own axes, -1 of others.
 template <bool lost = false>
 ADAGEN_INLINE int turned_slot(int link) {
   return turned_link<lost>(link) ? slot_of(link - 1) : -1;
 }
 
-// Keeps a body on the far side of joints for their forces, told in axes of the base.
+// Keeps a body on the far side of joints for their forces, expressed in axes of the base.
 template <class T>
 ADAGEN_INLINE void keep_turned(Workspace& w, const Joints<T>& joints, int slot, Body<T> X) {
   if (slot >= 0) turn_body(X, matrix_at<T>(w.at(slot, kAxes)));
@@ -89,7 +89,7 @@ void inward_turned(Workspace& w) {
   each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     meet<p, lost>(w, j + 1, X);
-    if constexpr (kRefine > 0) keep_turned(w, single(j), turned_slot<lost>(j + 1), X);
+    if constexpr (kWide) keep_turned(w, single(j), turned_slot<lost>(j + 1), X);
     const int near = kJoints[static_cast<std::size_t>(j)].parent;
     step_turned<false, lost>(w, single(j), kind,
                              k > 0 ? turned_slot<lost>(near) : turned_slot(near), X);
@@ -108,7 +108,7 @@ void inward_turned_reversed(Workspace& w) {
     const int j = first + k;
     const int parent = kJoints[static_cast<std::size_t>(j)].parent;
     meet<p, lost>(w, parent, X);
-    if constexpr (kRefine > 0) keep_turned(w, single(j), turned_slot<lost>(parent), X);
+    if constexpr (kWide) keep_turned(w, single(j), turned_slot<lost>(parent), X);
     step_turned<true, lost>(w, single(j), kind, turned_slot<lost>(parent), X);
   });
   if constexpr (!lost && may_lose(first, last))
