@@ -95,7 +95,11 @@ def test_the_version_is_that_of_the_package() -> None:
 
 def test_joined_sources_hold_each_header_once_and_no_sample() -> None:
     source = (FOLDER / "humanoid_p2" / "humanoid_p2.cpp").read_text()
-    for text in (joined(source), standalone(source), joined(program_text())):
+    header = (FOLDER / "humanoid_p2" / "humanoid_p2.h").read_text()
+    whole = standalone(source, header=header)
+    assert header in whole and '#include "' not in whole
+    own = '#if __has_include("humanoid_p2.h")\n#include "humanoid_p2.h"\n'
+    for text in (joined(source).replace(own, ""), whole, joined(program_text())):
         assert '#include "' not in text
         assert "ADAGEN_SAMPLE" not in text and "#pragma once" not in text
         assert text.count("enum Failure : int {") == 1
@@ -126,7 +130,7 @@ def test_headers_that_are_right_are_not_written_again(tmp_path: Path) -> None:
 def test_headers_of_another_version_are_refused(builder: Builder) -> None:
     source = (FOLDER / "mobile_p1" / "mobile_p1.cpp").read_text()
     files = {**HEADERS, "adagen/version.hpp": "#pragma once\n#define ADAGEN_VERSION 99999\n"}
-    with pytest.raises(adagen.EnvironmentFault, match="not those of adagen"):
+    with pytest.raises(adagen.EnvironmentFault, match="of another version than adagen"):
         builder.compile(joined(source, files), "other", (*QUICK, "-DADAGEN_NO_MAIN"))
 
 

@@ -38,13 +38,14 @@ def words(builder: Builder) -> list[str]:
     ]
 
 
-SOURCES = [FOLDER / f"{group}.cpp" for group in GROUPS]
+SAMPLE = FOLDER / "lanes_test.cpp"
+SOURCES = [path for group in GROUPS if (path := FOLDER / f"{group}.cpp") != SAMPLE]
 MORE = [EXAMPLES / stem / f"{stem}.cpp" for stem in EMITTED] + [EXAMPLES / "adagen_program.cpp"]
 
 
 @pytest.mark.parametrize(
     "source",
-    [*SOURCES, *(pytest.param(path, marks=pytest.mark.slow) for path in MORE)],
+    [SAMPLE, *(pytest.param(path, marks=pytest.mark.slow) for path in [*SOURCES, *MORE])],
     ids=lambda path: path.stem,
 )
 def test_clang_tidy_has_nothing_to_say(source: Path, builder: Builder) -> None:
