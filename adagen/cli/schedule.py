@@ -112,7 +112,7 @@ def _check_hosts(parser: Parser, options: argparse.Namespace) -> None:
         if getattr(options, name) != usual:
             parser.error(f"--hosts chooses it: leave out --{name}")
     if options.reproducible:
-        parser.error("--hosts does not support --reproducible: leave out one of both")
+        parser.error("--hosts does not support it: leave out --reproducible")
 
 
 @dataclass(frozen=True)
