@@ -39,22 +39,27 @@ from adagen.plan.steps.joins import (
     Join,
     LinkBias,
 )
-from adagen.plan.steps.names import Bias, Block, Force
+from adagen.plan.steps.names import Bias, Block, Force, Passage
 from adagen.plan.steps.process import (
+    Append,
     ApplyCoupling,
+    Arrive,
     Certify,
     GiveOutput,
     Kinematics,
     Receive,
     Send,
     SolveCoupling,
+    Traverse,
 )
 
 __all__ = [
     "Accelerate",
     "AccelerateHeld",
     "AccelerateRoot",
+    "Append",
     "ApplyCoupling",
+    "Arrive",
     "Articulate",
     "Bias",
     "BiasUpdate",
@@ -82,6 +87,7 @@ __all__ = [
     "LinkBias",
     "Load",
     "LoadRoot",
+    "Passage",
     "Propagate",
     "Receive",
     "Release",
@@ -93,12 +99,16 @@ __all__ = [
     "StartEmpty",
     "StartLink",
     "Step",
+    "Traverse",
     "biases_set_by",
     "blocks_set_by",
 ]
 
 Step = (
     Kinematics
+    | Traverse
+    | Append
+    | Arrive
     | LinkBias
     | Join
     | FusedJoin
