@@ -324,6 +324,14 @@ class Plan:
     outputs: tuple[PlanOutput, ...] = field(default=(), metadata=OPTIONAL)
     at_rest: bool = field(default=False, metadata=OPTIONAL)
 
+    def __hash__(self) -> int:
+        """Return a hash that is computed once: what is found for a plan is kept by it."""
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
+        return hash((self.name, self.schedule, self.processes, self.messages))
+
     def wants(self, joint: int) -> bool:
         """Return whether a joint's acceleration is given."""
         return not self.wanted or joint in self.wanted

@@ -152,9 +152,11 @@ class Families:
         assert self.best is not None  # one process comes first
         chains = ExchangedSchedules(self.topology, self.profile, cuttable, self.best.tie)
         for count in counts:
-            found = chains.best(self.processes, count, self._played)
+            found, before = chains.best(self.processes, count, self._played), self.least
             if found is not None:
                 self.consider(found, "exchanged")
+            if found is not None and self.least == before:
+                break  # fewer processes are no faster where more are not
         self.bounds.append(chains.least(self.processes))
 
     def _played(self, schedule: Schedule) -> tuple[Plan, Timeline]:
