@@ -41,7 +41,7 @@ $(STAMP): pyproject.toml
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[test]'
 	@touch $@
 
-demo: setup ## a real robot: generate, build, run on 2 processes, check, time
+demo: setup ## two robots: generate, build, run on 1 and 2 processes, check, time
 	@$(BIN)/python -m adagen.cli.demo
 
 test: setup lint ## lint and run the test suite

@@ -30,8 +30,8 @@ def show_hosts(model: Model, options: argparse.Namespace) -> None:
     profile = load_profile(options.profile)
     if profile.steps is None or profile.steps.network is None:
         raise UsageError(
-            f"the profile {profile.name} does not tell what messages between hosts cost: adagen "
-            f"calibrate --hosts {options.hosts} measures it; then say --profile machine"
+            f"the profile {profile.name} has no costs of messages between hosts: run adagen "
+            f"calibrate --hosts {options.hosts}, then add --profile machine"
         )
     found = across_hosts(model, hosts, profile)
     if options.json:
@@ -83,15 +83,15 @@ def _show(found: Across) -> None:
         )
         for one in found.batches
     )
-    heads = ("hosts", "processes", "handed out, states/s", "in place, states/s", "limited by")
+    heads = ("hosts", "processes", "distributed, states/s", "in place, states/s", "limited by")
     console.print(table_of(heads, rows, named=False))
     best = found.best_batches
     print(
         wrapped(
-            f"batches of {STATES} states handed out by process 0: "
+            f"batches of {STATES} states distributed by process 0: "
             f"{best.hosts} host{'s' if best.hosts > 1 else ''} "
             f"pay{'' if best.hosts > 1 else 's'} ({found.state:.3g} us a state on one process); "
-            "states that each process has itself are not sent, and all hosts pay "
+            "where each process has its own states, nothing is sent and all hosts pay "
             f"({found.profile} profile)"
         )
     )
@@ -110,6 +110,6 @@ def _single(found: Across) -> str:
         )
     meeting = [each for each in found.shared if each.working > 1]
     if not meeting:
-        return f"one evaluation: {here}; it is not worth a message to another: stay on one host"
+        return f"one evaluation: {here}; too short for messages between hosts: use one host"
     best = min(meeting, key=lambda each: each.time)
-    return f"one evaluation: {here}, {best.time:.2f} us on {best.hosts} hosts: stay on one host"
+    return f"one evaluation: {here}, {best.time:.2f} us on {best.hosts} hosts: use one host"

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from adagen.cli.console import note
+from adagen.cli.console import note, wrote
 from adagen.cli.parser import Parser, make_parser, parse, whole
 from adagen.cli.tables import table_of
 
@@ -20,9 +20,9 @@ PEERS = ("pinocchio", "casadi", "mujoco")
 QUICK = ("--procs 1", "--procs 2")
 
 _DESCRIPTION = """\
-Time emitted solvers of each MODEL beside pinocchio's, casadi's and MuJoCo's
-forward dynamics: the same robot and states, one process each, by turns, and
-judge everybody's answers."""
+Compare emitted solvers of each MODEL with the forward dynamics of pinocchio,
+casadi and MuJoCo: same robot, same states, times measured in turns, errors of
+all answers checked."""
 
 _EPILOG = """\
 Peers that are not installed are skipped by name; pip install 'adagen[bench]'
@@ -32,6 +32,7 @@ compiler the first time.
 examples:
   adagen bench arm.urdf                                 a table
   adagen bench humanoid.urdf --floating --out result    tables, record, pictures
+  adagen bench fourbar.urdf --scene fourbar.toml        with closed loops
   adagen bench arm.urdf --variant "--procs 2 --form ada" --peers none"""
 
 
@@ -44,6 +45,7 @@ def run(argv: Sequence[str]) -> int:
     rules = Rules(rounds=3, repeat=5) if options.quick else Rules(options.rounds)
     variants = tuple(options.variant or (QUICK if options.quick else VARIANTS))
     extra = ["--profile", options.profile, *(["--floating"] if options.floating else [])]
+    extra += [] if options.scene is None else ["--scene", options.scene]
     entries = [Entry(Path(path).stem, Path(path), tuple(extra)) for path in options.models]
     peers = PEERS if options.peers is None else options.peers
     record = contest(entries, rules, variants, peers)
@@ -61,6 +63,7 @@ def command_parser() -> Parser:
     parser = make_parser("adagen bench", _DESCRIPTION, _EPILOG)
     parser.add_argument("models", nargs="+", metavar="MODEL", help="robot descriptions (URDF)")
     parser.add_argument("--floating", action="store_true", help="put the robots on floating bases")
+    parser.add_argument("--scene", metavar="FILE", help="scene of the robots: loops, base, ...")
     parser.add_argument(
         "--profile",
         default="default",
@@ -79,7 +82,7 @@ def command_parser() -> Parser:
         "--peers",
         type=_peers,
         metavar="NAMES",
-        help=f"which of {', '.join(PEERS)} take part, with commas, or none (default: all)",
+        help=f"comma-separated peers, of {', '.join(PEERS)}, or none (default: all)",
     )
     parser.add_argument(
         "--rounds",
@@ -89,7 +92,7 @@ def command_parser() -> Parser:
         help="rounds of interleaved timing (default: 9)",
     )
     parser.add_argument("--quick", action="store_true", help="few rounds and variants")
-    parser.add_argument("--json", action="store_true", help="the record on standard output")
+    parser.add_argument("--json", action="store_true", help="print the record as JSON")
     parser.add_argument(
         "--out", type=Path, metavar="DIR", help="write bench.json, bench.md and pictures there"
     )
@@ -147,5 +150,5 @@ def draw(record: Record, folder: Path, endings: Sequence[str] = ("svg",)) -> lis
         return []
     written = draw_all(record, folder, endings)
     for path in written:
-        note(f"wrote {path}")
+        wrote([path])
     return written

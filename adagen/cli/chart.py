@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from adagen.cli.chart_options import command_parser
-from adagen.cli.console import Stages, note, speaking, warn
+from adagen.cli.console import Stages, speaking, warn, wrote
 from adagen.cli.parser import parse
 from adagen.cli.tables import table_of
 from adagen.errors import AdagenError, UsageError
@@ -78,7 +78,6 @@ def _given(options: argparse.Namespace) -> tuple[Model, int | States]:
     if isinstance(file, str) and (found := states_gravity(file)) is not None:
         gravity = found.tolist()
     model = pipeline.read_model(options, Stages(), gravity)
-    pipeline.refuse_loops(model)
     if model.wanted or model.outputs:
         raise UsageError(
             "charts compare all accelerations, and nothing else: leave accelerations and [outputs]"
@@ -98,7 +97,7 @@ def _redraw(path: Path, options: argparse.Namespace) -> None:
     options.out.mkdir(parents=True, exist_ok=True)
     if options.picture:
         paths = save(work_precision(chart), options.out / path.stem)
-        note(f"wrote {', '.join(map(str, paths))}")
+        wrote(paths)
     _show(chart)
 
 
@@ -123,16 +122,15 @@ def _peers(
     model: Model, truth: Truth, folder: Path, said: Callable[[str], None]
 ) -> list[Contestant]:
     """Return the peers that are installed and can treat the robot, with notes on the others."""
-    from adagen.model import canonical
-    from adagen.studies.bench.peers import PEERS, missing
+    from adagen.studies.bench.peers import PEERS, contestants, missing
 
     found: list[Contestant] = []
-    for name, (_, make) in PEERS.items():
+    for name in PEERS:
         reason = missing(name)
         if reason is None:
             said(f"compiling {name}")
             try:
-                found += make(canonical(model), truth.states, folder)
+                found += contestants(name, model, truth.states, folder)
             except AdagenError as error:
                 reason = str(error).removeprefix("error: ")
         if reason is not None:
@@ -151,7 +149,7 @@ def _write(chart: Chart, options: argparse.Namespace) -> None:
         from adagen.studies.chart.draw import save, work_precision
 
         paths += save(work_precision(chart), path)
-    note(f"wrote {', '.join(map(str, paths))}")
+    wrote(paths)
 
 
 def _show(chart: Chart) -> None:
@@ -192,4 +190,4 @@ def _answer(point: Point, model: Model, options: argparse.Namespace) -> None:
     files = variant.files(plan, model_stem(options.model), picture)
     write_files(options.out, files)
     print(f"{point.label}: {point.time_ns / 1e3:.3g} us, error {point.error:.1e}")
-    note(f"wrote {', '.join(str(options.out / name) for name in sorted(files))}")
+    wrote([options.out / name for name in sorted(files)])

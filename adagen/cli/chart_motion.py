@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from adagen.cli.chart_options import LARGEST_STEP
-from adagen.cli.console import Stages, note, speaking
+from adagen.cli.console import Stages, speaking, wrote
 from adagen.cli.tables import table_of
 
 if TYPE_CHECKING:
@@ -31,7 +31,6 @@ def chart_motion(options: argparse.Namespace) -> None:
     from adagen.studies.chart.variants import REFERENCE
 
     model = pipeline.read_model(options, Stages(), options.gravity)
-    pipeline.refuse_loops(model)
     toolchain = find_toolchain()
     with speaking(Path(options.model).stem) as said:
         _, plan = REFERENCE.plan(model)
@@ -58,7 +57,7 @@ def _write(chart: MotionChart, options: argparse.Namespace) -> None:
         from adagen.studies.chart.draw_motion import motion_picture
 
         paths += save(motion_picture(chart), path)
-    note(f"wrote {', '.join(map(str, paths))}")
+    wrote(paths)
 
 
 def _show(chart: MotionChart) -> None:

@@ -14,10 +14,9 @@ if TYPE_CHECKING:
     from adagen.studies.chart import Budget
 
 _DESCRIPTION = """\
-Draw each robot's work-precision diagram: the time of an evaluation against the
-largest forward error, from a truth of a hundred digits, of every algorithm,
-schedule, number type, number of processes and refinement. Or, with --simulate,
-of integrators and steps."""
+Draw a work-precision diagram of each robot: time per evaluation against largest
+forward error (reference: 100 digits), for every algorithm, schedule, number
+type, number of processes and refinement; with --simulate, for integrators."""
 
 _EPILOG = """\
 For each MODEL it writes chart_NAME.svg, .png and the record, .json. The first
@@ -25,9 +24,9 @@ run compiles some dozens of programs, which takes minutes; they are kept.
 
 examples:
   adagen chart arm.urdf                          pictures, data of one robot
-  adagen chart arm.urdf --budget "error<1e-10"   emit the fastest right enough
+  adagen chart arm.urdf --budget "error<1e-10"   emit the fastest that fits
   adagen chart arm.urdf --states mine.json       errors in states of your own
-  adagen chart chart_arm.json                    the picture of a record, anew
+  adagen chart chart_arm.json                    draw a record again
   adagen chart arm.urdf --simulate 1             integrators: error against time"""
 
 _RARE = frozenset(
@@ -139,8 +138,8 @@ def _add_measurement(parser: Parser) -> None:
         type=_states,
         default=_LEAST_STATES,
         metavar="N|FILE",
-        help="random states that errors are the largest of (default and least: "
-        f"{_LEAST_STATES}), or a file of states",
+        help="number of random states over which the largest error counts (default and minimum: "
+        f"{_LEAST_STATES}), or a states file",
     )
     add(
         "--rounds",

@@ -5,10 +5,12 @@ from __future__ import annotations
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
 
+from adagen.cli.tables import wrapped
 from adagen.errors import printable
 
 if TYPE_CHECKING:
@@ -52,6 +54,15 @@ def note(message: str) -> None:
     """Print a line for people to stderr."""
     if not _Said.quiet:
         say(message)
+
+
+def wrote(paths: Sequence[Path]) -> None:
+    """Say which files were written: each folder once, in lines that fit the terminal."""
+    for folder in dict.fromkeys(path.parent for path in paths):
+        names = ", ".join(path.name for path in paths if path.parent == folder)
+        text = f"wrote {names if folder == Path() else f'{folder}: {names}'}"
+        for line in wrapped(printable(text), indent=2).splitlines():
+            note(line)
 
 
 def say(message: str) -> None:

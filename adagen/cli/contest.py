@@ -19,15 +19,16 @@ from adagen.cli.parser import make_parser, parse
 from adagen.emit.predicted import is_priced, predict
 from adagen.emit.shapes import chosen_shape
 from adagen.errors import AdagenError, UsageError
-from adagen.model import Model, canonical
+from adagen.model import Model
 from adagen.schedule import load_profile
-from adagen.states import States, random_states
+from adagen.states import States
 from adagen.studies.bench.answers import DIRECT, Errors, Judge
 from adagen.studies.bench.contest import Contestant, Rules, Times, cores, hold
 from adagen.studies.bench.emitted import Emitted
 from adagen.studies.bench.machine import machine
-from adagen.studies.bench.peers import PEERS, missing
+from adagen.studies.bench.peers import PEERS, contestants, missing
 from adagen.studies.bench.record import ModelRecord, Record, Row
+from adagen.studies.drawn import drawn_states
 
 VARIANTS = (
     "--procs 1",
@@ -121,8 +122,7 @@ def measure(
     options = _options(entry, "--procs 1")
     load_profile(options.profile)  # refused before anything is built
     model = pipeline.read_model(options, Stages(), options.gravity)
-    pipeline.refuse_loops(model)
-    states = random_states(model, rules.states, rules.seed)
+    states = drawn_states(model, rules.states, rules.seed)
     judged = rules.judged if model.nv <= DIRECT else 1
     few = States(*(x[:judged] for x in (states.q, states.v, states.tau)))
     absent = {name: why for name, why in entry.without.items() if name in peers}
@@ -245,7 +245,7 @@ def _others(
         if reason is None:
             try:
                 with progress(f"{model.name}: compiling {name}"):
-                    found += PEERS[name][1](canonical(model), states, folder)
+                    found += contestants(name, model, states, folder)
                 continue
             except AdagenError as error:
                 reason = str(error).removeprefix("error: ")

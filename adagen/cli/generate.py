@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from adagen.cli.console import Stages, note, warned
+from adagen.cli.console import Stages, note, warned, wrote
 from adagen.cli.options import AUTO, add_emission, add_model, add_out, add_schedule, check_emission
 from adagen.cli.parser import Parser, make_parser, parse
 
@@ -123,7 +123,8 @@ def run(argv: Sequence[str]) -> int:
     if options.json:
         print(json.dumps(_report(made, written), indent=1))
     else:
-        note(f"wrote {', '.join(map(str, written))}; {told}")
+        wrote(written)
+        note(told)
     return 0
 
 

@@ -99,7 +99,7 @@ def _command(words: Sequence[str]) -> Callable[[Sequence[str]], int]:
         hint = (
             f"did you mean '{near[0]}'?"
             if near
-            else f"adagen MODEL --procs P emits a solver, commands are {', '.join(VERBS)}"
+            else f"to write a solver: adagen MODEL [--out DIR]; commands: {', '.join(VERBS)}"
         )
         raise UsageError(f"neither a command nor a file: {first}; {hint}")
     module = import_module(f"adagen.cli.{_verb(words) or 'generate'}")

@@ -42,7 +42,7 @@ def add_model(parser: Parser, *, gravity: bool = True, several: bool = False) ->
     group.add_argument(
         "--strict",
         action="store_true",
-        help="refuse slips of the file that change nothing, instead of warning of them",
+        help="reject harmless mistakes of the file instead of warning about them",
     )
     group.add_argument(
         "--xacro-arg",
@@ -194,8 +194,8 @@ def _add_algorithm(parser: Parser) -> None:
     group.add_argument(
         "--reproducible",
         action="store_true",
-        help="the same answers to the last bit on every number of processes, by every compiler and "
-        "on every x86-64 processor",
+        help="the same answers to the last bit on any number of processes, with any compiler and "
+        "on any x86-64 processor",
     )
 
 
@@ -205,7 +205,7 @@ def add_emission(parser: Parser) -> None:
     group.add_argument(
         "--loop-forces",
         action="store_true",
-        help="give the forces of loops and couplings behind the accelerations (docs/loops.md)",
+        help="also give the forces of loops and couplings (docs/how_to/loops.md)",
     )
     group.add_argument(
         "--refine",

@@ -26,17 +26,31 @@ class Parser(argparse.ArgumentParser):
     """Options that --help leaves to --help-all."""
 
     def format_help(self) -> str:
-        """Return what --help prints: without the rare options, if there are any."""
-        rare = self.rare or {"--help-all"}
-        hidden = [each for each in self._actions if rare.intersection(each.option_strings)]
-        told = [each.help for each in hidden]
-        for each in hidden:
-            each.help = argparse.SUPPRESS
-        try:
-            return super().format_help()
-        finally:
-            for each, text in zip(hidden, told, strict=True):
-                each.help = text
+        """Return what --help prints: one list without the rare options, what all have last."""
+        shown = [each for each in self._actions if not self._is_rare(each)]
+        shown.sort(key=lambda each: not _EVERYWHERE.isdisjoint(each.option_strings))
+        shown.sort(key=lambda each: bool(each.option_strings))
+        formatter = self._get_formatter()
+        formatter.add_usage(self.usage or self._short_usage(), [], [])
+        formatter.add_text(self.description)
+        formatter.start_section("options")
+        formatter.add_arguments(shown)
+        formatter.end_section()
+        formatter.add_text(self.epilog)
+        return formatter.format_help()
+
+    def _is_rare(self, action: argparse.Action) -> bool:
+        return not (self.rare or {"--help-all"}).isdisjoint(action.option_strings)
+
+    def _short_usage(self) -> str:
+        """Return the usage line of --help: what must be given, and that there are options."""
+        needed = [
+            " ".join([*each.option_strings[:1], str(each.metavar or each.dest)])
+            + (" ..." if each.nargs == "+" else "")
+            for each in self._actions
+            if each.required
+        ]
+        return " ".join([self.prog, *needed, "[option ...]"])
 
     def format_help_all(self) -> str:
         """Return what --help-all prints: all options."""
@@ -60,6 +74,10 @@ class Parser(argparse.ArgumentParser):
         word = unknown.lstrip("-").partition("=")[0]
         near = difflib.get_close_matches(word, names, n=1)
         return f" (did you mean {names[near[0]]}?)" if near else ""
+
+
+_EVERYWHERE = frozenset({"--help", "--help-all", "--version", "-v", "--quiet"})
+"""Options that every command has."""
 
 
 class _HelpAll(argparse.Action):

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from adagen.cli.console import Stages, progress, tell, warn
 from adagen.cli.options import AUTO
 from adagen.cli.predicted import scheduled
-from adagen.errors import InputError, UsageError
+from adagen.errors import InputError
 
 if TYPE_CHECKING:
     from adagen.library import Compiled, Origin, Request
@@ -33,19 +33,6 @@ def read_model(
         InputError: the robot description or the scene is refused.
     """
     return read_whole(options, stages, gravity)[0]
-
-
-def refuse_loops(model: Model) -> None:
-    """Refuse a robot with closed loops where its truth is not known.
-
-    Raises:
-        UsageError: it has loops or couplings.
-    """
-    if model.closed:
-        raise UsageError(
-            "charts and benchmarks do not support closed loops: leave [[loops]] and [[couplings]] "
-            "out of the scene; adagen solve and the program's --check work with them"
-        )
 
 
 def read_whole(

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from adagen.cli.console import Stages, note, progress, warned
+from adagen.cli.console import Stages, note, progress, warned, wrote
 from adagen.cli.options import add_emission, add_model, add_out, add_schedule, check_emission
 from adagen.cli.parser import Parser, make_parser, parse
 from adagen.errors import EnvironmentFault, InputError, printable
@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from adagen.studies.chart import Chart
 
 _DESCRIPTION = """\
-Write one HTML page about a robot and the program that solves it: the robot to
-be posed, the program in time, predicted and measured times. No network needed."""
+Write one HTML page about a robot and its solver: a posable skeleton, a timeline
+of the program, predicted and measured times. It needs no network."""
 
 _EPILOG = """\
 examples:
@@ -85,7 +85,7 @@ def run(argv: Sequence[str]) -> int:
     finally:
         if options.verbose:
             note(str(stages))
-    note(f"wrote {options.out / name}")
+    wrote([options.out / name])
     return 0 if measured is None or measured.right else 1
 
 

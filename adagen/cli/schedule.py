@@ -35,7 +35,7 @@ examples:
   adagen schedule robot.urdf --procs 4 --svg tree.svg     a drawing
   adagen schedule robot.urdf --procs 4 --json             the tree, for programs
   adagen schedule robot.urdf --procs 4 --profile paper --tie lex    the paper's
-  adagen schedule robot.urdf --hosts hosts            what pays on several hosts"""
+  adagen schedule robot.urdf --hosts hosts            predict for several hosts"""
 
 
 def command_parser() -> Parser:
@@ -49,13 +49,13 @@ def command_parser() -> Parser:
         "--hosts",
         type=Path,
         metavar="FILE",
-        help="say what pays on several hosts instead: single evaluations, and batches; FILE as "
-        "mpiexec --hostfile reads it, the profile from adagen calibrate --hosts",
+        help="predict on how many hosts single evaluations and batches pay; FILE as mpiexec "
+        "--hostfile reads it, profile from adagen calibrate --hosts",
     )
     parser.add_argument(
         "--trace",
         metavar="FILE",
-        help="with --svg: draw what a run measured (its --trace) under what is predicted",
+        help="with --svg: draw the measured times of a run (its --trace) below the predicted",
     )
     return parser
 
@@ -73,13 +73,17 @@ def run(argv: Sequence[str]) -> int:
     from adagen.cli import pipeline
     from adagen.cli.files import write_file
     from adagen.cost.document import schedule_document
+    from adagen.errors import UsageError
     from adagen.schedule import Topology
 
     stages = Stages()
     try:
         model = pipeline.read_model(options, stages, None)
         if options.hosts is not None:
-            pipeline.refuse_loops(model)
+            if model.closed:
+                raise UsageError(
+                    "--hosts does not support closed loops: leave them out of the scene"
+                )
             show_hosts(model, options)
             return 0
         schedule = pipeline.schedule_model(model, options, stages)
@@ -103,12 +107,12 @@ def run(argv: Sequence[str]) -> int:
 def _check_hosts(parser: Parser, options: argparse.Namespace) -> None:
     """Refuse what the hosts leave no room for."""
     if options.svg is not None:
-        parser.error("--hosts draws nothing: leave out --svg")
+        parser.error("--hosts makes no drawing: leave out --svg")
     for name, usual in (("procs", AUTO), ("form", "segment"), ("schedule", "auto")):
         if getattr(options, name) != usual:
-            parser.error(f"--hosts chooses by itself: leave out --{name}")
+            parser.error(f"--hosts chooses it: leave out --{name}")
     if options.reproducible:
-        parser.error("--hosts knows no reproducible schedules: leave out --reproducible")
+        parser.error("--hosts does not support --reproducible: leave out one of both")
 
 
 @dataclass(frozen=True)

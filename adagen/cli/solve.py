@@ -160,6 +160,7 @@ def _tell(report: dict[str, Any], options: argparse.Namespace) -> None:
         warn(f"{options.states}: warning: WRONG answers, {told}: {place}; another form may work")
         return
     warn(
-        f"{options.states}: warning: {report['digits']:.1f} digits of the accelerations are sure: "
-        f"{place}: the robot is ill-conditioned there; --shape unrolled or --refine 1 may keep more"
+        f"{options.states}: warning: {report['digits']:.1f} digits of the accelerations are "
+        f"certain: {place}: the robot is ill-conditioned there; --shape unrolled or --refine 1 "
+        "may keep more"
     )

@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from adagen.studies.stability.emitted import Cell, Subject
 
 _EPILOG = """\
-Every case shows a weak method failing as it is expected to, and the shipped one
-keeping its digits or refusing with a reason. The exit status is 1 where a
-figure is not what it must be.
+Every case shows a weak method that fails as expected, and adagen's own method
+that keeps its digits or refuses with a reason. The exit status is 1 if a result
+is not the expected one.
 
 examples:
   adagen stability                             all cases (about a minute)
@@ -32,7 +32,7 @@ examples:
   adagen stability robot.urdf                  where each shape and scalar
                                                fails on this robot here
   adagen stability robot.urdf --shape kernels --procs 1,2 --scalar float
-  adagen stability --emitted --out DIR         the suite's robots likewise, a
+  adagen stability --emitted --out DIR         the built-in robots likewise, a
                                                picture and a record in DIR"""
 
 
@@ -44,7 +44,7 @@ def run(argv: Sequence[str]) -> int:
         parser.error("--family needs --map DIR")
     if options.models or options.emitted:
         if options.case or options.map:
-            parser.error("--case and --map are of the suite that is carried out, not emitted")
+            parser.error("--case and --map are not for emitted solvers: leave them out")
         return _emitted(options, parser.error)
     return _draw(options, parser.error) if options.map else _judge(options, parser.error)
 
@@ -52,7 +52,7 @@ def run(argv: Sequence[str]) -> int:
 def command_parser() -> Parser:
     """Return the parser of ``adagen stability``."""
     parser = make_parser(
-        "adagen stability", "Show where methods fail and how many digits are kept.", _EPILOG
+        "adagen stability", "Show where methods fail, and how many digits they keep.", _EPILOG
     )
     parser.add_argument(
         "--case", type=int, action="append", metavar="N", help="only this case, 1 to 13"
@@ -60,7 +60,7 @@ def command_parser() -> Parser:
     parser.rare |= {"--meeting", "--seed", "--mimic", "--scene", "--quick"}
     _add_emitted(parser)
     parser.add_argument("--quick", action="store_true", help="shorter chains where a case is slow")
-    parser.add_argument("--json", action="store_true", help="print the findings as JSON")
+    parser.add_argument("--json", action="store_true", help="print the results as JSON")
     parser.add_argument(
         "--map",
         type=Path,
@@ -83,9 +83,9 @@ def _add_emitted(parser: Parser) -> None:
         nargs="*",
         default=(),
         metavar="MODEL",
-        help="robots (URDF, xacro or MJCF) to be looked at",
+        help="robots (URDF, xacro or MJCF) to test",
     )
-    group.add_argument("--emitted", action="store_true", help="look at the suite's robots")
+    group.add_argument("--emitted", action="store_true", help="test the built-in robots")
     for name, known in (
         ("--shape", SHAPES),
         ("--procs", tuple(map(str, PROCESSES))),
@@ -99,19 +99,29 @@ def _add_emitted(parser: Parser) -> None:
             metavar="A,B",
             help=f"only these of {', '.join(known)}",
         )
-    group.add_argument("--states", type=_count, default=16, metavar="N", help="states (16)")
-    group.add_argument("--seed", type=int, default=1, metavar="N", help="of the states (1)")
+    group.add_argument(
+        "--states",
+        type=_count,
+        default=16,
+        metavar="N",
+        help="number of random states (default: 16)",
+    )
+    group.add_argument(
+        "--seed", type=int, default=1, metavar="N", help="seed of the states (default: 1)"
+    )
     group.add_argument(
         "--time",
         type=float,
         default=600.0,
         metavar="S",
-        help="begin nothing new after so many seconds (600); what was found is kept for the next",
+        help="start no new test after S seconds (default: 600); the next run continues",
     )
     group.add_argument("--floating", action="store_true", help="put the robots on a floating base")
-    group.add_argument("--mimic", action="store_true", help="hold mimic joints in step")
-    group.add_argument("--scene", metavar="FILE", help="look at what this scene needs")
-    group.add_argument("--out", type=Path, metavar="DIR", help="where picture and record go")
+    group.add_argument("--mimic", action="store_true", help="make mimic joints follow")
+    group.add_argument("--scene", metavar="FILE", help="apply a scene file")
+    group.add_argument(
+        "--out", type=Path, metavar="DIR", help="where to write the picture and the record"
+    )
 
 
 def _listed_of(known: Sequence[str]) -> Callable[[str], tuple[str, ...]]:
@@ -127,7 +137,7 @@ def _listed_of(known: Sequence[str]) -> Callable[[str], tuple[str, ...]]:
 
 def _count(text: str) -> int:
     if not text.isdecimal() or not 0 < int(text) <= MOST_STATES:
-        raise argparse.ArgumentTypeError(f"{text!r} is no number from 1 to {MOST_STATES}")
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number from 1 to {MOST_STATES}")
     return int(text)
 
 
@@ -161,12 +171,12 @@ def _emitted(options: argparse.Namespace, refuse: object) -> int:
         _show_cells(study.cells)
     if study.left:
         warn(
-            f"warning: {study.left} of {study.left + len(study.cells)} have not been looked at in "
-            f"{options.time:g} s: say --time, or the command again, which goes on from here"
+            f"warning: {study.left} of {study.left + len(study.cells)} tests were not run in "
+            f"{options.time:g} s: raise --time, or repeat the command, which continues from here"
         )
     silent = [cell for cell in study.cells if cell.silent and cell.way.shape in ADAGENS]
     for cell in silent:
-        say(f"{cell.robot}, {cell.way.words}: wrong in state {cell.state + 1}, and not warned of")
+        say(f"{cell.robot}, {cell.way.words}: wrong in state {cell.state + 1}, without a warning")
     return 1 if silent else 0
 
 
@@ -176,7 +186,6 @@ ADAGENS = ("kernels", "unrolled")
 
 def _subjects(options: argparse.Namespace) -> list[Subject]:
     """The robots of the command line, each as its scene leaves it."""
-    from adagen.cli.pipeline import refuse_loops
     from adagen.library import Origin
     from adagen.library.robot import read_whole
     from adagen.scene import apply_scene
@@ -189,7 +198,6 @@ def _subjects(options: argparse.Namespace) -> list[Subject]:
         reading, said = read_whole(origin)
         tell_reading(reading, verbose=False)
         model = reading.model if said is None else apply_scene(reading.model, said).model
-        refuse_loops(model)
         if model.wanted or model.outputs:
             model = replace(model, wanted=(), outputs=())  # all accelerations are compared
         found.append(subject(Path(name).stem, model, options.states, options.seed))

@@ -56,7 +56,7 @@ def tuned(plan: Plan, options: argparse.Namespace, stages: Stages) -> Candidate:
         )
     played = trials[0].source == "stretches"
     how = " (more processes than cores: from measured stretches of computing)" if played else ""
-    note(f"tried, ns per evaluation with state and result in place{how}:")
+    note(f"candidates, ns per evaluation with state and result in place{how}:")
     for line in table(trials).splitlines():
         note(line)
     return trials[0].candidate

@@ -46,7 +46,7 @@ def run(argv: Sequence[str]) -> int:
     sources = list(dict.fromkeys(_sources(options.folders)))
     expected: dict[str, bytes] = {}
     for source in sources:
-        with progress(f"emitting {source.stem} anew"):
+        with progress(f"generating {source.stem} again"):
             texts = _made_again(source)
         expected |= {
             str(_place(source.parent, name)): text.encode() for name, text in texts.items()
@@ -58,7 +58,7 @@ def run(argv: Sequence[str]) -> int:
     lines = differences(found, expected)
     for line in lines:
         print(printable(line))
-    note(f"{len(sources)} solver{'s' * (len(sources) > 1)}: {'not ' * bool(lines)}as emitted now")
+    note(f"{len(sources)} solver{'s' * (len(sources) > 1)}: {'not ' * bool(lines)}up to date")
     if lines:
         note("if the change is meant: adagen verify --update, then review")
     return 1 if lines else 0
@@ -85,10 +85,10 @@ def _sources(folders: Sequence[Path]) -> Iterator[Path]:
     """
     for folder in folders:
         if not folder.is_dir():
-            raise UsageError(f"{printable(str(folder))} is no folder")
+            raise UsageError(f"{printable(str(folder))} is not a folder")
         here = [path for path in sorted(folder.rglob("*.cpp")) if _is_ours(path)]
         if not here:
-            raise UsageError(f"{printable(str(folder))} holds no source that adagen emitted")
+            raise UsageError(f"{printable(str(folder))} holds no source written by adagen")
         yield from here
 
 
@@ -119,7 +119,7 @@ def _made_again(source: Path) -> dict[str, str]:
     command = command_in(source.read_text(encoding="utf-8", errors="replace"))
     if command is None:
         raise InputError(
-            "its head has no command that makes it: emit it anew (adagen MODEL --out DIR)",
+            "its head has no command: generate it again (adagen MODEL --out DIR)",
             str(source),
         )
     place = source.parent
@@ -145,7 +145,7 @@ def _made_again(source: Path) -> dict[str, str]:
     )
     made = compile(robot, **vars(request))
     if f"{made.stem}.cpp" != source.name:
-        raise InputError(f"the command in its head makes {made.stem}.cpp", str(source))
+        raise InputError(f"the command in its head writes {made.stem}.cpp", str(source))
     return made.in_folder(place)
 
 

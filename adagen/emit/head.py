@@ -20,39 +20,39 @@ _FRAMES = {
     "axis is z.",
 }
 _ABA = (
-    "The articulated-body algorithm: I^A and p^A (IA, pA), a link's inertia and bias force with "
-    "all that hangs on it, are swept to the base, and the accelerations come back."
+    "Articulated-body algorithm: the articulated-body inertias I^A and bias forces p^A (IA, pA) "
+    "are computed from the ends to the base, then the accelerations from the base outwards."
 )
 _SEGMENTS = (
-    "Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A "
-    "(IA, pA), a link's inertia and bias force with all that hangs on it, are swept to the "
-    "segment's root, and the accelerations come back."
+    "Each process solves a segment of the robot with the articulated-body algorithm: the "
+    "articulated-body inertias I^A and bias forces p^A (IA, pA) are computed from the ends to the "
+    "segment's root, then the accelerations from there outwards."
 )
 _GATHERED = (
-    "Each process sweeps its own limbs by the articulated-body algorithm: I^A and p^A, a link's "
-    "inertia and bias force with all that hangs on it. Processes meet once: each tells the others "
-    "the I^A and p^A that it found at the links where limbs of several processes meet. What lies "
-    "between those links, up to the root, every process then sweeps for itself, solves for the "
-    "root's acceleration and goes outwards again through its own limbs."
+    "Each process computes articulated-body inertias I^A and bias forces p^A of its own limbs, "
+    "from their ends inwards. One exchange follows: each process sends its I^A and p^A at the "
+    "links where limbs of several processes meet. Every process then computes the links between "
+    "those and the root, solves for the root's acceleration, and computes the accelerations of "
+    "its own limbs outwards."
 )
 _JOINED = (
     "Where segments meet, the assembly-disassembly algorithm of Yamane and Nakamura joins them: "
-    "Phi = (I^A)^-1 and b are what a segment shows at a cut; joint i joins chain A (its parent "
-    "link's side) and chain B (its child link's side), Eq. (3)-(7), and gives back its force, Eq. "
-    "(8)-(10)."
+    "Phi = (I^A)^-1 and b are a segment's inverse inertia and bias acceleration at a cut; joint i "
+    "joins chain A (on its parent link's side) and chain B (on its child link's side), Eq. "
+    "(3)-(7), and its force follows from Eq. (8)-(10)."
 )
 _EXCHANGED = (
     "Both sides of a cut tell each other what they show, and both join it: no forces are sent back."
 )
 _ADA = (
-    "The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body "
+    "Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body "
     "inertias, b bias accelerations. Joint i joins chain A (its parent link's side) and chain B "
     "(its child link's side) to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, "
     "Eq. (8)-(10), comes down."
 )
 _CLOSED = (
-    "Where loops are closed, accelerations of their joints and the constraint forces are held back "
-    "as unknowns, and eliminated at the last link that the joints have in common "
+    "Closed loops: accelerations of their joints and constraint forces stay unknown until the last "
+    "link that these joints have in common, where they are eliminated "
     "(docs/explanation/loops.md)."
 )
 _BATCH = "Each SIMD lane holds a state; the processes share the states of a batch, not the robot."

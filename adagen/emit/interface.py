@@ -34,13 +34,13 @@ FAILURES = (
     FailureRow("NO_ANSWER", 5, "a process did not answer within the time limit"),
     FailureRow("ENDED", 6, "process 0 has ended the evaluations"),
     FailureRow("NOT_REFINED", 7, "refinement does not converge"),
-    FailureRow("GIMBAL_LOCK", 8, "joints that are joined as one do not move in as many directions"),
+    FailureRow("GIMBAL_LOCK", 8, "gimbal lock of joints that are joined as one"),
     FailureRow("GROWTH", 9, "a link beside a joint is too light for its neighbours"),
-    FailureRow("NOT_SET", 16, "what is to be set at run time is not finite, or is no mass"),
+    FailureRow("NOT_SET", 16, "a run-time constant is not finite, or a mass is not positive"),
     FailureRow("TOO_FEW_STEPS", 11, "refinement converges too slowly"),
     FailureRow("LOOP_OPEN", 12, "a loop or coupling is not closed in this configuration"),
-    FailureRow("LOOP_TORN", 13, "this velocity tears a loop or coupling open"),
-    FailureRow("LOOP_SINGULAR", 14, "what a loop holds changes in this pose"),
-    FailureRow("LOOP_FREE", 15, "loops leave a joint a motion that no inertia resists"),
+    FailureRow("LOOP_TORN", 13, "the velocity violates a loop or coupling"),
+    FailureRow("LOOP_SINGULAR", 14, "the rank of the loop constraints changes in this pose"),
+    FailureRow("LOOP_FREE", 15, "the loops allow a motion of a joint that has no inertia"),
 )
 """What a status may say, as the header names it."""

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from adagen.exact import Exact, exact, identity, rotated_inertia, rounded
 from adagen.plan import Plan
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.types import PlanJoint, PlanLink, PlanParameter
+from adagen.plan.types import PlanJoint, PlanLink, PlanLoop, PlanParameter
 
 Array = NDArray[np.float64]
 _Part = tuple[PlanJoint, PlanLink]
@@ -185,6 +185,7 @@ def _turned(plan: Plan, turns: Mapping[int, Exact]) -> Plan:
             else wrench
             for wrench in plan.wrenches
         ),
+        loops=tuple(_loop(loop, links) for loop in plan.loops),
         outputs=tuple(
             replace(
                 output,
@@ -218,6 +219,24 @@ def _joint(joint: PlanJoint, j: int, links: Mapping[int, Exact]) -> PlanJoint:
         rotation=_rows(near.T.dot(exact(joint.rotation)).dot(own)),
         translation=_vector(near.T.dot(exact(joint.translation))),
     )
+
+
+def _loop(loop: PlanLoop, links: Mapping[int, Exact]) -> PlanLoop:
+    if loop.link1 in links:
+        turn = links[loop.link1].T
+        loop = replace(
+            loop,
+            rotation1=_rows(turn.dot(exact(loop.rotation1))),
+            translation1=_vector(turn.dot(exact(loop.translation1))),
+        )
+    if loop.link2 in links:
+        turn = links[loop.link2].T
+        loop = replace(
+            loop,
+            rotation2=_rows(turn.dot(exact(loop.rotation2))),
+            translation2=_vector(turn.dot(exact(loop.translation2))),
+        )
+    return loop
 
 
 def _link(link: PlanLink, turn: Exact) -> PlanLink:

@@ -18,12 +18,13 @@ from numpy.typing import NDArray
 from adagen.executor.checks import Check
 from adagen.executor.elimination import Elimination
 from adagen.executor.frames import Transform, columnwise
-from adagen.executor.front import Front
-from adagen.executor.kinematics import Field, Motion
+from adagen.executor.front import Front, Opening
+from adagen.executor.kinematics import Motion
 from adagen.executor.loop_forces import give_forces
 from adagen.executor.loop_frames import LoopFrames
 from adagen.executor.state import State
 from adagen.graph import Expression, cross, dot, matrix_times, total
+from adagen.plan.alike import ClosureSteps, closures_in, side_by_side
 from adagen.plan.steps import (
     AccelerateHeld,
     CarryRows,
@@ -32,6 +33,7 @@ from adagen.plan.steps import (
     Eliminate,
     HoldBack,
     Release,
+    Step,
 )
 
 Array = NDArray[Any]
@@ -42,10 +44,21 @@ RATES = 10.0
 
 
 class Closures:
-    """Executes the steps of closed loops on a process's memory."""
+    """Executes the steps of closed loops on a process's memory.
 
-    def __init__(self, state: State, motion: Motion) -> None:
+    Closures that go side by side are treated as one, whose values are wide: as the first of them.
+
+    Args:
+        state: whose process it is.
+        motion: its kinematics.
+        steps: all that the process does.
+    """
+
+    def __init__(self, state: State, motion: Motion, steps: Sequence[Step]) -> None:
         self.state, self.motion = state, motion
+        closed = state.plan.closed
+        self.alone = closures_in(steps) if closed else {}
+        self.together = side_by_side(state.plan, steps, state.limbs) if closed else {}
         self.memory: dict[Any, Any] = state.memory
         self.fronts: dict[int, Front] = {}
         # Where loops are solved for at the end, each kept row has a right-hand side.
@@ -66,21 +79,70 @@ class Closures:
             case CarryRows():
                 self._carry(step, front)
             case Eliminate():
-                Elimination(self.state, step, front).run()
+                lanes = [lane.eliminate for lane in self._lanes(step.closure)]
+                self._look_at_rates(front)
+                Elimination(self.state, lanes, front).run()
             case Release():
                 self._release(step, front)
             case AccelerateHeld():
                 self._accelerate(step, front)
 
+    # -- lanes ------------------------------------------------------------------------------------
+
+    def _lanes(self, number: int) -> tuple[ClosureSteps, ...]:
+        """What is done for closures that go side by side, lane by lane; idle lanes repeat."""
+        if number not in self.together:
+            return (self.alone[number],)
+        own = self.together[number]
+        width = 1 << (len(own) - 1).bit_length()
+        return (*own, *[own[-1]] * (width - len(own)))
+
+    def _loops(self, step: CloseLoop) -> list[int]:
+        """Loops that are treated as one, by lanes."""
+        if step.closure not in self.together:
+            return [step.loop]
+        place = self.together[step.closure][0].loops.index(step)
+        return [lane.loops[place].loop for lane in self._lanes(step.closure)]
+
+    def _couplings(self, step: CloseCoupling) -> list[int]:
+        """Couplings likewise."""
+        if step.closure not in self.together:
+            return [step.coupling]
+        place = self.together[step.closure][0].couplings.index(step)
+        return [lane.couplings[place].coupling for lane in self._lanes(step.closure)]
+
+    def _named(self, numbers: Sequence[int], first: int) -> int:
+        """What is blamed for loops or couplings in lanes: numbers behind the first one."""
+        places = tuple(dict.fromkeys(first + number for number in numbers))
+        if len(numbers) > 1:
+            self.state.rows.beyond_joints[places[0]] = places
+        return places[0]
+
+    def _top(self, number: int) -> int:
+        """The link at which a closure is eliminated."""
+        return self.alone[number].eliminate.link
+
     # -- constraints ------------------------------------------------------------------------------
 
     def _close_loop(self, step: CloseLoop, front: Front) -> None:
-        loop = self.state.plan.loops[step.loop]
-        frames = LoopFrames(self.state, loop)
-        place = len(self.state.plan.joints) + step.loop
+        numbers = self._loops(step)
+        loops = [self.state.plan.loops[number] for number in numbers]
+        loop = loops[0]
+        frames = LoopFrames(self.state, loops)
+        place = self._named(numbers, len(self.state.plan.joints))
         joints = (*frames.one.joints, *frames.two.joints)
-        self._refuse_open(place, frames.gap(), frames.rate(), joints, loop.tolerance)
-        fields = [self._field(link) for link in (loop.link1, loop.link2)]
+        tolerance = self._packed([one.tolerance for one in loops])
+        fastest = self._refuse_open(place, frames.gap(), joints, tolerance)
+        if self._moves_by_rows(step):
+            forces = range(step.first, step.first + len(step.rows))
+            front.opening.append(Opening(place, fastest, tuple(forces)))
+        else:
+            self._refuse_torn(place, frames.rate(), fastest)
+        fields = [
+            self.motion.field_of_all([one.link1 for one in loops]),
+            self.motion.field_of_all([one.link2 for one in loops]),
+        ]
+        front.lanes[place] = tuple(dict.fromkeys(numbers))
         front.loops[step.loop] = []
         for unknown, number in enumerate(step.rows, start=step.first):
             linear, *directions = frames.row(number)
@@ -105,58 +167,69 @@ class Closures:
             front.add_bias(unknown, self.state.column(np.array([bias], dtype=object))[0])
             in_frame = matrix_times(frames.two.axes.T, directions[1])
             if loop.turn2:
-                in_frame = matrix_times(self.state.constants(loop.turn2), in_frame)
+                turn = self._packed([one.turn2 for one in loops])
+                in_frame = matrix_times(turn, in_frame)
             front.loops[step.loop].append((unknown, linear, in_frame))
 
-    def _field(self, link: int) -> Field:
-        return self.memory["field", link] if link else self.motion.ground()
+    def _moves_by_rows(self, step: CloseLoop) -> bool:
+        """Whether how fast a loop opens is told by what its rows do to what is held back."""
+        one = self.alone.get(step.closure)
+        return one is not None and len(one.held) == len(one.path) and not one.eliminate.grounded
 
     def _refuse_open(
-        self,
-        place: int,
-        gap: Expression,
-        rate: Expression,
-        joints: Sequence[int],
-        tolerance: float,
-    ) -> None:
-        """Check that a constraint holds, and goes on to; its gap and rate are squares.
+        self, place: int, gap: Expression, joints: Sequence[int], tolerance: Array
+    ) -> Expression:
+        """Check that a constraint holds; its gap is a square.
 
-        The faster its joints move, the faster it may open.
+        Returns the square of how fast it may open: the faster its joints move, the faster.
         """
-        zero = self.state.graph.constant(0)
         speeds = total([v * v for j in joints for v in self.state.configuration(j)[1]])
-        fastest = (speeds + 1.0) * (tolerance * RATES) ** 2
-        for left, failure in ((tolerance**2 - gap, "kLoopOpen"), (fastest - rate, "kLoopTorn")):
-            self.state.checks.append(Check(left, zero, place, failure))
+        tolerated: Expression = tolerance.item()
+        most = tolerated * tolerated
+        zero: Expression = self.state.graph.constant(0)
+        self.state.checks.append(Check(most - gap, zero, place, "kLoopOpen"))
+        return (speeds + 1.0) * (most * RATES**2)
+
+    def _refuse_torn(self, place: int, rate: Expression, fastest: Expression) -> None:
+        """Check that a constraint goes on to hold; its rate is a square."""
+        zero: Expression = self.state.graph.constant(0)
+        self.state.checks.append(Check(fastest - rate, zero, place, "kLoopTorn"))
 
     def _close_coupling(self, step: CloseCoupling, front: Front) -> None:
-        plan = self.state.plan
-        coupling = plan.couplings[step.coupling]
-        states = [self.state.configuration(j) for j, _ in coupling.terms]
-        factors = [factor for _, factor in coupling.terms]
+        plan, numbers = self.state.plan, self._couplings(step)
+        couplings = [plan.couplings[number] for number in numbers]
+        joints = [j for j, _ in couplings[0].terms]
+        states = [self.state.configuration(j) for j in joints]
+        factors = self._packed([[factor for _, factor in one.terms] for one in couplings])
         gap = total([q[0] * x for (q, _), x in zip(states, factors, strict=True)])
         rate = total([v[0] * x for (_, v), x in zip(states, factors, strict=True)])
-        gap = gap - coupling.offset
-        place = len(plan.joints) + len(plan.loops) + step.coupling
-        joints = [j for j, _ in coupling.terms]
-        self._refuse_open(place, gap * gap, rate * rate, joints, coupling.tolerance)
+        gap = gap - self._packed([one.offset for one in couplings])[()]
+        place = self._named(numbers, len(plan.joints) + len(plan.loops))
+        tolerance = self._packed([one.tolerance for one in couplings])
+        fastest = self._refuse_open(place, gap * gap, joints, tolerance)
+        self._refuse_torn(place, rate * rate, fastest)
+        front.lanes[place] = tuple(dict.fromkeys(numbers))
         front.couplings[step.coupling] = step.unknown
         if step.unknown is None:
             return
         front.places[step.unknown] = place
         front.add_bias(step.unknown, self.state.zeros(self.state.columns))
-        for j, factor in coupling.terms:
+        for j, factor in zip(joints, factors, strict=True):
             front.ties.setdefault(j, []).append((step.unknown, factor))
             if step.unknown in self.column_of:
                 tied = self.state.tied_joints.setdefault(j, [])
                 tied.append((self.column_of[step.unknown], factor))
+
+    def _packed(self, values: Sequence[Any]) -> Array:
+        """Numbers as constants, one for each lane."""
+        return self.state.rows.packed([self.state.constants(value) for value in values])
 
     # -- inwards ----------------------------------------------------------------------------------
 
     def _hold_back(self, step: HoldBack, front: Front) -> None:
         """Pass a joint as if it were rigid; what its motion does to all else goes into C, E, e."""
         j, parent = step.joint, self.state.plan.joints[step.joint].parent
-        free, x = list(self.state.kind(j).free), self.memory["X", j]
+        free = list(self.state.kind(j).free)
         inertia, p = self.memory["IA", j + 1], self.memory["pA", j + 1]
         columns = front.columns.pop(j + 1, {})
         drift = self.motion.drift(j)
@@ -164,7 +237,7 @@ class Closures:
             p = p + matrix_times(inertia, drift)
             for unknown, column in columns.items():
                 front.add_bias(unknown, matrix_times(column[None, :], drift)[0])
-        pull = self.state.torques(j)
+        pull, (_, speeds) = self.state.torques(j), self.state.configuration(j)
         rotor = self.state.rotor(j)
         front.first[j] = step.first
         for k, row in enumerate(free):
@@ -178,16 +251,41 @@ class Closures:
             for unknown, column in columns.items():
                 front.add(own, unknown, column[row])
             for unknown, factor in front.ties.get(j, []):
-                front.add(own, unknown, self.state.graph.constant(factor))
+                front.add(own, unknown, factor)
             front.places[own] = j
-        if parent == 0:
-            return
-        for k, row in enumerate(free):
+            front.speeds[own] = speeds[k]
+        if parent > 0:
+            self._pass(step, front, inertia, p, columns)
+
+    def _pass(
+        self, step: HoldBack, front: Front, inertia: Array, p: Array, columns: dict[int, Array]
+    ) -> None:
+        """Hand what is beyond a joint inwards; what goes to the top waits for what is taken off."""
+        j, parent = step.joint, self.state.plan.joints[step.joint].parent
+        x: Transform = self.memory["X", j]
+        for k, row in enumerate(self.state.kind(j).free):
             front.add_column(parent, step.first + k, x.force(inertia[:, row]))
         for unknown, column in columns.items():
             front.add_column(parent, unknown, x.force(column))
-        self.memory["IA", parent] = self.memory["IA", parent] + x.inertia(inertia)
-        self.memory["pA", parent] = self.memory["pA", parent] + columnwise(x.force, p)
+        handed = {"IA": x.inertia(inertia), "pA": columnwise(x.force, p)}
+        for name, value in handed.items():
+            if parent == self._top(step.closure):
+                front.hand(name, value)
+            else:
+                self.state.rows.hand_on(name, j, value)
+
+    def _look_at_rates(self, front: Front) -> None:
+        """Check that loops do not open: J v, of all rows that are any."""
+        for opening in front.opening:
+            rates = []
+            for force in opening.rows:
+                pairs = ((front.entry(own, force), v) for own, v in front.speeds.items())
+                terms = [entry * v for entry, v in pairs if entry is not None]
+                if terms:
+                    rates.append(total(terms))
+            if rates:
+                rate = total([x * x for x in rates])
+                self._refuse_torn(opening.place, rate, opening.fastest)
 
     def _carry(self, step: CarryRows, front: Front) -> None:
         """Take C through a joint that was articulated: C - U D^-1 S^T C, and what that does."""
@@ -229,13 +327,13 @@ class Closures:
         for solved in reversed(front.solved):
             found = solved.bias
             if step.link:
-                found = found + matrix_times(solved.across, self.memory["a", step.link])
+                found = found + matrix_times(solved.across, self._acceleration(step))
             if solved.others:
                 others = np.array([front.found[u] for u in solved.others], dtype=object)
                 found = found + matrix_times(solved.more, others)
             front.found.update(zip(solved.unknowns, found, strict=True))
         if self.state.plan.loop_forces:
-            give_forces(self.state, front, step.link)
+            give_forces(self.state, front, self._acceleration(step) if step.link else None)
         for j, columns in front.carried.items():
             body = self.memory["articulated", j]
             pushed = None
@@ -247,13 +345,21 @@ class Closures:
                 moved = body.moved - body.factors.solve(pushed)
                 self.memory["articulated", j] = replace(body, moved=moved)
 
+    def _acceleration(self, step: Release) -> Array:
+        """The acceleration of the top, shape (6, columns)."""
+        tops = [lane.eliminate.link for lane in self._lanes(step.closure)]
+        return self.state.rows.of_links("a", tops, self.state.zeros(6, self.state.columns))
+
     def _accelerate(self, step: AccelerateHeld, front: Front) -> None:
-        j, parent = step.joint, self.state.plan.joints[step.joint].parent
-        free, x = list(self.state.kind(j).free), self.memory["X", j]
-        if parent:
-            a = columnwise(x.motion, self.memory["a", parent])
-        else:
-            a = self.state.zeros(6, self.state.columns)
+        j, free, x = (
+            step.joint,
+            list(self.state.kind(step.joint).free),
+            self.memory["X", step.joint],
+        )
+        near = self.state.rows.near_motion(j)
+        a = self.state.zeros(6, self.state.columns)
+        if near is not None:
+            a = columnwise(x.motion, near)
         drift = self.motion.drift(j)
         if drift is not None:
             a = a + drift

@@ -20,10 +20,12 @@ from adagen.executor.state import State
 from adagen.graph import (
     Expression,
     Factors,
+    Regular,
     dot,
     factorize,
     matrix_times,
     reflect,
+    solved_by_parts,
     solved_by_reflections,
     total,
 )
@@ -49,13 +51,13 @@ class Elimination:
 
     Args:
         state: whose process it is.
-        step: what follows from what.
+        lanes: what follows from what: of closures that go side by side, one for each lane.
         front: the closure.
     """
 
-    def __init__(self, state: State, step: Eliminate, front: Front) -> None:
-        self.state, self.step, self.front = state, step, front
-        self.memory: dict[Any, Any] = state.memory
+    def __init__(self, state: State, lanes: Sequence[Eliminate], front: Front) -> None:
+        self.state, self.lanes, self.front = state, lanes, front
+        self.step = step = lanes[0]
         self.epsilon = EPSILON[FACTORS[state.plan.scalar]]
         self.columns = front.columns.pop(step.link, {}) if step.link else {}
         self.fails = SINGULAR if step.recovers else "kLoopSingular"
@@ -72,6 +74,11 @@ class Elimination:
         else:
             self._keep_forces(step.moved)
             self._follow()
+        if step.link:
+            tops = [lane.link for lane in self.lanes]
+            count = len(dict.fromkeys(lane.closure for lane in self.lanes))
+            for name, value in self.front.handed.items():
+                self.state.rows.add(name, tops, count, value)
 
     # -- the closure's function -------------------------------------------------------------------
 
@@ -107,8 +114,9 @@ class Elimination:
         return np.concatenate([at_top, self._block(rows, self.step.singles)], axis=1)
 
     def _scales(self) -> Array:
-        """What brings the kept rows to one size, shape (rows, 1)."""
-        return self.state.constants(self.step.scales)[:, None]
+        """What brings the kept rows to one size, shape (rows,)."""
+        each = [self.state.constants(lane.scales) for lane in self.lanes]
+        return self.state.rows.packed(each)
 
     def _keep_forces(self, moving: Sequence[int]) -> None:
         """Keep what forces follow from, where they are asked for: how rows push accelerations."""
@@ -137,10 +145,9 @@ class Elimination:
         step, y, z = self.step, self.step.singles, self.step.moved
         to_z, by_others = self._block(step.rows, z), self._by_others(step.rows)
         right = np.concatenate([by_others, self._biases(step.rows)], axis=1)
-        scales = self._scales()
-        solved, diagonal = solved_by_reflections(to_z * scales, right * scales)
+        solved, regular = solved_by_parts(to_z, right, self._scales())
         gained = -solved
-        self._check_rank(diagonal)
+        self._check_regular(regular)
         count = by_others.shape[1]
         self._check_size(gained[:, :count])
         rest, to_left_out = self._by_others(step.followers), self._block(step.followers, z)
@@ -164,11 +171,12 @@ class Elimination:
     def _follow_basis(self) -> None:
         """By an orthogonal basis N of what the rows leave free, w = N y + g: J^T = Q R, N in Q."""
         step, w, count = self.step, self.step.singles, len(self.step.rows)
-        scales = self._scales()
+        scales = self._scales()[:, None]
         r = (self._block(step.rows, w) * scales).T.copy()
         nothing = self.state.zeros(len(w), 0)
         reflections = [reflect(k, r, nothing) for k in range(count)]
-        self._check_rank([r[k, k] for k in range(count)])
+        pivots = (r[k, k] for k in range(count))
+        self._check_regular([Regular(k, x * x, 1.0) for k, x in enumerate(pivots)])
         free = len(w) - count
         basis = self.state.zeros(len(w), free + self.state.columns)
         basis[count:, :free] = self.state.constants(np.eye(free))
@@ -229,16 +237,14 @@ class Elimination:
         """Keep unknowns as they follow from the top; take what they give way from the top."""
         none = self.state.zeros(len(unknowns), 0)
         self.front.solved.append(Solved(tuple(unknowns), -found[:, :6], (), none, -found[:, 6:]))
-        link = self.step.link
-        if not link:
+        if not self.step.link:
             return
-        inertia, p = self.memory["IA", link].copy(), self.memory["pA", link]
+        inertia = self.state.zeros(6, 6)
         for i in range(6):
             for k in range(i, 6):
-                value = inertia[i, k] - dot(across[:, i], found[:, k])
-                inertia[i, k] = inertia[k, i] = value
-        self.memory["IA", link] = inertia
-        self.memory["pA", link] = p - matrix_times(across.T, found[:, 6:])
+                inertia[i, k] = inertia[k, i] = -dot(across[:, i], found[:, k])
+        self.front.hand("IA", inertia)
+        self.front.hand("pA", -matrix_times(across.T, found[:, 6:]))
 
     def _move_top(
         self, across: Array, at_top: Array, own: Array, offset: Array, biases: Array
@@ -256,16 +262,14 @@ class Elimination:
         if link and any(x.constant != 0 for x in across.flat):
             added = matrix_times(across.T, at_top + matrix_times(own, across))
             added = added + matrix_times(at_top.T, across)
-            self.memory["IA", link] = _symmetric(self.memory["IA", link] + added)
-            force = matrix_times(across.T, biases + matrix_times(own, offset))
-            self.memory["pA", link] = self.memory["pA", link] + force
+            self.front.hand("IA", _symmetric(added))
+            self.front.hand("pA", matrix_times(across.T, biases + matrix_times(own, offset)))
         self._push_top(at_top, offset)
 
     def _push_top(self, at_top: Array, offset: Array) -> None:
         """What accelerations that the rows give by themselves do to the top."""
-        link = self.step.link
-        if link:
-            self.memory["pA", link] = self.memory["pA", link] + matrix_times(at_top.T, offset)
+        if self.step.link:
+            self.front.hand("pA", matrix_times(at_top.T, offset))
 
     def _forward(self, lower: Array, right: Array) -> Array:
         """Solve L x = right for a lower triangular L, shape (n, k)."""
@@ -284,11 +288,11 @@ class Elimination:
         limit = self.state.graph.constant(least) if isinstance(least, float) else least
         self.state.checks.append(Check(value, limit, self.front.places[unknown], how))
 
-    def _check_rank(self, diagonal: Sequence[Expression]) -> None:
-        """What follows has to follow: no pivot of the rows, brought to one size, may vanish."""
+    def _check_regular(self, regular: Sequence[Regular]) -> None:
+        """What follows has to follow: the rows, brought to one size, may not be singular."""
         least = LEAST[FACTORS[self.state.plan.scalar]] ** 2
-        for unknown, pivot in zip(self.step.rows, diagonal, strict=True):
-            self._check(pivot * pivot, least, unknown, self.fails)
+        for each in regular:
+            self._check(each.square, each.beside * least, self.step.rows[each.row], self.fails)
 
     def _check_size(self, g: Array) -> None:
         """Look at G: where it is large, this choice of what follows is poor."""

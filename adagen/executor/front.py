@@ -57,6 +57,21 @@ class Pushed:
     by_kept: Array
 
 
+@dataclass(frozen=True)
+class Opening:
+    """A loop of which is looked at how fast it opens, once its rows have passed all joints.
+
+    Attributes:
+        place: what is blamed.
+        fastest: the square of how fast it may open.
+        rows: numbers of its rows' forces.
+    """
+
+    place: int
+    fastest: Expression
+    rows: tuple[int, ...]
+
+
 @dataclass
 class Front:
     """A closure on its way inwards.
@@ -75,6 +90,11 @@ class Front:
         loops: rows of loops, where forces are asked for: by loop the force's number, whether it is
             a force and no moment, and its direction in frame 2, shape (3,).
         couplings: by coupling the number of its force, None for none.
+        opening: loops of which is looked at how fast they open, once all is held back.
+        speeds: of freedoms that are held back, by unknown.
+        lanes: loops and couplings that share lanes, by the place of the first.
+        handed: what joints next to the top hand on to it, "IA" and "pA", until its unknowns are
+            eliminated.
     """
 
     columns: dict[int, dict[int, Array]] = field(default_factory=dict)
@@ -83,12 +103,20 @@ class Front:
     solved: list[Solved] = field(default_factory=list)
     carried: dict[int, dict[int, Array]] = field(default_factory=dict)
     found: dict[int, Array] = field(default_factory=dict)
-    ties: dict[int, list[tuple[int, float]]] = field(default_factory=dict)
+    ties: dict[int, list[tuple[int, Expression]]] = field(default_factory=dict)
     places: dict[int, int] = field(default_factory=dict)
     first: dict[int, int] = field(default_factory=dict)
     pushed: Pushed | None = None
     loops: dict[int, list[tuple[int, bool, Array]]] = field(default_factory=dict)
     couplings: dict[int, int | None] = field(default_factory=dict)
+    opening: list[Opening] = field(default_factory=list)
+    speeds: dict[int, Expression] = field(default_factory=dict)
+    lanes: dict[int, tuple[int, ...]] = field(default_factory=dict)
+    handed: dict[str, Array] = field(default_factory=dict)
+
+    def hand(self, name: str, value: Array) -> None:
+        """Add to what the top is handed."""
+        self.handed[name] = self.handed[name] + value if name in self.handed else value
 
     def add_column(self, link: int, unknown: int, column: Array) -> None:
         """Add to what an unknown and a link's acceleration do to each other."""

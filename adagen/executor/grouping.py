@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 
 from adagen.executor.align import unlike
-from adagen.executor.lanes import Grouping, fit_for_lanes
+from adagen.executor.lanes import Grouping, fit_for_lanes, steps_in_order
 from adagen.executor.run import Simulated, each_for_itself
 from adagen.executor.stretches import stretches
 from adagen.plan import Plan
+from adagen.plan.alike import alike_closures, limbs_of
 from adagen.plan.simd_groups import COUNTS, OFFERED, Limbs, more_alike, nearly_fewest, simd_groups
 from adagen.plan.types import Process
 from adagen.schedule import step_costs
@@ -24,12 +25,26 @@ def grouping_of(plan: Plan, counts: Iterable[int] = COUNTS) -> Grouping:
     """
     if plan.form != "segment":
         return tuple(() for _ in plan.processes)
-    return tuple(fit_for_lanes(plan, _alike(plan, p, counts)) for p in plan.processes)
+    return tuple(_alike(plan, p, tuple(counts)) for p in plan.processes)
 
 
-def _alike(plan: Plan, process: Process, counts: Iterable[int]) -> list[Limbs]:
+def _alike(plan: Plan, process: Process, counts: Sequence[int]) -> tuple[Limbs, ...]:
     found = simd_groups(plan, process, spared, counts)
-    return more_alike(plan, process, found, lambda limbs: unlike(plan, limbs))
+    found = more_alike(plan, process, found, lambda limbs: unlike(plan, limbs))
+    limbs = fit_for_lanes(plan, process, found)
+    groups = alike_closures(plan, process.steps, counts)
+    closed = tuple(one for group in groups for one in limbs_of(plan, group))
+    offers = ((*limbs, *closed), limbs, closed)
+    return next((offer for offer in offers if _in_order(plan, process, offer)), ())
+
+
+def _in_order(plan: Plan, process: Process, limbs: tuple[Limbs, ...]) -> bool:
+    """Whether sweeps can be done with limbs side by side."""
+    try:
+        steps_in_order(plan, process, limbs)
+    except ValueError:
+        return False
+    return True
 
 
 def spared(kinds: Sequence[str], count: int) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import zip_longest
 from typing import Any
@@ -128,10 +128,13 @@ class Motion:
 
     def _above(self, j: int) -> Field:
         """The field of a joint's parent link, of a row's first joints that of several links."""
-        if self.state.plan.joints[j].parent > 0 and self.state.rows.follows(j):
-            above: Field = self.state.memory["field", self.state.plan.joints[j].parent]
-            return above
-        links = self.state.rows.near_links(j)
+        return self.field_of_all(self.state.rows.near_links(j))
+
+    def field_of_all(self, links: Sequence[int]) -> Field:
+        """Return the field of links, one for each lane."""
+        if links[0] > 0 and self.state.rows.as_kept(links):
+            kept: Field = self.state.memory["field", links[0]]
+            return kept
         fields = {link: self.field_of(link) for link in dict.fromkeys(links)}
         if len(fields) == 1:
             return fields[links[0]]

@@ -6,15 +6,25 @@ constants are wide. It is known by its first lane's joint. Lanes beyond the last
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from itertools import groupby
 
+from adagen.executor.closed_sweeps import closed_sweep
 from adagen.plan import Plan
+from adagen.plan.alike import closures_in, nature, side_by_side
 from adagen.plan.order import ends_of, inward_order, outward_order
-from adagen.plan.simd_groups import Limbs
-from adagen.plan.steps import Accelerate, Articulate, Kinematics, StartLink, Step
-from adagen.plan.types import PlanJoint, Process
+from adagen.plan.simd_groups import Limbs, sweep_of
+from adagen.plan.steps import (
+    Accelerate,
+    Articulate,
+    CloseCoupling,
+    CloseLoop,
+    Kinematics,
+    StartLink,
+    Step,
+)
+from adagen.plan.types import Process
 
 Grouping = tuple[tuple[Limbs, ...], ...]
 """The limbs that share straight-line code, for each process."""
@@ -49,24 +59,25 @@ def rows_of(all_limbs: Iterable[Limbs]) -> dict[int, Row]:
     return {row[0]: row_of(row) for limbs in all_limbs for row in limbs.rows}
 
 
-def fit_for_lanes(plan: Plan, all_limbs: Iterable[Limbs]) -> tuple[Limbs, ...]:
+def fit_for_lanes(plan: Plan, process: Process, all_limbs: Iterable[Limbs]) -> tuple[Limbs, ...]:
     """Return what of limbs can share straight-line code: rows from the outermost inwards.
 
     Joints of a row all move freely or all as prescribed, and the same passive torques and rotors
-    act on them. None is slaved, none leads others, and no loop goes through or closes beyond it.
+    act on them. None is slaved, none leads others, and none is a closure's, of which all joints go
+    side by side or none (adagen/plan/alike.py).
     """
-    bound = plan.bound_by_loops
+    closed = {j for one in closures_in(process.steps).values() for j in one.path}
     sources = {joint.mimic[0] for joint in plan.joints if joint.mimic is not None}
     found = []
     for limbs in all_limbs:
         rows: list[tuple[int, ...]] = []
         for row in reversed(limbs.rows):
             joints = [plan.joints[j] for j in row]
-            if len({_nature(joint) for joint in joints}) > 1:
+            if len({nature(joint) for joint in joints}) > 1:
                 break
             if any(joint.mimic is not None for joint in joints) or not sources.isdisjoint(row):
                 break
-            if not bound.isdisjoint(row):
+            if not closed.isdisjoint(row):
                 break
             rows.insert(0, row)
         if rows:
@@ -74,32 +85,39 @@ def fit_for_lanes(plan: Plan, all_limbs: Iterable[Limbs]) -> tuple[Limbs, ...]:
     return tuple(found)
 
 
-def _nature(joint: PlanJoint) -> tuple[object, ...]:
-    """What joints of a row have in common, whatever the numbers are."""
-    effects = (joint.damping, joint.friction, joint.stiffness, joint.rotor_inertia)
-    return (joint.kind, joint.prescribed, *map(bool, effects))
-
-
 def steps_in_order(plan: Plan, process: Process, all_limbs: Sequence[Limbs]) -> list[int]:
     """Return the places of the steps that are done, in order: of a row, the one that stands for it.
 
     Sweeps pass limbs as a whole, after what they hang on or what hangs on them.
+
+    Raises:
+        ValueError: limbs and closures that go side by side wait for each other.
     """
     places: list[int] = []
     hidden = {j for limbs in all_limbs for row in limbs.rows for j in row[1:]}
-    for kind, group in groupby(enumerate(process.steps), lambda pair: type(pair[1])):
+    closures = closures_in(process.steps) if all_limbs else {}
+    together = side_by_side(plan, process.steps, all_limbs) if closures else {}
+    lead_of = {lane.number: lead for lead, lanes in together.items() for lane in lanes}
+    for kind, group in groupby(enumerate(process.steps), lambda pair: sweep_of(pair[1])):
         steps = list(group)
-        if all_limbs and kind in (Kinematics, Articulate, Accelerate):
+        if closures and kind in (Articulate, Accelerate):
+            places += closed_sweep(
+                plan, steps, closures, lead_of, all_limbs, inwards=kind is Articulate
+            )
+        elif all_limbs and kind in (Kinematics, Articulate, Accelerate):
             by_joint = {j: place for place, step in steps for j in [_joint_of(step)]}
             order = _swept(plan, [step for _, step in steps], all_limbs)
             places += [by_joint[j] for j in order]
         else:
-            places += [
-                place
-                for place, step in steps
-                if not (isinstance(step, StartLink) and step.link - 1 in hidden)
-            ]
+            places += [place for place, step in steps if not _hidden(step, hidden, lead_of)]
     return places
+
+
+def _hidden(step: Step, joints: Set[int], lead_of: Mapping[int, int]) -> bool:
+    """Whether another step stands for one that is no sweep's."""
+    if isinstance(step, CloseLoop | CloseCoupling):
+        return lead_of.get(step.closure, step.closure) != step.closure
+    return isinstance(step, StartLink) and step.link - 1 in joints
 
 
 def _joint_of(step: Step) -> int:

@@ -19,28 +19,32 @@ from adagen.graph import Expression, factorize, matrix_times, solved_by_reflecti
 Array = NDArray[Any]
 
 
-def give_forces(state: State, front: Front, link: int) -> None:
+def give_forces(state: State, front: Front, near: Array | None) -> None:
     """Give the forces of a closure's loops and couplings, its unknowns being known.
 
     Args:
         state: whose process it is.
         front: the closure.
-        link: its top.
+        near: the acceleration of its top, shape (6, columns); None for the ground.
     """
-    forces = _forces_of_rows(state, front, link)
+    forces = _forces_of_rows(state, front, near)
+    joints, loops = len(state.plan.joints), len(state.plan.loops)
     zero = state.graph.constant(0)
     for k, rows in front.loops.items():
         parts: list[list[Expression]] = [[zero] for _ in range(6)]
         for unknown, linear, direction in rows:
             for i in range(3):  # f and m are told of link 2, whose side of a row counts as positive
                 parts[i if linear else i + 3].append(-(forces[unknown] * direction[i]))
-        state.forces[state.plan.entry_of_loop(k)] = np.array(list(map(total, parts)), dtype=object)
+        force = np.array(list(map(total, parts)), dtype=object)
+        for lane, number in enumerate(front.lanes[joints + k]):
+            state.forces[state.plan.entry_of_loop(number)] = state.rows.lane(force, lane)
     for k, known in front.couplings.items():
-        force = zero if known is None else -forces[known]
-        state.forces[state.plan.entry_of_coupling(k)] = np.array([force], dtype=object)
+        force = np.array([zero if known is None else -forces[known]], dtype=object)
+        for lane, number in enumerate(front.lanes[joints + loops + k]):
+            state.forces[state.plan.entry_of_coupling(number)] = state.rows.lane(force, lane)
 
 
-def _forces_of_rows(state: State, front: Front, link: int) -> dict[int, Expression]:
+def _forces_of_rows(state: State, front: Front, near: Array | None) -> dict[int, Expression]:
     """The forces of all rows, by number."""
     pushed = front.pushed
     assert pushed is not None  # every closure is eliminated
@@ -49,8 +53,8 @@ def _forces_of_rows(state: State, front: Front, link: int) -> dict[int, Expressi
     elif pushed.kept:
         others = np.array([front.found[u][:1] for u in pushed.others], dtype=object)
         pull = pushed.bias[:, :1] + matrix_times(pushed.inertia, others)
-        if link:
-            pull = pull + matrix_times(pushed.across, state.memory["a", link][:, :1])
+        if near is not None:
+            pull = pull + matrix_times(pushed.across, near[:, :1])
         kept = -solved_by_reflections(pushed.rows.T.copy(), pull)[0]
     else:
         return dict.fromkeys(pushed.left_out, state.graph.constant(0))

@@ -8,6 +8,7 @@ have in common.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -33,10 +34,10 @@ class End:
     """
 
     def __init__(
-        self, state: State, link: int, axes: Any, place: Any, joints: tuple[int, ...]
+        self, state: State, link: int, axes: Array, place: Array, joints: tuple[int, ...]
     ) -> None:
         self.state, self.link, self.joints = state, link, joints
-        self.axes, self.place = state.constants(axes), state.constants(place)
+        self.axes, self.place = axes, place
         self.transforms: list[Transform] = [state.memory["X", j] for j in joints]
 
     def up(self, vector: Array) -> Array:
@@ -86,15 +87,23 @@ class LoopFrames:
 
     Args:
         state: whose process it is; kinematics of all joints between the frames are known.
-        loop: the loop.
+        loops: the loop; or those that share code, one for each lane: what is between the frames of
+            one is in a row with what is between those of the others, or is the same.
     """
 
-    def __init__(self, state: State, loop: PlanLoop) -> None:
+    def __init__(self, state: State, loops: Sequence[PlanLoop]) -> None:
+        loop = loops[0]
         self.state, self.kind = state, LOOP_KINDS[loop.kind]
         ways = [self._way(link) for link in (loop.link1, loop.link2)]
         shared = sum(a == b for a, b in zip(*ways, strict=False))
-        self.one = End(state, loop.link1, loop.rotation1, loop.translation1, ways[0][shared:])
-        self.two = End(state, loop.link2, loop.rotation2, loop.translation2, ways[1][shared:])
+
+        def packed(read: Callable[[PlanLoop], Any]) -> Array:
+            return state.rows.packed([state.constants(read(each)) for each in loops])
+
+        axes, place = packed(lambda loop: loop.rotation1), packed(lambda loop: loop.translation1)
+        self.one = End(state, loop.link1, axes, place, ways[0][shared:])
+        axes, place = packed(lambda loop: loop.rotation2), packed(lambda loop: loop.translation2)
+        self.two = End(state, loop.link2, axes, place, ways[1][shared:])
         self._axes: dict[int, Array] = {}
 
     def _way(self, link: int) -> tuple[int, ...]:

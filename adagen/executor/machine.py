@@ -74,6 +74,7 @@ class Machine(State):
         refining: Refining = None,
         graph: Graph | Numbers | None = None,
         all_limbs: Sequence[Limbs] = (),
+        steps: Sequence[Step] = (),
     ) -> None:
         super().__init__(plan, refining, graph, all_limbs)
         self.mail = mail
@@ -82,7 +83,7 @@ class Machine(State):
         self.segments = Segments(self, self.motion)
         self.joins = Joins(self, self.motion)
         self.passages = Passages(self, self.motion)
-        self.closures = Closures(self, self.motion)
+        self.closures = Closures(self, self.motion, steps)
         self.bounds = Certificate(self, self.motion)
         self.given_outputs = Outputs(self, self.motion)
         self.take_angles_of_rows()

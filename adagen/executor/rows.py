@@ -26,10 +26,12 @@ class Rows:
 
     Attributes:
         rows: the rows by their first joints.
+        beyond_joints: loops and couplings in lanes likewise, counted behind all joints.
     """
 
     def __init__(self, state: State, rows: Mapping[int, Row]) -> None:
         self.state, self.rows = state, rows
+        self.beyond_joints: dict[int, tuple[int, ...]] = {}
         self._lane_of = {
             j: (lead, k) for lead, row in rows.items() for k, j in enumerate(row.lanes[: row.count])
         }
@@ -43,7 +45,12 @@ class Rows:
         return self.rows[j].lanes if j in self.rows else (j,)
 
     def own(self, j: int) -> tuple[int, ...]:
-        """Return the same without those that idle lanes repeat."""
+        """Return the same without those that idle lanes repeat.
+
+        Of a loop or coupling, counted behind all joints, those that share lanes with it.
+        """
+        if j in self.beyond_joints:
+            return self.beyond_joints[j]
         return self.lanes(j)[: self.rows[j].count] if j in self.rows else (j,)
 
     # -- constants and inputs ---------------------------------------------------------------------
@@ -108,11 +115,14 @@ class Rows:
 
     def follows(self, j: int) -> bool:
         """Whether a joint's near link is kept as it needs it: not for limbs' first joints."""
-        near = self.near_links(j)
-        lead = near[0] - 1
-        if j not in self.rows:
+        return self.as_kept(self.near_links(j))
+
+    def as_kept(self, links: Sequence[int]) -> bool:
+        """Whether links, one for each lane, are kept as one; of a single one, by itself."""
+        lead = links[0] - 1
+        if len(links) == 1:
             return lead not in self._lane_of
-        return lead in self.rows and [i + 1 for i in self.rows[lead].lanes] == near
+        return lead in self.rows and [i + 1 for i in self.rows[lead].lanes] == list(links)
 
     def kept(self, name: str, link: int) -> tuple[Any, int | None]:
         """Return what is kept of a link, and its lane in that; None where it is kept by itself."""
@@ -135,24 +145,31 @@ class Rows:
             j: the joint.
             ground: what holds of the ground.
         """
-        near = self.near_links(j)
-        if any(near) and self.follows(j):
-            found: Array = self.state.memory[name, near[0]]
+        return self.of_links(name, self.near_links(j), ground)
+
+    def of_links(self, name: str, links: Sequence[int], ground: Array) -> Array:
+        """Return what is kept of links, one for each lane."""
+        if any(links) and self.as_kept(links):
+            found: Array = self.state.memory[name, links[0]]
             return found
         each = {0: ground}
-        for link in set(near) - {0}:
+        for link in set(links) - {0}:
             value, k = self.kept(name, link)
             each[link] = value if k is None else self.lane(value, k)
-        return self.packed([each[link] for link in near])
+        return self.packed([each[link] for link in links])
 
     def hand_on(self, name: str, j: int, value: Array) -> None:
         """Add what joint j hands inwards to what is kept of the links on its near side."""
-        near, memory = self.near_links(j), self.state.memory
         self.state.handed[name, j] = value
-        if self.follows(j):
-            memory[name, near[0]] = memory[name, near[0]] + value
+        self.add(name, self.near_links(j), len(self.own(j)), value)
+
+    def add(self, name: str, links: Sequence[int], count: int, value: Array) -> None:
+        """Add to what is kept of links, one for each lane, of which the first ``count`` count."""
+        if self.as_kept(links):
+            memory = self.state.memory
+            memory[name, links[0]] = memory[name, links[0]] + value
             return
-        near = near[: len(self.own(j))]
+        near = links[:count]
         for link in sorted(set(near) - {0}):
             lanes = [k for k, each in enumerate(near) if each == link]
             self._add(name, link, self._summed(value, lanes, len(near)))

@@ -65,7 +65,10 @@ def each_for_itself(
     mail: dict[int, list[Any]] = {}
     limbs = grouping or tuple(() for _ in plan.processes)
     robot = aligned(plan, chain.from_iterable(limbs)) if any(limbs) else plan
-    machines = [Machine(robot, mail, refining, all_limbs=own) for own in limbs]
+    machines = [
+        Machine(robot, mail, refining, all_limbs=own, steps=process.steps)
+        for own, process in zip(limbs, plan.processes, strict=True)
+    ]
     return after_all_steps(plan, machines)
 
 

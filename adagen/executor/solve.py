@@ -110,7 +110,10 @@ class Run:
         self.machines: list[Machine] = []
         if once:
             mail: dict[int, list[Any]] = {}
-            self.machines += [Machine(plan, mail, refining, Numbers(look)) for look in lookups]
+            self.machines += [
+                Machine(plan, mail, refining, Numbers(look), steps=process.steps)
+                for look, process in zip(lookups, plan.processes, strict=True)
+            ]
             with np.errstate(all="ignore"):  # pivots are looked at afterwards
                 after_all_steps(plan, self.machines)
         else:
@@ -219,7 +222,7 @@ _SAID = {
     "kGrowth": "no digits left",
     "kGimbalLock": "gimbal lock",
     "kLoopOpen": "it is open",
-    "kLoopTorn": "its velocity tears it open",
+    "kLoopTorn": "the velocity violates it",
     "kLoopSingular": "singular pose",
-    "kLoopFree": "nothing resists its motion",
+    "kLoopFree": "it can move without inertia",
 }

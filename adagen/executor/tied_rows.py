@@ -119,4 +119,4 @@ class TiedRows:
             others = np.array([values[u][first:] for u in left_out], dtype=object)
             by_kept = solved_by_reflections(kept.T.copy(), others.T.copy())[0].T
         self.front.pushed = Pushed(tied, None, (), none, none, none, left_out, by_kept)
-        give_forces(self.state, self.front, 0)
+        give_forces(self.state, self.front, None)

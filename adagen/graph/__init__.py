@@ -17,6 +17,7 @@ from adagen.graph.linear import (
 )
 from adagen.graph.nodes import Expression, Graph, Node
 from adagen.graph.numbers import Number, Numbers
+from adagen.graph.parts import Regular, solved_by_parts
 from adagen.graph.rounded import RoundedGraph
 
 __all__ = [
@@ -32,6 +33,7 @@ __all__ = [
     "Number",
     "Numbers",
     "Operations",
+    "Regular",
     "RoundedGraph",
     "count_operations",
     "cross",
@@ -41,6 +43,7 @@ __all__ = [
     "matrix_times",
     "reflect",
     "solve_by_reflections",
+    "solved_by_parts",
     "solved_by_reflections",
     "total",
 ]

@@ -203,7 +203,7 @@ def _check_forces(model: Model) -> None:
         raise UsageError("the robot has no loops and couplings: leave --loop-forces out")
     if any(joint.mimic is not None for joint in model.joints):
         raise UsageError(
-            "forces of loops are not told beside mimic joints: say these as couplings, or leave "
+            "--loop-forces does not support mimic joints: write these as couplings, or leave "
             "--loop-forces out"
         )
 

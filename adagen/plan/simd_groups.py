@@ -15,13 +15,19 @@ from typing import TypeVar
 from adagen.plan.stages import stages
 from adagen.plan.steps import (
     Accelerate,
+    AccelerateHeld,
     Articulate,
+    CarryRows,
     Deliver,
+    Eliminate,
+    HoldBack,
     HoldMobility,
     Kinematics,
     Propagate,
+    Release,
     SolveMobility,
     StartLink,
+    Step,
 )
 from adagen.plan.types import Plan, PlanJoint, Process
 
@@ -301,7 +307,8 @@ def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
     """Joints that may be taken side by side, with the stretches in which they are passed.
 
     They are the process's own, passed once, away from the sweep's root, and their links are bare.
-    No mobility and no force at a handle goes through them: that is told joint by joint.
+    No mobility, no force at a handle and no rows of loops go through them: that is told joint by
+    joint, or closure by closure (adagen/plan/alike.py).
     """
     sweeps = [
         _stretch_of(process, Kinematics),
@@ -310,7 +317,8 @@ def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
     ]
     turns = (s for s in process.steps if isinstance(s, Articulate | Accelerate))
     turned = {s.joint for s in turns if s.reversed}
-    between = {s.joint for s in process.steps if isinstance(s, Propagate | Deliver)}
+    apart = (Propagate, Deliver, HoldBack, CarryRows)  # closures go side by side as a whole
+    between = {s.joint for s in process.steps if isinstance(s, apart)}
     bare = {s.link for s in process.steps if isinstance(s, StartLink)} - placed_links(plan)
     return {
         j: tuple(sweep[j] for sweep in sweeps)
@@ -338,8 +346,19 @@ def _stretch_of(process: Process, kind: type[_Sweep]) -> dict[int, int]:
     found: dict[int, int] = {}
     for stage in stages(process):
         steps = process.steps[stage.first : stage.last]
-        for k, (of_kind, group) in enumerate(groupby(steps, type)):
+        for k, (of_kind, group) in enumerate(groupby(steps, sweep_of)):
             if issubclass(of_kind, kind):
                 joints = [step.joint for step in group if isinstance(step, kind)]
                 found.update(dict.fromkeys(joints, stage.first * len(process.steps) + k))
     return found
+
+
+_SWEEPS: dict[type, type] = {
+    **dict.fromkeys((HoldBack, CarryRows, Eliminate), Articulate),
+    **dict.fromkeys((Release, AccelerateHeld), Accelerate),
+}
+
+
+def sweep_of(step: Step) -> type:
+    """Return what a step is grouped by: steps of one sweep may be done in another order."""
+    return _SWEEPS.get(type(step), type(step))

@@ -16,8 +16,9 @@ from adagen.exact import exact, rounded
 from adagen.model import Model
 from adagen.reference.coupling import checked, coupled, coupling, free_rows, prescribed
 from adagen.reference.inertia import inertia_matrix
+from adagen.reference.loop_rows import loop_rows
 from adagen.reference.newton_euler import joint_torques
-from adagen.reference.numbers import BALLS, Numeric
+from adagen.reference.numbers import BALLS, DOUBLE, Numeric
 
 Array = NDArray[np.float64]
 MOST_BITS = 1 << 12  # of a chain of 200 joints some 100 bits are lost, of 5000 some 2500
@@ -75,6 +76,10 @@ def exact_inverse_dynamics(model: Model, q: Any, v: Any, a: Any, digits: int = 6
 def exact_forward_dynamics(model: Model, q: Any, v: Any, tau: Any, digits: int = 60) -> Certified:
     """Return `forward_dynamics` to the given number of decimal digits.
 
+    With closed loops it is the solution of [H J^T; J 0] [qdd; -f] = [tau - bias; -Jdot v] with
+    independent rows of J (Featherstone, Rigid Body Dynamics Algorithms, 8.2). A state in doubles
+    closes its loops up to rounding only, so rows that are left out hold up to rounding, too.
+
     Args:
         model: the robot, its doubles taken as exact (as in `exact_inverse_dynamics`).
         q: configuration, shape (nq,).
@@ -92,6 +97,8 @@ def exact_forward_dynamics(model: Model, q: Any, v: Any, tau: Any, digits: int =
         checked(model, "tau", tau, model.ntau),
     )
 
+    kept = independent_rows(model, state[0])
+
     def attempt() -> Numeric:
         at, speed = coupled(BALLS, model, exact(state[0]), exact(state[1]))
         given = exact(state[2])
@@ -99,19 +106,62 @@ def exact_forward_dynamics(model: Model, q: Any, v: Any, tau: Any, digits: int =
         held = joint_torques(BALLS, model, at, speed, known, given)
         needed = shares.T.dot(given[: model.nv] - held)
         moved = inertia_matrix(BALLS, model, at)
-        result: Numeric = shares.dot(_solve(moved, shares, needed)) + known
-        return result
+        rows, drift = BALLS.zeros(0, model.nv), BALLS.zeros(0)
+        if kept:
+            rows, drift = (part[kept] for part in loop_rows(BALLS, model, at, speed))
+        result: Numeric = shares.dot(_solve(moved, shares, needed, rows, -drift - rows.dot(known)))
+        return result + known
 
     return _to_digits(attempt, digits)
 
 
-def _solve(inertia: Numeric, shares: Numeric, right: Numeric) -> Numeric:
-    """Solve (G^T H G) x = right in C; x is NaN where the matrix is not proven regular."""
-    g, column = _matrix(shares), arb_mat(len(right), 1, right.tolist())
-    reduced = g.transpose() * _matrix(inertia) * g
-    result = np.empty(len(right), dtype=object)
-    result[:] = reduced.solve(column, nonstop=True).entries()
-    return result
+def independent_rows(model: Model, q: Any, rank: float = 1e-9) -> list[int]:
+    """Return rows of J that are independent at q, as many as its rank, the best ones first.
+
+    Args:
+        model: the robot.
+        q: configuration, shape (nq,).
+        rank: rows whose distance from those before is less, relative to the longest, follow.
+    """
+    if not model.closed:
+        return []
+    (at,) = coupled(DOUBLE, model, checked(model, "q", q, model.nq), np.zeros(model.nv))[:1]
+    rows = loop_rows(DOUBLE, model, at, np.zeros(model.nv))[0].dot(coupling(DOUBLE, model))
+    least = rank * float(np.linalg.norm(rows, axis=1).max(initial=0.0))
+    kept: list[int] = []
+    while len(kept) < len(rows):
+        left = np.linalg.norm(rows, axis=1)
+        k = int(left.argmax())
+        if left[k] <= least:
+            break
+        kept.append(k)
+        along = rows[k] / left[k]
+        for _ in range(2):  # twice is enough
+            rows = rows - np.outer(rows @ along, along)
+    return kept
+
+
+def _solve(
+    inertia: Numeric, shares: Numeric, right: Numeric, rows: Numeric, wanted: Numeric
+) -> Numeric:
+    """Solve (G^T H G) x - (J G)^T f = right and J G x = wanted in C.
+
+    x is NaN where the matrix is not proven regular.
+    """
+    g, both = _matrix(shares), np.concatenate([right, wanted])
+    reduced = _array(g.transpose() * _matrix(inertia) * g)
+    held, count = rows.dot(shares), len(rows)
+    whole = np.block([[reduced, held.T], [held, BALLS.zeros(count, count)]])
+    result = np.empty(len(both), dtype=object)
+    column = arb_mat(len(both), 1, both.tolist())
+    result[:] = _matrix(whole).solve(column, nonstop=True).entries()
+    return result[: len(right)]
+
+
+def _array(matrix: arb_mat) -> Numeric:
+    result = np.empty(matrix.nrows() * matrix.ncols(), dtype=object)
+    result[:] = matrix.entries()
+    return result.reshape(matrix.nrows(), matrix.ncols())
 
 
 def _matrix(values: Numeric) -> arb_mat:

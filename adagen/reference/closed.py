@@ -17,6 +17,8 @@ from adagen.exact import rotation_taking_z_to, rounded
 from adagen.model import FLOATING, PRISMATIC, REVOLUTE, SPHERICAL, Joint, Loop, Model
 from adagen.reference.coupling import checked
 from adagen.reference.double import inverse_dynamics, joint_space_inertia
+from adagen.reference.loop_rows import loop_rows
+from adagen.reference.numbers import DOUBLE
 
 Array = NDArray[np.float64]
 STARTS = 40
@@ -343,25 +345,12 @@ def closed_forward_dynamics(model: Model, q: Any, v: Any, tau: Any, rank: float 
     """
     q, v = checked(model, "q", q, model.nq), checked(model, "v", v, model.nv)
     tau = checked(model, "tau", tau, model.ntau)
-    rows = constraints(model, q).rows
+    rows, fast = loop_rows(DOUBLE, model, q, v)
     left, sizes, right = np.linalg.svd(rows)
     kept = int((sizes > rank * sizes[:1].sum()).sum())
-    fast = _rate_of_rates(model, q, v)
     least = -right[:kept].T @ ((left[:, :kept].T @ fast) / sizes[:kept])
     inertia, free = joint_space_inertia(model, q), right[kept:].T
     needed = tau[: model.nv] - inverse_dynamics(model, q, v, least, tau)
     reduced = free.T @ inertia @ free
     result: Array = least + free @ np.linalg.solve(reduced, free.T @ needed)
     return result
-
-
-def _rate_of_rates(model: Model, q: Array, v: Array) -> Array:
-    """Jdot v, shape (rows,), by differences along the motion, of sixth order."""
-    step = 2e-3 / max(1.0, float(np.abs(v).max(initial=0.0)))
-    weights = {1: 45.0, 2: -9.0, 3: 1.0}
-    result = np.zeros(len(constraints(model, q).rows))
-    for k, weight in weights.items():
-        ahead = constraints(model, moved(model, q, v * (k * step))).rows @ v
-        behind = constraints(model, moved(model, q, v * (-k * step))).rows @ v
-        result += weight * (ahead - behind)
-    return result / (60.0 * step)

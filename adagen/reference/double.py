@@ -19,6 +19,7 @@ from adagen.reference.coupling import (
     row_names,
 )
 from adagen.reference.inertia import cholesky_solve, inertia_matrix
+from adagen.reference.loop_rows import loop_rows
 from adagen.reference.motion import momenta
 from adagen.reference.newton_euler import energies, joint_torques
 from adagen.reference.numbers import DOUBLE
@@ -147,9 +148,10 @@ def residual(model: Model, q: Any, v: Any, tau: Any, qdd: Any) -> float:
     """Return how far the accelerations are from the torques, relative to the torques at work.
 
     The norm of (inverse dynamics of qdd) - tau, divided by the largest of the norms of tau, of the
-    bias and of the inverse dynamics, so that it also has a meaning where tau is zero. A small
-    residual does not prove a small error: see
-    `energy_norm_error`.
+    bias and of the inverse dynamics, so that it also has a meaning where tau is zero. Of that
+    difference, forces of closed loops take what they can (least squares); and accelerations that
+    open the loops count as much: J qdd + Jdot v beside |J| |qdd| or Jdot v. A small residual does
+     not prove a small error: see `energy_norm_error`.
 
     Args:
         model: the robot.
@@ -172,7 +174,21 @@ def residual(model: Model, q: Any, v: Any, tau: Any, qdd: Any) -> float:
     needed = inverse_dynamics(model, q, v, qdd, tau)[free]
     held = inverse_dynamics(model, q, v, prescribed(DOUBLE, model, tau), tau)[free]
     scale = max(float(np.linalg.norm(x)) for x in (given, needed, held))
-    return float(np.linalg.norm(needed - given)) / scale if scale > 0 else 0.0
+    left, opening = needed - given, 0.0
+    if model.closed:
+        at, speed, rate = coupled(DOUBLE, model, *map(np.asarray, (q, v, qdd)))
+        jacobian, drift = loop_rows(DOUBLE, model, at, speed)
+        size = np.array(np.linalg.norm(jacobian) * np.linalg.norm(rate))
+        opening = _beside(jacobian @ rate + drift, size, drift)
+        pushed = (jacobian @ coupling(DOUBLE, model)).T
+        left = left - pushed @ np.linalg.lstsq(pushed, left, rcond=1e-9)[0]
+    return max(_beside(left, np.array(scale)), opening)
+
+
+def _beside(value: Array, *sizes: Array) -> float:
+    """Return the norm of an array over the largest of others; 0 where all are zero."""
+    scale = max(float(np.linalg.norm(size)) for size in sizes)
+    return float(np.linalg.norm(value)) / scale if scale > 0 else 0.0
 
 
 def energy_norm_error(inertia: Any, error: Any, truth: Any) -> float:

@@ -62,7 +62,7 @@ def placements(numbers: Numbers, model: Model, q: Numeric) -> list[Placement]:
     result = []
     for joint, start in zip(model.joints, model.q_start, strict=True):
         own = q[start : start + joint.kind.nq]
-        base = _orthonormal(numbers, numbers.array(joint.rotation))
+        base = orthonormal(numbers, numbers.array(joint.rotation))
         turned, moved, angular, linear = _motion(numbers, joint, own)
         place = numbers.array(joint.translation) + base.dot(moved)
         result.append(Placement(base.dot(turned), place, angular, linear))
@@ -117,7 +117,7 @@ def _unit(numbers: Numbers, vector: Numeric) -> Numeric:
     return result
 
 
-def _orthonormal(numbers: Numbers, rotation: Numeric) -> Numeric:
+def orthonormal(numbers: Numbers, rotation: Numeric) -> Numeric:
     """Return the rotation that a matrix rounded to double stands for.
 
     Without this the recursions below, each exact, would differ by the rounding of the model.

@@ -64,7 +64,7 @@ struct Articulated {
 };
 
 // The joint's share of the articulated body with inertia I and bias p on its far side: what it
-// hands on to its near side, by exact projection: nothing along S but the torque. Returns false
+// passes on to its near side, by exact projection: nothing along S but the torque. Returns false
 // where D cannot be factorized.
 template <class Kind>
 ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Inertia& I,

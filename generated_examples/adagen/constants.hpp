@@ -30,7 +30,7 @@ struct JointConstants {
   bool given = true;  // whether its acceleration is wanted and found
 };
 
-// An outer force that is an input, told in the frame of the link that has its name.
+// An outer force that is an input, expressed in the frame of the link that has its name.
 struct OuterForce {
   const char* name;
   int link;               // that feels it

@@ -38,8 +38,7 @@ constexpr FailureWords words_of(Failure kind) {
     case kFactorization:
       return {true, "factorization failed: the inertias beside it differ too much for the scalar"};
     case kGimbalLock:
-      return {false,
-              "gimbal lock: through links without mass, they do not move in as many directions"};
+      return {false, "gimbal lock of joints that are joined as one through links without mass"};
     case kGrowth:
       return {true,
               "no digits left: a link beside it is too light for its neighbours and the scalar"};
@@ -48,7 +47,7 @@ constexpr FailureWords words_of(Failure kind) {
     case kSingularPose:
       return {true, "its mobility is singular in this pose"};
     case kEnded:
-      return {false, "the evaluations are over"};
+      return {false, "process 0 has ended the evaluations"};
     case kNotRefined:
       return {false, "refinement does not converge: the inertias differ too much for the scalar"};
     case kTooFewSteps:
@@ -58,13 +57,13 @@ constexpr FailureWords words_of(Failure kind) {
     case kLoopOpen:
       return {false, "it is not closed in this configuration, by more than its tolerance"};
     case kLoopTorn:
-      return {false, "this velocity tears it open"};
+      return {false, "the velocity violates it"};
     case kLoopSingular:
-      return {false, "this pose is singular: what it holds, and what it leaves free, changes here"};
+      return {false, "this pose is singular: the rank of its constraints changes here"};
     case kLoopFree:
-      return {true, "closed loops leave it a motion that no inertia resists"};
+      return {true, "the closed loops allow a motion of it that has no inertia"};
     case kNotSet:
-      return {false, "what is to be set at run time is not finite, or is no mass"};
+      return {false, "a run-time constant is not finite, or a mass is not positive"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }

@@ -12,7 +12,7 @@
 
 namespace {
 
-// Spatial inertias, and how they, wrenches and motions are told in another frame.
+// Spatial inertias, and how they, wrenches and motions are expressed in another frame.
 
 // A spatial inertia [[A, B], [B^T, C]]: A and C symmetric, their upper triangles row by row; B row
 // by row. 21 numbers, and half the work of a 6x6 matrix.
@@ -80,7 +80,7 @@ std::array<Real, 9> rotated(const Mat3& E, const std::array<Real, 9>& m) {
   return result;
 }
 
-// The inertia m told at a point whose origin is at -r from the one it is told at:
+// The inertia m expressed at a point whose origin is at -r from the one it is expressed at:
 // B + rx C, and A + rx (B + rx C)^T - B rx.
 inline void shift(const Vec3& r, Inertia& m) {
   const auto& C = m.C;
@@ -126,7 +126,7 @@ ADAGEN_NOINLINE Inertia in_child(const Transform& X, const Inertia& m) {
   return result;
 }
 
-// X^-1 m: motions in the child's frame, told in the parent's.
+// X^-1 m: motions in the child's frame, expressed in the parent's.
 template <int columns>
 Eigen::Matrix<Real, 6, columns> motion_in_parent(const Transform& X,
                                                  const Eigen::Matrix<Real, 6, columns>& m) {
@@ -140,7 +140,7 @@ Eigen::Matrix<Real, 6, columns> motion_in_parent(const Transform& X,
   return result;
 }
 
-// X^-1 m X^-T: a mobility in the child's frame, told in the parent's.
+// X^-1 m X^-T: a mobility in the child's frame, expressed in the parent's.
 ADAGEN_NOINLINE Mat6 congruent_in_parent(const Transform& X, const Mat6& m) {
   const Mat6 half = motion_in_parent(X, m).transpose();
   return motion_in_parent(X, half);

@@ -61,8 +61,8 @@ ADAGEN_HOT void normalise(State& q) {
   }
 }
 
-// Velocity of the origin of a floating or planar joint's child, told in the joint frame; its row
-// count.
+// Velocity of the origin of a floating or planar joint's child, expressed in the joint frame; its
+// row count.
 inline int position_rate(const Joint& joint, const double* q, const double* v, double* rate) {
   if (joint.kind == JointKind::kFloating) {
     rotate(q + 3, v, rate);
@@ -132,7 +132,7 @@ ADAGEN_HOT void advance(const State& anchor, const State& x, State& q) {
 // A configuration moved by a step in the components of velocities.
 inline void move(const State& from, const State& step, State& q) {
   State local = step;
-  for (const Joint& joint : about.joints)  // positions are told in the joint frame
+  for (const Joint& joint : about.joints)  // positions are expressed in the joint frame
     position_rate(joint, &from[static_cast<std::size_t>(joint.q)],
                   &step[static_cast<std::size_t>(joint.v)],
                   &local[static_cast<std::size_t>(joint.v)]);

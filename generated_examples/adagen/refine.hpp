@@ -119,7 +119,7 @@ class Refinement {
     force[j] += of_unit * torque;
   }
 
-  // A link without mass hands on what it gets.
+  // A link without mass passes on what it gets.
   void hand_on(int j, int beyond) {
     force[j] = returned(joints_[beyond].carried, force[beyond].cast<Wide>()).cast<Number>();
   }

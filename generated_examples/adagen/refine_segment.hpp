@@ -19,7 +19,7 @@ Columns6 effort(const Body& IA, const Columns6& a, const Columns6& pA) {
 }
 
 // A joint that has been articulated, for another p^A on its far side, no torque of its own and no
-// velocity: what it hands on.
+// velocity: what it passes on.
 template <class Kind>
 Columns6 rearticulate(Articulated<Kind>& i, Real sigma, const Columns6& p) {
   Columns6 force;

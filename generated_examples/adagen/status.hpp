@@ -15,18 +15,18 @@ enum Failure : int {
   kZeroQuaternion = 2,  // the orientation of a joint is a quaternion of no length, or of too much
   kFactorization = 3,   // V^-1 of a joint is not positive definite
   kOverflow = 4,        // the acceleration of a joint is not a finite number
-  kGimbalLock = 8,      // joints that are joined as one do not move in as many directions
+  kGimbalLock = 8,      // gimbal lock of joints that are joined as one
   kGrowth = 9,          // a link's mobility beside a joint is lost to its neighbours
   kSingularPose = 10,   // no failure: the evaluation is done again in another way
   kLoopOpen = 12,       // a loop or coupling is open (numbered behind all joints)
-  kLoopTorn = 13,       // its velocity tears it open
-  kLoopSingular = 14,   // what it holds cannot be told from this pose
-  kLoopFree = 15,       // loops leave a joint a motion that nothing resists
+  kLoopTorn = 13,       // the velocity violates it
+  kLoopSingular = 14,   // the rank of its constraints changes in this pose
+  kLoopFree = 15,       // loops allow a motion of a joint without inertia
   kNoAnswer = 5,        // a process did not answer in time (numbered in place of a joint)
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
-  kNotSet = 16,         // what is to be set at run time is not finite, or is no mass
+  kNotSet = 16,         // a run-time constant is not finite, or a mass is not positive
 };
 
 constexpr int kFailureBase = 1 << 20;

@@ -29,7 +29,7 @@ using Half =
     std::conditional_t<kWidth<T> == 8, Four, std::conditional_t<kWidth<T> == 4, Two, Real>>;
 
 // Lanes are for limbs: g++ is told not to look for more to put side by side. Of reproducible
-// solvers it is told so for the whole file: options of single functions would keep others from
+// solvers it is expressed so for the whole file: options of single functions would keep others from
 // being inlined.
 #if defined(__clang__) || defined(ADAGEN_REPRODUCIBLE)
 #define ADAGEN_AS_IT_STANDS

@@ -127,7 +127,7 @@ class Verdict {
     if (!right_)
       std::fprintf(out, "check  the solver is at fault: %s\n", where.c_str());
     else if (probed_)
-      std::fprintf(out, "check  %.1f digits of the accelerations are sure: %s\n", digits(),
+      std::fprintf(out, "check  %.1f digits of the accelerations are certain: %s\n", digits(),
                    where.c_str());
     if (fault_ == "conditioning")
       std::fprintf(out,

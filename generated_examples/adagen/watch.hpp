@@ -30,7 +30,7 @@ class Watch {
     watch(time_limit + 1);
   }
 
-  // There was progress: the time starts anew.
+  // There was progress: the time starts again.
   void again() const {
 #if defined(__unix__) || defined(__APPLE__)
     itimerval timer = {};

@@ -1,4 +1,4 @@
-// Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
+// Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 2 --schedule=balanced --scalar=mixed --name=arm7_mixed
@@ -8,28 +8,29 @@
 //           process 0: base_yaw .. forearm_roll
 //           process 1: wrist_pitch .. right_finger_slide
 // schedule  forearm_roll@0-1(shoulder_pitch@0(base_yaw | upper_arm_roll(|elbow_pitch)) | flange_roll@1(wrist_pitch | left_finger_slide(right_finger_slide|)))
-// licence   yours to choose: what adagen emits belongs to whoever emits it
+// licence   yours to choose: generated code belongs to its user
 //
-// Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
-// link's inertia and bias force with all that hangs on it, are swept to the segment's root, and the
-// accelerations come back. Where segments meet, the assembly-disassembly algorithm of Yamane and Nakamura
-// joins them: Phi = (I^A)^-1 and b are what a segment shows at a cut; joint i joins chain A (its parent
-// link's side) and chain B (its child link's side), Eq. (3)-(7), and gives back its force, Eq. (8)-(10).
-// Spatial vectors are [angular; linear], in the axes of the base, about each link's origin.
+// Each process solves a segment of the robot with the articulated-body algorithm: the articulated-body
+// inertias I^A and bias forces p^A (IA, pA) are computed from the ends to the segment's root, then the
+// accelerations from there outwards. Where segments meet, the assembly-disassembly algorithm of Yamane
+// and Nakamura joins them: Phi = (I^A)^-1 and b are a segment's inverse inertia and bias acceleration at
+// a cut; joint i joins chain A (on its parent link's side) and chain B (on its child link's side), Eq.
+// (3)-(7), and its force follows from Eq. (8)-(10). Spatial vectors are [angular; linear], in the axes of
+// the base, about each link's origin.
 //
-// How to read on:
-//   1. interface   what a program that links this file calls
+// Contents:
+//   1. interface   the C functions for a program that links this file
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint its memory, then what is done with it, step by step
-//   5. processes   who does what, in order
-//   6. program     what the program around it, adagen_program.cpp, is told; main
+//   4. joints      memory of each joint, and the functions that compute its steps
+//   5. processes   the work of each process, in order
+//   6. program     description for the program around it (adagen_program.cpp), and main
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN and link it; arm7_mixed_p2.h
-// beside it is this part.
+// To call it from your program, compile this file with -DADAGEN_NO_MAIN and link it. This part is also in
+// arm7_mixed_p2.h.
 // C interface of the solver arm7_mixed_p2: forward dynamics of "arm7" on 2 processes,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: generate again.
 #ifndef ADAGEN_ARM7_MIXED_P2_H
 #define ADAGEN_ARM7_MIXED_P2_H
 
@@ -43,7 +44,7 @@ enum {
   ARM7_MIXED_P2_NTAU = 9  // in tau
 };
 
-// Where each joint begins in q, and in v, tau and qdd.
+// Index of each joint's first number in q, and in v, tau and qdd.
 enum {
   ARM7_MIXED_P2_Q_base_yaw = 0,
   ARM7_MIXED_P2_V_base_yaw = 0,  // joint 0, "base_yaw": revolute, 1 in q, 1 in v
@@ -65,7 +66,7 @@ enum {
   ARM7_MIXED_P2_V_right_finger_slide = 8  // joint 8, "right_finger_slide": prismatic, 1 in q, 1 in v
 };
 
-// Why a call failed, as arm7_mixed_p2_reason tells of the status that it returned.
+// Reasons of failures: arm7_mixed_p2_reason gives that of a status.
 enum {
   ARM7_MIXED_P2_FINE = 0,  // none
   ARM7_MIXED_P2_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
@@ -75,14 +76,14 @@ enum {
   ARM7_MIXED_P2_NO_ANSWER = 5,  // a process did not answer within the time limit
   ARM7_MIXED_P2_ENDED = 6,  // process 0 has ended the evaluations
   ARM7_MIXED_P2_NOT_REFINED = 7,  // refinement does not converge
-  ARM7_MIXED_P2_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  ARM7_MIXED_P2_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   ARM7_MIXED_P2_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  ARM7_MIXED_P2_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
+  ARM7_MIXED_P2_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
   ARM7_MIXED_P2_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   ARM7_MIXED_P2_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  ARM7_MIXED_P2_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  ARM7_MIXED_P2_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  ARM7_MIXED_P2_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
+  ARM7_MIXED_P2_LOOP_TORN = 13,  // the velocity violates a loop or coupling
+  ARM7_MIXED_P2_LOOP_SINGULAR = 14,  // the rank of the loop constraints changes in this pose
+  ARM7_MIXED_P2_LOOP_FREE = 15  // the loops allow a motion of a joint that has no inertia
 };
 
 #ifdef __cplusplus
@@ -90,40 +91,39 @@ extern "C" {
 #endif
 typedef struct arm7_mixed_p2_solver arm7_mixed_p2_solver;
 
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
+// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
 int arm7_mixed_p2_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
 // Collective over a communicator of 2 processes. channel: "auto", "window" (shared memory) or
-// "message"; time_limit: seconds that a process waits for another. Returns null where it cannot be
-// done; arm7_mixed_p2_failure(NULL) says why.
+// "message"; time_limit: seconds that a process waits for another. Returns null on failure;
+// arm7_mixed_p2_failure(NULL) gives the reason.
 arm7_mixed_p2_solver* arm7_mixed_p2_open(MPI_Comm comm, const char* channel, double time_limit);
 
 // One evaluation, collective. q: 9 numbers, v and tau: 9 each, qdd: 9; joints in order, quaternions
 // x y z w (normalised here), floating joints [linear; angular] in the body's frame.
 // solve: every process passes the state and gets its own joints' accelerations (others untouched);
-// solve_at_root: process 0 passes the state and gets them all, the others may pass null, or serve.
-// Returns 0, or a status that arm7_mixed_p2_failure puts into words; no acceleration is written then.
+// solve_at_root: process 0 passes the state and gets all; the others may pass null, or call serve.
+// Returns 0, or a status that arm7_mixed_p2_failure explains; then no acceleration is written.
 int arm7_mixed_p2_solve(arm7_mixed_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 int arm7_mixed_p2_solve_at_root(arm7_mixed_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 
-// What every process but 0 can do all the time: takes part in each solve_at_root of process 0, however
-// long that lets it wait, until process 0 ends it. Returns 0, or why it cannot go on.
+// For all processes but 0: joins every solve_at_root of process 0, and waits between them without a
+// time limit, until process 0 calls end. Returns 0 then, or the status of a failure.
 int arm7_mixed_p2_serve(arm7_mixed_p2_solver* solver);
 
-// At process 0: the others' serve returns. They may serve again, or all close.
+// At process 0: makes serve return at the others, which may serve again, or all close.
 int arm7_mixed_p2_end(arm7_mixed_p2_solver* solver);
 
 // The size of the k-th correction (0 to 2) of the last evaluation, relative to the answer in the energy
-// norm sqrt(e^T H e / t^T H t): the error that the answer had before it. On processes that own joints.
+// norm sqrt(e^T H e / t^T H t): an estimate of the error before it. On processes that own joints.
 double arm7_mixed_p2_correction(const arm7_mixed_p2_solver* solver, int k);
 
-// What a status says: its reason, and which joint it is about, -1 for none.
+// Reason of a status, and the joint that it is about, -1 for none.
 int arm7_mixed_p2_reason(int status);
 int arm7_mixed_p2_failed_joint(int status);
 
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
+// Text of a solver's last failure, valid until its next call; for null, the reason why the last open
+// of this thread failed.
 const char* arm7_mixed_p2_failure(const arm7_mixed_p2_solver* solver);
 
 // Collective.
@@ -144,20 +144,20 @@ void arm7_mixed_p2_close(arm7_mixed_p2_solver* solver);
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// What the headers of the runtime (adagen/) are to take from here, and what they are to do.
+// Configuration of the runtime headers (adagen/).
 #define ADAGEN_SOLVER
 #define ADAGEN_MPI
 #include "adagen/version.hpp"
 #if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are not those of adagen 0.1.0, which this file was emitted by"
+#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
 namespace {
 
-using Number = double;  // of states, answers and messages
-using Real = float;    // of all between
+using Number = double;  // type of states, results and messages
+using Real = float;    // type of all other values
 constexpr int kProcesses = 2;
-[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all, and no other takes part
+[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all the work
 constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
 constexpr int kNq = 9, kNv = 9;
 [[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
@@ -278,18 +278,18 @@ constexpr std::array<MessageInfo, 7> kMessages{ {
 #include "adagen/stamp.hpp"
 
 // ---- 4. kernels ---------------------------------------------------------------------------------
-// Vectors are in the axes of the base, which all its links share (of the ground, or of a floating
-// base's link), about each link's own origin. Links move as they would were all joint accelerations
-// zero (omega, alpha, a); joint accelerations are solved for as what comes on top.
+// Vectors are expressed in the axes of the base (of the ground, or of a floating base's link), about
+// each link's own origin. omega, alpha, a: motion of links for zero joint accelerations; the joint
+// accelerations that are solved for come on top.
 
 #include "adagen/kernels/tables.hpp"
 
 namespace {
 
-// What is computed with.
+// Type of values.
 using Value = Real;
 
-// Of each link its mass, that times its centre of mass, and its pseudo-inertia.
+// Mass, mass times centre of mass, and pseudo-inertia of each link.
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {3.6f, {0.0f, 0.0f, 0.36000000000000004f},
      {0.00441f, 0.0f, 0.0f, 0.00441f, 0.0f, 0.04800000000000001f}},
@@ -311,31 +311,31 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
      {6.0000035e-05f, 0.0f, 1.5e-05f, 1.666665e-06f, 0.0f, 6.666665e-06f}},
 } };
 
-// Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
-// segments of long runs.
+// Memory slot of each joint and its child link; limbs that share lanes, and segments of long runs,
+// are interleaved.
 constexpr int kSlotCount = 9;
-constexpr int kTile = 0;  // joints that are swept before others take their memory; 0: all
-constexpr bool kAbreast = false;  // whether there are such
-constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
-constexpr bool kReordered = false;  // whether joints lie in another order than they have
+constexpr int kTile = 0;  // joints whose memory is in use at the same time; 0: all
+constexpr bool kInLanes = false;  // whether limbs share lanes
+constexpr bool kPrescribedInLanes = false;  // with prescribed motions
+constexpr bool kReordered = false;  // whether slots are in another order than joints
 constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8 };
-// Blocks of slots of equal constants: the number of kinds (0: not looked at), each block's, and the
-// first block of each.
+// Blocks of slots with equal constants: number of kinds (0: not compared), kind of each block, and
+// first block of each kind.
 constexpr int kBlockKindCount = 0;
 [[maybe_unused]] constexpr int kBlockKinds[]{ 0 };
 [[maybe_unused]] constexpr int kFirstOfKind[]{ 0 };
-constexpr bool kByColumns = true;  // whether runs are taken by columns
-// Joints that are eliminated in their own axes; others that are where those of the base lose digits.
+constexpr bool kByColumns = true;  // whether runs are computed by columns
+// Joints that are eliminated in their own axes: always, or only if the axes of the base lose digits.
 constexpr bool kAnyTurned = false;
 constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0 };
 constexpr bool kAnyTurnedIfLost = false;
 constexpr bool kTurnedIfLost[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0 };
-constexpr double kLosing = 256.0;  // times D: a trace from which on they do
-// Whether sweeps are done again for other forces on links than their motion takes.
+constexpr double kLosing = 256.0;  // they do if trace > kLosing * D
+// Whether sweeps are repeated with other forces.
 constexpr bool kPassesFree = false;  // whether mobilities pass floating joints
 constexpr bool kAgain = kRefine > 0 || kSlavedCount > 0;
 
-// What each process does at each link: gathers, adds_own, parts, oriented.
+// Role of each process at each link: gathers, adds_own, parts, oriented.
 constexpr LinkRole kRoles[2][kLinkCount]{
     {{1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
@@ -348,7 +348,7 @@ constexpr LinkRole kRoles[2][kLinkCount]{
 
 namespace {
 
-// What is kept where segments meet, with the joint that it belongs to.
+// Memory where segments meet, by joint.
 struct Joint_shoulder_pitch {
   Mat6 Phi_forearm;
   Columns6 b_forearm;
@@ -502,8 +502,8 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // ---- refinement ---------------------------------------------------------------------------------
 
-// Process 0, a correction: its steps again with the factors that they left, for what is
-// left over at the links.
+// Process 0, a correction: its steps with the stored factors, for the residual forces at
+// the links.
 void correct_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   set_up_columns<block(0), block(3) + 1>(w);
   inward_in_columns<0, 0, 3, true>(w);  // "base_yaw" .. "elbow_pitch"
@@ -548,8 +548,8 @@ void correct_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel)
   give(w, 0, 5);
 }
 
-// Process 1, a correction: its steps again with the factors that they left, for what is
-// left over at the links.
+// Process 1, a correction: its steps with the stored factors, for the residual forces at
+// the links.
 void correct_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   set_up_columns<block(5), block(8) + 1>(w);
   inward_in_columns<1, 8, 8, true>(w);  // "right_finger_slide"
@@ -598,11 +598,11 @@ constexpr std::array<int, 1> kToldForces_0{4};
 constexpr std::array<ExchangeInfo, 1> kExchanges{ {
     {0, 1, {5, kToldEntries_0.data()}, {1, kToldForces_0.data()}},
 } };
-constexpr std::array<int, 1> kSharing{1};  // processes that tell process 0 of their part
+constexpr std::array<int, 1> kSharing{1};  // processes that send their part to process 0
 constexpr int kFirstExchange = kPlanMessages + 2 * (kProcesses - 1);
 constexpr int kFirstShare = kFirstExchange + 1;
 
-// Torque by which a slaved joint and its source are held in step.
+// Coupling torque of a slaved joint.
 inline Real coupling_torque([[maybe_unused]] const Workspace& w, [[maybe_unused]] int k) {
   return 0;
 }
@@ -705,8 +705,8 @@ void arm7_mixed_p2_close(arm7_mixed_p2_solver* solver) {
 }  // extern "C"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// What this solver tells the program around it, which is the same for all robots: states in,
-// accelerations out; check; time; trace; simulate.
+// Description of this solver for the program around it, which is the same for all robots: it reads
+// states, writes accelerations, checks, times, traces and simulates.
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/description.hpp"
@@ -737,7 +737,7 @@ constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
     {kStages_1.data(), 5},
 } };
 
-// As the cost profile default has them.
+// From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 

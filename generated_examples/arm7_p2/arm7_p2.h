@@ -1,5 +1,5 @@
 // C interface of the solver arm7_p2: forward dynamics of "arm7" on 2 processes,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: generate again.
 #ifndef ADAGEN_ARM7_P2_H
 #define ADAGEN_ARM7_P2_H
 
@@ -13,7 +13,7 @@ enum {
   ARM7_P2_NTAU = 9  // in tau
 };
 
-// Where each joint begins in q, and in v, tau and qdd.
+// Index of each joint's first number in q, and in v, tau and qdd.
 enum {
   ARM7_P2_Q_base_yaw = 0,
   ARM7_P2_V_base_yaw = 0,  // joint 0, "base_yaw": revolute, 1 in q, 1 in v
@@ -35,7 +35,7 @@ enum {
   ARM7_P2_V_right_finger_slide = 8  // joint 8, "right_finger_slide": prismatic, 1 in q, 1 in v
 };
 
-// Why a call failed, as arm7_p2_reason tells of the status that it returned.
+// Reasons of failures: arm7_p2_reason gives that of a status.
 enum {
   ARM7_P2_FINE = 0,  // none
   ARM7_P2_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
@@ -45,14 +45,14 @@ enum {
   ARM7_P2_NO_ANSWER = 5,  // a process did not answer within the time limit
   ARM7_P2_ENDED = 6,  // process 0 has ended the evaluations
   ARM7_P2_NOT_REFINED = 7,  // refinement does not converge
-  ARM7_P2_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  ARM7_P2_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   ARM7_P2_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  ARM7_P2_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
+  ARM7_P2_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
   ARM7_P2_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   ARM7_P2_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  ARM7_P2_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  ARM7_P2_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  ARM7_P2_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
+  ARM7_P2_LOOP_TORN = 13,  // the velocity violates a loop or coupling
+  ARM7_P2_LOOP_SINGULAR = 14,  // the rank of the loop constraints changes in this pose
+  ARM7_P2_LOOP_FREE = 15  // the loops allow a motion of a joint that has no inertia
 };
 
 #ifdef __cplusplus
@@ -60,36 +60,35 @@ extern "C" {
 #endif
 typedef struct arm7_p2_solver arm7_p2_solver;
 
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
+// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
 int arm7_p2_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
 // Collective over a communicator of 2 processes. channel: "auto", "window" (shared memory) or
-// "message"; time_limit: seconds that a process waits for another. Returns null where it cannot be
-// done; arm7_p2_failure(NULL) says why.
+// "message"; time_limit: seconds that a process waits for another. Returns null on failure;
+// arm7_p2_failure(NULL) gives the reason.
 arm7_p2_solver* arm7_p2_open(MPI_Comm comm, const char* channel, double time_limit);
 
 // One evaluation, collective. q: 9 numbers, v and tau: 9 each, qdd: 9; joints in order, quaternions
 // x y z w (normalised here), floating joints [linear; angular] in the body's frame.
 // solve: every process passes the state and gets its own joints' accelerations (others untouched);
-// solve_at_root: process 0 passes the state and gets them all, the others may pass null, or serve.
-// Returns 0, or a status that arm7_p2_failure puts into words; no acceleration is written then.
+// solve_at_root: process 0 passes the state and gets all; the others may pass null, or call serve.
+// Returns 0, or a status that arm7_p2_failure explains; then no acceleration is written.
 int arm7_p2_solve(arm7_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 int arm7_p2_solve_at_root(arm7_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 
-// What every process but 0 can do all the time: takes part in each solve_at_root of process 0, however
-// long that lets it wait, until process 0 ends it. Returns 0, or why it cannot go on.
+// For all processes but 0: joins every solve_at_root of process 0, and waits between them without a
+// time limit, until process 0 calls end. Returns 0 then, or the status of a failure.
 int arm7_p2_serve(arm7_p2_solver* solver);
 
-// At process 0: the others' serve returns. They may serve again, or all close.
+// At process 0: makes serve return at the others, which may serve again, or all close.
 int arm7_p2_end(arm7_p2_solver* solver);
 
-// What a status says: its reason, and which joint it is about, -1 for none.
+// Reason of a status, and the joint that it is about, -1 for none.
 int arm7_p2_reason(int status);
 int arm7_p2_failed_joint(int status);
 
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
+// Text of a solver's last failure, valid until its next call; for null, the reason why the last open
+// of this thread failed.
 const char* arm7_p2_failure(const arm7_p2_solver* solver);
 
 // Collective.

@@ -1,4 +1,4 @@
-// Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
+// Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --mimic --procs 2 --form=ada --name=arm7_slaved
@@ -8,26 +8,26 @@
 //           process 0: base_yaw .. wrist_pitch
 //           process 1: flange_roll .. right_finger_slide
 // schedule  wrist_pitch@0-1(forearm_roll@0(elbow_pitch(upper_arm_roll(shoulder_pitch(base_yaw|)|)|)|) | flange_roll@1(|left_finger_slide(right_finger_slide|)))
-// licence   yours to choose: what adagen emits belongs to whoever emits it
+// licence   yours to choose: generated code belongs to its user
 //
-// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
+// Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
 // bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
 // to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
 // vectors are [angular; linear], in link frames turned so that every joint axis is z.
 //
-// How to read on:
-//   1. interface   what a program that links this file calls
+// Contents:
+//   1. interface   the C functions for a program that links this file
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint its memory, then what is done with it, step by step
-//   5. processes   who does what, in order
-//   6. program     what the program around it, adagen_program.cpp, is told; main
+//   4. joints      memory of each joint, and the functions that compute its steps
+//   5. processes   the work of each process, in order
+//   6. program     description for the program around it (adagen_program.cpp), and main
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN and link it; arm7_slaved_p2.h
-// beside it is this part.
+// To call it from your program, compile this file with -DADAGEN_NO_MAIN and link it. This part is also in
+// arm7_slaved_p2.h.
 // C interface of the solver arm7_slaved_p2: forward dynamics of "arm7" on 2 processes,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: generate again.
 #ifndef ADAGEN_ARM7_SLAVED_P2_H
 #define ADAGEN_ARM7_SLAVED_P2_H
 
@@ -41,7 +41,7 @@ enum {
   ARM7_SLAVED_P2_NTAU = 9  // in tau
 };
 
-// Where each joint begins in q, and in v, tau and qdd.
+// Index of each joint's first number in q, and in v, tau and qdd.
 enum {
   ARM7_SLAVED_P2_Q_base_yaw = 0,
   ARM7_SLAVED_P2_V_base_yaw = 0,  // joint 0, "base_yaw": revolute, 1 in q, 1 in v
@@ -63,7 +63,7 @@ enum {
   ARM7_SLAVED_P2_V_right_finger_slide = 8  // joint 8, "right_finger_slide": prismatic, 1 in q, 1 in v
 };
 
-// Why a call failed, as arm7_slaved_p2_reason tells of the status that it returned.
+// Reasons of failures: arm7_slaved_p2_reason gives that of a status.
 enum {
   ARM7_SLAVED_P2_FINE = 0,  // none
   ARM7_SLAVED_P2_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
@@ -73,14 +73,14 @@ enum {
   ARM7_SLAVED_P2_NO_ANSWER = 5,  // a process did not answer within the time limit
   ARM7_SLAVED_P2_ENDED = 6,  // process 0 has ended the evaluations
   ARM7_SLAVED_P2_NOT_REFINED = 7,  // refinement does not converge
-  ARM7_SLAVED_P2_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  ARM7_SLAVED_P2_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   ARM7_SLAVED_P2_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  ARM7_SLAVED_P2_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
+  ARM7_SLAVED_P2_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
   ARM7_SLAVED_P2_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   ARM7_SLAVED_P2_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  ARM7_SLAVED_P2_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  ARM7_SLAVED_P2_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  ARM7_SLAVED_P2_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
+  ARM7_SLAVED_P2_LOOP_TORN = 13,  // the velocity violates a loop or coupling
+  ARM7_SLAVED_P2_LOOP_SINGULAR = 14,  // the rank of the loop constraints changes in this pose
+  ARM7_SLAVED_P2_LOOP_FREE = 15  // the loops allow a motion of a joint that has no inertia
 };
 
 #ifdef __cplusplus
@@ -88,36 +88,35 @@ extern "C" {
 #endif
 typedef struct arm7_slaved_p2_solver arm7_slaved_p2_solver;
 
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
+// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
 int arm7_slaved_p2_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
 // Collective over a communicator of 2 processes. channel: "auto", "window" (shared memory) or
-// "message"; time_limit: seconds that a process waits for another. Returns null where it cannot be
-// done; arm7_slaved_p2_failure(NULL) says why.
+// "message"; time_limit: seconds that a process waits for another. Returns null on failure;
+// arm7_slaved_p2_failure(NULL) gives the reason.
 arm7_slaved_p2_solver* arm7_slaved_p2_open(MPI_Comm comm, const char* channel, double time_limit);
 
 // One evaluation, collective. q: 9 numbers, v and tau: 9 each, qdd: 9; joints in order, quaternions
 // x y z w (normalised here), floating joints [linear; angular] in the body's frame.
 // solve: every process passes the state and gets its own joints' accelerations (others untouched);
-// solve_at_root: process 0 passes the state and gets them all, the others may pass null, or serve.
-// Returns 0, or a status that arm7_slaved_p2_failure puts into words; no acceleration is written then.
+// solve_at_root: process 0 passes the state and gets all; the others may pass null, or call serve.
+// Returns 0, or a status that arm7_slaved_p2_failure explains; then no acceleration is written.
 int arm7_slaved_p2_solve(arm7_slaved_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 int arm7_slaved_p2_solve_at_root(arm7_slaved_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 
-// What every process but 0 can do all the time: takes part in each solve_at_root of process 0, however
-// long that lets it wait, until process 0 ends it. Returns 0, or why it cannot go on.
+// For all processes but 0: joins every solve_at_root of process 0, and waits between them without a
+// time limit, until process 0 calls end. Returns 0 then, or the status of a failure.
 int arm7_slaved_p2_serve(arm7_slaved_p2_solver* solver);
 
-// At process 0: the others' serve returns. They may serve again, or all close.
+// At process 0: makes serve return at the others, which may serve again, or all close.
 int arm7_slaved_p2_end(arm7_slaved_p2_solver* solver);
 
-// What a status says: its reason, and which joint it is about, -1 for none.
+// Reason of a status, and the joint that it is about, -1 for none.
 int arm7_slaved_p2_reason(int status);
 int arm7_slaved_p2_failed_joint(int status);
 
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
+// Text of a solver's last failure, valid until its next call; for null, the reason why the last open
+// of this thread failed.
 const char* arm7_slaved_p2_failure(const arm7_slaved_p2_solver* solver);
 
 // Collective.
@@ -138,20 +137,20 @@ void arm7_slaved_p2_close(arm7_slaved_p2_solver* solver);
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// What the headers of the runtime (adagen/) are to take from here, and what they are to do.
+// Configuration of the runtime headers (adagen/).
 #define ADAGEN_SOLVER
 #define ADAGEN_MPI
 #include "adagen/version.hpp"
 #if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are not those of adagen 0.1.0, which this file was emitted by"
+#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
 namespace {
 
-using Number = double;  // of states, answers and messages
-using Real = double;    // of all between
+using Number = double;  // type of states, results and messages
+using Real = double;    // type of all other values
 constexpr int kProcesses = 2;
-[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all, and no other takes part
+[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all the work
 constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
 constexpr int kNq = 9, kNv = 9;
 [[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
@@ -269,7 +268,7 @@ constexpr std::array<MessageInfo, 6> kMessages{ {
 
 namespace {
 
-// The memory of a process. Whatever belongs to a joint is kept with it.
+// Memory of a process, joint by joint.
 struct Workspace;
 
 struct Joint_base_yaw {
@@ -383,7 +382,7 @@ struct Workspace {
   Number* qdd = nullptr;
   int status = kFine;
   int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
-  std::array<Real, kColumns - 1> coupling{};  // torques that keep slaved joints in step
+  std::array<Real, kColumns - 1> coupling{};  // coupling torques of slaved joints
   Columns6 ground;  // its acceleration
   Joint_base_yaw j_base_yaw;
   Joint_shoulder_pitch j_shoulder_pitch;
@@ -1014,8 +1013,8 @@ void arm7_slaved_p2_close(arm7_slaved_p2_solver* solver) {
 }  // extern "C"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// What this solver tells the program around it, which is the same for all robots: states in,
-// accelerations out; check; time; trace; simulate.
+// Description of this solver for the program around it, which is the same for all robots: it reads
+// states, writes accelerations, checks, times, traces and simulates.
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/description.hpp"
@@ -1053,7 +1052,7 @@ constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
     {kStages_1.data(), 8},
 } };
 
-// As the cost profile default has them.
+// From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 

@@ -1,5 +1,5 @@
 // C interface of the solver arm7_unrolled_p1: forward dynamics of "arm7" on 1 process,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: generate again.
 #ifndef ADAGEN_ARM7_UNROLLED_P1_H
 #define ADAGEN_ARM7_UNROLLED_P1_H
 
@@ -11,7 +11,7 @@ enum {
   ARM7_UNROLLED_P1_NTAU = 9  // in tau
 };
 
-// Where each joint begins in q, and in v, tau and qdd.
+// Index of each joint's first number in q, and in v, tau and qdd.
 enum {
   ARM7_UNROLLED_P1_Q_base_yaw = 0,
   ARM7_UNROLLED_P1_V_base_yaw = 0,  // joint 0, "base_yaw": revolute, 1 in q, 1 in v
@@ -33,7 +33,7 @@ enum {
   ARM7_UNROLLED_P1_V_right_finger_slide = 8  // joint 8, "right_finger_slide": prismatic, 1 in q, 1 in v
 };
 
-// Why a call failed, as arm7_unrolled_p1_reason tells of the status that it returned.
+// Reasons of failures: arm7_unrolled_p1_reason gives that of a status.
 enum {
   ARM7_UNROLLED_P1_FINE = 0,  // none
   ARM7_UNROLLED_P1_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
@@ -43,14 +43,14 @@ enum {
   ARM7_UNROLLED_P1_NO_ANSWER = 5,  // a process did not answer within the time limit
   ARM7_UNROLLED_P1_ENDED = 6,  // process 0 has ended the evaluations
   ARM7_UNROLLED_P1_NOT_REFINED = 7,  // refinement does not converge
-  ARM7_UNROLLED_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  ARM7_UNROLLED_P1_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   ARM7_UNROLLED_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  ARM7_UNROLLED_P1_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
+  ARM7_UNROLLED_P1_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
   ARM7_UNROLLED_P1_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   ARM7_UNROLLED_P1_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  ARM7_UNROLLED_P1_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  ARM7_UNROLLED_P1_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  ARM7_UNROLLED_P1_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
+  ARM7_UNROLLED_P1_LOOP_TORN = 13,  // the velocity violates a loop or coupling
+  ARM7_UNROLLED_P1_LOOP_SINGULAR = 14,  // the rank of the loop constraints changes in this pose
+  ARM7_UNROLLED_P1_LOOP_FREE = 15  // the loops allow a motion of a joint that has no inertia
 };
 
 #ifdef __cplusplus
@@ -58,26 +58,24 @@ extern "C" {
 #endif
 typedef struct arm7_unrolled_p1_solver arm7_unrolled_p1_solver;
 
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
+// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
 int arm7_unrolled_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
-// A solver, with all the memory that it will ever need: no other call allocates, waits or takes a
-// lock. One solver is for one thread at a time. Returns null where there is no memory;
-// arm7_unrolled_p1_failure(NULL) says so.
+// A solver; allocates all its memory: no other call allocates, waits or locks. One thread at a time
+// may use a solver. Returns null if there is no memory; arm7_unrolled_p1_failure(NULL) says so.
 arm7_unrolled_p1_solver* arm7_unrolled_p1_open(void);
 
 // One evaluation. q: 9 numbers, v and tau: 9 each, qdd: 9; joints in order, quaternions
 // x y z w (normalised here), floating joints [linear; angular] in the body's frame.
-// Returns 0, or a status that arm7_unrolled_p1_failure puts into words; no acceleration is written then.
+// Returns 0, or a status that arm7_unrolled_p1_failure explains; then no acceleration is written.
 int arm7_unrolled_p1_solve(arm7_unrolled_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 
-// What a status says: its reason, and which joint it is about, -1 for none.
+// Reason of a status, and the joint that it is about, -1 for none.
 int arm7_unrolled_p1_reason(int status);
 int arm7_unrolled_p1_failed_joint(int status);
 
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
+// Text of a solver's last failure, valid until its next call; for null, the reason why the last open
+// of this thread failed.
 const char* arm7_unrolled_p1_failure(const arm7_unrolled_p1_solver* solver);
 
 void arm7_unrolled_p1_close(arm7_unrolled_p1_solver* solver);

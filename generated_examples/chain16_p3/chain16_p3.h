@@ -1,5 +1,5 @@
 // C interface of the solver chain16_p3: forward dynamics of "chain16" on 3 processes,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: generate again.
 #ifndef ADAGEN_CHAIN16_P3_H
 #define ADAGEN_CHAIN16_P3_H
 
@@ -13,7 +13,7 @@ enum {
   CHAIN16_P3_NTAU = 16  // in tau
 };
 
-// Where each joint begins in q, and in v, tau and qdd.
+// Index of each joint's first number in q, and in v, tau and qdd.
 enum {
   CHAIN16_P3_Q_joint01 = 0,
   CHAIN16_P3_V_joint01 = 0,  // joint 0, "joint01": revolute, 1 in q, 1 in v
@@ -49,7 +49,7 @@ enum {
   CHAIN16_P3_V_joint16 = 15  // joint 15, "joint16": revolute, 1 in q, 1 in v
 };
 
-// Why a call failed, as chain16_p3_reason tells of the status that it returned.
+// Reasons of failures: chain16_p3_reason gives that of a status.
 enum {
   CHAIN16_P3_FINE = 0,  // none
   CHAIN16_P3_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
@@ -59,14 +59,14 @@ enum {
   CHAIN16_P3_NO_ANSWER = 5,  // a process did not answer within the time limit
   CHAIN16_P3_ENDED = 6,  // process 0 has ended the evaluations
   CHAIN16_P3_NOT_REFINED = 7,  // refinement does not converge
-  CHAIN16_P3_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  CHAIN16_P3_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   CHAIN16_P3_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  CHAIN16_P3_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
+  CHAIN16_P3_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
   CHAIN16_P3_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   CHAIN16_P3_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  CHAIN16_P3_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  CHAIN16_P3_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  CHAIN16_P3_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
+  CHAIN16_P3_LOOP_TORN = 13,  // the velocity violates a loop or coupling
+  CHAIN16_P3_LOOP_SINGULAR = 14,  // the rank of the loop constraints changes in this pose
+  CHAIN16_P3_LOOP_FREE = 15  // the loops allow a motion of a joint that has no inertia
 };
 
 #ifdef __cplusplus
@@ -74,36 +74,35 @@ extern "C" {
 #endif
 typedef struct chain16_p3_solver chain16_p3_solver;
 
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
+// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
 int chain16_p3_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
 // Collective over a communicator of 3 processes. channel: "auto", "window" (shared memory) or
-// "message"; time_limit: seconds that a process waits for another. Returns null where it cannot be
-// done; chain16_p3_failure(NULL) says why.
+// "message"; time_limit: seconds that a process waits for another. Returns null on failure;
+// chain16_p3_failure(NULL) gives the reason.
 chain16_p3_solver* chain16_p3_open(MPI_Comm comm, const char* channel, double time_limit);
 
 // One evaluation, collective. q: 16 numbers, v and tau: 16 each, qdd: 16; joints in order, quaternions
 // x y z w (normalised here), floating joints [linear; angular] in the body's frame.
 // solve: every process passes the state and gets its own joints' accelerations (others untouched);
-// solve_at_root: process 0 passes the state and gets them all, the others may pass null, or serve.
-// Returns 0, or a status that chain16_p3_failure puts into words; no acceleration is written then.
+// solve_at_root: process 0 passes the state and gets all; the others may pass null, or call serve.
+// Returns 0, or a status that chain16_p3_failure explains; then no acceleration is written.
 int chain16_p3_solve(chain16_p3_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 int chain16_p3_solve_at_root(chain16_p3_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 
-// What every process but 0 can do all the time: takes part in each solve_at_root of process 0, however
-// long that lets it wait, until process 0 ends it. Returns 0, or why it cannot go on.
+// For all processes but 0: joins every solve_at_root of process 0, and waits between them without a
+// time limit, until process 0 calls end. Returns 0 then, or the status of a failure.
 int chain16_p3_serve(chain16_p3_solver* solver);
 
-// At process 0: the others' serve returns. They may serve again, or all close.
+// At process 0: makes serve return at the others, which may serve again, or all close.
 int chain16_p3_end(chain16_p3_solver* solver);
 
-// What a status says: its reason, and which joint it is about, -1 for none.
+// Reason of a status, and the joint that it is about, -1 for none.
 int chain16_p3_reason(int status);
 int chain16_p3_failed_joint(int status);
 
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
+// Text of a solver's last failure, valid until its next call; for null, the reason why the last open
+// of this thread failed.
 const char* chain16_p3_failure(const chain16_p3_solver* solver);
 
 // Collective.

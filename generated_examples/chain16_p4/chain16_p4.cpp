@@ -1,4 +1,4 @@
-// Forward dynamics of "chain16" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
+// Forward dynamics of "chain16" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 //
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // command   adagen ../models/chain16.urdf --procs 4 --form=ada --channel=message
@@ -10,26 +10,26 @@
 //           process 2: joint11 .. joint14
 //           process 3: joint15 .. joint16
 // schedule  joint10@0-3(joint06@0-1(joint05@0(joint04(joint03(joint02(joint01|)|)|)|) | joint07@1(|joint08(|joint09))) | joint14@2-3(joint11@2(|joint12(|joint13)) | joint15@3(|joint16)))
-// licence   yours to choose: what adagen emits belongs to whoever emits it
+// licence   yours to choose: generated code belongs to its user
 //
-// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
+// Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
 // bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
 // to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
 // vectors are [angular; linear], in link frames turned so that every joint axis is z.
 //
-// How to read on:
-//   1. interface   what a program that links this file calls
+// Contents:
+//   1. interface   the C functions for a program that links this file
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint its memory, then what is done with it, step by step
-//   5. processes   who does what, in order
-//   6. program     what the program around it, adagen_program.cpp, is told; main
+//   4. joints      memory of each joint, and the functions that compute its steps
+//   5. processes   the work of each process, in order
+//   6. program     description for the program around it (adagen_program.cpp), and main
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN and link it; chain16_p4.h
-// beside it is this part.
+// To call it from your program, compile this file with -DADAGEN_NO_MAIN and link it. This part is also in
+// chain16_p4.h.
 // C interface of the solver chain16_p4: forward dynamics of "chain16" on 4 processes,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: generate again.
 #ifndef ADAGEN_CHAIN16_P4_H
 #define ADAGEN_CHAIN16_P4_H
 
@@ -43,7 +43,7 @@ enum {
   CHAIN16_P4_NTAU = 16  // in tau
 };
 
-// Where each joint begins in q, and in v, tau and qdd.
+// Index of each joint's first number in q, and in v, tau and qdd.
 enum {
   CHAIN16_P4_Q_joint01 = 0,
   CHAIN16_P4_V_joint01 = 0,  // joint 0, "joint01": revolute, 1 in q, 1 in v
@@ -79,7 +79,7 @@ enum {
   CHAIN16_P4_V_joint16 = 15  // joint 15, "joint16": revolute, 1 in q, 1 in v
 };
 
-// Why a call failed, as chain16_p4_reason tells of the status that it returned.
+// Reasons of failures: chain16_p4_reason gives that of a status.
 enum {
   CHAIN16_P4_FINE = 0,  // none
   CHAIN16_P4_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
@@ -89,14 +89,14 @@ enum {
   CHAIN16_P4_NO_ANSWER = 5,  // a process did not answer within the time limit
   CHAIN16_P4_ENDED = 6,  // process 0 has ended the evaluations
   CHAIN16_P4_NOT_REFINED = 7,  // refinement does not converge
-  CHAIN16_P4_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  CHAIN16_P4_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   CHAIN16_P4_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  CHAIN16_P4_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
+  CHAIN16_P4_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
   CHAIN16_P4_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   CHAIN16_P4_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  CHAIN16_P4_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  CHAIN16_P4_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  CHAIN16_P4_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
+  CHAIN16_P4_LOOP_TORN = 13,  // the velocity violates a loop or coupling
+  CHAIN16_P4_LOOP_SINGULAR = 14,  // the rank of the loop constraints changes in this pose
+  CHAIN16_P4_LOOP_FREE = 15  // the loops allow a motion of a joint that has no inertia
 };
 
 #ifdef __cplusplus
@@ -104,36 +104,35 @@ extern "C" {
 #endif
 typedef struct chain16_p4_solver chain16_p4_solver;
 
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
+// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
 int chain16_p4_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
 // Collective over a communicator of 4 processes. channel: "auto", "window" (shared memory) or
-// "message"; time_limit: seconds that a process waits for another. Returns null where it cannot be
-// done; chain16_p4_failure(NULL) says why.
+// "message"; time_limit: seconds that a process waits for another. Returns null on failure;
+// chain16_p4_failure(NULL) gives the reason.
 chain16_p4_solver* chain16_p4_open(MPI_Comm comm, const char* channel, double time_limit);
 
 // One evaluation, collective. q: 16 numbers, v and tau: 16 each, qdd: 16; joints in order, quaternions
 // x y z w (normalised here), floating joints [linear; angular] in the body's frame.
 // solve: every process passes the state and gets its own joints' accelerations (others untouched);
-// solve_at_root: process 0 passes the state and gets them all, the others may pass null, or serve.
-// Returns 0, or a status that chain16_p4_failure puts into words; no acceleration is written then.
+// solve_at_root: process 0 passes the state and gets all; the others may pass null, or call serve.
+// Returns 0, or a status that chain16_p4_failure explains; then no acceleration is written.
 int chain16_p4_solve(chain16_p4_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 int chain16_p4_solve_at_root(chain16_p4_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 
-// What every process but 0 can do all the time: takes part in each solve_at_root of process 0, however
-// long that lets it wait, until process 0 ends it. Returns 0, or why it cannot go on.
+// For all processes but 0: joins every solve_at_root of process 0, and waits between them without a
+// time limit, until process 0 calls end. Returns 0 then, or the status of a failure.
 int chain16_p4_serve(chain16_p4_solver* solver);
 
-// At process 0: the others' serve returns. They may serve again, or all close.
+// At process 0: makes serve return at the others, which may serve again, or all close.
 int chain16_p4_end(chain16_p4_solver* solver);
 
-// What a status says: its reason, and which joint it is about, -1 for none.
+// Reason of a status, and the joint that it is about, -1 for none.
 int chain16_p4_reason(int status);
 int chain16_p4_failed_joint(int status);
 
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
+// Text of a solver's last failure, valid until its next call; for null, the reason why the last open
+// of this thread failed.
 const char* chain16_p4_failure(const chain16_p4_solver* solver);
 
 // Collective.
@@ -154,20 +153,20 @@ void chain16_p4_close(chain16_p4_solver* solver);
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// What the headers of the runtime (adagen/) are to take from here, and what they are to do.
+// Configuration of the runtime headers (adagen/).
 #define ADAGEN_SOLVER
 #define ADAGEN_MPI
 #include "adagen/version.hpp"
 #if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are not those of adagen 0.1.0, which this file was emitted by"
+#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
 namespace {
 
-using Number = double;  // of states, answers and messages
-using Real = double;    // of all between
+using Number = double;  // type of states, results and messages
+using Real = double;    // type of all other values
 constexpr int kProcesses = 4;
-[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all, and no other takes part
+[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all the work
 constexpr int kJointCount = 16, kLinkCount = kJointCount + 1;
 constexpr int kNq = 16, kNv = 16;
 [[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
@@ -333,7 +332,7 @@ constexpr std::array<MessageInfo, 12> kMessages{ {
 
 namespace {
 
-// The memory of a process. Whatever belongs to a joint is kept with it.
+// Memory of a process, joint by joint.
 struct Workspace;
 
 struct Joint_joint01 {
@@ -1613,8 +1612,8 @@ void chain16_p4_close(chain16_p4_solver* solver) {
 }  // extern "C"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// What this solver tells the program around it, which is the same for all robots: states in,
-// accelerations out; check; time; trace; simulate.
+// Description of this solver for the program around it, which is the same for all robots: it reads
+// states, writes accelerations, checks, times, traces and simulates.
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/description.hpp"
@@ -1669,7 +1668,7 @@ constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
     {kStages_3.data(), 5},
 } };
 
-// As the cost profile default has them.
+// From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 

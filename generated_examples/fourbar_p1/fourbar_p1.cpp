@@ -1,32 +1,32 @@
-// Forward dynamics of "fourbar" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
+// Forward dynamics of "fourbar" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 //
 // robot     "fourbar", 3 joints, 3 degrees of freedom, description sha256 4800d9bbec7e9c8eaf1d028c5dcc2b2c9b4ac7410509da822ae29051a7391834
 // command   adagen ../models/fourbar.urdf --scene=../models/fourbar.toml --procs 1
 // options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp
-// program   1 process; 0.0807 us predicted (default profile)
+// program   1 process; 0.0725 us predicted (default profile)
 //           process 0: crank_pin .. rocker_pin
-// licence   yours to choose: what adagen emits belongs to whoever emits it
+// licence   yours to choose: generated code belongs to its user
 //
-// The articulated-body algorithm: I^A and p^A (IA, pA), a link's inertia and bias force with all that
-// hangs on it, are swept to the base, and the accelerations come back. Where loops are closed,
-// accelerations of their joints and the constraint forces are held back as unknowns, and eliminated at
-// the last link that the joints have in common (docs/explanation/loops.md). Spatial vectors are [angular;
-// linear], in link frames turned so that every joint axis is z.
+// Articulated-body algorithm: the articulated-body inertias I^A and bias forces p^A (IA, pA) are computed
+// from the ends to the base, then the accelerations from the base outwards. Closed loops: accelerations
+// of their joints and constraint forces stay unknown until the last link that these joints have in
+// common, where they are eliminated (docs/explanation/loops.md). Spatial vectors are [angular; linear],
+// in link frames turned so that every joint axis is z.
 //
-// How to read on:
-//   1. interface   what a program that links this file calls
+// Contents:
+//   1. interface   the C functions for a program that links this file
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint its memory, then what is done with it, step by step
-//   5. processes   who does what, in order
-//   6. program     what the program around it, adagen_program.cpp, is told; main
+//   4. joints      memory of each joint, and the functions that compute its steps
+//   5. processes   the work of each process, in order
+//   6. program     description for the program around it (adagen_program.cpp), and main
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN and link it; fourbar_p1.h
-// beside it is this part.
+// To call it from your program, compile this file with -DADAGEN_NO_MAIN and link it. This part is also in
+// fourbar_p1.h.
 // C interface of the solver fourbar_p1: forward dynamics of "fourbar" on 1 process,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: generate again.
 #ifndef ADAGEN_FOURBAR_P1_H
 #define ADAGEN_FOURBAR_P1_H
 
@@ -38,7 +38,7 @@ enum {
   FOURBAR_P1_NTAU = 3  // in tau
 };
 
-// Where each joint begins in q, and in v, tau and qdd.
+// Index of each joint's first number in q, and in v, tau and qdd.
 enum {
   FOURBAR_P1_Q_crank_pin = 0,
   FOURBAR_P1_V_crank_pin = 0,  // joint 0, "crank_pin": revolute, 1 in q, 1 in v
@@ -48,7 +48,7 @@ enum {
   FOURBAR_P1_V_rocker_pin = 2  // joint 2, "rocker_pin": revolute, 1 in q, 1 in v
 };
 
-// Why a call failed, as fourbar_p1_reason tells of the status that it returned.
+// Reasons of failures: fourbar_p1_reason gives that of a status.
 enum {
   FOURBAR_P1_FINE = 0,  // none
   FOURBAR_P1_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
@@ -58,14 +58,14 @@ enum {
   FOURBAR_P1_NO_ANSWER = 5,  // a process did not answer within the time limit
   FOURBAR_P1_ENDED = 6,  // process 0 has ended the evaluations
   FOURBAR_P1_NOT_REFINED = 7,  // refinement does not converge
-  FOURBAR_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  FOURBAR_P1_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   FOURBAR_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  FOURBAR_P1_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
+  FOURBAR_P1_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
   FOURBAR_P1_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   FOURBAR_P1_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  FOURBAR_P1_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  FOURBAR_P1_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  FOURBAR_P1_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
+  FOURBAR_P1_LOOP_TORN = 13,  // the velocity violates a loop or coupling
+  FOURBAR_P1_LOOP_SINGULAR = 14,  // the rank of the loop constraints changes in this pose
+  FOURBAR_P1_LOOP_FREE = 15  // the loops allow a motion of a joint that has no inertia
 };
 
 #ifdef __cplusplus
@@ -73,26 +73,24 @@ extern "C" {
 #endif
 typedef struct fourbar_p1_solver fourbar_p1_solver;
 
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
+// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
 int fourbar_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
-// A solver, with all the memory that it will ever need: no other call allocates, waits or takes a
-// lock. One solver is for one thread at a time. Returns null where there is no memory;
-// fourbar_p1_failure(NULL) says so.
+// A solver; allocates all its memory: no other call allocates, waits or locks. One thread at a time
+// may use a solver. Returns null if there is no memory; fourbar_p1_failure(NULL) says so.
 fourbar_p1_solver* fourbar_p1_open(void);
 
 // One evaluation. q: 3 numbers, v and tau: 3 each, qdd: 3; joints in order, quaternions
 // x y z w (normalised here), floating joints [linear; angular] in the body's frame.
-// Returns 0, or a status that fourbar_p1_failure puts into words; no acceleration is written then.
+// Returns 0, or a status that fourbar_p1_failure explains; then no acceleration is written.
 int fourbar_p1_solve(fourbar_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 
-// What a status says: its reason, and which joint it is about, -1 for none.
+// Reason of a status, and the joint that it is about, -1 for none.
 int fourbar_p1_reason(int status);
 int fourbar_p1_failed_joint(int status);
 
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
+// Text of a solver's last failure, valid until its next call; for null, the reason why the last open
+// of this thread failed.
 const char* fourbar_p1_failure(const fourbar_p1_solver* solver);
 
 void fourbar_p1_close(fourbar_p1_solver* solver);
@@ -110,21 +108,21 @@ void fourbar_p1_close(fourbar_p1_solver* solver);
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// What the headers of the runtime (adagen/) are to take from here, and what they are to do.
+// Configuration of the runtime headers (adagen/).
 #define ADAGEN_SOLVER
 #define ADAGEN_LOOPS
 #define ADAGEN_RECOVERS
 #include "adagen/version.hpp"
 #if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are not those of adagen 0.1.0, which this file was emitted by"
+#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
 namespace {
 
-using Number = double;  // of states, answers and messages
-using Real = double;    // of all between
+using Number = double;  // type of states, results and messages
+using Real = double;    // type of all other values
 constexpr int kProcesses = 1;
-[[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all, and no other takes part
+[[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all the work
 constexpr int kJointCount = 3, kLinkCount = kJointCount + 1;
 constexpr int kNq = 3, kNv = 3;
 [[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
@@ -204,7 +202,7 @@ constexpr std::array<MessageInfo, 0> kMessages{ {
 
 namespace {
 
-// What is computed with.
+// Type of values.
 using Value = Real;
 
 // The memory of a process: the state, angles with sine and cosine, what messages hold, and values
@@ -233,12 +231,12 @@ struct Workspace {
 namespace {
 
 // Each function is a straight line. A value is called x and its number in the expression graph; zeros
-// and constants are folded in, nothing is computed twice, and what nobody needs is not there.
+// and constants are folded in, common subexpressions are shared, and dead code is left out.
 // Frames are the links' own; accelerations are deviations from the field that the links would have
 // with all joint accelerations zero.
 
 // =================================================================================================
-// Process 0: 115 products, 70 sums, 4 quotients
+// Process 0: 94 products, 59 sums, 2 quotients
 // =================================================================================================
 
 ADAGEN_NOINLINE void part_0_0(Workspace& w) {
@@ -258,89 +256,81 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   // link 2 "coupler": force that the reference field takes
   const Real x76 = x27 * 0.25;
   // what a loop holds its two links by
-  const Real x130 = v[0] * 0.2;
-  const Real x124 = v[2] * 0.4;
-  const Real x166 = cosine[0] * cosine[1] - sine[0] * sine[1];
-  const Real x134 = sine[1] * x130;
-  const Real x169 = sine[0] * cosine[1] + cosine[0] * sine[1];
-  const Real x203 = 9.81 * sine[2] + x47 * 0.4;
-  const Real x138 = cosine[1] * x130 + x19 * 0.5;
-  const Real x189 = cosine[2] * x166 + sine[2] * x169;
-  const Real x193 = cosine[2] * x169 - sine[2] * x166;
-  const Real x105 = sine[1] * 0.5;
-  const Real x108 = 0.2 + cosine[1] * 0.5;
-  const Real x144 = cosine[1] * x138 + sine[1] * x134;
-  const Real x219 = x44 * x193 + x189 * x203;
-  const Real x149 = cosine[1] * x134 - sine[1] * x138;
+  const Real x137 = cosine[0] * cosine[1] - sine[0] * sine[1];
+  const Real x106 = sine[1] * 0.5;
+  const Real x140 = sine[0] * cosine[1] + cosine[0] * sine[1];
+  const Real x157 = 9.81 * sine[2] + x47 * 0.4;
+  const Real x109 = 0.2 + cosine[1] * 0.5;
+  const Real x143 = cosine[2] * x137 + sine[2] * x140;
+  const Real x147 = cosine[2] * x140 - sine[2] * x137;
+  const Real x163 = 0.4 * x143;
+  const Real x178 = 0.4 * x147;
+  const Real x165 = x44 * x143 - x147 * x157 - x27;
+  const Real x119 = cosine[0] * x109 - sine[0] * x106;
+  const Real x120 = 0.45 + cosine[2] * 0.4 - x119;
+  const Real x121 = cosine[0] * x106 + sine[0] * x109 - sine[2] * 0.4;
+  const Real x176 = x44 * x147 + x143 * x157;
+  const Real x180 = x32 + x36 * 0.5 - x176;
   // joint 1 "coupler_pin": inertia and bias force of what is beyond, its own motion left open
-  const Real x230 = cosine[1] * 0.25;
-  const Real x236 = 0.0834083 + 0.2 * x230;
+  const Real x198 = sine[1] * 0.2;
+  const Real x187 = cosine[1] * 0.25;
+  const Real x197 = 0.5 + cosine[1] * 0.2;
+  const Real x193 = 0.0834083 + 0.2 * x187;
+  const Real x222 = cosine[1] * x27 + sine[1] * (x32 + x36 * 0.25);
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x291 = sine[1] * 0.2 * 4.0;
-  const Real x288 = 2.0 * (0.5 + cosine[1] * 0.2);
-  const Real x298 = x291 * x291;
-  const Real x289 = 2.0 * (0.4 * x189);
-  const Real x293 = 0.4 * x193 * 4.0;
-  const Real x294 = 2.0 * (x44 * x189 - x193 * x203 - x27);
+  const Real x262 = x178 * x197 - x163 * x198;
+  const Real x249 = v[1] * 0.5 + v[0] * x197 - v[2] * x163;
+  const Real x263 = 1 / x262;
+  const Real x253 = v[2] * x178 - v[0] * x198;
   // what a loop holds its two links by
-  const Real x120 = cosine[0] * x105 + sine[0] * x108 - sine[2] * 0.4;
-  const Real x118 = cosine[0] * x108 - sine[0] * x105;
-  const Real x119 = 0.45 + cosine[2] * 0.4 - x118;
-  const Real x162 = cosine[0] * x144 + sine[0] * x149 - cosine[2] * x124;
-  const Real x160 = cosine[0] * x149 - sine[0] * x144 + sine[2] * x124;
-  const Real x185 = 1e-08 - (x119 * x119 + x120 * x120);
-  require_more(w, x185, 0.0, kLoopOpen, 3);
-  const Real x183 = (x11 + v[1] * v[1] + x47 + 1.0) * 1e-06;
-  const Real x186 = x183 - (x160 * x160 + x162 * x162);
-  require_more(w, x186, 0.0, kLoopTorn, 3);
-  // joint 1 "coupler_pin": inertia and bias force of what is beyond, its own motion left open
-  const Real x271 = cosine[1] * x27 + sine[1] * (x32 + x36 * 0.25);
+  const Real x129 = 1e-08 - (x120 * x120 + x121 * x121);
+  require_more(w, x129, 0.0, kLoopOpen, 3);
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x295 = (x32 + x36 * 0.5 - x219) * 4.0;
-  const Real x302 = sign_of(x288) * sqrt_of(x288 * x288 + x298);
-  const Real x303 = x288 + x302;
-  const Real x341 = 1 / x302;
-  const Real x355 = x302 * x302;
-  require_more(w, x355, 9.999999999999998e-15, kSingularPose, 3);
-  const Real x305 = x298 + x303 * x303;
-  const Real x307 = 2.0 * (1 / x305);
-  const Real x314 = x307 * (x289 * x303 + x291 * x293);
-  const Real x322 = x303 * x307;
-  const Real x331 = x307 * (x294 * x303 - x291 * x295);
-  const Real x321 = x293 - x291 * x314;
-  const Real x320 = x303 * x314 - x289;
-  const Real x338 = 1 / x321;
-  const Real x358 = x321 * x321;
-  require_more(w, x358, 9.999999999999998e-15, kSingularPose, 3);
-  const Real x339 = x291 * x322 * x338;
-  const Real x340 = (x295 + x291 * x331) * x338;
-  const Real x366 = 0.042726700000000006 * x339;
-  const Real x346 = x341 * (1.0 - x303 * x322 - x320 * x339);
-  const Real x351 = x341 * (x294 - x303 * x331 - x320 * x340);
+  const Real x288 = x262 * x262;
+  const Real x279 = x197 * x197 + x163 * x163;
+  const Real x283 = x198 * x198 + x178 * x178;
+  const Real x284 = 4.0 * x279;
+  require_more(w, x284, 9.999999999999998e-15, kSingularPose, 3);
+  const Real x286 = x283 * 16.0;
+  require_more(w, x286, 9.999999999999998e-15, kSingularPose, 3);
+  // what a loop holds its two links by
+  const Real x133 = (x11 + v[1] * v[1] + x47 + 1.0) * 1.0000000000000002e-06;
+  // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
+  const Real x257 = x133 - (x249 * x249 + x253 * x253);
+  require_more(w, x257, 0.0, kLoopTorn, 3);
+  const Real x294 = x279 * x283 * 9.999999999999998e-15;
+  require_more(w, x288, x294, kSingularPose, 3);
+  const Real x264 = x178 * x263;
+  const Real x266 = x198 * x263;
+  const Real x268 = 0.5 * x264;
+  const Real x272 = 0.5 * x266;
+  const Real x304 = 0.042726700000000006 * x272;
+  const Real x271 = x165 * x264 + x180 * (x163 * x263);
   // joint 0 "crank_pin": inertia and bias force of what is beyond, its own motion left open
-  const Real x285 = x76 + 0.2 * x271 + x8 * 0.04000000000000001 + tau[0];
+  const Real x242 = x76 + 0.2 * x222 + x8 * 0.04000000000000001 + tau[0];
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x365 = (x236 - 0.2 * (-0.2 - x230) + 0.00536333) * x346;
-  const Real x368 = x236 + x365;
-  const Real x380 = (x44 * 0.16000000000000003 + tau[2]) * x339 - x285 * x346;
-  const Real x364 = 40000.0 - (x346 * x346 + x339 * x339);
-  require_more(w, x364, 0.0, kSingularPose, 3);
-  const Real x385 = x351 * x368 + x340 * x366;
-  const Real x373 = x346 * x368 + x339 * x366 + 0.0834083;
-  const Real x375 = x373 + x236 * x346;
-  require_more(w, x375, 0.0, kLoopFree, 1);
-  const Real x388 = (x380 - (x76 + tau[1]) + x385) * (1 / x375);
-  const Real x389 = -x388;
-  w.result[1] = x389;
+  const Real x275 = x165 * x266 + x180 * (x197 * x263);
+  const Real x302 = (x193 - 0.2 * (-0.2 - x187) + 0.00536333) * x268;
+  const Real x306 = x193 - x302;
+  const Real x320 = x242 * x268 + (x44 * 0.16000000000000003 + tau[2]) * x272;
+  const Real x301 = 40000.0 - (x268 * x268 + x272 * x272);
+  require_more(w, x301, 0.0, kSingularPose, 3);
+  const Real x326 = x275 * x304 - x271 * x306;
+  const Real x312 = x272 * x304 - x268 * x306 + 0.0834083;
+  const Real x315 = x312 - x193 * x268;
+  require_more(w, x315, 0.0, kLoopFree, 1);
+  const Real x329 = (x320 - (x76 + tau[1]) + x326) * (1 / x315);
+  const Real x330 = -x329;
+  w.result[1] = x330;
   // link 0 "ground": accelerations and constraint forces of loops below it
-  const Real x394 = x351 - x346 * x388;
-  w.result[0] = x394;
-  const Real x395 = x339 * x388 - x340;
-  w.result[2] = x395;
+  const Real x335 = x268 * x329 - x271;
+  w.result[0] = x335;
+  const Real x336 = x272 * x329 - x275;
+  w.result[2] = x336;
 }
 
 // =================================================================================================
-// Process 0 in a singular pose: 129 products, 80 sums, 5 quotients
+// Process 0 in a singular pose: 119 products, 76 sums, 5 quotients
 // =================================================================================================
 
 ADAGEN_NOINLINE void part_1_0(Workspace& w) {
@@ -360,96 +350,95 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
   // link 2 "coupler": force that the reference field takes
   const Real x76 = x27 * 0.25;
   // what a loop holds its two links by
-  const Real x130 = v[0] * 0.2;
-  const Real x124 = v[2] * 0.4;
-  const Real x166 = cosine[0] * cosine[1] - sine[0] * sine[1];
-  const Real x134 = sine[1] * x130;
-  const Real x169 = sine[0] * cosine[1] + cosine[0] * sine[1];
-  const Real x203 = 9.81 * sine[2] + x47 * 0.4;
-  const Real x138 = cosine[1] * x130 + x19 * 0.5;
-  const Real x189 = cosine[2] * x166 + sine[2] * x169;
-  const Real x193 = cosine[2] * x169 - sine[2] * x166;
-  const Real x105 = sine[1] * 0.5;
-  const Real x108 = 0.2 + cosine[1] * 0.5;
-  const Real x144 = cosine[1] * x138 + sine[1] * x134;
-  const Real x149 = cosine[1] * x134 - sine[1] * x138;
-  const Real x219 = x44 * x193 + x189 * x203;
+  const Real x137 = cosine[0] * cosine[1] - sine[0] * sine[1];
+  const Real x106 = sine[1] * 0.5;
+  const Real x140 = sine[0] * cosine[1] + cosine[0] * sine[1];
+  const Real x157 = 9.81 * sine[2] + x47 * 0.4;
+  const Real x109 = 0.2 + cosine[1] * 0.5;
+  const Real x143 = cosine[2] * x137 + sine[2] * x140;
+  const Real x147 = cosine[2] * x140 - sine[2] * x137;
+  const Real x163 = 0.4 * x143;
+  const Real x178 = 0.4 * x147;
+  const Real x176 = x44 * x147 + x143 * x157;
+  const Real x119 = cosine[0] * x109 - sine[0] * x106;
+  const Real x120 = 0.45 + cosine[2] * 0.4 - x119;
   // joint 1 "coupler_pin": inertia and bias force of what is beyond, its own motion left open
-  const Real x230 = cosine[1] * 0.25;
-  const Real x236 = 0.0834083 + 0.2 * x230;
+  const Real x198 = sine[1] * 0.2;
+  const Real x187 = cosine[1] * 0.25;
+  const Real x197 = 0.5 + cosine[1] * 0.2;
+  const Real x193 = 0.0834083 + 0.2 * x187;
+  const Real x222 = cosine[1] * x27 + sine[1] * (x32 + x36 * 0.25);
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x291 = sine[1] * 0.2 * 4.0;
-  const Real x288 = 2.0 * (0.5 + cosine[1] * 0.2);
-  const Real x289 = 2.0 * (0.4 * x189);
-  const Real x293 = 0.4 * x193 * 4.0;
-  const Real x296 = x289 * x289;
+  const Real x262 = x198 * 4.0;
+  const Real x259 = 2.0 * x197;
+  const Real x260 = 2.0 * x163;
+  const Real x264 = x178 * 4.0;
+  const Real x267 = x260 * x260;
   // what a loop holds its two links by
-  const Real x120 = cosine[0] * x105 + sine[0] * x108 - sine[2] * 0.4;
-  const Real x118 = cosine[0] * x108 - sine[0] * x105;
-  const Real x119 = 0.45 + cosine[2] * 0.4 - x118;
-  const Real x162 = cosine[0] * x144 + sine[0] * x149 - cosine[2] * x124;
-  const Real x160 = cosine[0] * x149 - sine[0] * x144 + sine[2] * x124;
-  const Real x185 = 1e-08 - (x119 * x119 + x120 * x120);
-  require_more(w, x185, 0.0, kLoopOpen, 3);
-  const Real x183 = (x11 + v[1] * v[1] + x47 + 1.0) * 1e-06;
-  const Real x186 = x183 - (x160 * x160 + x162 * x162);
-  require_more(w, x186, 0.0, kLoopTorn, 3);
-  // joint 1 "coupler_pin": inertia and bias force of what is beyond, its own motion left open
-  const Real x271 = cosine[1] * x27 + sine[1] * (x32 + x36 * 0.25);
+  const Real x121 = cosine[0] * x106 + sine[0] * x109 - sine[2] * 0.4;
+  const Real x129 = 1e-08 - (x120 * x120 + x121 * x121);
+  require_more(w, x129, 0.0, kLoopOpen, 3);
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x301 = sign_of(x288) * sqrt_of(1.0 + x288 * x288 + x296);
-  const Real x302 = x288 + x301;
-  const Real x335 = x301 * x301;
-  require_more(w, x335, 9.999999999999998e-15, kLoopSingular, 3);
-  const Real x305 = 1.0 + x296 + x302 * x302;
-  const Real x340 = 2.0 * (x44 * x189 - x193 * x203 - x27);
-  const Real x346 = x340 * (1 / x301);
-  const Real x307 = 2.0 * (1 / x305);
-  const Real x314 = x307 * (x291 * x302 + x289 * x293);
-  const Real x321 = x293 - x289 * x314;
-  const Real x325 = x321 * x321;
-  const Real x341 = (x32 + x36 * 0.5 - x219) * 4.0;
-  const Real x328 = sign_of(x314) * sqrt_of(x314 * x314 + x325);
-  const Real x329 = x314 + x328;
-  const Real x338 = x328 * x328;
-  require_more(w, x338, 9.999999999999998e-15, kLoopSingular, 3);
-  const Real x331 = x325 + x329 * x329;
-  const Real x354 = 1 / x328 * (x341 + (x302 * x314 - x291) * x346);
-  const Real x333 = 2.0 * (1 / x331);
-  const Real x356 = x321 * x333;
-  const Real x362 = x333 * (x329 * x354);
-  const Real x357 = x329 * x356;
-  const Real x364 = x321 * x362;
-  const Real x360 = 1.0 - x321 * x356;
-  const Real x365 = x354 - x329 * x362;
-  const Real x371 = x307 * (x357 + x289 * x360);
-  const Real x384 = x307 * (x365 + x302 * x346 + x289 * x364);
-  const Real x373 = x302 * x371;
-  const Real x377 = x371 - x357;
-  const Real x389 = x365 - x384;
-  const Real x378 = x360 - x289 * x371;
-  const Real x388 = x346 - x302 * x384;
-  const Real x390 = x289 * x384 - x364;
+  const Real x249 = v[1] * 0.5 + v[0] * x197 - v[2] * x163;
+  const Real x253 = v[2] * x178 - v[0] * x198;
+  // what a loop holds its two links by
+  const Real x133 = (x11 + v[1] * v[1] + x47 + 1.0) * 1.0000000000000002e-06;
+  // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
+  const Real x257 = x133 - (x249 * x249 + x253 * x253);
+  require_more(w, x257, 0.0, kLoopTorn, 3);
+  const Real x272 = sign_of(x259) * sqrt_of(1.0 + x259 * x259 + x267);
+  const Real x273 = x259 + x272;
+  const Real x306 = x272 * x272;
+  require_more(w, x306, 9.999999999999998e-15, kLoopSingular, 3);
+  const Real x276 = 1.0 + x267 + x273 * x273;
+  const Real x311 = 2.0 * (x44 * x143 - x147 * x157 - x27);
+  const Real x317 = x311 * (1 / x272);
+  const Real x278 = 2.0 * (1 / x276);
+  const Real x285 = x278 * (x262 * x273 + x260 * x264);
+  const Real x292 = x264 - x260 * x285;
+  const Real x296 = x292 * x292;
+  const Real x312 = (x32 + x36 * 0.5 - x176) * 4.0;
+  const Real x299 = sign_of(x285) * sqrt_of(x285 * x285 + x296);
+  const Real x300 = x285 + x299;
+  const Real x308 = x299 * x299;
+  require_more(w, x308, 9.999999999999998e-15, kLoopSingular, 3);
+  const Real x302 = x296 + x300 * x300;
+  const Real x325 = 1 / x299 * (x312 + (x273 * x285 - x262) * x317);
+  const Real x304 = 2.0 * (1 / x302);
+  const Real x327 = x292 * x304;
+  const Real x333 = x304 * (x300 * x325);
+  const Real x328 = x300 * x327;
+  const Real x335 = x292 * x333;
+  const Real x331 = 1.0 - x292 * x327;
+  const Real x336 = x325 - x300 * x333;
+  const Real x342 = x278 * (x328 + x260 * x331);
+  const Real x355 = x278 * (x336 + x273 * x317 + x260 * x335);
+  const Real x344 = x273 * x342;
+  const Real x348 = x342 - x328;
+  const Real x360 = x336 - x355;
+  const Real x349 = x331 - x260 * x342;
+  const Real x359 = x317 - x273 * x355;
+  const Real x361 = x260 * x355 - x335;
   // joint 0 "crank_pin": inertia and bias force of what is beyond, its own motion left open
-  const Real x285 = x76 + 0.2 * x271 + x8 * 0.04000000000000001 + tau[0];
+  const Real x242 = x76 + 0.2 * x222 + x8 * 0.04000000000000001 + tau[0];
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x391 = (x236 - 0.2 * (-0.2 - x230) + 0.00536333) * x373;
-  const Real x393 = x391 + x236 * x377;
-  const Real x396 = x236 * x373 + 0.0834083 * x377;
-  const Real x397 = 0.042726700000000006 * x378;
-  const Real x404 = x285 * x373 + (x76 + tau[1]) * x377;
-  const Real x418 = x373 * x393 + x377 * x396 + x378 * x397;
-  require_more(w, x418, 0.0, kLoopFree, 0);
-  const Real x412 = x388 * x393 + x389 * x396 + x390 * x397;
-  const Real x413 = x412 - ((x44 * 0.16000000000000003 + tau[2]) * x378 + x404);
-  const Real x420 = x413 * (1 / x418);
+  const Real x362 = (x193 - 0.2 * (-0.2 - x187) + 0.00536333) * x344;
+  const Real x364 = x362 + x193 * x348;
+  const Real x367 = x193 * x344 + 0.0834083 * x348;
+  const Real x368 = 0.042726700000000006 * x349;
+  const Real x375 = x242 * x344 + (x76 + tau[1]) * x348;
+  const Real x389 = x344 * x364 + x348 * x367 + x349 * x368;
+  require_more(w, x389, 0.0, kLoopFree, 0);
+  const Real x383 = x359 * x364 + x360 * x367 + x361 * x368;
+  const Real x384 = x383 - ((x44 * 0.16000000000000003 + tau[2]) * x349 + x375);
+  const Real x391 = x384 * (1 / x389);
   // link 0 "ground": accelerations and constraint forces of loops below it
-  const Real x428 = x388 - x373 * x420;
-  w.result[0] = x428;
-  const Real x429 = x389 - x377 * x420;
-  w.result[1] = x429;
-  const Real x430 = x390 - x378 * x420;
-  w.result[2] = x430;
+  const Real x399 = x359 - x344 * x391;
+  w.result[0] = x399;
+  const Real x400 = x360 - x348 * x391;
+  w.result[1] = x400;
+  const Real x401 = x361 - x349 * x391;
+  w.result[2] = x401;
 }
 
 // ---- 5. processes -------------------------------------------------------------------------------
@@ -478,7 +467,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 
-// What is done instead in a pose in which a mobility cannot be taken for an inertia.
+// Alternative for poses in which a mobility is singular.
 void recover_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
   stamp(0);
@@ -569,8 +558,8 @@ void fourbar_p1_close(fourbar_p1_solver* solver) {
 }  // extern "C"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// What this solver tells the program around it, which is the same for all robots: states in,
-// accelerations out; check; time; trace; simulate.
+// Description of this solver for the program around it, which is the same for all robots: it reads
+// states, writes accelerations, checks, times, traces and simulates.
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/description.hpp"
@@ -589,15 +578,15 @@ constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
     {kStages_0.data(), 3},
 } };
 
-// Joints that close loops, each between a frame of its first link and one of its second; z is its
-// axis. Then joints whose coordinates are coupled.
+// Loop joints, each between a frame on its first link and a frame on its second one, with axis z;
+// then couplings of joint coordinates.
 constexpr Number kLoop_0[]{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.5, 0.0,
     1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.4, 0.0};
 constexpr std::array<adagen::Loop<Number>, 1> kLoops{ {
     {kLoopNames[0], 2, 3, kLoop_0, kLoop_0 + 9, kLoop_0 + 12, kLoop_0 + 21, 7u, 3u, false},
 } };
 
-// As the cost profile default has them.
+// From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 

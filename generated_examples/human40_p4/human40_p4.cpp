@@ -1,4 +1,4 @@
-// Forward dynamics of "human40" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
+// Forward dynamics of "human40" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 //
 // robot     "human40", 15 joints, 40 degrees of freedom, description sha256 bdc16488e5ef4610f46ad114b2f2b09a8601d7b212cf0d9aa1794a195cd4ce35
 // command   adagen ../models/human40.urdf --procs 4 --schedule=balanced --shape=kernels
@@ -10,28 +10,29 @@
 //           process 2: neck | right_wrist in 2 lanes, left_shoulder, right_shoulder .. right_elbow
 //           process 3: left_elbow .. left_wrist
 // schedule  spine@0-3(left_hip@0-1(right_hip@0(root | right_knee(|right_ankle)) | left_knee@1(|left_ankle)) | left_shoulder@2-3(right_shoulder@2(neck | right_elbow(|right_wrist)) | left_elbow@3(|left_wrist)))
-// licence   yours to choose: what adagen emits belongs to whoever emits it
+// licence   yours to choose: generated code belongs to its user
 //
-// Each process treats a segment of the robot by the articulated-body algorithm: I^A and p^A (IA, pA), a
-// link's inertia and bias force with all that hangs on it, are swept to the segment's root, and the
-// accelerations come back. Where segments meet, the assembly-disassembly algorithm of Yamane and Nakamura
-// joins them: Phi = (I^A)^-1 and b are what a segment shows at a cut; joint i joins chain A (its parent
-// link's side) and chain B (its child link's side), Eq. (3)-(7), and gives back its force, Eq. (8)-(10).
-// Spatial vectors are [angular; linear], in the axes of the base, about each link's origin.
+// Each process solves a segment of the robot with the articulated-body algorithm: the articulated-body
+// inertias I^A and bias forces p^A (IA, pA) are computed from the ends to the segment's root, then the
+// accelerations from there outwards. Where segments meet, the assembly-disassembly algorithm of Yamane
+// and Nakamura joins them: Phi = (I^A)^-1 and b are a segment's inverse inertia and bias acceleration at
+// a cut; joint i joins chain A (on its parent link's side) and chain B (on its child link's side), Eq.
+// (3)-(7), and its force follows from Eq. (8)-(10). Spatial vectors are [angular; linear], in the axes of
+// the base, about each link's origin.
 //
-// How to read on:
-//   1. interface   what a program that links this file calls
+// Contents:
+//   1. interface   the C functions for a program that links this file
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint its memory, then what is done with it, step by step
-//   5. processes   who does what, in order
-//   6. program     what the program around it, adagen_program.cpp, is told; main
+//   4. joints      memory of each joint, and the functions that compute its steps
+//   5. processes   the work of each process, in order
+//   6. program     description for the program around it (adagen_program.cpp), and main
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN and link it; human40_p4.h
-// beside it is this part.
+// To call it from your program, compile this file with -DADAGEN_NO_MAIN and link it. This part is also in
+// human40_p4.h.
 // C interface of the solver human40_p4: forward dynamics of "human40" on 4 processes,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: generate again.
 #ifndef ADAGEN_HUMAN40_P4_H
 #define ADAGEN_HUMAN40_P4_H
 
@@ -45,7 +46,7 @@ enum {
   HUMAN40_P4_NTAU = 40  // in tau
 };
 
-// Where each joint begins in q, and in v, tau and qdd.
+// Index of each joint's first number in q, and in v, tau and qdd.
 enum {
   HUMAN40_P4_Q_root = 0,
   HUMAN40_P4_V_root = 0,  // joint 0, "root": floating, 7 in q, 6 in v
@@ -79,7 +80,7 @@ enum {
   HUMAN40_P4_V_right_wrist = 37  // joint 14, "right_wrist": spherical, 4 in q, 3 in v
 };
 
-// Why a call failed, as human40_p4_reason tells of the status that it returned.
+// Reasons of failures: human40_p4_reason gives that of a status.
 enum {
   HUMAN40_P4_FINE = 0,  // none
   HUMAN40_P4_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
@@ -89,14 +90,14 @@ enum {
   HUMAN40_P4_NO_ANSWER = 5,  // a process did not answer within the time limit
   HUMAN40_P4_ENDED = 6,  // process 0 has ended the evaluations
   HUMAN40_P4_NOT_REFINED = 7,  // refinement does not converge
-  HUMAN40_P4_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  HUMAN40_P4_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   HUMAN40_P4_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  HUMAN40_P4_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
+  HUMAN40_P4_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
   HUMAN40_P4_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   HUMAN40_P4_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  HUMAN40_P4_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  HUMAN40_P4_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  HUMAN40_P4_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
+  HUMAN40_P4_LOOP_TORN = 13,  // the velocity violates a loop or coupling
+  HUMAN40_P4_LOOP_SINGULAR = 14,  // the rank of the loop constraints changes in this pose
+  HUMAN40_P4_LOOP_FREE = 15  // the loops allow a motion of a joint that has no inertia
 };
 
 #ifdef __cplusplus
@@ -104,36 +105,35 @@ extern "C" {
 #endif
 typedef struct human40_p4_solver human40_p4_solver;
 
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
+// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
 int human40_p4_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
 // Collective over a communicator of 4 processes. channel: "auto", "window" (shared memory) or
-// "message"; time_limit: seconds that a process waits for another. Returns null where it cannot be
-// done; human40_p4_failure(NULL) says why.
+// "message"; time_limit: seconds that a process waits for another. Returns null on failure;
+// human40_p4_failure(NULL) gives the reason.
 human40_p4_solver* human40_p4_open(MPI_Comm comm, const char* channel, double time_limit);
 
 // One evaluation, collective. q: 51 numbers, v and tau: 40 each, qdd: 40; joints in order, quaternions
 // x y z w (normalised here), floating joints [linear; angular] in the body's frame.
 // solve: every process passes the state and gets its own joints' accelerations (others untouched);
-// solve_at_root: process 0 passes the state and gets them all, the others may pass null, or serve.
-// Returns 0, or a status that human40_p4_failure puts into words; no acceleration is written then.
+// solve_at_root: process 0 passes the state and gets all; the others may pass null, or call serve.
+// Returns 0, or a status that human40_p4_failure explains; then no acceleration is written.
 int human40_p4_solve(human40_p4_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 int human40_p4_solve_at_root(human40_p4_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 
-// What every process but 0 can do all the time: takes part in each solve_at_root of process 0, however
-// long that lets it wait, until process 0 ends it. Returns 0, or why it cannot go on.
+// For all processes but 0: joins every solve_at_root of process 0, and waits between them without a
+// time limit, until process 0 calls end. Returns 0 then, or the status of a failure.
 int human40_p4_serve(human40_p4_solver* solver);
 
-// At process 0: the others' serve returns. They may serve again, or all close.
+// At process 0: makes serve return at the others, which may serve again, or all close.
 int human40_p4_end(human40_p4_solver* solver);
 
-// What a status says: its reason, and which joint it is about, -1 for none.
+// Reason of a status, and the joint that it is about, -1 for none.
 int human40_p4_reason(int status);
 int human40_p4_failed_joint(int status);
 
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
+// Text of a solver's last failure, valid until its next call; for null, the reason why the last open
+// of this thread failed.
 const char* human40_p4_failure(const human40_p4_solver* solver);
 
 // Collective.
@@ -154,20 +154,20 @@ void human40_p4_close(human40_p4_solver* solver);
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// What the headers of the runtime (adagen/) are to take from here, and what they are to do.
+// Configuration of the runtime headers (adagen/).
 #define ADAGEN_SOLVER
 #define ADAGEN_MPI
 #include "adagen/version.hpp"
 #if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are not those of adagen 0.1.0, which this file was emitted by"
+#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
 namespace {
 
-using Number = double;  // of states, answers and messages
-using Real = double;    // of all between
+using Number = double;  // type of states, results and messages
+using Real = double;    // type of all other values
 constexpr int kProcesses = 4;
-[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all, and no other takes part
+[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all the work
 constexpr int kJointCount = 15, kLinkCount = kJointCount + 1;
 constexpr int kNq = 51, kNv = 40;
 [[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
@@ -327,18 +327,18 @@ constexpr std::array<MessageInfo, 12> kMessages{ {
 #include "adagen/stamp.hpp"
 
 // ---- 4. kernels ---------------------------------------------------------------------------------
-// Vectors are in the axes of the base, which all its links share (of the ground, or of a floating
-// base's link), about each link's own origin. Links move as they would were all joint accelerations
-// zero (omega, alpha, a); joint accelerations are solved for as what comes on top.
+// Vectors are expressed in the axes of the base (of the ground, or of a floating base's link), about
+// each link's own origin. omega, alpha, a: motion of links for zero joint accelerations; the joint
+// accelerations that are solved for come on top.
 
 #include "adagen/kernels/tables.hpp"
 
 namespace {
 
-// What is computed with.
+// Type of values.
 using Value = Real;
 
-// Of each link its mass, that times its centre of mass, and its pseudo-inertia.
+// Mass, mass times centre of mass, and pseudo-inertia of each link.
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {9.6, {0.0, 0.0, 0.288},
      {0.020480000000000005, 0.0, 0.0, 0.07200000000000001, 0.0, 0.040639999999999996}},
@@ -372,31 +372,31 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
      {3.150000000000001e-05, 0.0, 0.0, 0.00022399999999999997, 0.0, 0.0036995}},
 } };
 
-// Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
-// segments of long runs.
+// Memory slot of each joint and its child link; limbs that share lanes, and segments of long runs,
+// are interleaved.
 constexpr int kSlotCount = 26;
-constexpr int kTile = 0;  // joints that are swept before others take their memory; 0: all
-constexpr bool kAbreast = true;  // whether there are such
-constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
-constexpr bool kReordered = true;  // whether joints lie in another order than they have
+constexpr int kTile = 0;  // joints whose memory is in use at the same time; 0: all
+constexpr bool kInLanes = true;  // whether limbs share lanes
+constexpr bool kPrescribedInLanes = false;  // with prescribed motions
+constexpr bool kReordered = true;  // whether slots are in another order than joints
 constexpr int kSlots[kJointCount]{ 0, 1, 8, 9, 2, 3, 4, 5, 18, 24, 25, 16, 19, 20, 17 };
-// Blocks of slots of equal constants: the number of kinds (0: not looked at), each block's, and the
-// first block of each.
+// Blocks of slots with equal constants: number of kinds (0: not compared), kind of each block, and
+// first block of each kind.
 constexpr int kBlockKindCount = 0;
 [[maybe_unused]] constexpr int kBlockKinds[]{ 0 };
 [[maybe_unused]] constexpr int kFirstOfKind[]{ 0 };
-constexpr bool kByColumns = false;  // whether runs are taken by columns
-// Joints that are eliminated in their own axes; others that are where those of the base lose digits.
+constexpr bool kByColumns = false;  // whether runs are computed by columns
+// Joints that are eliminated in their own axes: always, or only if the axes of the base lose digits.
 constexpr bool kAnyTurned = false;
 constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
 constexpr bool kAnyTurnedIfLost = false;
 constexpr bool kTurnedIfLost[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
-constexpr double kLosing = 256.0;  // times D: a trace from which on they do
-// Whether sweeps are done again for other forces on links than their motion takes.
+constexpr double kLosing = 256.0;  // they do if trace > kLosing * D
+// Whether sweeps are repeated with other forces.
 constexpr bool kPassesFree = false;  // whether mobilities pass floating joints
 constexpr bool kAgain = kRefine > 0 || kSlavedCount > 0;
 
-// What each process does at each link: gathers, adds_own, parts, oriented.
+// Role of each process at each link: gathers, adds_own, parts, oriented.
 constexpr LinkRole kRoles[4][kLinkCount]{
     {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 1, 0, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
@@ -411,7 +411,7 @@ constexpr LinkRole kRoles[4][kLinkCount]{
 
 namespace {
 
-// What is kept where segments meet, with the joint that it belongs to.
+// Memory where segments meet, by joint.
 struct Joint_left_hip {
   Mat6 Phi_pelvis;
   Columns6 b_pelvis;
@@ -861,8 +861,8 @@ void human40_p4_close(human40_p4_solver* solver) {
 }  // extern "C"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// What this solver tells the program around it, which is the same for all robots: states in,
-// accelerations out; check; time; trace; simulate.
+// Description of this solver for the program around it, which is the same for all robots: it reads
+// states, writes accelerations, checks, times, traces and simulates.
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/description.hpp"
@@ -917,7 +917,7 @@ constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
     {kStages_3.data(), 5},
 } };
 
-// As the cost profile default has them.
+// From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 

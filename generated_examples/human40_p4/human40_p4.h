@@ -1,5 +1,5 @@
 // C interface of the solver human40_p4: forward dynamics of "human40" on 4 processes,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: generate again.
 #ifndef ADAGEN_HUMAN40_P4_H
 #define ADAGEN_HUMAN40_P4_H
 
@@ -13,7 +13,7 @@ enum {
   HUMAN40_P4_NTAU = 40  // in tau
 };
 
-// Where each joint begins in q, and in v, tau and qdd.
+// Index of each joint's first number in q, and in v, tau and qdd.
 enum {
   HUMAN40_P4_Q_root = 0,
   HUMAN40_P4_V_root = 0,  // joint 0, "root": floating, 7 in q, 6 in v
@@ -47,7 +47,7 @@ enum {
   HUMAN40_P4_V_right_wrist = 37  // joint 14, "right_wrist": spherical, 4 in q, 3 in v
 };
 
-// Why a call failed, as human40_p4_reason tells of the status that it returned.
+// Reasons of failures: human40_p4_reason gives that of a status.
 enum {
   HUMAN40_P4_FINE = 0,  // none
   HUMAN40_P4_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
@@ -57,14 +57,14 @@ enum {
   HUMAN40_P4_NO_ANSWER = 5,  // a process did not answer within the time limit
   HUMAN40_P4_ENDED = 6,  // process 0 has ended the evaluations
   HUMAN40_P4_NOT_REFINED = 7,  // refinement does not converge
-  HUMAN40_P4_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  HUMAN40_P4_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   HUMAN40_P4_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  HUMAN40_P4_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
+  HUMAN40_P4_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
   HUMAN40_P4_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   HUMAN40_P4_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  HUMAN40_P4_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  HUMAN40_P4_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  HUMAN40_P4_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
+  HUMAN40_P4_LOOP_TORN = 13,  // the velocity violates a loop or coupling
+  HUMAN40_P4_LOOP_SINGULAR = 14,  // the rank of the loop constraints changes in this pose
+  HUMAN40_P4_LOOP_FREE = 15  // the loops allow a motion of a joint that has no inertia
 };
 
 #ifdef __cplusplus
@@ -72,36 +72,35 @@ extern "C" {
 #endif
 typedef struct human40_p4_solver human40_p4_solver;
 
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
+// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
 int human40_p4_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
 // Collective over a communicator of 4 processes. channel: "auto", "window" (shared memory) or
-// "message"; time_limit: seconds that a process waits for another. Returns null where it cannot be
-// done; human40_p4_failure(NULL) says why.
+// "message"; time_limit: seconds that a process waits for another. Returns null on failure;
+// human40_p4_failure(NULL) gives the reason.
 human40_p4_solver* human40_p4_open(MPI_Comm comm, const char* channel, double time_limit);
 
 // One evaluation, collective. q: 51 numbers, v and tau: 40 each, qdd: 40; joints in order, quaternions
 // x y z w (normalised here), floating joints [linear; angular] in the body's frame.
 // solve: every process passes the state and gets its own joints' accelerations (others untouched);
-// solve_at_root: process 0 passes the state and gets them all, the others may pass null, or serve.
-// Returns 0, or a status that human40_p4_failure puts into words; no acceleration is written then.
+// solve_at_root: process 0 passes the state and gets all; the others may pass null, or call serve.
+// Returns 0, or a status that human40_p4_failure explains; then no acceleration is written.
 int human40_p4_solve(human40_p4_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 int human40_p4_solve_at_root(human40_p4_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 
-// What every process but 0 can do all the time: takes part in each solve_at_root of process 0, however
-// long that lets it wait, until process 0 ends it. Returns 0, or why it cannot go on.
+// For all processes but 0: joins every solve_at_root of process 0, and waits between them without a
+// time limit, until process 0 calls end. Returns 0 then, or the status of a failure.
 int human40_p4_serve(human40_p4_solver* solver);
 
-// At process 0: the others' serve returns. They may serve again, or all close.
+// At process 0: makes serve return at the others, which may serve again, or all close.
 int human40_p4_end(human40_p4_solver* solver);
 
-// What a status says: its reason, and which joint it is about, -1 for none.
+// Reason of a status, and the joint that it is about, -1 for none.
 int human40_p4_reason(int status);
 int human40_p4_failed_joint(int status);
 
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
+// Text of a solver's last failure, valid until its next call; for null, the reason why the last open
+// of this thread failed.
 const char* human40_p4_failure(const human40_p4_solver* solver);
 
 // Collective.

@@ -1,4 +1,4 @@
-// Forward dynamics of "humanoid" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
+// Forward dynamics of "humanoid" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 //
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 2 --shape=kernels --batch --name=humanoid_batch
@@ -6,26 +6,26 @@
 // links     adagen_program.cpp -DADAGEN_MPI
 // program   1 process
 //           process 0: __base__ .. right_wrist_pitch
-// licence   yours to choose: what adagen emits belongs to whoever emits it
+// licence   yours to choose: generated code belongs to its user
 //
-// The articulated-body algorithm: I^A and p^A (IA, pA), a link's inertia and bias force with all that
-// hangs on it, are swept to the base, and the accelerations come back. Spatial vectors are [angular;
+// Articulated-body algorithm: the articulated-body inertias I^A and bias forces p^A (IA, pA) are computed
+// from the ends to the base, then the accelerations from the base outwards. Spatial vectors are [angular;
 // linear], in the axes of the base, about each link's origin. Each SIMD lane holds a state; the processes
 // share the states of a batch, not the robot.
 //
-// How to read on:
-//   1. interface   what a program that links this file calls
+// Contents:
+//   1. interface   the C functions for a program that links this file
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint its memory, then what is done with it, step by step
-//   5. processes   who does what, in order
-//   6. program     what the program around it, adagen_program.cpp, is told; main
+//   4. joints      memory of each joint, and the functions that compute its steps
+//   5. processes   the work of each process, in order
+//   6. program     description for the program around it (adagen_program.cpp), and main
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN and link it; humanoid_batch_p2.h
-// beside it is this part.
+// To call it from your program, compile this file with -DADAGEN_NO_MAIN and link it. This part is also in
+// humanoid_batch_p2.h.
 // C interface of the solver humanoid_batch_p2: forward dynamics of "humanoid" on 2 processes,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: generate again.
 #ifndef ADAGEN_HUMANOID_BATCH_P2_H
 #define ADAGEN_HUMANOID_BATCH_P2_H
 
@@ -39,7 +39,7 @@ enum {
   HUMANOID_BATCH_P2_NTAU = 35  // in tau
 };
 
-// Where each joint begins in q, and in v, tau and qdd.
+// Index of each joint's first number in q, and in v, tau and qdd.
 enum {
   HUMANOID_BATCH_P2_Q_base = 0,
   HUMANOID_BATCH_P2_V_base = 0,  // joint 0, "__base__": floating, 7 in q, 6 in v
@@ -103,7 +103,7 @@ enum {
   HUMANOID_BATCH_P2_V_right_wrist_pitch = 34  // joint 29, "right_wrist_pitch": revolute, 1 in q, 1 in v
 };
 
-// Why a call failed, as humanoid_batch_p2_reason tells of the status that it returned.
+// Reasons of failures: humanoid_batch_p2_reason gives that of a status.
 enum {
   HUMANOID_BATCH_P2_FINE = 0,  // none
   HUMANOID_BATCH_P2_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
@@ -113,14 +113,14 @@ enum {
   HUMANOID_BATCH_P2_NO_ANSWER = 5,  // a process did not answer within the time limit
   HUMANOID_BATCH_P2_ENDED = 6,  // process 0 has ended the evaluations
   HUMANOID_BATCH_P2_NOT_REFINED = 7,  // refinement does not converge
-  HUMANOID_BATCH_P2_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  HUMANOID_BATCH_P2_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   HUMANOID_BATCH_P2_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  HUMANOID_BATCH_P2_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
+  HUMANOID_BATCH_P2_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
   HUMANOID_BATCH_P2_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   HUMANOID_BATCH_P2_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  HUMANOID_BATCH_P2_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  HUMANOID_BATCH_P2_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  HUMANOID_BATCH_P2_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
+  HUMANOID_BATCH_P2_LOOP_TORN = 13,  // the velocity violates a loop or coupling
+  HUMANOID_BATCH_P2_LOOP_SINGULAR = 14,  // the rank of the loop constraints changes in this pose
+  HUMANOID_BATCH_P2_LOOP_FREE = 15  // the loops allow a motion of a joint that has no inertia
 };
 
 #ifdef __cplusplus
@@ -128,43 +128,41 @@ extern "C" {
 #endif
 typedef struct humanoid_batch_p2_solver humanoid_batch_p2_solver;
 
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
+// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
 int humanoid_batch_p2_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
 // Collective over a communicator of 2 processes. channel: "auto", "window" (shared memory) or
-// "message"; time_limit: seconds that a process waits for another. Returns null where it cannot be
-// done; humanoid_batch_p2_failure(NULL) says why.
+// "message"; time_limit: seconds that a process waits for another. Returns null on failure;
+// humanoid_batch_p2_failure(NULL) gives the reason.
 humanoid_batch_p2_solver* humanoid_batch_p2_open(MPI_Comm comm, const char* channel, double time_limit);
 
-// Accelerations of count states, each process for itself. Of each state in turn: q 36 numbers, v and
-// tau 35 each, qdd 35; joints in order, quaternions x y z w (normalised here), floating joints [linear;
-// angular] in the body's frame. Returns 0, or a status that humanoid_batch_p2_failure puts into words:
-// states that cannot be solved get NaN for accelerations, all others theirs.
+// Accelerations of count states, each process on its own, one state after the other: 36 numbers of q, 35
+// of v and tau, 35 of qdd; joints in order, quaternions x y z w (normalised here), floating joints [linear;
+// angular] in the body's frame. Returns 0, or a status that humanoid_batch_p2_failure explains:
+// accelerations of states that cannot be solved are NaN; all other states are solved.
 int humanoid_batch_p2_solve_batch(humanoid_batch_p2_solver* solver, int count, const double* q, const double* v, const double* tau, double* qdd);
 
-// The same, collective: process 0 passes all states and gets all accelerations, and hears of states
-// that cannot be solved; the others may pass null and any count, or serve. Faster processes get more
-// to solve.
+// The same, collective: process 0 passes all states and gets all accelerations and failures; the
+// others may pass null and any count, or call serve. Faster processes solve more states.
 int humanoid_batch_p2_solve_batch_at_root(humanoid_batch_p2_solver* solver, int count, const double* q, const double* v, const double* tau, double* qdd);
 
-// The k-th of the states that the last call could not solve, counted from 0; -1 where there are not so
-// many, or k is 256 or more. humanoid_batch_p2_failure then says why.
+// Index of the k-th state that the last call could not solve, k from 0; -1 if there are fewer, or
+// from k = 256 on. humanoid_batch_p2_failure then gives the reason.
 int humanoid_batch_p2_failed_state(humanoid_batch_p2_solver* solver, int k);
 
-// What every process but 0 can do all the time: takes part in each solve_batch_at_root of process 0, however
-// long that lets it wait, until process 0 ends it. Returns 0, or why it cannot go on.
+// For all processes but 0: joins every solve_batch_at_root of process 0, and waits between them without a
+// time limit, until process 0 calls end. Returns 0 then, or the status of a failure.
 int humanoid_batch_p2_serve(humanoid_batch_p2_solver* solver);
 
-// At process 0: the others' serve returns. They may serve again, or all close.
+// At process 0: makes serve return at the others, which may serve again, or all close.
 int humanoid_batch_p2_end(humanoid_batch_p2_solver* solver);
 
-// What a status says: its reason, and which joint it is about, -1 for none.
+// Reason of a status, and the joint that it is about, -1 for none.
 int humanoid_batch_p2_reason(int status);
 int humanoid_batch_p2_failed_joint(int status);
 
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
+// Text of a solver's last failure, valid until its next call; for null, the reason why the last open
+// of this thread failed.
 const char* humanoid_batch_p2_failure(const humanoid_batch_p2_solver* solver);
 
 // Collective.
@@ -183,21 +181,21 @@ void humanoid_batch_p2_close(humanoid_batch_p2_solver* solver);
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// What the headers of the runtime (adagen/) are to take from here, and what they are to do.
+// Configuration of the runtime headers (adagen/).
 #define ADAGEN_SOLVER
 #define ADAGEN_MPI
 #define ADAGEN_BATCH
 #include "adagen/version.hpp"
 #if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are not those of adagen 0.1.0, which this file was emitted by"
+#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
 namespace {
 
-using Number = double;  // of states, answers and messages
-using Real = double;    // of all between
+using Number = double;  // type of states, results and messages
+using Real = double;    // type of all other values
 constexpr int kProcesses = 2;
-[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all, and no other takes part
+[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all the work
 constexpr int kJointCount = 30, kLinkCount = kJointCount + 1;
 constexpr int kNq = 36, kNv = 35;
 [[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
@@ -433,18 +431,18 @@ constexpr std::array<MessageInfo, 0> kMessages{ {
 #include "adagen/stamp.hpp"
 
 // ---- 4. kernels ---------------------------------------------------------------------------------
-// Vectors are in the axes of the base, which all its links share (of the ground, or of a floating
-// base's link), about each link's own origin. Links move as they would were all joint accelerations
-// zero (omega, alpha, a); joint accelerations are solved for as what comes on top.
+// Vectors are expressed in the axes of the base (of the ground, or of a floating base's link), about
+// each link's own origin. omega, alpha, a: motion of links for zero joint accelerations; the joint
+// accelerations that are solved for come on top.
 
 #include "adagen/kernels/tables.hpp"
 
 namespace {
 
-// What is computed with: one state in each lane.
+// Type of values: one state in each lane.
 using Value = Lanes;
 
-// Of each link its mass, that times its centre of mass, and its pseudo-inertia.
+// Mass, mass times centre of mass, and pseudo-inertia of each link.
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {6.2, {0.0, 0.0, 0.12400000000000001},
      {0.01012665, 0.0, 0.0, 0.02500665, 0.0, 0.009920050000000001}},
@@ -508,31 +506,31 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
      {0.0019199994999999999, 0.0, 0.0, 8.33335e-05, 0.0, 0.00021333350000000002}},
 } };
 
-// Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
-// segments of long runs.
+// Memory slot of each joint and its child link; limbs that share lanes, and segments of long runs,
+// are interleaved.
 constexpr int kSlotCount = 30;
-constexpr int kTile = 0;  // joints that are swept before others take their memory; 0: all
-constexpr bool kAbreast = false;  // whether there are such
-constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
-constexpr bool kReordered = false;  // whether joints lie in another order than they have
+constexpr int kTile = 0;  // joints whose memory is in use at the same time; 0: all
+constexpr bool kInLanes = false;  // whether limbs share lanes
+constexpr bool kPrescribedInLanes = false;  // with prescribed motions
+constexpr bool kReordered = false;  // whether slots are in another order than joints
 constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29 };
-// Blocks of slots of equal constants: the number of kinds (0: not looked at), each block's, and the
-// first block of each.
+// Blocks of slots with equal constants: number of kinds (0: not compared), kind of each block, and
+// first block of each kind.
 constexpr int kBlockKindCount = 0;
 [[maybe_unused]] constexpr int kBlockKinds[]{ 0 };
 [[maybe_unused]] constexpr int kFirstOfKind[]{ 0 };
-constexpr bool kByColumns = false;  // whether runs are taken by columns
-// Joints that are eliminated in their own axes; others that are where those of the base lose digits.
+constexpr bool kByColumns = false;  // whether runs are computed by columns
+// Joints that are eliminated in their own axes: always, or only if the axes of the base lose digits.
 constexpr bool kAnyTurned = false;
 constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
 constexpr bool kAnyTurnedIfLost = false;
 constexpr bool kTurnedIfLost[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
-constexpr double kLosing = 256.0;  // times D: a trace from which on they do
-// Whether sweeps are done again for other forces on links than their motion takes.
+constexpr double kLosing = 256.0;  // they do if trace > kLosing * D
+// Whether sweeps are repeated with other forces.
 constexpr bool kPassesFree = false;  // whether mobilities pass floating joints
 constexpr bool kAgain = kRefine > 0 || kSlavedCount > 0;
 
-// What each process does at each link: gathers, adds_own, parts, oriented.
+// Role of each process at each link: gathers, adds_own, parts, oriented.
 constexpr LinkRole kRoles[1][kLinkCount]{
     {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
 };
@@ -544,7 +542,7 @@ constexpr LinkRole kRoles[1][kLinkCount]{
 
 namespace {
 
-// What is kept where segments meet, with the joint that it belongs to.
+// Memory where segments meet, by joint.
 struct Cuts {
 };
 
@@ -695,8 +693,8 @@ void humanoid_batch_p2_close(humanoid_batch_p2_solver* solver) {
 }  // extern "C"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// What this solver tells the program around it, which is the same for all robots: states in,
-// accelerations out; check; time; trace; simulate.
+// Description of this solver for the program around it, which is the same for all robots: it reads
+// states, writes accelerations, checks, times, traces and simulates.
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/description.hpp"
@@ -721,7 +719,7 @@ constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
     {kStages_1.data(), 3},
 } };
 
-// As the cost profile default has them.
+// From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 

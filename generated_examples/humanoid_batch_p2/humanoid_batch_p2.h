@@ -1,5 +1,5 @@
 // C interface of the solver humanoid_batch_p2: forward dynamics of "humanoid" on 2 processes,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: generate again.
 #ifndef ADAGEN_HUMANOID_BATCH_P2_H
 #define ADAGEN_HUMANOID_BATCH_P2_H
 
@@ -13,7 +13,7 @@ enum {
   HUMANOID_BATCH_P2_NTAU = 35  // in tau
 };
 
-// Where each joint begins in q, and in v, tau and qdd.
+// Index of each joint's first number in q, and in v, tau and qdd.
 enum {
   HUMANOID_BATCH_P2_Q_base = 0,
   HUMANOID_BATCH_P2_V_base = 0,  // joint 0, "__base__": floating, 7 in q, 6 in v
@@ -77,7 +77,7 @@ enum {
   HUMANOID_BATCH_P2_V_right_wrist_pitch = 34  // joint 29, "right_wrist_pitch": revolute, 1 in q, 1 in v
 };
 
-// Why a call failed, as humanoid_batch_p2_reason tells of the status that it returned.
+// Reasons of failures: humanoid_batch_p2_reason gives that of a status.
 enum {
   HUMANOID_BATCH_P2_FINE = 0,  // none
   HUMANOID_BATCH_P2_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
@@ -87,14 +87,14 @@ enum {
   HUMANOID_BATCH_P2_NO_ANSWER = 5,  // a process did not answer within the time limit
   HUMANOID_BATCH_P2_ENDED = 6,  // process 0 has ended the evaluations
   HUMANOID_BATCH_P2_NOT_REFINED = 7,  // refinement does not converge
-  HUMANOID_BATCH_P2_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  HUMANOID_BATCH_P2_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   HUMANOID_BATCH_P2_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  HUMANOID_BATCH_P2_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
+  HUMANOID_BATCH_P2_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
   HUMANOID_BATCH_P2_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   HUMANOID_BATCH_P2_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  HUMANOID_BATCH_P2_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  HUMANOID_BATCH_P2_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  HUMANOID_BATCH_P2_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
+  HUMANOID_BATCH_P2_LOOP_TORN = 13,  // the velocity violates a loop or coupling
+  HUMANOID_BATCH_P2_LOOP_SINGULAR = 14,  // the rank of the loop constraints changes in this pose
+  HUMANOID_BATCH_P2_LOOP_FREE = 15  // the loops allow a motion of a joint that has no inertia
 };
 
 #ifdef __cplusplus
@@ -102,43 +102,41 @@ extern "C" {
 #endif
 typedef struct humanoid_batch_p2_solver humanoid_batch_p2_solver;
 
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
+// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
 int humanoid_batch_p2_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
 // Collective over a communicator of 2 processes. channel: "auto", "window" (shared memory) or
-// "message"; time_limit: seconds that a process waits for another. Returns null where it cannot be
-// done; humanoid_batch_p2_failure(NULL) says why.
+// "message"; time_limit: seconds that a process waits for another. Returns null on failure;
+// humanoid_batch_p2_failure(NULL) gives the reason.
 humanoid_batch_p2_solver* humanoid_batch_p2_open(MPI_Comm comm, const char* channel, double time_limit);
 
-// Accelerations of count states, each process for itself. Of each state in turn: q 36 numbers, v and
-// tau 35 each, qdd 35; joints in order, quaternions x y z w (normalised here), floating joints [linear;
-// angular] in the body's frame. Returns 0, or a status that humanoid_batch_p2_failure puts into words:
-// states that cannot be solved get NaN for accelerations, all others theirs.
+// Accelerations of count states, each process on its own, one state after the other: 36 numbers of q, 35
+// of v and tau, 35 of qdd; joints in order, quaternions x y z w (normalised here), floating joints [linear;
+// angular] in the body's frame. Returns 0, or a status that humanoid_batch_p2_failure explains:
+// accelerations of states that cannot be solved are NaN; all other states are solved.
 int humanoid_batch_p2_solve_batch(humanoid_batch_p2_solver* solver, int count, const double* q, const double* v, const double* tau, double* qdd);
 
-// The same, collective: process 0 passes all states and gets all accelerations, and hears of states
-// that cannot be solved; the others may pass null and any count, or serve. Faster processes get more
-// to solve.
+// The same, collective: process 0 passes all states and gets all accelerations and failures; the
+// others may pass null and any count, or call serve. Faster processes solve more states.
 int humanoid_batch_p2_solve_batch_at_root(humanoid_batch_p2_solver* solver, int count, const double* q, const double* v, const double* tau, double* qdd);
 
-// The k-th of the states that the last call could not solve, counted from 0; -1 where there are not so
-// many, or k is 256 or more. humanoid_batch_p2_failure then says why.
+// Index of the k-th state that the last call could not solve, k from 0; -1 if there are fewer, or
+// from k = 256 on. humanoid_batch_p2_failure then gives the reason.
 int humanoid_batch_p2_failed_state(humanoid_batch_p2_solver* solver, int k);
 
-// What every process but 0 can do all the time: takes part in each solve_batch_at_root of process 0, however
-// long that lets it wait, until process 0 ends it. Returns 0, or why it cannot go on.
+// For all processes but 0: joins every solve_batch_at_root of process 0, and waits between them without a
+// time limit, until process 0 calls end. Returns 0 then, or the status of a failure.
 int humanoid_batch_p2_serve(humanoid_batch_p2_solver* solver);
 
-// At process 0: the others' serve returns. They may serve again, or all close.
+// At process 0: makes serve return at the others, which may serve again, or all close.
 int humanoid_batch_p2_end(humanoid_batch_p2_solver* solver);
 
-// What a status says: its reason, and which joint it is about, -1 for none.
+// Reason of a status, and the joint that it is about, -1 for none.
 int humanoid_batch_p2_reason(int status);
 int humanoid_batch_p2_failed_joint(int status);
 
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
+// Text of a solver's last failure, valid until its next call; for null, the reason why the last open
+// of this thread failed.
 const char* humanoid_batch_p2_failure(const humanoid_batch_p2_solver* solver);
 
 // Collective.

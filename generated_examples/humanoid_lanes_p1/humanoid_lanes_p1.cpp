@@ -1,4 +1,4 @@
-// Forward dynamics of "humanoid" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
+// Forward dynamics of "humanoid" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 //
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 1 --shape=unrolled --name=humanoid_lanes
@@ -8,25 +8,25 @@
 //           process 0: left_hip_pitch .. left_ankle_roll | right_hip_pitch .. right_ankle_roll |
 //           left_shoulder_pitch .. left_wrist_pitch | right_shoulder_pitch .. right_wrist_pitch in 4
 //           lanes, __base__, waist_yaw .. waist_pitch, neck_yaw .. neck_pitch
-// licence   yours to choose: what adagen emits belongs to whoever emits it
+// licence   yours to choose: generated code belongs to its user
 //
-// The articulated-body algorithm: I^A and p^A (IA, pA), a link's inertia and bias force with all that
-// hangs on it, are swept to the base, and the accelerations come back. Spatial vectors are [angular;
+// Articulated-body algorithm: the articulated-body inertias I^A and bias forces p^A (IA, pA) are computed
+// from the ends to the base, then the accelerations from the base outwards. Spatial vectors are [angular;
 // linear], in link frames turned so that every joint axis is z.
 //
-// How to read on:
-//   1. interface   what a program that links this file calls
+// Contents:
+//   1. interface   the C functions for a program that links this file
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint its memory, then what is done with it, step by step
-//   5. processes   who does what, in order
-//   6. program     what the program around it, adagen_program.cpp, is told; main
+//   4. joints      memory of each joint, and the functions that compute its steps
+//   5. processes   the work of each process, in order
+//   6. program     description for the program around it (adagen_program.cpp), and main
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN and link it; humanoid_lanes_p1.h
-// beside it is this part.
+// To call it from your program, compile this file with -DADAGEN_NO_MAIN and link it. This part is also in
+// humanoid_lanes_p1.h.
 // C interface of the solver humanoid_lanes_p1: forward dynamics of "humanoid" on 1 process,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: generate again.
 #ifndef ADAGEN_HUMANOID_LANES_P1_H
 #define ADAGEN_HUMANOID_LANES_P1_H
 
@@ -38,7 +38,7 @@ enum {
   HUMANOID_LANES_P1_NTAU = 35  // in tau
 };
 
-// Where each joint begins in q, and in v, tau and qdd.
+// Index of each joint's first number in q, and in v, tau and qdd.
 enum {
   HUMANOID_LANES_P1_Q_base = 0,
   HUMANOID_LANES_P1_V_base = 0,  // joint 0, "__base__": floating, 7 in q, 6 in v
@@ -102,7 +102,7 @@ enum {
   HUMANOID_LANES_P1_V_right_wrist_pitch = 34  // joint 29, "right_wrist_pitch": revolute, 1 in q, 1 in v
 };
 
-// Why a call failed, as humanoid_lanes_p1_reason tells of the status that it returned.
+// Reasons of failures: humanoid_lanes_p1_reason gives that of a status.
 enum {
   HUMANOID_LANES_P1_FINE = 0,  // none
   HUMANOID_LANES_P1_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
@@ -112,14 +112,14 @@ enum {
   HUMANOID_LANES_P1_NO_ANSWER = 5,  // a process did not answer within the time limit
   HUMANOID_LANES_P1_ENDED = 6,  // process 0 has ended the evaluations
   HUMANOID_LANES_P1_NOT_REFINED = 7,  // refinement does not converge
-  HUMANOID_LANES_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  HUMANOID_LANES_P1_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   HUMANOID_LANES_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  HUMANOID_LANES_P1_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
+  HUMANOID_LANES_P1_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
   HUMANOID_LANES_P1_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   HUMANOID_LANES_P1_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  HUMANOID_LANES_P1_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  HUMANOID_LANES_P1_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  HUMANOID_LANES_P1_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
+  HUMANOID_LANES_P1_LOOP_TORN = 13,  // the velocity violates a loop or coupling
+  HUMANOID_LANES_P1_LOOP_SINGULAR = 14,  // the rank of the loop constraints changes in this pose
+  HUMANOID_LANES_P1_LOOP_FREE = 15  // the loops allow a motion of a joint that has no inertia
 };
 
 #ifdef __cplusplus
@@ -127,26 +127,24 @@ extern "C" {
 #endif
 typedef struct humanoid_lanes_p1_solver humanoid_lanes_p1_solver;
 
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
+// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
 int humanoid_lanes_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
-// A solver, with all the memory that it will ever need: no other call allocates, waits or takes a
-// lock. One solver is for one thread at a time. Returns null where there is no memory;
-// humanoid_lanes_p1_failure(NULL) says so.
+// A solver; allocates all its memory: no other call allocates, waits or locks. One thread at a time
+// may use a solver. Returns null if there is no memory; humanoid_lanes_p1_failure(NULL) says so.
 humanoid_lanes_p1_solver* humanoid_lanes_p1_open(void);
 
 // One evaluation. q: 36 numbers, v and tau: 35 each, qdd: 35; joints in order, quaternions
 // x y z w (normalised here), floating joints [linear; angular] in the body's frame.
-// Returns 0, or a status that humanoid_lanes_p1_failure puts into words; no acceleration is written then.
+// Returns 0, or a status that humanoid_lanes_p1_failure explains; then no acceleration is written.
 int humanoid_lanes_p1_solve(humanoid_lanes_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 
-// What a status says: its reason, and which joint it is about, -1 for none.
+// Reason of a status, and the joint that it is about, -1 for none.
 int humanoid_lanes_p1_reason(int status);
 int humanoid_lanes_p1_failed_joint(int status);
 
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
+// Text of a solver's last failure, valid until its next call; for null, the reason why the last open
+// of this thread failed.
 const char* humanoid_lanes_p1_failure(const humanoid_lanes_p1_solver* solver);
 
 void humanoid_lanes_p1_close(humanoid_lanes_p1_solver* solver);
@@ -164,19 +162,19 @@ void humanoid_lanes_p1_close(humanoid_lanes_p1_solver* solver);
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// What the headers of the runtime (adagen/) are to take from here, and what they are to do.
+// Configuration of the runtime headers (adagen/).
 #define ADAGEN_SOLVER
 #include "adagen/version.hpp"
 #if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are not those of adagen 0.1.0, which this file was emitted by"
+#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
 namespace {
 
-using Number = double;  // of states, answers and messages
-using Real = double;    // of all between
+using Number = double;  // type of states, results and messages
+using Real = double;    // type of all other values
 constexpr int kProcesses = 1;
-[[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all, and no other takes part
+[[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all the work
 constexpr int kJointCount = 30, kLinkCount = kJointCount + 1;
 constexpr int kNq = 36, kNv = 35;
 [[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
@@ -414,7 +412,7 @@ constexpr std::array<MessageInfo, 0> kMessages{ {
 
 namespace {
 
-// What is computed with.
+// Type of values.
 using Value = Real;
 
 // The memory of a process: the state, angles with sine and cosine, what messages hold, and values
@@ -442,7 +440,7 @@ struct Workspace {
 namespace {
 
 // Each function is a straight line. A value is called x and its number in the expression graph; zeros
-// and constants are folded in, nothing is computed twice, and what nobody needs is not there.
+// and constants are folded in, common subexpressions are shared, and dead code is left out.
 // Frames are the links' own; accelerations are deviations from the field that the links would have
 // with all joint accelerations zero.
 
@@ -2540,8 +2538,8 @@ void humanoid_lanes_p1_close(humanoid_lanes_p1_solver* solver) {
 }  // extern "C"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// What this solver tells the program around it, which is the same for all robots: states in,
-// accelerations out; check; time; trace; simulate.
+// Description of this solver for the program around it, which is the same for all robots: it reads
+// states, writes accelerations, checks, times, traces and simulates.
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/description.hpp"
@@ -2560,7 +2558,7 @@ constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
     {kStages_0.data(), 3},
 } };
 
-// As the cost profile default has them.
+// From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 

@@ -1,5 +1,5 @@
 // C interface of the solver humanoid_lanes_p1: forward dynamics of "humanoid" on 1 process,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: generate again.
 #ifndef ADAGEN_HUMANOID_LANES_P1_H
 #define ADAGEN_HUMANOID_LANES_P1_H
 
@@ -11,7 +11,7 @@ enum {
   HUMANOID_LANES_P1_NTAU = 35  // in tau
 };
 
-// Where each joint begins in q, and in v, tau and qdd.
+// Index of each joint's first number in q, and in v, tau and qdd.
 enum {
   HUMANOID_LANES_P1_Q_base = 0,
   HUMANOID_LANES_P1_V_base = 0,  // joint 0, "__base__": floating, 7 in q, 6 in v
@@ -75,7 +75,7 @@ enum {
   HUMANOID_LANES_P1_V_right_wrist_pitch = 34  // joint 29, "right_wrist_pitch": revolute, 1 in q, 1 in v
 };
 
-// Why a call failed, as humanoid_lanes_p1_reason tells of the status that it returned.
+// Reasons of failures: humanoid_lanes_p1_reason gives that of a status.
 enum {
   HUMANOID_LANES_P1_FINE = 0,  // none
   HUMANOID_LANES_P1_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
@@ -85,14 +85,14 @@ enum {
   HUMANOID_LANES_P1_NO_ANSWER = 5,  // a process did not answer within the time limit
   HUMANOID_LANES_P1_ENDED = 6,  // process 0 has ended the evaluations
   HUMANOID_LANES_P1_NOT_REFINED = 7,  // refinement does not converge
-  HUMANOID_LANES_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  HUMANOID_LANES_P1_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   HUMANOID_LANES_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  HUMANOID_LANES_P1_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
+  HUMANOID_LANES_P1_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
   HUMANOID_LANES_P1_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   HUMANOID_LANES_P1_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  HUMANOID_LANES_P1_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  HUMANOID_LANES_P1_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  HUMANOID_LANES_P1_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
+  HUMANOID_LANES_P1_LOOP_TORN = 13,  // the velocity violates a loop or coupling
+  HUMANOID_LANES_P1_LOOP_SINGULAR = 14,  // the rank of the loop constraints changes in this pose
+  HUMANOID_LANES_P1_LOOP_FREE = 15  // the loops allow a motion of a joint that has no inertia
 };
 
 #ifdef __cplusplus
@@ -100,26 +100,24 @@ extern "C" {
 #endif
 typedef struct humanoid_lanes_p1_solver humanoid_lanes_p1_solver;
 
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
+// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
 int humanoid_lanes_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
-// A solver, with all the memory that it will ever need: no other call allocates, waits or takes a
-// lock. One solver is for one thread at a time. Returns null where there is no memory;
-// humanoid_lanes_p1_failure(NULL) says so.
+// A solver; allocates all its memory: no other call allocates, waits or locks. One thread at a time
+// may use a solver. Returns null if there is no memory; humanoid_lanes_p1_failure(NULL) says so.
 humanoid_lanes_p1_solver* humanoid_lanes_p1_open(void);
 
 // One evaluation. q: 36 numbers, v and tau: 35 each, qdd: 35; joints in order, quaternions
 // x y z w (normalised here), floating joints [linear; angular] in the body's frame.
-// Returns 0, or a status that humanoid_lanes_p1_failure puts into words; no acceleration is written then.
+// Returns 0, or a status that humanoid_lanes_p1_failure explains; then no acceleration is written.
 int humanoid_lanes_p1_solve(humanoid_lanes_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 
-// What a status says: its reason, and which joint it is about, -1 for none.
+// Reason of a status, and the joint that it is about, -1 for none.
 int humanoid_lanes_p1_reason(int status);
 int humanoid_lanes_p1_failed_joint(int status);
 
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
+// Text of a solver's last failure, valid until its next call; for null, the reason why the last open
+// of this thread failed.
 const char* humanoid_lanes_p1_failure(const humanoid_lanes_p1_solver* solver);
 
 void humanoid_lanes_p1_close(humanoid_lanes_p1_solver* solver);

@@ -1,4 +1,4 @@
-// Forward dynamics of "humanoid" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
+// Forward dynamics of "humanoid" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 //
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 1 --shape=kernels
@@ -8,25 +8,25 @@
 //           process 0: left_hip_pitch .. left_ankle_roll | right_hip_pitch .. right_ankle_roll |
 //           left_shoulder_pitch .. left_wrist_pitch | right_shoulder_pitch .. right_wrist_pitch in 4
 //           lanes, __base__, waist_yaw .. waist_pitch, neck_yaw .. neck_pitch
-// licence   yours to choose: what adagen emits belongs to whoever emits it
+// licence   yours to choose: generated code belongs to its user
 //
-// The articulated-body algorithm: I^A and p^A (IA, pA), a link's inertia and bias force with all that
-// hangs on it, are swept to the base, and the accelerations come back. Spatial vectors are [angular;
+// Articulated-body algorithm: the articulated-body inertias I^A and bias forces p^A (IA, pA) are computed
+// from the ends to the base, then the accelerations from the base outwards. Spatial vectors are [angular;
 // linear], in the axes of the base, about each link's origin.
 //
-// How to read on:
-//   1. interface   what a program that links this file calls
+// Contents:
+//   1. interface   the C functions for a program that links this file
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint its memory, then what is done with it, step by step
-//   5. processes   who does what, in order
-//   6. program     what the program around it, adagen_program.cpp, is told; main
+//   4. joints      memory of each joint, and the functions that compute its steps
+//   5. processes   the work of each process, in order
+//   6. program     description for the program around it (adagen_program.cpp), and main
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN and link it; humanoid_p1.h
-// beside it is this part.
+// To call it from your program, compile this file with -DADAGEN_NO_MAIN and link it. This part is also in
+// humanoid_p1.h.
 // C interface of the solver humanoid_p1: forward dynamics of "humanoid" on 1 process,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: generate again.
 #ifndef ADAGEN_HUMANOID_P1_H
 #define ADAGEN_HUMANOID_P1_H
 
@@ -38,7 +38,7 @@ enum {
   HUMANOID_P1_NTAU = 35  // in tau
 };
 
-// Where each joint begins in q, and in v, tau and qdd.
+// Index of each joint's first number in q, and in v, tau and qdd.
 enum {
   HUMANOID_P1_Q_base = 0,
   HUMANOID_P1_V_base = 0,  // joint 0, "__base__": floating, 7 in q, 6 in v
@@ -102,7 +102,7 @@ enum {
   HUMANOID_P1_V_right_wrist_pitch = 34  // joint 29, "right_wrist_pitch": revolute, 1 in q, 1 in v
 };
 
-// Why a call failed, as humanoid_p1_reason tells of the status that it returned.
+// Reasons of failures: humanoid_p1_reason gives that of a status.
 enum {
   HUMANOID_P1_FINE = 0,  // none
   HUMANOID_P1_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
@@ -112,14 +112,14 @@ enum {
   HUMANOID_P1_NO_ANSWER = 5,  // a process did not answer within the time limit
   HUMANOID_P1_ENDED = 6,  // process 0 has ended the evaluations
   HUMANOID_P1_NOT_REFINED = 7,  // refinement does not converge
-  HUMANOID_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  HUMANOID_P1_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   HUMANOID_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  HUMANOID_P1_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
+  HUMANOID_P1_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
   HUMANOID_P1_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   HUMANOID_P1_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  HUMANOID_P1_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  HUMANOID_P1_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  HUMANOID_P1_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
+  HUMANOID_P1_LOOP_TORN = 13,  // the velocity violates a loop or coupling
+  HUMANOID_P1_LOOP_SINGULAR = 14,  // the rank of the loop constraints changes in this pose
+  HUMANOID_P1_LOOP_FREE = 15  // the loops allow a motion of a joint that has no inertia
 };
 
 #ifdef __cplusplus
@@ -127,26 +127,24 @@ extern "C" {
 #endif
 typedef struct humanoid_p1_solver humanoid_p1_solver;
 
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
+// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
 int humanoid_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
-// A solver, with all the memory that it will ever need: no other call allocates, waits or takes a
-// lock. One solver is for one thread at a time. Returns null where there is no memory;
-// humanoid_p1_failure(NULL) says so.
+// A solver; allocates all its memory: no other call allocates, waits or locks. One thread at a time
+// may use a solver. Returns null if there is no memory; humanoid_p1_failure(NULL) says so.
 humanoid_p1_solver* humanoid_p1_open(void);
 
 // One evaluation. q: 36 numbers, v and tau: 35 each, qdd: 35; joints in order, quaternions
 // x y z w (normalised here), floating joints [linear; angular] in the body's frame.
-// Returns 0, or a status that humanoid_p1_failure puts into words; no acceleration is written then.
+// Returns 0, or a status that humanoid_p1_failure explains; then no acceleration is written.
 int humanoid_p1_solve(humanoid_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 
-// What a status says: its reason, and which joint it is about, -1 for none.
+// Reason of a status, and the joint that it is about, -1 for none.
 int humanoid_p1_reason(int status);
 int humanoid_p1_failed_joint(int status);
 
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
+// Text of a solver's last failure, valid until its next call; for null, the reason why the last open
+// of this thread failed.
 const char* humanoid_p1_failure(const humanoid_p1_solver* solver);
 
 void humanoid_p1_close(humanoid_p1_solver* solver);
@@ -164,19 +162,19 @@ void humanoid_p1_close(humanoid_p1_solver* solver);
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// What the headers of the runtime (adagen/) are to take from here, and what they are to do.
+// Configuration of the runtime headers (adagen/).
 #define ADAGEN_SOLVER
 #include "adagen/version.hpp"
 #if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are not those of adagen 0.1.0, which this file was emitted by"
+#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
 namespace {
 
-using Number = double;  // of states, answers and messages
-using Real = double;    // of all between
+using Number = double;  // type of states, results and messages
+using Real = double;    // type of all other values
 constexpr int kProcesses = 1;
-[[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all, and no other takes part
+[[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all the work
 constexpr int kJointCount = 30, kLinkCount = kJointCount + 1;
 constexpr int kNq = 36, kNv = 35;
 [[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
@@ -412,18 +410,18 @@ constexpr std::array<MessageInfo, 0> kMessages{ {
 #include "adagen/stamp.hpp"
 
 // ---- 4. kernels ---------------------------------------------------------------------------------
-// Vectors are in the axes of the base, which all its links share (of the ground, or of a floating
-// base's link), about each link's own origin. Links move as they would were all joint accelerations
-// zero (omega, alpha, a); joint accelerations are solved for as what comes on top.
+// Vectors are expressed in the axes of the base (of the ground, or of a floating base's link), about
+// each link's own origin. omega, alpha, a: motion of links for zero joint accelerations; the joint
+// accelerations that are solved for come on top.
 
 #include "adagen/kernels/tables.hpp"
 
 namespace {
 
-// What is computed with.
+// Type of values.
 using Value = Real;
 
-// Of each link its mass, that times its centre of mass, and its pseudo-inertia.
+// Mass, mass times centre of mass, and pseudo-inertia of each link.
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {6.2, {0.0, 0.0, 0.12400000000000001},
      {0.01012665, 0.0, 0.0, 0.02500665, 0.0, 0.009920050000000001}},
@@ -487,31 +485,31 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
      {0.0019199994999999999, 0.0, 0.0, 8.33335e-05, 0.0, 0.00021333350000000002}},
 } };
 
-// Where a joint, and the link beyond it, lie in memory: limbs side by side take turns, and so do
-// segments of long runs.
+// Memory slot of each joint and its child link; limbs that share lanes, and segments of long runs,
+// are interleaved.
 constexpr int kSlotCount = 30;
-constexpr int kTile = 0;  // joints that are swept before others take their memory; 0: all
-constexpr bool kAbreast = true;  // whether there are such
-constexpr bool kPrescribedAbreast = false;  // with motions that are prescribed
-constexpr bool kReordered = true;  // whether joints lie in another order than they have
+constexpr int kTile = 0;  // joints whose memory is in use at the same time; 0: all
+constexpr bool kInLanes = true;  // whether limbs share lanes
+constexpr bool kPrescribedInLanes = false;  // with prescribed motions
+constexpr bool kReordered = true;  // whether slots are in another order than joints
 constexpr int kSlots[kJointCount]{ 24, 0, 4, 8, 12, 16, 20, 1, 5, 9, 13, 17, 21, 25, 26, 27, 2, 6, 10, 14, 18, 22, 28, 29, 3, 7, 11, 15, 19, 23 };
-// Blocks of slots of equal constants: the number of kinds (0: not looked at), each block's, and the
-// first block of each.
+// Blocks of slots with equal constants: number of kinds (0: not compared), kind of each block, and
+// first block of each kind.
 constexpr int kBlockKindCount = 0;
 [[maybe_unused]] constexpr int kBlockKinds[]{ 0 };
 [[maybe_unused]] constexpr int kFirstOfKind[]{ 0 };
-constexpr bool kByColumns = true;  // whether runs are taken by columns
-// Joints that are eliminated in their own axes; others that are where those of the base lose digits.
+constexpr bool kByColumns = true;  // whether runs are computed by columns
+// Joints that are eliminated in their own axes: always, or only if the axes of the base lose digits.
 constexpr bool kAnyTurned = false;
 constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
 constexpr bool kAnyTurnedIfLost = false;
 constexpr bool kTurnedIfLost[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
-constexpr double kLosing = 256.0;  // times D: a trace from which on they do
-// Whether sweeps are done again for other forces on links than their motion takes.
+constexpr double kLosing = 256.0;  // they do if trace > kLosing * D
+// Whether sweeps are repeated with other forces.
 constexpr bool kPassesFree = false;  // whether mobilities pass floating joints
 constexpr bool kAgain = kRefine > 0 || kSlavedCount > 0;
 
-// What each process does at each link: gathers, adds_own, parts, oriented.
+// Role of each process at each link: gathers, adds_own, parts, oriented.
 constexpr LinkRole kRoles[1][kLinkCount]{
     {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
 };
@@ -523,7 +521,7 @@ constexpr LinkRole kRoles[1][kLinkCount]{
 
 namespace {
 
-// What is kept where segments meet, with the joint that it belongs to.
+// Memory where segments meet, by joint.
 struct Cuts {
 };
 
@@ -668,8 +666,8 @@ void humanoid_p1_close(humanoid_p1_solver* solver) {
 }  // extern "C"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// What this solver tells the program around it, which is the same for all robots: states in,
-// accelerations out; check; time; trace; simulate.
+// Description of this solver for the program around it, which is the same for all robots: it reads
+// states, writes accelerations, checks, times, traces and simulates.
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/description.hpp"
@@ -688,7 +686,7 @@ constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
     {kStages_0.data(), 3},
 } };
 
-// As the cost profile default has them.
+// From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 

@@ -1,5 +1,5 @@
 // C interface of the solver humanoid_p2: forward dynamics of "humanoid" on 2 processes,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: generate again.
 #ifndef ADAGEN_HUMANOID_P2_H
 #define ADAGEN_HUMANOID_P2_H
 
@@ -13,7 +13,7 @@ enum {
   HUMANOID_P2_NTAU = 35  // in tau
 };
 
-// Where each joint begins in q, and in v, tau and qdd.
+// Index of each joint's first number in q, and in v, tau and qdd.
 enum {
   HUMANOID_P2_Q_base = 0,
   HUMANOID_P2_V_base = 0,  // joint 0, "__base__": floating, 7 in q, 6 in v
@@ -77,7 +77,7 @@ enum {
   HUMANOID_P2_V_right_wrist_pitch = 34  // joint 29, "right_wrist_pitch": revolute, 1 in q, 1 in v
 };
 
-// Why a call failed, as humanoid_p2_reason tells of the status that it returned.
+// Reasons of failures: humanoid_p2_reason gives that of a status.
 enum {
   HUMANOID_P2_FINE = 0,  // none
   HUMANOID_P2_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
@@ -87,14 +87,14 @@ enum {
   HUMANOID_P2_NO_ANSWER = 5,  // a process did not answer within the time limit
   HUMANOID_P2_ENDED = 6,  // process 0 has ended the evaluations
   HUMANOID_P2_NOT_REFINED = 7,  // refinement does not converge
-  HUMANOID_P2_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  HUMANOID_P2_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   HUMANOID_P2_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  HUMANOID_P2_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
+  HUMANOID_P2_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
   HUMANOID_P2_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   HUMANOID_P2_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  HUMANOID_P2_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  HUMANOID_P2_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  HUMANOID_P2_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
+  HUMANOID_P2_LOOP_TORN = 13,  // the velocity violates a loop or coupling
+  HUMANOID_P2_LOOP_SINGULAR = 14,  // the rank of the loop constraints changes in this pose
+  HUMANOID_P2_LOOP_FREE = 15  // the loops allow a motion of a joint that has no inertia
 };
 
 #ifdef __cplusplus
@@ -102,36 +102,35 @@ extern "C" {
 #endif
 typedef struct humanoid_p2_solver humanoid_p2_solver;
 
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
+// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
 int humanoid_p2_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
 // Collective over a communicator of 2 processes. channel: "auto", "window" (shared memory) or
-// "message"; time_limit: seconds that a process waits for another. Returns null where it cannot be
-// done; humanoid_p2_failure(NULL) says why.
+// "message"; time_limit: seconds that a process waits for another. Returns null on failure;
+// humanoid_p2_failure(NULL) gives the reason.
 humanoid_p2_solver* humanoid_p2_open(MPI_Comm comm, const char* channel, double time_limit);
 
 // One evaluation, collective. q: 36 numbers, v and tau: 35 each, qdd: 35; joints in order, quaternions
 // x y z w (normalised here), floating joints [linear; angular] in the body's frame.
 // solve: every process passes the state and gets its own joints' accelerations (others untouched);
-// solve_at_root: process 0 passes the state and gets them all, the others may pass null, or serve.
-// Returns 0, or a status that humanoid_p2_failure puts into words; no acceleration is written then.
+// solve_at_root: process 0 passes the state and gets all; the others may pass null, or call serve.
+// Returns 0, or a status that humanoid_p2_failure explains; then no acceleration is written.
 int humanoid_p2_solve(humanoid_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 int humanoid_p2_solve_at_root(humanoid_p2_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 
-// What every process but 0 can do all the time: takes part in each solve_at_root of process 0, however
-// long that lets it wait, until process 0 ends it. Returns 0, or why it cannot go on.
+// For all processes but 0: joins every solve_at_root of process 0, and waits between them without a
+// time limit, until process 0 calls end. Returns 0 then, or the status of a failure.
 int humanoid_p2_serve(humanoid_p2_solver* solver);
 
-// At process 0: the others' serve returns. They may serve again, or all close.
+// At process 0: makes serve return at the others, which may serve again, or all close.
 int humanoid_p2_end(humanoid_p2_solver* solver);
 
-// What a status says: its reason, and which joint it is about, -1 for none.
+// Reason of a status, and the joint that it is about, -1 for none.
 int humanoid_p2_reason(int status);
 int humanoid_p2_failed_joint(int status);
 
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
+// Text of a solver's last failure, valid until its next call; for null, the reason why the last open
+// of this thread failed.
 const char* humanoid_p2_failure(const humanoid_p2_solver* solver);
 
 // Collective.

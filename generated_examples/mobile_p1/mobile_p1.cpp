@@ -1,4 +1,4 @@
-// Forward dynamics of "mobile" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
+// Forward dynamics of "mobile" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 //
 // robot     "mobile", 6 joints, 13 degrees of freedom, description sha256 421e40d13e3d94e0ea25fa3a829795267d134cdc98cb6abe58b7ec78cf6d9704
 // command   adagen ../models/mobile.urdf --procs 1
@@ -6,25 +6,25 @@
 // links     adagen_program.cpp
 // program   1 process; 0.205 us predicted (default profile)
 //           process 0: drive .. loose
-// licence   yours to choose: what adagen emits belongs to whoever emits it
+// licence   yours to choose: generated code belongs to its user
 //
-// The articulated-body algorithm: I^A and p^A (IA, pA), a link's inertia and bias force with all that
-// hangs on it, are swept to the base, and the accelerations come back. Spatial vectors are [angular;
+// Articulated-body algorithm: the articulated-body inertias I^A and bias forces p^A (IA, pA) are computed
+// from the ends to the base, then the accelerations from the base outwards. Spatial vectors are [angular;
 // linear], in link frames turned so that every joint axis is z.
 //
-// How to read on:
-//   1. interface   what a program that links this file calls
+// Contents:
+//   1. interface   the C functions for a program that links this file
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint its memory, then what is done with it, step by step
-//   5. processes   who does what, in order
-//   6. program     what the program around it, adagen_program.cpp, is told; main
+//   4. joints      memory of each joint, and the functions that compute its steps
+//   5. processes   the work of each process, in order
+//   6. program     description for the program around it (adagen_program.cpp), and main
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN and link it; mobile_p1.h
-// beside it is this part.
+// To call it from your program, compile this file with -DADAGEN_NO_MAIN and link it. This part is also in
+// mobile_p1.h.
 // C interface of the solver mobile_p1: forward dynamics of "mobile" on 1 process,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: generate again.
 #ifndef ADAGEN_MOBILE_P1_H
 #define ADAGEN_MOBILE_P1_H
 
@@ -36,7 +36,7 @@ enum {
   MOBILE_P1_NTAU = 13  // in tau
 };
 
-// Where each joint begins in q, and in v, tau and qdd.
+// Index of each joint's first number in q, and in v, tau and qdd.
 enum {
   MOBILE_P1_Q_drive = 0,
   MOBILE_P1_V_drive = 0,  // joint 0, "drive": planar, 3 in q, 3 in v
@@ -52,7 +52,7 @@ enum {
   MOBILE_P1_V_loose = 7  // joint 5, "loose": floating, 7 in q, 6 in v
 };
 
-// Why a call failed, as mobile_p1_reason tells of the status that it returned.
+// Reasons of failures: mobile_p1_reason gives that of a status.
 enum {
   MOBILE_P1_FINE = 0,  // none
   MOBILE_P1_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
@@ -62,14 +62,14 @@ enum {
   MOBILE_P1_NO_ANSWER = 5,  // a process did not answer within the time limit
   MOBILE_P1_ENDED = 6,  // process 0 has ended the evaluations
   MOBILE_P1_NOT_REFINED = 7,  // refinement does not converge
-  MOBILE_P1_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  MOBILE_P1_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   MOBILE_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  MOBILE_P1_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
+  MOBILE_P1_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
   MOBILE_P1_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   MOBILE_P1_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  MOBILE_P1_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  MOBILE_P1_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  MOBILE_P1_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
+  MOBILE_P1_LOOP_TORN = 13,  // the velocity violates a loop or coupling
+  MOBILE_P1_LOOP_SINGULAR = 14,  // the rank of the loop constraints changes in this pose
+  MOBILE_P1_LOOP_FREE = 15  // the loops allow a motion of a joint that has no inertia
 };
 
 #ifdef __cplusplus
@@ -77,26 +77,24 @@ extern "C" {
 #endif
 typedef struct mobile_p1_solver mobile_p1_solver;
 
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
+// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
 int mobile_p1_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
-// A solver, with all the memory that it will ever need: no other call allocates, waits or takes a
-// lock. One solver is for one thread at a time. Returns null where there is no memory;
-// mobile_p1_failure(NULL) says so.
+// A solver; allocates all its memory: no other call allocates, waits or locks. One thread at a time
+// may use a solver. Returns null if there is no memory; mobile_p1_failure(NULL) says so.
 mobile_p1_solver* mobile_p1_open(void);
 
 // One evaluation. q: 14 numbers, v and tau: 13 each, qdd: 13; joints in order, quaternions
 // x y z w (normalised here), floating joints [linear; angular] in the body's frame.
-// Returns 0, or a status that mobile_p1_failure puts into words; no acceleration is written then.
+// Returns 0, or a status that mobile_p1_failure explains; then no acceleration is written.
 int mobile_p1_solve(mobile_p1_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 
-// What a status says: its reason, and which joint it is about, -1 for none.
+// Reason of a status, and the joint that it is about, -1 for none.
 int mobile_p1_reason(int status);
 int mobile_p1_failed_joint(int status);
 
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
+// Text of a solver's last failure, valid until its next call; for null, the reason why the last open
+// of this thread failed.
 const char* mobile_p1_failure(const mobile_p1_solver* solver);
 
 void mobile_p1_close(mobile_p1_solver* solver);
@@ -114,19 +112,19 @@ void mobile_p1_close(mobile_p1_solver* solver);
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// What the headers of the runtime (adagen/) are to take from here, and what they are to do.
+// Configuration of the runtime headers (adagen/).
 #define ADAGEN_SOLVER
 #include "adagen/version.hpp"
 #if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are not those of adagen 0.1.0, which this file was emitted by"
+#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
 namespace {
 
-using Number = double;  // of states, answers and messages
-using Real = double;    // of all between
+using Number = double;  // type of states, results and messages
+using Real = double;    // type of all other values
 constexpr int kProcesses = 1;
-[[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all, and no other takes part
+[[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all the work
 constexpr int kJointCount = 6, kLinkCount = kJointCount + 1;
 constexpr int kNq = 14, kNv = 13;
 [[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
@@ -218,7 +216,7 @@ constexpr std::array<MessageInfo, 0> kMessages{ {
 
 namespace {
 
-// What is computed with.
+// Type of values.
 using Value = Real;
 
 // The memory of a process: the state, angles with sine and cosine, what messages hold, and values
@@ -245,7 +243,7 @@ struct Workspace {
 namespace {
 
 // Each function is a straight line. A value is called x and its number in the expression graph; zeros
-// and constants are folded in, nothing is computed twice, and what nobody needs is not there.
+// and constants are folded in, common subexpressions are shared, and dead code is left out.
 // Frames are the links' own; accelerations are deviations from the field that the links would have
 // with all joint accelerations zero.
 
@@ -1010,8 +1008,8 @@ void mobile_p1_close(mobile_p1_solver* solver) {
 }  // extern "C"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// What this solver tells the program around it, which is the same for all robots: states in,
-// accelerations out; check; time; trace; simulate.
+// Description of this solver for the program around it, which is the same for all robots: it reads
+// states, writes accelerations, checks, times, traces and simulates.
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/description.hpp"
@@ -1030,7 +1028,7 @@ constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
     {kStages_0.data(), 3},
 } };
 
-// As the cost profile default has them.
+// From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 

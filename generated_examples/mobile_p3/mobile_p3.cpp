@@ -1,4 +1,4 @@
-// Forward dynamics of "mobile" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: emit anew.
+// Forward dynamics of "mobile" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 //
 // robot     "mobile", 6 joints, 13 degrees of freedom, description sha256 421e40d13e3d94e0ea25fa3a829795267d134cdc98cb6abe58b7ec78cf6d9704
 // command   adagen ../models/mobile.urdf --procs 3 --form=ada
@@ -9,26 +9,26 @@
 //           process 1: wrist .. loose
 //           process 2: nothing
 // schedule  shoulder@0-2(lift@0(drive(|laser_spin)|) | wrist@1-2(|loose))
-// licence   yours to choose: what adagen emits belongs to whoever emits it
+// licence   yours to choose: generated code belongs to its user
 //
-// The assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
+// Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
 // bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
 // to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
 // vectors are [angular; linear], in link frames turned so that every joint axis is z.
 //
-// How to read on:
-//   1. interface   what a program that links this file calls
+// Contents:
+//   1. interface   the C functions for a program that links this file
 //   2. model       the robot's constants
 //   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      for each joint its memory, then what is done with it, step by step
-//   5. processes   who does what, in order
-//   6. program     what the program around it, adagen_program.cpp, is told; main
+//   4. joints      memory of each joint, and the functions that compute its steps
+//   5. processes   the work of each process, in order
+//   6. program     description for the program around it (adagen_program.cpp), and main
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// To use it from a program of yours: compile this file with -DADAGEN_NO_MAIN and link it; mobile_p3.h
-// beside it is this part.
+// To call it from your program, compile this file with -DADAGEN_NO_MAIN and link it. This part is also in
+// mobile_p3.h.
 // C interface of the solver mobile_p3: forward dynamics of "mobile" on 3 processes,
-// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: emit anew.
+// emitted by adagen 0.1.0 (interface.h.j2). Do not edit: generate again.
 #ifndef ADAGEN_MOBILE_P3_H
 #define ADAGEN_MOBILE_P3_H
 
@@ -42,7 +42,7 @@ enum {
   MOBILE_P3_NTAU = 13  // in tau
 };
 
-// Where each joint begins in q, and in v, tau and qdd.
+// Index of each joint's first number in q, and in v, tau and qdd.
 enum {
   MOBILE_P3_Q_drive = 0,
   MOBILE_P3_V_drive = 0,  // joint 0, "drive": planar, 3 in q, 3 in v
@@ -58,7 +58,7 @@ enum {
   MOBILE_P3_V_loose = 7  // joint 5, "loose": floating, 7 in q, 6 in v
 };
 
-// Why a call failed, as mobile_p3_reason tells of the status that it returned.
+// Reasons of failures: mobile_p3_reason gives that of a status.
 enum {
   MOBILE_P3_FINE = 0,  // none
   MOBILE_P3_NOT_FINITE = 1,  // q, v or tau of a joint is not a finite number
@@ -68,14 +68,14 @@ enum {
   MOBILE_P3_NO_ANSWER = 5,  // a process did not answer within the time limit
   MOBILE_P3_ENDED = 6,  // process 0 has ended the evaluations
   MOBILE_P3_NOT_REFINED = 7,  // refinement does not converge
-  MOBILE_P3_GIMBAL_LOCK = 8,  // joints that are joined as one do not move in as many directions
+  MOBILE_P3_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   MOBILE_P3_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  MOBILE_P3_NOT_SET = 16,  // what is to be set at run time is not finite, or is no mass
+  MOBILE_P3_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
   MOBILE_P3_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   MOBILE_P3_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
-  MOBILE_P3_LOOP_TORN = 13,  // this velocity tears a loop or coupling open
-  MOBILE_P3_LOOP_SINGULAR = 14,  // what a loop holds changes in this pose
-  MOBILE_P3_LOOP_FREE = 15  // loops leave a joint a motion that no inertia resists
+  MOBILE_P3_LOOP_TORN = 13,  // the velocity violates a loop or coupling
+  MOBILE_P3_LOOP_SINGULAR = 14,  // the rank of the loop constraints changes in this pose
+  MOBILE_P3_LOOP_FREE = 15  // the loops allow a motion of a joint that has no inertia
 };
 
 #ifdef __cplusplus
@@ -83,36 +83,35 @@ extern "C" {
 #endif
 typedef struct mobile_p3_solver mobile_p3_solver;
 
-// Joints in order, each with its place in the state: gives name, start and size in q and v of joint
-// k, or returns 0 where there is none.
+// Gives name, first index and size in q and v of joint k; returns 0 if there is no joint k.
 int mobile_p3_joint(int k, const char** name, int* q, int* nq, int* v, int* nv);
 
 // Collective over a communicator of 3 processes. channel: "auto", "window" (shared memory) or
-// "message"; time_limit: seconds that a process waits for another. Returns null where it cannot be
-// done; mobile_p3_failure(NULL) says why.
+// "message"; time_limit: seconds that a process waits for another. Returns null on failure;
+// mobile_p3_failure(NULL) gives the reason.
 mobile_p3_solver* mobile_p3_open(MPI_Comm comm, const char* channel, double time_limit);
 
 // One evaluation, collective. q: 14 numbers, v and tau: 13 each, qdd: 13; joints in order, quaternions
 // x y z w (normalised here), floating joints [linear; angular] in the body's frame.
 // solve: every process passes the state and gets its own joints' accelerations (others untouched);
-// solve_at_root: process 0 passes the state and gets them all, the others may pass null, or serve.
-// Returns 0, or a status that mobile_p3_failure puts into words; no acceleration is written then.
+// solve_at_root: process 0 passes the state and gets all; the others may pass null, or call serve.
+// Returns 0, or a status that mobile_p3_failure explains; then no acceleration is written.
 int mobile_p3_solve(mobile_p3_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 int mobile_p3_solve_at_root(mobile_p3_solver* solver, const double* q, const double* v, const double* tau, double* qdd);
 
-// What every process but 0 can do all the time: takes part in each solve_at_root of process 0, however
-// long that lets it wait, until process 0 ends it. Returns 0, or why it cannot go on.
+// For all processes but 0: joins every solve_at_root of process 0, and waits between them without a
+// time limit, until process 0 calls end. Returns 0 then, or the status of a failure.
 int mobile_p3_serve(mobile_p3_solver* solver);
 
-// At process 0: the others' serve returns. They may serve again, or all close.
+// At process 0: makes serve return at the others, which may serve again, or all close.
 int mobile_p3_end(mobile_p3_solver* solver);
 
-// What a status says: its reason, and which joint it is about, -1 for none.
+// Reason of a status, and the joint that it is about, -1 for none.
 int mobile_p3_reason(int status);
 int mobile_p3_failed_joint(int status);
 
-// The last failure of a solver in words, valid until the next call; of null, why the last open of this
-// thread returned null.
+// Text of a solver's last failure, valid until its next call; for null, the reason why the last open
+// of this thread failed.
 const char* mobile_p3_failure(const mobile_p3_solver* solver);
 
 // Collective.
@@ -133,20 +132,20 @@ void mobile_p3_close(mobile_p3_solver* solver);
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// What the headers of the runtime (adagen/) are to take from here, and what they are to do.
+// Configuration of the runtime headers (adagen/).
 #define ADAGEN_SOLVER
 #define ADAGEN_MPI
 #include "adagen/version.hpp"
 #if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are not those of adagen 0.1.0, which this file was emitted by"
+#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
 namespace {
 
-using Number = double;  // of states, answers and messages
-using Real = double;    // of all between
+using Number = double;  // type of states, results and messages
+using Real = double;    // type of all other values
 constexpr int kProcesses = 3;
-[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all, and no other takes part
+[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all the work
 constexpr int kJointCount = 6, kLinkCount = kJointCount + 1;
 constexpr int kNq = 14, kNv = 13;
 [[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
@@ -246,7 +245,7 @@ constexpr std::array<MessageInfo, 6> kMessages{ {
 
 namespace {
 
-// The memory of a process. Whatever belongs to a joint is kept with it.
+// Memory of a process, joint by joint.
 struct Workspace;
 
 struct Joint_drive {
@@ -760,8 +759,8 @@ void mobile_p3_close(mobile_p3_solver* solver) {
 }  // extern "C"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// What this solver tells the program around it, which is the same for all robots: states in,
-// accelerations out; check; time; trace; simulate.
+// Description of this solver for the program around it, which is the same for all robots: it reads
+// states, writes accelerations, checks, times, traces and simulates.
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/description.hpp"
@@ -793,7 +792,7 @@ constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
     {nullptr, 0},
 } };
 
-// As the cost profile default has them.
+// From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import time
+from pathlib import Path
 
 import pytest
 
-from adagen.cli.console import Stages, note, progress, speaking, start, warn, warned
+from adagen.cli.console import Stages, note, progress, speaking, start, warn, warned, wrote
 
 Captured = pytest.CaptureFixture[str]
 
@@ -62,3 +63,15 @@ def test_a_quiet_command_says_its_warnings_alone(
     assert warned() == []
     note("wrote")
     assert capsys.readouterr().err == "wrote\n"
+
+
+def test_written_files_are_listed_below_their_folder_in_80_columns(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    names = [f"a_long_robot_s_name_p{k}.cpp" for k in range(5)]
+    wrote([Path("out", name) for name in names] + [Path("here.json")])
+    first, *_, second, last = capsys.readouterr().err.splitlines()
+    assert first.startswith("wrote out: a_long_robot_s_name_p0.cpp, ") and len(first) <= 80
+    assert second.startswith("  ") and second.endswith("p4.cpp")
+    assert last == "wrote here.json"

@@ -89,8 +89,3 @@ def test_loops_are_shown_and_states_to_fill_in_are_closed(
     assert states.q.shape == (3, model.nq)
     for q in states.q:
         assert np.abs(constraints(model, q).gaps).max() < 1e-11
-
-
-def test_charts_refuse_loops(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
-    assert main(["chart", *ANKLE, "--out", str(tmp_path)]) == 2
-    assert "charts and benchmarks do not support closed loops" in capsys.readouterr().err

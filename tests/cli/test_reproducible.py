@@ -25,7 +25,7 @@ def test_the_head_makes_it_again(tmp_path: Path, capsys: pytest.CaptureFixture[s
     plan = json.loads((tmp_path / "mobile_p1.plan.json").read_text())
     assert plan["reproducible"] is True
     assert main(["verify", str(tmp_path)]) == 0
-    assert capsys.readouterr().err.endswith("1 solver: as emitted now\n")
+    assert capsys.readouterr().err.endswith("1 solver: up to date\n")
 
 
 def test_a_chain_is_done_by_one_process_and_that_is_said(

@@ -35,7 +35,7 @@ def test_answers_without_sure_digits_are_told(
     told = capsys.readouterr().err
     assert status == 0
     assert re.search(
-        r"warning: \d\.\d digits of the accelerations are sure: state \d, joint ", told
+        r"warning: \d\.\d digits of the accelerations are certain: state \d, joint ", told
     )
     loops = json.loads(result.read_text())["joints"]["along"]["qdd"]
     status, result = solved("unrolled", tmp_path)

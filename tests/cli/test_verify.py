@@ -46,7 +46,7 @@ def test_the_examples_of_this_project_are_verified(said: Said) -> None:
     assert main(["verify", str(FOLDER / "mobile_p1"), str(FOLDER / "arm7_float_p2")]) == 0
     stdout, stderr = said()
     assert stdout == ""
-    assert stderr.endswith("2 solvers: as emitted now\n")
+    assert stderr.endswith("2 solvers: up to date\n")
 
 
 def test_the_head_names_the_robot_from_where_the_source_is(place: Path) -> None:
@@ -150,7 +150,7 @@ def test_what_cannot_be_made_again_is_told(place: Path, said: Said, tmp_path: Pa
     good = source.read_text()
     cases = (
         (good.replace("// command ", "// commend "), 1, "mobile_p1.cpp: error: its head has no"),
-        (good.replace("--procs 1", "--procs 3"), 1, "the command in its head makes mobile_p3.cpp"),
+        (good.replace("--procs 1", "--procs 3"), 1, "the command in its head writes mobile_p3.cpp"),
         (good.replace("../mobile.urdf", "../gone.urdf"), 1, "gone.urdf"),
         (good.replace("--procs 1", "--prics 1"), 2, "unknown option --prics"),
     )

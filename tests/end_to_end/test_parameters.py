@@ -206,7 +206,7 @@ def on_processes(model: Model, batch: bool, builder: Builder) -> list[str]:
 def test_processes_go_by_what_process_0_has_set(batch: bool, builder: Builder) -> None:
     model = BY_STEM["arm7_p1"].model()
     earth, wrong, moon, told, heavy, each = on_processes(model, batch, builder)
-    assert wrong == "1 what is to be set at run time is not finite, or is no mass"
+    assert wrong == "1 a run-time constant is not finite, or a mass is not positive"
     assert told == "0 0 16 16 16"
     sizes = (model.nq, model.nv, model.ntau)
     state = States(*(np.full((1, n), x) for n, x in zip(sizes, (0.3, 0.2, 0.1), strict=True)))

@@ -117,7 +117,7 @@ def test_conditioning_is_a_warning_with_the_digits_that_are_left(builder: Builde
     said = solver.run("--check").stdout
     name = re.escape(json.dumps(told["joint"]))
     place = f"state {told['state']}, joint {name}"
-    assert re.search(rf"check  [\d.]+ digits of the accelerations are sure: {place}\n", said)
+    assert re.search(rf"check  [\d.]+ digits of the accelerations are certain: {place}\n", said)
     assert "the robot is ill-conditioned there" in said
 
 

@@ -11,7 +11,7 @@ import pytest
 
 from adagen.emit.predicted import predict
 from adagen.errors import InputError
-from adagen.executor import interpret
+from adagen.executor import chosen_grouping, interpret
 from adagen.executor.solve import Run, SingularPoseError
 from adagen.model import Model
 from adagen.plan import Plan, make_plan, plan_from_json, plan_to_json
@@ -25,7 +25,7 @@ from adagen.search import best_schedule
 from adagen.states import States
 from tests.emitted import QUICK, Builder
 from tests.executor.plans import kinds_of
-from tests.executor.test_closures import plan_of, worst
+from tests.executor.test_closures import worst
 from tests.mechanisms import four_bar, looped_tree, quadruped, standing, states_of
 from tests.models import human_figure
 
@@ -40,13 +40,20 @@ def owners_of(plan: Plan) -> list[int]:
     return [len(process.owns) for process in plan.processes]
 
 
+def divided(model: Model, processes: int, owners: list[int | None]) -> Plan:
+    """Return a plan of a robot around its base, of which each process has the joints given."""
+    schedule = best_schedule(model, processes, load_profile("default"))
+    gathered = Gathered((1,), tuple(owners))
+    return make_plan(model, replace(schedule, meeting="gather", gathered=gathered))
+
+
 @pytest.mark.parametrize("processes", [2, 3])
 def test_feet_on_the_ground_are_shared_out(processes: int) -> None:
     model = figure()
-    plan = plan_of(model, processes)
-    assert len([count for count in owners_of(plan) if count]) >= 2
+    plan = divided(model, processes, [None, *[0] * 3, *[1] * 3, *[processes - 1] * 8])
+    assert all(owners_of(plan))
     ends = [[s for s in p.steps if isinstance(s, Eliminate)] for p in plan.processes]
-    assert sorted(map(len, ends), reverse=True)[:2] == [1, 1]
+    assert list(map(len, ends))[:2] == [1, 1]
     states = states_of(model, 4)
     for each in plan.alternatives:
         check(lower(each, "unrolled"))
@@ -97,8 +104,9 @@ def poor_and_good(model: Model, plan: Plan, count: int) -> States:
 def test_processes_solve_poor_poses_each_for_itself(builder: Builder, tmp_path: Path) -> None:
     """Emitted, on two processes; one of them finds that the pose is poor, and all go again."""
     model = quadruped()
-    plan = plan_of(model, 2)
+    plan = divided(model, 2, [None, *[0] * 6, *[1] * 6])
     assert owners_of(plan) == [7, 6]
+    assert [len(limbs) for limbs in chosen_grouping(plan)] == [1, 1]  # two feet each, in lanes
     states = poor_and_good(model, plan, 2)
     solver = builder.solver(plan, QUICK, shape="unrolled")
     found = solver.solve(model, states, tmp_path)

@@ -252,6 +252,18 @@ def chain16() -> str:
     return w.text()
 
 
+def snake100() -> str:
+    """A snake of 101 equal links with 100 hinges, about z and y by turns; it floats."""
+    w = Writer("snake100", "101 equal links of 0.2 kg, 100 hinges; meant for a floating base")
+    solid = cylinder(0.2, 0.03, 0.08, (0.04, 0, 0), "x")
+    w.link("link000", solid)
+    for k in range(1, 101):
+        w.link(f"link{k:03d}", solid)
+        w.joint(f"joint{k:03d}", "revolute", (f"link{k - 1:03d}", f"link{k:03d}"), (0.08, 0, 0),
+                axis=(Y, Z)[k % 2], limit=(-1.5, 1.5, 7, 6))  # fmt: skip
+    return w.text()
+
+
 def mobile() -> str:
     """A planar base with a lift, a short arm on an oblique axis, and a load that floats in it."""
     w = Writer("mobile", "planar base, prismatic lift, arm, and a loose load; oblique axes")
@@ -331,6 +343,7 @@ ROBOTS = {
     "human40": human40,
     "humanoid": humanoid,
     "mobile": mobile,
+    "snake100": snake100,
 }
 
 

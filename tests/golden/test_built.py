@@ -68,7 +68,9 @@ def test_an_example_passes_its_own_check_and_is_timed(stem: str, builder: Builde
     done = built(BY_STEM[stem], builder).run("--check", "--time", "--repeat", "2")
     assert (done.status, done.stderr) == (0, "")
     check, sure, *time = done.stdout.splitlines()
-    assert re.match(r"check  \d+\.\d digits of the accelerations are sure: state \d+, joint", sure)
+    assert re.match(
+        r"check  \d+\.\d digits of the accelerations are certain: state \d+, joint", sure
+    )
     if BY_STEM[stem].scalar == "mixed":
         refined, time = time[:MIXED_STEPS], time[MIXED_STEPS:]
         assert all(line.startswith("refine error before step ") for line in refined)

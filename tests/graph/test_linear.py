@@ -19,6 +19,7 @@ from adagen.graph import (
     factorize,
     matrix_times,
     solve_by_reflections,
+    solved_by_parts,
     total,
 )
 from tests.graph.evaluate import evaluate
@@ -99,3 +100,49 @@ def test_reflections_solve_what_has_no_good_pivots(n: int, seed: int) -> None:
     found = Evaluation(graph, inputs.__getitem__).of(expressions.flat)
     expected = np.linalg.solve(matrix, right)
     np.testing.assert_allclose(np.reshape(found, right.shape), expected, atol=1e-12)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_independent_parts_are_solved_by_themselves(seed: int) -> None:
+    """Parts of one to four unknowns, rows and columns in any order, of any size."""
+    rng = np.random.default_rng(seed)
+    sizes, n = (1, 2, 3, 4), 10
+    matrix, first = np.zeros((n, n)), 0
+    for size in sizes:
+        part = slice(first, first + size)
+        matrix[part, part] = rng.uniform(-1.0, 1.0, (size, size))
+        first += size
+    rows, columns = rng.permutation(n), rng.permutation(n)
+    scales = 2.0 ** rng.integers(-9, 9, n)
+    matrix = (matrix / scales[:, None])[np.ix_(rows, columns)]
+    scales, right = scales[rows], rng.uniform(-1.0, 1.0, (n, 3))
+    graph, inputs = Graph(), dict[str, float]()
+    given = given_as("m", matrix, graph, inputs)
+    for place in zip(*np.nonzero(matrix == 0.0), strict=True):
+        given[place] = graph.constant(0)
+    own = np.array([graph.constant(float(x)) for x in scales], dtype=object)
+    solved, regular = solved_by_parts(given, given_as("x", right, graph, inputs), own)
+    expected = np.linalg.solve(matrix, right)
+    np.testing.assert_allclose(numbers(solved, inputs), expected, rtol=1e-9)
+    squares = numbers(np.array([each.square for each in regular], dtype=object), inputs)
+    assert (squares > 0.0).all()
+    assert len(regular) == sum(sizes) + 2  # rows or pivots, and two determinants
+
+
+@pytest.mark.parametrize("n", [1, 2, 3, 4])
+def test_a_part_that_is_next_to_singular_is_told(n: int) -> None:
+    rng = np.random.default_rng(n)
+    near = rng.uniform(0.5, 1.0, (n, n))
+    near[-1] = near[:-1].sum(axis=0) + 1e-9 * rng.uniform(-1.0, 1.0, n)
+    least = []
+    for matrix in (near, np.eye(n) + 0.1 * near):
+        graph, inputs = Graph(), dict[str, float]()
+        given, right = (given_as(name, matrix, graph, inputs) for name in "mx")
+        own = np.array([graph.constant(1)] * n, dtype=object)
+        ratios = []
+        for each in solved_by_parts(given, right, own)[1]:
+            told = [each.square, each.beside + graph.constant(0)]
+            square, beside = numbers(np.array(told, dtype=object), inputs)
+            ratios.append(square / beside)
+        least.append(min(ratios))
+    assert least[0] < 1e-14 < 1e-4 < least[1]

@@ -2,18 +2,32 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
+
 import numpy as np
 import pytest
 
-from adagen.model import LOOP_KINDS, PRISMATIC, REVOLUTE, SPHERICAL, Model
-from adagen.reference import inverse_dynamics
+from adagen.errors import InputError
+from adagen.library import read
+from adagen.model import LOOP_KINDS, PRISMATIC, REVOLUTE, SPHERICAL, LoopEnd, Model, NamedLoop
+from adagen.reference import exact_forward_dynamics, inverse_dynamics, residual
 from adagen.reference.closed import (
     closed_forward_dynamics,
     closed_states,
     constraints,
     moved,
 )
-from tests.mechanisms import MECHANISMS, four_bar, looped_tree, states_of
+from adagen.reference.loop_rows import loop_rows
+from adagen.reference.numbers import DOUBLE
+from tests.mechanisms import (
+    MECHANISMS,
+    four_bar,
+    looped_tree,
+    planar_chain,
+    states_of,
+    with_loops,
+)
 
 KINDS = (REVOLUTE, PRISMATIC, SPHERICAL)
 
@@ -75,3 +89,59 @@ def _rank(model: Model, q: np.ndarray) -> int:
 def test_rows_of_planar_loops_follow_from_two() -> None:
     model = four_bar()
     assert {_rank(model, q) for q in states_of(model, 6).q} == {2}
+
+
+@pytest.mark.parametrize("floating", [False, True])
+@pytest.mark.parametrize("kind", LOOP_KINDS)
+def test_drift_is_how_rates_of_gaps_change_along_the_motion(kind: str, floating: bool) -> None:
+    model = looped_tree(kind, 3, joints=7, floating=floating, kinds=KINDS)
+    (q,), (v,) = closed_states(model, 1, starts=60)
+    rows, drift = loop_rows(DOUBLE, model, q, v)
+    np.testing.assert_allclose(rows, constraints(model, q).rows, atol=1e-12)
+    step = 1e-3
+    ahead, behind = (constraints(model, moved(model, q, s * step * v)).rows @ v for s in (1, -1))
+    np.testing.assert_allclose((ahead - behind) / (2 * step), drift, atol=1e-4)
+
+
+@pytest.mark.parametrize("name", MECHANISMS)
+def test_exact_accelerations_are_those_of_the_null_space(name: str) -> None:
+    model = MECHANISMS[name]()
+    states = states_of(model, 3)
+    for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+        truth = exact_forward_dynamics(model, q, v, tau, digits=40)
+        size = max(1.0, np.abs(truth.value).max())
+        assert truth.error < 1e-40
+        assert np.abs(closed_forward_dynamics(model, q, v, tau) - truth.value).max() < 1e-9 * size
+        assert residual(model, q, v, tau, truth.value) < 1e-12
+        assert residual(model, q, v, tau, truth.value + 1e-3 * size) > 1e-6
+
+
+def test_exact_accelerations_are_the_true_ones(shared: Path) -> None:
+    """Of mechanisms whose answers somebody else computed with 420 bits."""
+    count = 0
+    for path in sorted((shared / "loops").glob("*.scene.toml")):
+        name = path.name.removesuffix(".scene.toml")
+        modes = json.loads(path.with_name(f"{name}.json").read_text())["modes"]
+        for mode, told in modes.items():
+            if told.get("answer", "qdd") != "qdd":
+                continue
+            urdf = path.with_name(f"{name}.urdf")
+            model = read(urdf, scene=path, floating=mode == "floating").model
+            q, v, tau, qdd = (
+                np.hstack([np.ravel(told["joints"][j.name][key][1]) for j in model.joints])
+                for key in ("q", "v", "tau", "qdd")
+            )
+            found = exact_forward_dynamics(model, q, v, tau, digits=20).value
+            size = max(1.0, np.abs(qdd).max())
+            assert np.abs(found - qdd).max() < told["tolerance"] / 10 * size, (name, mode)
+            count += 1
+    assert count >= 50
+
+
+def test_a_motion_that_nothing_determines_has_no_exact_acceleration() -> None:
+    bars = planar_chain(0.2, 0.5, 0.4, massless=2)
+    pin = LoopEnd("p1_link", (0.5, 0.0, 0.0)), LoopEnd(bars.links[0].name, (0.45, 0.0, 0.0))
+    model = with_loops(bars, (NamedLoop("pin", "spherical", *pin),))
+    q, v = closed_states(model, 1)
+    with pytest.raises(InputError, match="singular"):
+        exact_forward_dynamics(model, q[0], v[0], np.zeros(3))

@@ -81,8 +81,8 @@ def test_it_is_said_in_words_and_as_json(
     words = ["schedule", robot, "--hosts", str(hosts)]
     assert main([*words, "--profile", str(profile)]) == 0
     said = capsys.readouterr().out
-    assert "stay on one host" in " ".join(said.split())
-    assert "handed out" in said and "lan profile" in " ".join(said.split())
+    assert "use one host" in " ".join(said.split())
+    assert "distributed" in said and "lan profile" in " ".join(said.split())
     assert main([*words, "--profile", str(profile), "--json"]) == 0
     told = json.loads(capsys.readouterr().out)
     assert told["single"]["hosts"] == 1

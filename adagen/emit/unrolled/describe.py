@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from adagen.emit.words import Words
-from adagen.plan.steps import Accelerate, Articulate, Kinematics, Step
+from adagen.plan.steps import Step
 
 
 def describe_step(words: Words, step: Step, row: Callable[[int], Sequence[int]]) -> str:
@@ -27,5 +27,4 @@ def describe_step(words: Words, step: Step, row: Callable[[int], Sequence[int]])
     names = ", ".join(f"{j} {words.quoted_joint(j)}" for j in joints)
     if len(joints) == 1:
         return f"joint {names}: {step.about}"
-    assert isinstance(step, Kinematics | Articulate | Accelerate)  # what is done row by row
-    return f"joints {names}: {step.about_row}"
+    return f"joints {names}: {getattr(step, 'about_row', step.about)}"

@@ -14,8 +14,10 @@ from adagen.emit.unrolled.text import FUNCTIONS, TYPES, Text
 from adagen.emit.words import Words
 from adagen.executor import Simulated, simulate
 from adagen.executor.checks import exceeds
+from adagen.executor.lanes import Grouping
 from adagen.graph import Expression, live_nodes
 from adagen.plan import Plan
+from adagen.plan.alike import without_unlike
 from adagen.plan.stages import stages
 from adagen.plan.steps import LinkBias, StartLink
 from adagen.plan.types import Process
@@ -42,7 +44,7 @@ def values(words: Words, chunk: int = 0) -> dict[str, object]:
     chunk = chunk or words.chunk or CHUNK
     plan = words.plan
     plans = plan.alternatives
-    groupings = [words.program.slots.limbs, *[words.program.recovering] * (len(plans) - 1)]
+    groupings = [words.program.slots.limbs, *_recovering(words, plans[1:])]
     line = [
         one for each, limbs in zip(plans, groupings, strict=True) for one in simulate(each, limbs)
     ]
@@ -79,6 +81,17 @@ def values(words: Words, chunk: int = 0) -> dict[str, object]:
         "near_lock": not words.batch and any(c.near for s in line for c in s.machine.checks),
         "wide_results": max((row.count_of_lanes for row in rows), default=0),
     }
+
+
+def _recovering(words: Words, plans: Sequence[Plan]) -> list[Grouping]:
+    """Return the limbs that share code in what is done instead, in each of several ways."""
+    return [
+        tuple(
+            tuple(without_unlike(plan, process.steps, limbs))
+            for process, limbs in zip(plan.processes, words.program.recovering, strict=False)
+        )
+        for plan in plans
+    ]
 
 
 class _ProcessText:

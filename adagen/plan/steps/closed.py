@@ -62,6 +62,7 @@ class HoldBack:
 
     does: ClassVar[str] = "hold_back"
     about: ClassVar[str] = "inertia and bias force of what is beyond, its own motion left open"
+    about_row: ClassVar[str] = "inertia and bias force of what is beyond, their motion left open"
 
     joint: int
     closure: int
@@ -74,6 +75,7 @@ class CarryRows:
 
     does: ClassVar[str] = "carry_rows"
     about: ClassVar[str] = "what loops hold back beyond it"
+    about_row: ClassVar[str] = "what loops hold back beyond them"
 
     joint: int
     closure: int
@@ -135,6 +137,7 @@ class AccelerateHeld:
 
     does: ClassVar[str] = "accelerate_held"
     about: ClassVar[str] = "acceleration of the link beyond it"
+    about_row: ClassVar[str] = "accelerations of the links beyond them"
 
     joint: int
     closure: int

@@ -23,7 +23,7 @@ from adagen.states import States
 
 Array = NDArray[np.float64]
 DIRECT = 200
-"""Degrees of freedom up to which the truth is solved for directly, in ball arithmetic."""
+"""Degrees of freedom up to which the truth of a tree is solved for directly, in balls."""
 _DIGITS = 20
 _PASSES = 20
 _SETTLED = 1e-15
@@ -58,7 +58,7 @@ class Judge:
     def truth(self) -> Array:
         """Shape (S, nv)."""
         each = zip(self.states.q, self.states.v, self.states.tau, strict=True)
-        if self.model.nv > DIRECT:
+        if self.model.nv > DIRECT and not self.model.closed:
             return np.array([refined(self.model, *state) for state in each])
         found = (exact_forward_dynamics(self.model, *s, digits=_DIGITS) for s in each)
         return np.array([certified.value for certified in found])

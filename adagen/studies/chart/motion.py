@@ -17,7 +17,8 @@ from adagen.errors import EnvironmentFault
 from adagen.model import Model
 from adagen.reference import kinetic_energy, momentum, potential_energy
 from adagen.run import launch
-from adagen.states import States, random_states, write_states
+from adagen.states import States, write_states
+from adagen.studies.drawn import drawn_states
 
 Array = NDArray[np.float64]
 INTEGRATORS = ("euler", "semi-implicit", "implicit", "rk4", "rkmk4")
@@ -40,7 +41,7 @@ class MotionPoint:
         energy: largest drift of the energy, relative to the largest kinetic energy; None where
             joints damp, spring, carry rotors or are moved, so that it is not kept.
         momentum: largest drift of the angular momentum about the centre of mass, likewise; None
-            where the base is fixed, so that it is not kept.
+            where the ground holds the robot, so that it is not kept.
         why: the reason where it failed.
     """
 
@@ -154,7 +155,7 @@ def drifts(model: Model, motion: Played) -> tuple[float | None, float | None]:
     """Return the largest relative drift of energy and of angular momentum along a motion.
 
     None for what is not kept: energy by damping, friction, springs, rotors and prescribed motion
-    (it is reckoned of the links alone), momentum by a base that is not free.
+    (it is reckoned of the links alone), momentum by a base or a loop that the ground holds.
     """
     rows = list(zip(motion.q, motion.v, strict=True))
     energy = None
@@ -162,7 +163,8 @@ def drifts(model: Model, motion: Played) -> tuple[float | None, float | None]:
         kinetic = np.array([kinetic_energy(model, q, v) for q, v in rows])
         total = kinetic + np.array([potential_energy(model, q) for q, _ in rows])
         energy = float(np.abs(total - total[0]).max() / kinetic.max())
-    if not model.floating:
+    held = any(link == 0 for loop in model.loops for link, _ in loop.ends)
+    if held or not model.floating:
         return energy, None
     spin = np.array([momentum(model, q, v)[1] for q, v in rows])
     return energy, float(np.abs(spin - spin[0]).max() / np.linalg.norm(spin[0]))
@@ -181,7 +183,7 @@ def motion_chart(
         EnvironmentFault: not even the reference could be simulated.
     """
     model = player.model
-    state = random_states(model, 1, seed)
+    state = drawn_states(model, 1, seed)
     start = States(state.q, state.v, np.zeros_like(state.tau))
     finest = min(steps) / FINER
     said("reference: rk4 at a sixteenth of the least step, and at a thirty-second")

@@ -96,7 +96,7 @@ def _built(
                 continue  # another variant's program
             texts.add(text)
             point = replace(point, method=variant.method(plan))
-            if not variant.baseline:
+            if not variant.baseline and not model.closed:  # what is predicted is of joins
                 growth = predicted_growth(plan).error
                 point = replace(point, predicted=growth if math.isfinite(growth) else None)
             sources[point.label] = Emitted(

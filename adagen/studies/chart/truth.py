@@ -17,7 +17,8 @@ from adagen.reference import (
     joint_space_inertia,
     residual,
 )
-from adagen.states import States, random_states
+from adagen.states import States
+from adagen.studies.drawn import check_closed, drawn_states
 
 Array = NDArray[np.float64]
 DIGITS = 100
@@ -80,9 +81,10 @@ def truth_of(
         said: is told of progress.
 
     Raises:
-        InputError: the robot's joint-space inertia is singular.
+        InputError: the robot's joint-space inertia is singular, or a loop is open.
     """
-    states = random_states(model, count, seed) if isinstance(count, int) else count
+    states = drawn_states(model, count, seed) if isinstance(count, int) else count
+    check_closed(model, states)
     exact, inertias = [], []
     for s, state in enumerate(zip(states.q, states.v, states.tau, strict=True)):
         said(f"truth to {digits} digits: state {s + 1} of {states.count}")

@@ -26,7 +26,8 @@ from adagen.model import (
     Link,
     Model,
 )
-from adagen.states import States, random_states
+from adagen.states import States
+from adagen.studies.drawn import drawn_states
 from adagen.studies.stability.robots import rod
 
 Array = NDArray[np.float64]
@@ -244,13 +245,14 @@ def robots(count: int, seed: int = 0) -> list[Model]:
 def hard_states(model: Model, count: int, seed: int = 0) -> States:
     """Return random states of a robot, half of their angles near multiples of a quarter turn.
 
-    Velocities are up to 100, torques up to 1000, by orders of magnitude.
+    Velocities are up to 100, torques up to 1000, by orders of magnitude. A robot with loops is in
+    closed configurations, as `drawn_states` finds them.
     """
     rng = np.random.default_rng((seed, 1))
-    states = random_states(model, count, seed)
+    states = drawn_states(model, count, seed)
     q = states.q.copy()
     for j, joint in enumerate(model.joints):
-        if joint.kind is not REVOLUTE:
+        if joint.kind is not REVOLUTE or model.closed:
             continue
         at = model.q_start[j]
         near = np.pi / 2 * rng.integers(-2, 3, size=count)

@@ -32,6 +32,7 @@ from adagen.plan import Plan, plan_to_json
 from adagen.reference import energy_norm_error, joint_space_inertia
 from adagen.search.objective import FEW, predicted_digits
 from adagen.states import States, random_states
+from adagen.studies.drawn import drawn_states
 from adagen.studies.stability import robots
 from adagen.studies.stability.adversary import hard_states
 from adagen.studies.stability.audit import WRONG, Way, planned, solved, source_of, truths
@@ -146,7 +147,7 @@ def ways(
 
 def subject(name: str, model: Model, count: int, seed: int = 1) -> Subject:
     """Return a robot with random states, half of them near quarter turns, fast and strained."""
-    soft = random_states(model, count - count // 2, seed)
+    soft = drawn_states(model, count - count // 2, seed)
     hard = hard_states(model, count // 2, seed) if count > 1 else None
     parts = _parts(soft) if hard is None else map(np.vstack, zip(_parts(soft), _parts(hard)))  # noqa: B905
     return Subject(name, model, States(*parts))

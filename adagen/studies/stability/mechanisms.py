@@ -270,11 +270,11 @@ def _audit_state(
     size = max(1.0, float(np.abs(truth).max()))  # of a truss it is zero
     error = float(np.abs(found - truth).max()) / size
     outcome.worst = max(outcome.worst, error)
-    outcome.wrong += not error < WRONG
+    outcome.wrong += int(not error < WRONG)
     rows = constraints(model, q).rows
     sizes = np.linalg.svd(rows, compute_uv=False)
     rank = int((sizes > 1e-9 * sizes[0]).sum())
     dense = closed_forward_dynamics(model, q, v, tau)
     known = 1e-9 * (sizes[0] / sizes[rank - 1]) ** 2
     strange = float(np.abs(dense - truth).max()) / size
-    outcome.strange += strange > max(1e-4, known)
+    outcome.strange += int(strange > max(1e-4, known))

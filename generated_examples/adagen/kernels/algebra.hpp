@@ -98,7 +98,7 @@ ADAGEN_INLINE void operator+=(Body<T>& a, const Body<T>& b) {
   a.A += b.A, a.B += b.B, a.C += b.C, a.n += b.n, a.f += b.f;
 }
 
-// The body told about the point at -r from the one that it is told about: B + rx C, and
+// The body expressed about the point at -r from the one that it is expressed about: B + rx C, and
 // A + rx B^T - (B + rx C) rx.
 template <class T>
 ADAGEN_INLINE void shift(Body<T>& X, const Vector<T>& r) {

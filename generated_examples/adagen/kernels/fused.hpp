@@ -36,7 +36,7 @@ inline Transform own_transform(Workspace& w, int j) {
   return {mat3_of(turn).transpose(), {r.x, r.y, r.z}};
 }
 
-// From a link's own axes to those that its mobility and forces at it are told in, which may be
+// From a link's own axes to those that its mobility and forces at it are expressed in, which may be
 // those of the base; and a matrix that takes what is told there instead of what is in its own axes.
 [[maybe_unused]] inline Columns6 to_told(Workspace& w, int link, const Columns6& f) {
   return turned_link(link) ? f : rotated(mat3_of(matrix_at(w.of(link - 1, kAxes))), f);

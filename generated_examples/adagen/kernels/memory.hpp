@@ -168,8 +168,8 @@ struct Workspace : State, Cuts, Inertias {
   alignas(64) std::array<Value, kWindow * kPerBlock> angle{};  // of each joint that turns
   std::array<Block, kWindow> blocks{};
   std::array<Memory, kJointCount> joints{};
-  std::array<Eliminated<Two>, kAbreast ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
-  std::array<Eliminated<Four>, kAbreast ? kSlotCount / 4 : 0> fours{};
+  std::array<Eliminated<Two>, kInLanes ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
+  std::array<Eliminated<Four>, kInLanes ? kSlotCount / 4 : 0> fours{};
   // Of the link beyond each joint, and one for slots that are not filled.
   std::array<LinkColumns, kByColumns ? kColumnCount + 1 : 0> columns{};
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet

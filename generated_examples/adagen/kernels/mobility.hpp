@@ -35,8 +35,8 @@ const Mat6 kZero = Mat6::Zero();
 const Columns6 kGround = Columns6::Zero();
 
 // Mobility: what a segment shows at its handles, and what forces there do inside it. Phi and b are
-// about the handles' origins, in the axes that their bodies are told in (turned.hpp), and so are
-// forces at handles; b are accelerations beyond those of a Frame.
+// about the handles' origins, in the axes that their bodies are expressed in (turned.hpp), and so
+// are forces at handles; b are accelerations beyond those of a Frame.
 inline Mat3 mat3_of(const Matrix<Value>& R) {
   Mat3 result;
   result << R.x.x, R.x.y, R.x.z, R.y.x, R.y.y, R.y.z, R.z.x, R.z.y, R.z.z;
@@ -49,7 +49,7 @@ M rotated(const Mat3& R, const M& m) {
   result.template bottomRows<3>().noalias() = R * m.template bottomRows<3>();
   return result;
 }
-// Columns at a link from the axes that they are told in there to those of the base, and back.
+// Columns at a link from the axes that they are expressed in there to those of the base, and back.
 template <class M>
 M in_base(Workspace& w, int link, const M& m) {
   return turned_link(link) ? rotated(mat3_of(matrix_at(w.of(link - 1, kAxes))), m) : m;
@@ -238,7 +238,7 @@ Mat6 passed(Workspace& w, int j, const Mat6& m) {
   return as_told(w, near_link<!reversed>(j), far);
 }
 
-// What joints with several freedoms do at the child link's origin is told at the far link's.
+// What joints with several freedoms do at the child link's origin is expressed at the far link's.
 template <bool reversed>
 Mat6 at_far_link(Workspace& w, int j, const Mat6& Phi) {
   if constexpr (!reversed) return mobility_as_told(w, j + 1, Phi);
@@ -335,7 +335,8 @@ Columns6 force_on(Workspace& w) {
 
 // --- joins: adapters to the joints' own frames ---------------------------------------------------
 
-// From what is told about the parent's (X) and the child link's origin (Y) to the joint's frame.
+// From what is expressed about the parent's (X) and the child link's origin (Y) to the joint's
+// frame.
 [[maybe_unused]] inline void set_transforms(Workspace& w, int j, Transform& X, Transform& Y) {
   const int parent = kJoints[static_cast<std::size_t>(j)].parent;
   const Mat3 back = mat3_of(matrix_at(w.of(j, kAxes))).transpose();

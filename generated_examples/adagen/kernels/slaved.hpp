@@ -17,7 +17,7 @@
 
 namespace {
 
-// Slaved joints. Each is held in step by a torque between it and its source. What a unit of that
+// Slaved joints. Each is coupled by a torque between it and its source. What a unit of that
 // torque does, the same sweeps find once more, for nothing else at work, springs neither.
 inline void pull(Workspace& w, int slaved) {
   const JointConstants& joint = kJoints[static_cast<std::size_t>(slaved)];

@@ -49,7 +49,7 @@ ADAGEN_INLINE void turn_body(Body<T>& X, const Matrix<T>& R) {
   X.n = R * X.n, X.f = R * X.f;
 }
 
-// From the axes that a link's body is told in to those of the base, and back.
+// From the axes that a link's body is expressed in to those of the base, and back.
 template <bool lost = false>
 ADAGEN_INLINE void to_base(Workspace& w, int link, Body<Value>& X) {
   if (turned_link<lost>(link)) turn_body(X, matrix_at(w.of(link - 1, kAxes)));

@@ -15,7 +15,7 @@ namespace {
 // Exact projection: nothing is left of an articulated inertia along its joint's motion, to the bit,
 // and an inertia is 21 numbers.
 
-// What the joint hands on of its articulated body; false where D cannot be factorized.
+// What the joint passes on of its articulated body; false where D cannot be factorized.
 template <class Kind>
 bool hand_on(Body& body, const Real* tau, Columns6& force) {
   constexpr int n = kFree<Kind>;

@@ -13,7 +13,7 @@ namespace {
 
 // As the textbook has it: I^A as a full 6x6 matrix from which U D^-1 U^T is subtracted.
 
-// What the joint hands on of its articulated body; false where D cannot be factorized.
+// What the joint passes on of its articulated body; false where D cannot be factorized.
 template <class Kind>
 bool hand_on(Body& body, const Real* tau, Columns6& force) {
   constexpr int n = kFree<Kind>;

@@ -6,7 +6,8 @@ from collections.abc import Callable, Sequence
 from importlib.util import find_spec
 from pathlib import Path
 
-from adagen.model import Model
+from adagen.errors import EnvironmentFault
+from adagen.model import Model, canonical
 from adagen.states import States
 from adagen.studies.bench.contest import Contestant
 from adagen.studies.bench.machine import package
@@ -42,6 +43,27 @@ PEERS: dict[str, tuple[str, Make]] = {
 A maker is given the robot in canonical frames, the states to be timed on, and a folder for its
 files; it raises AdagenError where the peer cannot treat the robot.
 """
+
+
+LOOPED = ("pinocchio",)
+"""Peers whose dynamics with closed loops is rigid; MuJoCo's equality constraints are springs."""
+
+
+def contestants(name: str, model: Model, states: States, folder: Path) -> Sequence[Contestant]:
+    """Return a peer's contestants for a robot.
+
+    Args:
+        name: a key of ``PEERS``.
+        model: the robot.
+        states: what is timed.
+        folder: for the peer's files.
+
+    Raises:
+        AdagenError: the peer cannot treat the robot.
+    """
+    if model.closed and name not in LOOPED:
+        raise EnvironmentFault("it has no rigid closed loops")
+    return PEERS[name][1](canonical(model), states, folder)
 
 
 def missing(name: str) -> str | None:

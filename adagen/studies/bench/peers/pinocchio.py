@@ -30,10 +30,14 @@ def contestants(model: Model, states: States, folder: Path) -> Sequence[Contesta
         EnvironmentFault: its headers are not where its wheel should have put them, or nothing
             compiles them.
     """
+    if model.closed:
+        from adagen.studies.bench.peers.pinocchio_loops import closed_contestants
+
+        return closed_contestants(model, states, folder)
     file, given = folder / "pinocchio.txt", folder / "pinocchio.states"
     file.write_text(described(model), encoding="utf-8")
     coordinates(model, states).write(given)
-    built = _builds()
+    built = builds("pinocchio")
     found = []
     for (compiler, flags), executable in built.items():
         for convention in CONVENTIONS:
@@ -56,10 +60,10 @@ def contestants(model: Model, states: States, folder: Path) -> Sequence[Contesta
     return found
 
 
-def _builds() -> dict[tuple[str, str], Path]:
-    """Return the executables by compiler and flags; each takes a minute to compile, once."""
+def builds(name: str) -> dict[tuple[str, str], Path]:
+    """Return a program's executables by compiler and flags; each takes a minute, once."""
     folder = headers()
-    text = f"// pinocchio {package('pin')}\n{source('pinocchio.cpp')}"
+    text = f"// pinocchio {package('pin')}\n{source(f'{name}.cpp')}"
     kinds = [(c, f) for c in COMPILERS if compiler_version(c) for f in FLAGS]
     if not kinds:
         raise EnvironmentFault(f"no compiler: none of {', '.join(COMPILERS)} is installed")
@@ -67,7 +71,7 @@ def _builds() -> dict[tuple[str, str], Path]:
     def made(kind: tuple[str, str]) -> Path:
         compiler, flags = kind
         folders = (folder, folder / "eigen3")
-        return build(text, "bench_pinocchio", compiler, FLAGS[flags], folders)
+        return build(text, f"bench_{name}", compiler, FLAGS[flags], folders)
 
     with ThreadPoolExecutor(2) as pool:
         return dict(zip(kinds, pool.map(made, kinds), strict=True))

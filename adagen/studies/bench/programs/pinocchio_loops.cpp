@@ -1,10 +1,11 @@
 // Pinocchio's dynamics with closed loops, instantiated from its headers: constraintDynamics (a
 // sparse Cholesky factorization) and lcaba (loop-constrained articulated bodies).
 //
-// PROGRAM MODEL STATES RESULT REPEAT CONSTRAINTS FACTORS|LCABA
+// PROGRAM MODEL STATES RESULT REPEAT CONSTRAINTS FACTORS|LCABA MU
 //
 // CONSTRAINTS has a line for each: point or weld; joint, rotation and translation of frame 1, then
-// of frame 2. Joint 0 is the ground.
+// of frame 2. Joint 0 is the ground. MU is the proximal parameter of constraintDynamics, 0 where
+// constraints are independent.
 
 #define BOOST_MPL_CFG_NO_PREPROCESSED_HEADERS
 #define BOOST_MPL_LIMIT_LIST_SIZE 30
@@ -48,7 +49,7 @@ Models read_constraints(const char* path, const pinocchio::Model& model) {
 }  // namespace
 
 int main(int words, char** word) {
-  if (words != 7) measure::fail("usage: MODEL STATES RESULT REPEAT CONSTRAINTS FACTORS|LCABA");
+  if (words != 8) measure::fail("usage: MODEL STATES RESULT REPEAT CONSTRAINTS FACTORS|LCABA MU");
   const pinocchio::Model model = read_model(word[1]);
   const measure::States states = measure::read_states(word[2]);
   if (model.nq != states.nq || model.nv != states.nv) measure::fail("states of another model");
@@ -60,6 +61,7 @@ int main(int words, char** word) {
   const std::vector<Vector> v = rows(states.v, states.count, states.nv);
   const std::vector<Vector> tau = rows(states.tau, states.count, states.nv);
   const bool factors = std::string(word[6]) == "FACTORS";
+  const double mu = std::atof(word[7]);
   if (factors)
     pinocchio::initConstraintDynamics(model, data, constraints, at);
   else
@@ -67,7 +69,7 @@ int main(int words, char** word) {
   return measure::run(states, word[3], std::atoi(word[4]), [&](long s, double* qdd) {
     const auto k = static_cast<std::size_t>(s);
     if (factors) {
-      pinocchio::ProximalSettings settings(1e-14, 0.0, 1);
+      pinocchio::ProximalSettings settings(1e-14, mu, mu > 0 ? 10 : 1);
       pinocchio::constraintDynamics(model, data, q[k], v[k], tau[k], constraints, at, settings);
     } else {
       pinocchio::ProximalSettings settings(1e-10, 1e-4, 20);

@@ -43,7 +43,7 @@ ADAGEN_INLINE void answer(Workspace& w, const Joints<T>& joints, int k, const T&
     ADAGEN_FOR (lane, 0, kWidth<T>) place(lane) = x[lane];
 }
 
-// The same for joints with several freedoms, told at the joint's origin throughout.
+// The same for joints with several freedoms, expressed at the joint's origin throughout.
 template <bool reversed>
 ADAGEN_INLINE void move_at_joint(Workspace& w, const Joints<Value>& joints, Motion<Value>& a) {
   const JointConstants& joint = joints.any();
@@ -88,8 +88,8 @@ ADAGEN_INLINE void turn_at_joint(Workspace& w, const Joints<T>& joints, Motion<T
   a.angular = far;
 }
 
-// A joint's acceleration from the near link's, which becomes the far link's; each is told at its
-// own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
+// A joint's acceleration from the near link's, which becomes the far link's; each is expressed at
+// its own origin. Where the joint is reversed, the far link's acceleration differs by -S qdd.
 template <bool reversed, class T>
 ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, Motion<T>& a) {
   const T* const e = w.memory(joints).e;

@@ -56,8 +56,8 @@ ADAGEN_INLINE Value over_links(const Lanes& x) {
 }
 
 // What links of blocks first .. last - 1 take, n and f with all that they gain; what of it may be
-// rounding, as their inertia is told in axes of the base; the energy of the answer, and of what is
-// uncertain of it.
+// rounding, as their inertia is expressed in axes of the base; the energy of the answer, and of
+// what is uncertain of it.
 template <int first, int last>
 void weigh_links(Workspace& w) {
   Lanes energy{}, rounded{};
@@ -130,8 +130,8 @@ ADAGEN_INLINE void weigh_freedom(Workspace& w, const Joints<T>& joints, const T&
   X.f += Vector<T>{e[3], e[4], e[5]} * u;
 }
 
-// What a bare link takes along its joint, told in its own axes; adds the squares of what that is
-// added up from. See add_own_link in turned.hpp.
+// What a bare link takes along its joint, expressed in its own axes; adds the squares of what that
+// is added up from. See add_own_link in turned.hpp.
 template <bool along, class T>
 ADAGEN_INLINE T own_share(Workspace& w, const Joints<T>& joints, T& units) {
   const Matrix<T> back = transposed(matrix_at<T>(w.at(joints.slot, kAxes)));

@@ -100,8 +100,8 @@ ADAGEN_INLINE void mirror(Columns& X) {
   X.angular[0] = shuffled<0, 1, 8, 3, 4, 5, 6, 7>(xy, X.angular[2]);
 }
 
-// The body told about the point at -r from the one that it is told about: what forces become, then
-// what motions were, term by term in the same order.
+// The body expressed about the point at -r from the one that it is expressed about: what forces
+// become, then what motions were, term by term in the same order.
 ADAGEN_INLINE void shift(Columns& X, const Arm& arm) {
   ADAGEN_FOR (k, 0, 3) {
     X.angular[k] = carried(arm, X.angular[k]);

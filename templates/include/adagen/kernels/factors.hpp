@@ -13,7 +13,7 @@ namespace {
 
 // The factors 1 / D and L of A = L D L^T: 0 1 2, 10 20 21. Without fractions (Bareiss) the three
 // divisions need not wait for each other: with m = xx yy - xy^2 and so on the pivots are xx, m / xx
-// and (m m' - t^2) / (xx m), as exact as by turns while fourth powers of A keep their digits: in
+// and (m m' - t^2) / (xx m), as exact as alternately while fourth powers of A keep their digits: in
 // float they would not. All numbers that checks gets are positive if A could be factorized.
 template <class T>
 ADAGEN_INLINE void factorize(const Symmetric<T>& A, T* factors, T (&checks)[4]) {

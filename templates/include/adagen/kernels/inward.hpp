@@ -42,7 +42,8 @@ ADAGEN_INLINE void add_bare_link(Workspace& w, const Joints<T>& joints, Body<T>&
   X.f += vector_at<T>(w.at(joints.slot, kForce));
 }
 
-// A bare link told about the point at -r from its origin: A - (rx dx + dx rx), d = c + m r / 2.
+// A bare link expressed about the point at -r from its origin: A - (rx dx + dx rx), d = c + m r
+// / 2.
 template <class T>
 ADAGEN_INLINE Body<T> bare_link_from(Workspace& w, const Joints<T>& joints, const Vector<T>& r) {
   Body<T> X{};
@@ -60,7 +61,7 @@ ADAGEN_INLINE Body<T> bare_link_from(Workspace& w, const Joints<T>& joints, cons
 }
 
 // Takes one freedom out of the body, which is shifted by r, and added to by arrive, before the
-// subtraction, so that the division has time. e gets U / D, u / D and 1 / D, told at the near
+// subtraction, so that the division has time. e gets U / D, u / D and 1 / D, expressed at the near
 // link's origin: outwards the joint has the acceleration u / D - (U / D) a, a being the near
 // link's.
 template <bool along, bool reversed, class T, class Arrive>
@@ -72,10 +73,10 @@ ADAGEN_INLINE void eliminate(Workspace& w, const Joints<T>& joints, Body<T>& X, 
   T D = dot(s, along ? f : n);
   if constexpr (kAnyPassive)
     D += each(joints, [](const JointConstants& joint) { return joint.passive.rotor; });
-  if constexpr (kPrescribedAbreast && kWidth < T >> 1) D += each(joints, immovable);
+  if constexpr (kPrescribedInLanes && kWidth < T >> 1) D += each(joints, immovable);
   const T inverse = 1 / D;
   T u = ((reversed ? -tau : tau) - dot(s, along ? X.f : X.n)) * inverse;
-  if constexpr (kPrescribedAbreast && kWidth < T >> 1)
+  if constexpr (kPrescribedInLanes && kWidth < T >> 1)
     u += each(joints, [&w](const JointConstants& joint) { return prescribed(w, joint); });
   const Symmetric<T>& whole = along ? X.C : X.A;  // D beside it tells what digits are left
   const T trace = whole.xx + whole.yy + whole.zz;
@@ -110,7 +111,7 @@ ADAGEN_INLINE bool solve_free(const Body<Value>& X, Motion<Value>& a) {
   return fine;
 }
 
-// A joint with all freedoms hands on its force alone; e gets the acceleration of the body beyond.
+// A joint with all freedoms passes on its force alone; e gets the acceleration of the body beyond.
 template <bool reversed>
 ADAGEN_INLINE void set_free(Workspace& w, int j, Body<Value>& X, const Vector<Value>& r,
                             const Value* tau, Value* e) {
@@ -179,7 +180,7 @@ ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind 
   arrive(X);
 }
 
-// Adds a bare link in the axes in which what is found at it is told.
+// Adds a bare link in the axes in which what is found at it is expressed.
 template <bool lost = false>
 ADAGEN_INLINE void add_link(Workspace& w, int link, Body<Value>& X) {
   if (turned_link<lost>(link))
@@ -264,8 +265,8 @@ void inward(Workspace& w) {
   if constexpr (near > 0) leave<starts>(w, near, X);
 }
 
-// The next for spherical joints with bare links between them: a link is told at the next joint's
-// origin before what is left of the body gets there.
+// The next for spherical joints with bare links between them: a link is expressed at the next
+// joint's origin before what is left of the body gets there.
 template <int p, int first, int last>
 ADAGEN_INLINE Body<Value> turn_inward_reversed(Workspace& w) {
   Body<Value> X{};

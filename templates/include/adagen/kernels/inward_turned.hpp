@@ -32,8 +32,8 @@ ADAGEN_INLINE Vector<T> lever_on_parent(Workspace& w, const Joints<T>& joints, J
   return r;
 }
 
-// One joint, or one in each lane. The slot is that of the parent link if its body is told in its
-// own axes, and negative if in those of the base.
+// One joint, or one in each lane. The slot is that of the parent link if its body is expressed in
+// its own axes, and negative if in those of the base.
 template <bool reversed, bool lost, class T>
 ADAGEN_INLINE void step_turned(Workspace& w, const Joints<T>& joints, JointKind kind, int slot,
                                Body<T>& X) {
@@ -69,13 +69,13 @@ ADAGEN_INLINE void step_turned(Workspace& w, const Joints<T>& joints, JointKind 
   }
 }
 
-// The slot of a link whose body is told in its own axes, -1 of others.
+// The slot of a link whose body is expressed in its own axes, -1 of others.
 template <bool lost = false>
 ADAGEN_INLINE int turned_slot(int link) {
   return turned_link<lost>(link) ? slot_of(link - 1) : -1;
 }
 
-// Keeps a body on the far side of joints for their forces, told in axes of the base.
+// Keeps a body on the far side of joints for their forces, expressed in axes of the base.
 template <class T>
 ADAGEN_INLINE void keep_turned(Workspace& w, const Joints<T>& joints, int slot, Body<T> X) {
   if (slot >= 0) turn_body(X, matrix_at<T>(w.at(slot, kAxes)));

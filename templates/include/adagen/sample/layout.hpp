@@ -13,7 +13,7 @@ namespace {
 constexpr std::array<LinkInertia, kJointCount> kInertias{};
 constexpr int kSlotCount = 4, kTile = 16, kBlockKindCount = 0;
 constexpr int kBlockKinds[]{0}, kFirstOfKind[]{0};
-constexpr bool kAbreast = true, kPrescribedAbreast = false, kReordered = false, kByColumns = true;
+constexpr bool kInLanes = true, kPrescribedInLanes = false, kReordered = false, kByColumns = true;
 constexpr int kSlots[kJointCount]{0, 1, 2, 3};
 constexpr bool kAnyTurned = true, kAnyTurnedIfLost = true;
 constexpr bool kTurned[kJointCount]{}, kTurnedIfLost[kJointCount]{};

@@ -7,10 +7,10 @@
 
 namespace {
 
-using Number = double;  // of states, answers and messages
-using Real = double;    // of all between
+using Number = double;  // type of states, results and messages
+using Real = double;    // type of all other values
 constexpr int kProcesses = 2;
-constexpr bool kAlone = false;  // whether process 0 does all, and no other takes part
+constexpr bool kAlone = false;  // whether process 0 does all the work
 constexpr int kJointCount = 4, kLinkCount = kJointCount + 1;
 constexpr int kNq = 13, kNv = 11, kNqdd = kNv;
 constexpr int kOuterCount = 1, kNtau = kNv + 6 * kOuterCount;
