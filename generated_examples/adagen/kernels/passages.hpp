@@ -75,8 +75,8 @@ void traverse(Workspace& w, Passage<Value>& own) {
 
 // Into a message, and out of one.
 inline Number* put(Number* to, const Passage<Value>& own) {
-  for (const Vector<Value>* u : {&own.R.x, &own.R.y, &own.R.z, &own.omega, &own.alpha, &own.p,
-                                 &own.v, &own.a}) {
+  for (const Vector<Value>* u :
+       {&own.R.x, &own.R.y, &own.R.z, &own.omega, &own.alpha, &own.p, &own.v, &own.a}) {
     to[0] = Number(u->x), to[1] = Number(u->y), to[2] = Number(u->z);
     to += 3;
   }

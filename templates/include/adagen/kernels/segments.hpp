@@ -68,6 +68,16 @@ struct Segments {
   static constexpr bool kSpeedsInOrder = in_order(&JointConstants::v);
 };
 
+// The origins of a row. Where g++ 12 knows all of these constants, as it does of few rows, it adds
+// them to others in wrong lanes: what it reads them from is hidden from it.
+ADAGEN_INLINE Vector<Lanes> origins_of(const Joints<Lanes>& row) {
+  const int place = constants_at(row.slot / kPerBlock);
+  const BlockConstants* block = &kBlockConstants[static_cast<std::size_t>(place)];
+  asm("" : "+r"(block));
+  return {number_at<Lanes>(block->x.data()), number_at<Lanes>(block->y.data()),
+          number_at<Lanes>(block->z.data())};
+}
+
 // The k-th of three numbers that each joint of a row turns with; a hinge has only the last.
 template <class Run, std::size_t... lane>
 ADAGEN_INLINE Lanes speeds(const Workspace& w, int row, int beyond, int k,
@@ -146,7 +156,7 @@ ADAGEN_INLINE Vector<Lanes> spin_segments(Workspace& w, int beyond, const Matrix
   Matrix<Lanes> R = start;
   Vector<Lanes> omega{};
   for (int row = 0; row < Run::kRows; ++row) {
-    const Vector<Lanes> r = R * origin_of(Run::row(row, beyond));
+    const Vector<Lanes> r = R * origins_of(Run::row(row, beyond));
     put_at(row_at<Run>(w, row, kAcceleration), r);
     R = start * matrix_at<Lanes>(row_at<Run>(w, row, kAxes));
     put_at(row_at<Run>(w, row, kAxes), R);
@@ -206,11 +216,11 @@ ADAGEN_INLINE void along_segments(Workspace& w, int beyond, Frame<Value> at) {
 // How the last link of each segment lies and moves relative to the segment's start.
 template <class Run>
 ADAGEN_INLINE Passage<Lanes> through_segments(const Workspace& w, int beyond) {
-  const Vector<Lanes> first = origin_of(Run::row(0, beyond));
+  const Vector<Lanes> first = origins_of(Run::row(0, beyond));
   Passage<Lanes> at{matrix_at<Lanes>(row_at<Run>(w, 0, kTurn)), {}, {}, first, {}, {}};
   at.omega = spins<Run>(w, 0, beyond, at.R);
   for (int row = 1; row < Run::kRows; ++row) {
-    const Vector<Lanes> r = at.R * origin_of(Run::row(row, beyond)), v = cross(at.omega, r);
+    const Vector<Lanes> r = at.R * origins_of(Run::row(row, beyond)), v = cross(at.omega, r);
     at.p += r;
     at.v += v;
     at.a += cross(at.omega, v) + cross(at.alpha, r);
@@ -226,7 +236,8 @@ ADAGEN_INLINE Passage<Lanes> through_segments(const Workspace& w, int beyond) {
 // fast. Seen from a start that turns, what moves there has the acceleration of Coriolis besides,
 // 2 omega x v, and its spin omega x its own.
 template <class Run>
-ADAGEN_INLINE Passage<Value> passage_past_segments(const Workspace& w, int beyond, Frame<Value> at) {
+ADAGEN_INLINE Passage<Value> passage_past_segments(const Workspace& w, int beyond,
+                                                   Frame<Value> at) {
   const Passage<Lanes> own = through_segments<Run>(w, beyond);
   Passage<Value> all{at.R, at.omega, at.alpha, {}, {}, at.a};
   const Matrix<Lanes> R = products_before(own.R, all.R);
