@@ -1,20 +1,28 @@
 """Emitted solvers in hard states of random small robots: what is right, refused, and wrong.
 
-    python -m benchmarks.adversary [--robots 120] [--states 200] [--seed 1] [--write FILE]
+    python -m benchmarks.adversary [--robots 120] [--states 200] [--seed 1] [--record FILE]
+                                   [--write FILE]
 
 The robots are of the families of adagen/studies/stability/adversary.py; each is solved in loops and
 as a straight line, on one thread and, where it can be, on two that are joined. An answer is wrong
 from 1e-6 of the largest acceleration on (float: 0.1), beside certified accelerations. It is wrong
 in silence where neither the solver refused nor its emission warned of few digits.
+
+With --record, what became of each robot is a line of JSON in a file: the command again goes on with
+the robots that are not there yet.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import platform
 import sys
 from collections import Counter
+from collections.abc import Iterable
+from dataclasses import asdict
 from pathlib import Path
+from typing import Any
 
 from adagen.build import find_toolchain
 from adagen.studies.stability.adversary import hard_states, robots
@@ -31,19 +39,36 @@ WAYS = [
 ]
 
 
-def counted(found: dict[Way, Audit], sums: dict[Way, Counter[str]]) -> None:
-    """Add what became of a robot's evaluations to the sums."""
-    for way, audit in found.items():
-        sums[way].update(audit.counts)
-        sums[way]["robots"] += 1
-        if not audit.wrong:
-            continue
-        silent = "silent" if not audit.warned else "warned"
-        sums[way][silent] += len(audit.wrong)
-        sums[way][f"robots {silent}"] += 1
+def figures(found: dict[Way, Audit]) -> dict[str, dict[str, Any]]:
+    """Return what became of a robot's evaluations, for each way, as JSON has it."""
+    return {
+        str(way): {
+            "answered": audit.counts["answered"],
+            "refused": audit.counts["refused"],
+            "warned": audit.warned,
+            "wrong": [asdict(wrong) for wrong in audit.wrong],
+        }
+        for way, audit in found.items()
+    }
 
 
-def table(sums: dict[Way, Counter[str]]) -> list[str]:
+def summed(records: Iterable[dict[str, dict[str, Any]]]) -> dict[str, Counter[str]]:
+    """Return the sums over all robots, for each way."""
+    sums = {str(way): Counter[str]() for way in WAYS}
+    for found in records:
+        for way, one in found.items():
+            n = sums[way]
+            n["robots"] += 1
+            for key in ("answered", "refused"):
+                n[key] += one[key]
+            if one["wrong"]:
+                kind = "warned" if one["warned"] else "silent"
+                n[kind] += len(one["wrong"])
+                n[f"robots {kind}"] += 1
+    return sums
+
+
+def table(sums: dict[str, Counter[str]]) -> list[str]:
     """Return the table of all ways."""
     lines = [
         "| emitted | robots | answered | refused | wrong, warned | wrong, silent |",
@@ -53,7 +78,31 @@ def table(sums: dict[Way, Counter[str]]) -> list[str]:
         silent = f"{n['silent']}" + f", on {n['robots silent']} robots" * bool(n["silent"])
         cells = (way, n["robots"], n["answered"], n["refused"], n["warned"], silent)
         lines.append(f"| {' | '.join(map(str, cells))} |")
-    return lines
+    evaluations = sum(n["answered"] + n["refused"] for n in sums.values())
+    silent = sum(n["silent"] for n in sums.values())
+    return [*lines, "", f"{evaluations} evaluations, {silent} wrong in silence."]
+
+
+def recorded(path: Path | None) -> dict[tuple[int, int, int], dict[str, dict[str, Any]]]:
+    """Return what a record has, by seed, number of states and robot."""
+    if path is None or not path.exists():
+        return {}
+    rows = map(json.loads, path.read_text().splitlines())
+    return {(row["seed"], row["states"], row["robot"]): row["ways"] for row in rows}
+
+
+def tell_wrong(k: int, name: str, found: dict[str, dict[str, Any]]) -> None:
+    """Say which ways have answered wrongly."""
+    for way, one in found.items():
+        if not one["wrong"]:
+            continue
+        worst = max(one["wrong"], key=lambda wrong: float(wrong["error"]))
+        said = "warned" if one["warned"] else "silent"
+        print(
+            f"{k} {name}: {way}: {len(one['wrong'])} wrong, {said}, the worst "
+            f"{worst['error']:.1e} in state {worst['state']}",
+            file=sys.stderr,
+        )
 
 
 def main() -> int:
@@ -64,29 +113,28 @@ def main() -> int:
     parser.add_argument("--robots", type=int, default=120)
     parser.add_argument("--states", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--record", type=Path)
     parser.add_argument("--write", type=Path)
     options = parser.parse_args()
-    toolchain, sums = find_toolchain(), {way: Counter[str]() for way in WAYS}
+    toolchain, known, records = find_toolchain(), recorded(options.record), []
     for k, model in enumerate(robots(options.robots, options.seed)):
-        states = hard_states(model, options.states, options.seed)
-        found = audited(model, states, WAYS, toolchain)
-        counted(found, sums)
-        for way, audit in found.items():
-            if audit.wrong:
-                worst = max(audit.wrong, key=lambda wrong: wrong.error)
-                said = "warned" if audit.warned else "silent"
-                print(
-                    f"{k} {model.name}: {way}: {len(audit.wrong)} wrong, {said}, the worst "
-                    f"{worst.error:.1e} in state {worst.state}",
-                    file=sys.stderr,
-                )
+        found = known.get((options.seed, options.states, k))
+        if found is None:
+            states = hard_states(model, options.states, options.seed)
+            found = figures(audited(model, states, WAYS, toolchain))
+            if options.record is not None:
+                row = {"seed": options.seed, "states": options.states, "robot": k, "ways": found}
+                with options.record.open("a") as record:
+                    record.write(json.dumps(row) + "\n")
+        records.append(found)
+        tell_wrong(k, model.name, found)
         print(f"{k + 1} of {options.robots} robots", end="\r", file=sys.stderr)
     lines = [
         f"{options.robots} robots, {options.states} states each, {platform.machine()}, "
         f"`python -m benchmarks.adversary --robots {options.robots} --states {options.states} "
         f"--seed {options.seed}`",
         "",
-        *table(sums),
+        *table(summed(records)),
     ]
     if options.write is None:
         print("\n".join(lines))

@@ -79,7 +79,7 @@ def measured_errors(count: int, states: int, seed: int, toolchain: Toolchain) ->
     return errors_table({key: parts for key, parts in found.items() if parts})
 
 
-def _fastest(programs: list[Path], toolchain: Toolchain) -> list[float]:
+def fastest(programs: list[Path], toolchain: Toolchain) -> list[float]:
     """Least nanoseconds of an evaluation of each program, run by turns."""
     least = [np.inf] * len(programs)
     for _ in range(ROUNDS):
@@ -108,7 +108,7 @@ def measured_times(paths: Iterable[Path], toolchain: Toolchain) -> list[str]:
             except AdagenError as error:
                 print(f"{path.stem}, {shape}: {error}", file=sys.stderr)
                 continue
-            plain, certified = _fastest(programs, toolchain)
+            plain, certified = fastest(programs, toolchain)
             name = f"{shape}{', batch' * batch}"
             cells = (
                 path.stem,

@@ -73,7 +73,7 @@ def _states(model: Model, count: int) -> States:
 
     if not model.closed:
         return resting_states(model, count)
-    from adagen.plan.closures import why_open
+    from adagen.plan.closable import why_open
     from adagen.reference.closed import closed_states
 
     q, _ = closed_states(model, count)

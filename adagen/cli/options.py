@@ -93,6 +93,7 @@ RARE = frozenset(
         "--refine",
         "--reproducible",
         "--loop-forces",
+        "--residual",
         "--runtime",
         "--target",
         "--single-file",
@@ -212,6 +213,13 @@ def add_emission(parser: Parser) -> None:
         type=whole(0, 9),
         metavar="N",
         help="refine answers N times and report their error",
+    )
+    group.add_argument(
+        "--residual",
+        choices=("auto", "own", "wide"),
+        default="auto",
+        help="find residuals of --refine in the solver's own numbers (own: quick), in wide ones "
+        "(wide: exact), or in its own where loops have them (auto, default)",
     )
     group.add_argument(
         "--certify",

@@ -83,7 +83,18 @@ def request_of(options: argparse.Namespace) -> Request:
 
 
 _ASKED = (
-    *("form", "scalar", "channel", "shape", "refine", "batch", "profile", "schedule", "objective"),
+    *(
+        "form",
+        "scalar",
+        "channel",
+        "shape",
+        "refine",
+        "residual",
+        "batch",
+        "profile",
+        "schedule",
+        "objective",
+    ),
     *("tie", "strategy", "split", "naive", "expansions", "name", "single_file"),
     *("reproducible", "certify", "loop_forces"),
     *("runtime", "target"),
@@ -189,13 +200,17 @@ def _warn_of_lost_digits(
         InputError: it keeps none: a factorization fails already here.
     """
     from adagen.emit import TOLERANCE
-    from adagen.emit.shapes import chosen_shape
+    from adagen.emit.shapes import chosen_shape, shape_to_refine, why_not_own
     from adagen.library.compiled import shape_of
     from adagen.plan.types import FACTORS
     from adagen.search.objective import FEW, predicted_digits
     from adagen.urdf.notes import quoted
 
     file, shape = options.model, shape_of(plan, request)
+    if request.refinement:
+        if request.residual == "wide" or why_not_own(plan, shape_to_refine(plan, shape)):
+            return  # what refinement makes good, or not, the solver says itself
+        shape = "unrolled"  # residuals in its own numbers leave about as much as a straight line
     if shape == "auto":
         shape = chosen_shape(plan, batch=request.batch)
     try:
@@ -203,8 +218,8 @@ def _warn_of_lost_digits(
     except FloatingPointError as error:
         raise InputError(_why_it_fails(plan, model, options, str(error)), file) from None
     few = TOLERANCE[plan.scalar] if plan.form == "ada" else FEW[FACTORS[plan.scalar]]
-    if request.refinement or digits.error <= few:
-        return  # what refinement makes good, or not, the solver says itself
+    if digits.error <= few:
+        return
     ways = ["form segment keeps more digits"] if plan.form == "ada" else []
     if plan.form != "ada" and shape == "kernels" and plan.scalar == "double":
         ways = ["--shape unrolled or --refine 1 may keep more"]

@@ -24,7 +24,7 @@ that keeps its digits or refuses with a reason. The exit status is 1 if a result
 is not the expected one.
 
 examples:
-  adagen stability                             all cases (about a minute)
+  adagen stability                             all cases (some minutes)
   adagen stability --quick --case 1 --case 3   two of them, shorter chains
   adagen stability --map build/maps            a map for each family of robots,
                                                errors against the condition of H
@@ -55,7 +55,7 @@ def command_parser() -> Parser:
         "adagen stability", "Show where methods fail, and how many digits they keep.", _EPILOG
     )
     parser.add_argument(
-        "--case", type=int, action="append", metavar="N", help="only this case, 1 to 13"
+        "--case", type=int, action="append", metavar="N", help="only this case, 1 to 18"
     )
     parser.rare |= {"--meeting", "--seed", "--mimic", "--scene", "--quick"}
     _add_emitted(parser)

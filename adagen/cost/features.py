@@ -33,6 +33,7 @@ from adagen.plan.steps import (
     LoadRoot,
     Propagate,
     Receive,
+    Refine,
     Send,
     SolveCoupling,
     SolveMobility,
@@ -125,8 +126,9 @@ def _join(step: Join, kind: str) -> Features:
 
 def _without_joint(step: Step, joints: Sequence[PlanJoint]) -> Features | None:
     """Of a step that is not about one joint, or the same whatever joint; None for others."""
-    if isinstance(step, Certify):
-        return added(_certified(joint) for joint in joints)
+    if isinstance(step, Certify | Refine):
+        times = step.count if isinstance(step, Refine) else 1
+        return added(times * [_weighed(joint) for joint in joints])
     if isinstance(step, Traverse):
         run = range(step.passage.first, step.passage.last + 1)
         return added({f"kinematics.{joints[j].kind}": 1} for j in run)
@@ -136,8 +138,8 @@ def _without_joint(step: Step, joints: Sequence[PlanJoint]) -> Features | None:
     return None if plain is None else {plain: 1}
 
 
-def _certified(joint: PlanJoint) -> Features:
-    """Of a joint's share of a certificate: as much as forces that are handed on, and a bias."""
+def _weighed(joint: PlanJoint) -> Features:
+    """Of a joint's share of a residual: as much as forces that are handed on, and a bias."""
     if joint.parent == 0 and joint.kind == "floating":
         return {"root.solve": 1, "link.bias": 1}
     return {f"deliver.{joint.kind}": 1, "link.bias": 1}

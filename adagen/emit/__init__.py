@@ -15,13 +15,12 @@ from adagen.emit.names import file_stem, prefix_of, quoted
 from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
 from adagen.emit.refine import checked_shape, refinement_messages, refinement_steps
 from adagen.emit.runtime import runtime_files, version_number
-from adagen.emit.shapes import KNOWN, chosen_shape, stepwise
+from adagen.emit.shapes import KNOWN, chosen_shape, shape_to_refine, to_be_refined
 from adagen.emit.templates import render, template, templates_folder
 from adagen.emit.words import Words
 from adagen.errors import UsageError
 from adagen.executor import Grouping
 from adagen.plan import Plan, plan_to_json
-from adagen.plan.refine import refinable
 from adagen.plan.types import FACTORS, THREADS
 from adagen.program import Program, check, lower
 from adagen.program.summary import TREES, meeting
@@ -56,6 +55,7 @@ def emit(
     svg: str | None = None,
     shape: str = "auto",
     refine: int | None = None,
+    residual: str = "auto",
     batch: int = 0,
     chunk: int = 0,
     compiler: str = "",
@@ -73,6 +73,8 @@ def emit(
         shape: shape of the code, one of ``adagen.emit.shapes.SHAPES``, or "auto".
         refine: steps of iterative refinement that each evaluation takes, 0 to 9; None: as many as
             the scalar needs.
+        residual: what these find residuals in: the solver's "own" numbers, "wide" ones, or its own
+            where loops have them ("auto").
         batch: if not 0, solve many states at once on so many processes, each by the plan of one.
         chunk: values that one function of shape unrolled computes; 0 for its default.
         compiler: what the MPI wrapper is to call; "" for its own choice.
@@ -96,7 +98,9 @@ def emit(
     stem = stem_of(plan, name, batch)
     steps = refinement_steps(refine, plan.scalar)
     check_target(target, processes, steps, batch=bool(batch), single_file=single_file)
-    header, text = _texts(plan, stem, shape, refine, chunk, compiler, batch, profile, limbs, target)
+    header, text = _texts(
+        plan, stem, shape, refine, residual, chunk, compiler, batch, profile, limbs, target
+    )
     files = {
         f"{stem}.cpp": text,
         f"{stem}.h": header,
@@ -137,6 +141,7 @@ def program_of(
     shape: str = "auto",
     refine: int | None = None,
     *,
+    residual: str = "auto",
     batch: bool = False,
     profile: CostProfile | None = None,
     limbs: Grouping | None = None,
@@ -147,6 +152,7 @@ def program_of(
         plan: what each process computes.
         shape: of the code, one of ``adagen.emit.shapes.KNOWN``, or "auto".
         refine: steps of iterative refinement; None: as many as the scalar needs.
+        residual: what these find residuals in; see emit.
         batch: whether many states are solved at once.
         profile: what is chosen by; the shipped one if not given.
         limbs: those that each process takes side by side; None for those of least price.
@@ -159,15 +165,13 @@ def program_of(
         if len(plan.processes) > 1:
             raise UsageError("a batch is solved by the plan of one process")
         check_batch(shape, refine, plan.channel)
-    if refine and plan.sets_inertias:
-        raise UsageError("masses cannot be set where answers are refined: leave one of both out")
     if refine and checked_shape(refine, shape) == "auto":
-        shape = stepwise(plan)
+        shape = shape_to_refine(plan, shape)
     shape = chosen_shape(plan, shape, batch=batch, profile=profile)
-    plan = refinable(plan) if refine else plan
+    plan = to_be_refined(plan, shape, refine, residual) if refine else plan
     if limbs is not None and not batch:
         return lower(plan, shape, limbs=limbs, costs=step_costs(profile))
-    return programmed(plan, shape, profile, batch=batch, again=refine > 0)
+    return programmed(plan, shape, profile, batch=batch, again=refine > 0 and not plan.corrections)
 
 
 def source(plan: Plan, stem: str, shape: str = "auto") -> str:
@@ -176,7 +180,7 @@ def source(plan: Plan, stem: str, shape: str = "auto") -> str:
     Raises:
         UsageError: the plan cannot be emitted in this shape.
     """
-    return _texts(plan, stem, shape, None, 0, "", 0, None, None)[1]
+    return _texts(plan, stem, shape, None, "auto", 0, "", 0, None, None)[1]
 
 
 def _texts(
@@ -184,6 +188,7 @@ def _texts(
     stem: str,
     shape: str,
     refine: int | None,
+    residual: str,
     chunk: int,
     compiler: str,
     batch: int,
@@ -192,11 +197,13 @@ def _texts(
     target: str = "host",
 ) -> tuple[str, str]:
     """Return the C header and the C++ source of a plan; the source holds the header's text."""
-    program = program_of(plan, shape, refine, batch=bool(batch), profile=profile, limbs=limbs)
+    program = program_of(
+        plan, shape, refine, residual=residual, batch=bool(batch), profile=profile, limbs=limbs
+    )
     check(program)
     refine = refinement_steps(refine, plan.scalar)
     plan, shape = program.plan, program.shape
-    words = Words(program, refine, chunk)
+    words = Words(program, 0 if plan.corrections else refine, chunk)
     processes = batch or len(plan.processes)
     mpi = processes > 1 and not plan.threads
     embedded = target == "embedded"
@@ -217,9 +224,12 @@ def _texts(
         "alone": _alone(program) and (not batch or processes == 1),
         "processes": process_rows(words) * (batch or 1),
         "run_list": ", ".join(
-            "refined" if refine else f"run_{0 if batch else p}" for p in range(processes)
+            "refined" if words.refine else f"run_{0 if batch else p}" for p in range(processes)
         ),
         "refine": refine,
+        "own_residual": plan.corrections > 0,
+        "wide_residual": words.refine > 0,
+        "weighed": plan.weighed,
         "messages": plan.messages,
         "channel_messages": _channel_messages(words),
         "hops": _hops(costs),

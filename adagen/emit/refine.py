@@ -36,6 +36,10 @@ def refinement_steps(asked: int | None, scalar: str) -> int:
     return asked
 
 
+RESIDUALS = ("auto", "own", "wide")
+"""Numbers of residuals: the solver's own where loops have them (auto), always, or wider ones."""
+
+
 def checked_shape(refine: int, shape: str) -> str:
     """Return the shape that was asked for, if it can be refined.
 

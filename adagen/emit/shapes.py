@@ -20,6 +20,8 @@ from adagen.emit.words import Words
 from adagen.errors import UsageError
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan
+from adagen.plan.certificate import why_not as why_not_corrected
+from adagen.plan.refine import corrected, refinable
 from adagen.plan.turned import balls_lose
 from adagen.schedule import CostProfile, load_profile
 
@@ -123,6 +125,41 @@ def _of_batch(plan: Plan, profile: CostProfile | None) -> str:
     if sum(KINDS[joint.kind].nv for joint in plan.joints) > MOST_FREEDOMS_IN_BATCHES:
         return "kernels"
     return _fastest(plan, ("kernels", "unrolled"), profile, batch=True)
+
+
+def shape_to_refine(plan: Plan, shape: str) -> str:
+    """Return the shape in which answers are refined: the one asked for, or loops."""
+    return stepwise(plan) if shape == "auto" else shape
+
+
+def why_not_own(plan: Plan, shape: str) -> str | None:
+    """Return why a refined solver has no residuals in its own numbers; None where it has."""
+    if shape != "kernels":
+        return f"shape {shape} has residuals in wider numbers alone"
+    reason = why_not_corrected(plan) or kernels.why_not_weighed(plan)
+    return None if reason is None else f"residuals are in wider numbers here: {reason}"
+
+
+def to_be_refined(plan: Plan, shape: str, steps: int, residual: str) -> Plan:
+    """Return the plan of a solver that refines its answers.
+
+    Args:
+        plan: of a solver that does not.
+        shape: of the code.
+        steps: of refinement, at least one.
+        residual: one of ``adagen.emit.refine.RESIDUALS``.
+
+    Raises:
+        UsageError: it cannot be refined so.
+    """
+    why = None if residual == "wide" else why_not_own(plan, shape)
+    if why is None and residual != "wide":
+        return corrected(plan, steps)
+    if residual == "own":
+        raise UsageError(f"{why}; leave out --residual own")
+    if plan.sets_inertias:
+        raise UsageError("masses cannot be set where answers are refined: leave one of both out")
+    return refinable(plan)
 
 
 def offered(plan: Plan) -> tuple[str, ...]:

@@ -20,7 +20,7 @@ class Words:
     """Names and numbers of one plan as C++ text."""
 
     program: Program
-    refine: int = 0  # steps of refinement
+    refine: int = 0  # steps of refinement whose residuals are in wider numbers
     chunk: int = 0  # values of one function in shape unrolled; 0 for its default
 
     @property

@@ -174,7 +174,9 @@ class Closures:
     def _moves_by_rows(self, step: CloseLoop) -> bool:
         """Whether how fast a loop opens is told by what its rows do to what is held back."""
         one = self.alone.get(step.closure)
-        return one is not None and len(one.held) == len(one.path) and not one.eliminate.grounded
+        if one is None or one.eliminate.grounded or len(one.held) < len(one.path):
+            return False
+        return not any(self.state.plan.joints[j].prescribed for j in one.path)
 
     def _refuse_open(
         self, place: int, gap: Expression, joints: Sequence[int], tolerance: Array
@@ -216,6 +218,9 @@ class Closures:
         front.add_bias(step.unknown, self.state.zeros(self.state.columns))
         for j, factor in zip(joints, factors, strict=True):
             front.ties.setdefault(j, []).append((step.unknown, factor))
+            if plan.joints[j].prescribed and not self.solves_at_end:
+                known = self.state.given(j) * factor
+                front.add_bias(step.unknown, self.state.column(known)[0])
             if step.unknown in self.column_of:
                 tied = self.state.tied_joints.setdefault(j, [])
                 tied.append((self.column_of[step.unknown], factor))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import reduce
 
 import numpy as np
 
@@ -95,6 +96,8 @@ class _Copy:
             return self._given(str(node.value), operands)
         if node.op in ("pack", "lane"):
             return operands[0]
+        if node.op == "across":  # one by one, whatever lanes there are
+            return reduce(self._operation("add"), operands)
         return self._operation(node.op)(*operands)
 
     def _several(self, index: int) -> Expression:
@@ -176,6 +179,7 @@ class _Copy:
 
     def _results(self) -> None:
         line, machine = self.line.machine, self.machine
+        machine.certificate = tuple(self.number(pair) for pair in self.line.certificate)
         for lead, values in line.results.items():
             own = line.lanes_of_result(lead)[: len(line.rows.own(lead))]
             mine = [(k, j) for k, j in enumerate(own) if j in self.want.own.owns]

@@ -66,6 +66,11 @@ class Line:
         return list(enumerate(lanes))[: len(self.machine.rows.own(j))]
 
     @cached_property
+    def certificate(self) -> list[Pair]:
+        """The squares of the energy norms of error and answer, where that is certified."""
+        return [self.pair(x, 0) for x in self.machine.certificate]
+
+    @cached_property
     def checks(self) -> list[Looked]:
         """What is looked at, in order."""
         return [
@@ -109,6 +114,8 @@ class Line:
             return [(node.args[lane], 0)]
         if node.op == "lane":
             return [(node.args[0], int(node.value))]
+        if node.op == "across":
+            return [(node.args[0], k) for k in range(node.value)]
         if node.op == "input":
             return self._angle(pair)
         return [(k, lane if self.nodes[k].width > 1 else 0) for k in node.args]

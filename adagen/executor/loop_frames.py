@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from adagen.executor.frames import Transform, plus_cross
 from adagen.executor.state import State
 from adagen.graph import Expression, cross, dot, total
+from adagen.model.kinds import KINDS
 from adagen.model.loops import LOOP_KINDS
 from adagen.plan.types import PlanLoop
 
@@ -66,7 +67,8 @@ class End:
         omega, v = self.state.zeros(3), self.state.zeros(3)
         for j, x in zip(self.joints, self.transforms, strict=True):
             back, own = x.rotation.transposed(), self.state.zeros(6)
-            own[list(self.state.kind(j).free)] = self.state.configuration(j)[1]
+            free = KINDS[self.state.plan.joints[j].kind].free  # whether it is prescribed or not
+            own[list(free)] = self.state.configuration(j)[1]
             v = back.vector(plus_cross(v, omega, x.origin)) + own[3:]
             omega = back.vector(omega) + own[:3]
         return omega, v

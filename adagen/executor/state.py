@@ -206,7 +206,7 @@ class State:
         result = self.column(self.given(j)[: self.kind(j).nv])
         for k, lost in enumerate(self._lost(j)):
             result[k, 0] = total([result[k, 0], *lost])
-        for column, factor in self.tied_joints.get(j, ()):
+        for column, factor in self.tied_joints.get(j, ()) if len(result) else ():
             result[0, column] = result[0, column] - factor
         for column, slaved in enumerate(self.plan.slaved, start=1):
             mimic = self.plan.joints[slaved].mimic

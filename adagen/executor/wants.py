@@ -49,7 +49,8 @@ class Want:
         self.missing = {pair: self._others[pair] for pair in known}
 
     def _results(self) -> list[Pair]:
-        return [pair for j in self.own.owns for pair in self.line.results.get(j, [])]
+        found = [pair for j in self.own.owns for pair in self.line.results.get(j, [])]
+        return found + self.line.certificate  # one process alone has that
 
     def _looked(self, found: set[Pair]) -> list[Looked]:
         treated = {*self.own.owns, *self.own.shares}

@@ -209,7 +209,14 @@ def emitted(
     """
     profile = load_profile(request.profile)
     shape = shape_of(plan, request)
-    program = program_of(plan, shape, request.refine, batch=request.batch, profile=profile)
+    program = program_of(
+        plan,
+        shape,
+        request.refine,
+        residual=request.residual,
+        batch=request.batch,
+        profile=profile,
+    )
     priced = not request.batch and profile.steps is not None
     files = emit(
         plan,
@@ -217,6 +224,7 @@ def emitted(
         svg=draw(schedule, Topology.of(model), program, profile, model.name),
         shape=shape,
         refine=request.refine,
+        residual=request.residual,
         batch=request.procs if request.batch else 0,
         chunk=request.chunk,
         compiler=request.compiler,

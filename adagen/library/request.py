@@ -7,7 +7,7 @@ from typing import Literal
 
 from adagen.emit import check_batch, check_certified, check_reproducible
 from adagen.emit.embedded import TARGETS, check_target
-from adagen.emit.refine import checked_shape, refinement_steps
+from adagen.emit.refine import RESIDUALS, checked_shape, refinement_steps
 from adagen.errors import UsageError
 
 MOST_PROCESSES = 1024
@@ -24,6 +24,8 @@ class Request:
         channel: between processes, "auto", "window" or "message"; or "threads" of one program.
         shape: of the code, "auto", "unrolled", "kernels" or "joints".
         refine: steps of iterative refinement, 0 to 9; None: as many as the scalar needs.
+        residual: what these find residuals in: the solver's "own" numbers, "wide" ones, or its own
+            where loops have them ("auto").
         batch: whether many states are solved at once, one in each SIMD lane.
         profile: what operations cost: a profile's name, or its file.
         schedule: "auto", a name, or a file that ``adagen schedule --json`` printed.
@@ -53,6 +55,7 @@ class Request:
     channel: Literal["auto", "window", "message", "threads"] = "auto"
     shape: str = "auto"
     refine: int | None = None
+    residual: Literal["auto", "own", "wide"] = "auto"
     batch: bool = False
     profile: str = "default"
     schedule: str = "auto"
@@ -98,6 +101,8 @@ class Request:
             single_file=self.single_file,
         )
         checked_shape(self.refinement, self.shape)
+        if self.residual != "auto" and not self.refinement:
+            raise UsageError("--residual is for answers that are refined: say --refine, too")
         if self.batch:
             check_batch(self.shape, self.refinement, self.channel)
         if self.certify:
@@ -118,7 +123,6 @@ class Request:
                 "answers are certified by one process: leave out --certify, or say --procs 1"
             )
         for name, asked in (
-            ("reproducible", self.reproducible),
             ("tune", self.tuned),
             ("target", self.target != "host"),
         ):
@@ -171,6 +175,7 @@ class Request:
 _KNOWN = {
     "form": ("segment", "ada"),
     "scalar": ("double", "float", "mixed"),
+    "residual": RESIDUALS,
     "channel": ("auto", "window", "message", "threads"),
     "target": TARGETS,
     "shape": ("auto", "unrolled", "kernels", "joints"),

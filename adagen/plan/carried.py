@@ -11,7 +11,7 @@ from collections.abc import Container, Iterator, Sequence
 from dataclasses import is_dataclass
 
 from adagen.plan.steps import Block, HoldMobility, Propagate
-from adagen.plan.types import Plan, Process
+from adagen.plan.types import Plan, PlanJoint, Process
 
 _KINDS = ("revolute", "prismatic", "spherical", "planar")
 
@@ -26,6 +26,14 @@ def mentions(plan: Plan, process: Process) -> Counter[Block]:
 def holds(process: Process) -> bool:
     """Whether a process takes the mobility of what hangs on the ground for an inertia."""
     return any(isinstance(step, HoldMobility) for step in process.steps)
+
+
+def may_be_carried(joints: Sequence[PlanJoint], joint: int) -> bool:
+    """Whether wrenches may be carried through a joint and the one that it hangs on in one run."""
+    own, above = joints[joint], joints[joint - 1]
+    if not 0 < joint == own.parent:
+        return False
+    return all(j.kind in _KINDS and not j.prescribed for j in (own, above))
 
 
 def carried_runs(
@@ -54,14 +62,12 @@ def _goes_on(
     plan: Plan, named: Counter[Block], apart: Container[int], step: Propagate, after: Propagate
 ) -> bool:
     """Whether a step's mobility and couplings serve the next one alone."""
-    for each in (step, after):
-        joint = plan.joints[each.joint]
-        if joint.prescribed or joint.kind not in _KINDS or each.joint in apart:
-            return False
+    if step.joint in apart or after.joint in apart:
+        return False
     if step.reversed != after.reversed or after.near != step.block or named[step.block] != 2:
         return False
     upper, lower = (after, step) if step.reversed else (step, after)
-    if not plan.joints[lower.joint].parent == upper.joint + 1 == lower.joint:
+    if upper.joint + 1 != lower.joint or not may_be_carried(plan.joints, lower.joint):
         return False
     if [spread.handle for spread in step.spreads] != [spread.handle for spread in after.spreads]:
         return False

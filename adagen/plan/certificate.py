@@ -36,8 +36,6 @@ def why_not(plan: Plan) -> str | None:
         return "answers of scalar mixed are refined, and say their error themselves"
     if plan.closed:
         return "the robot has closed loops"
-    if plan.reproducible:
-        return "reproducible solvers share out a straight line that has no certificate"
     if sum(bool(process.steps) for process in plan.processes) > 1:
         return "several processes share the robot"
     if plan.slaved:

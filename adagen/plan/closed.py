@@ -15,8 +15,9 @@ from dataclasses import replace
 
 from adagen.errors import InputError
 from adagen.plan.ada import AdaPlanner
+from adagen.plan.choices import LARGE
 from adagen.plan.closed_way import ClosedWay
-from adagen.plan.closures import LARGE, Closure
+from adagen.plan.closures import Closure
 from adagen.plan.edges import Edge, is_free_base
 from adagen.plan.gather import exchange, sides_of, trees_of
 from adagen.plan.gather_steps import ProcessSteps

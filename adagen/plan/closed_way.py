@@ -37,7 +37,8 @@ class _Unknowns:
 
     @staticmethod
     def of(closure: Closure, choice: Choice, joints: Sequence[PlanJoint]) -> _Unknowns:
-        entries = [joints[j].v + k for j in closure.held for k in range(KINDS[joints[j].kind].nv)]
+        moving = [joints[j] for j in closure.held if not joints[j].prescribed]
+        entries = [joint.v + k for joint in moving for k in range(KINDS[joint.kind].nv)]
         freedoms = {entry: number for number, entry in enumerate(entries)}
         forces = {row: number for number, row in enumerate(closure.rows, start=len(freedoms))}
         return _Unknowns(closure, choice, freedoms, forces)
@@ -122,7 +123,8 @@ class ClosedWay:
             else:
                 yield Articulate(j, reversed=False)
         elif j in self.closures[number].held:
-            yield HoldBack(j, number, self._own[number].freedoms[self.joints[j].v])
+            freedoms = self._own[number].freedoms  # none where its acceleration is prescribed
+            yield HoldBack(j, number, freedoms.get(self.joints[j].v, 0))
         else:
             yield Articulate(j, reversed=False)
             yield CarryRows(j, number)

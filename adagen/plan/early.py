@@ -15,24 +15,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.model import Model
+from adagen.plan.choices import LARGE, expected, largest, offers_of
 from adagen.plan.closures import (
-    LARGE,
     MOST_HELD,
     Closure,
-    Tied,
     closure_of,
     closures_of,
-    connected,
     depths_of,
-    expected,
-    joints_from,
-    largest,
-    offers_of,
     sampled,
     sampled_rows,
-    tied_by,
     with_choices,
 )
+from adagen.plan.tied import Tied, connected, joints_from, tied_by
 
 Array = NDArray[np.float64]
 

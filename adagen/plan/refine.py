@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from adagen.errors import UsageError
-from adagen.plan.steps import FusedJoin, LinkBias, StartLink
+from adagen.plan.steps import FusedJoin, LinkBias, Refine, StartLink
 from adagen.plan.types import Plan, Process
 
 
@@ -58,6 +58,15 @@ def joints_at(plan: Plan, process: Process) -> tuple[int, ...]:
 def paths_of(plan: Plan, process: Process) -> tuple[int, ...]:
     """Return the joints between these links and the ground, ascending."""
     return tuple(sorted(plan.paths(link - 1 for link in links_of_process(process))))
+
+
+def corrected(plan: Plan, count: int) -> Plan:
+    """Return a plan whose process corrects each answer by what its own numbers leave over."""
+    processes = tuple(
+        replace(process, steps=(*process.steps, Refine(count))) if process.steps else process
+        for process in plan.processes
+    )
+    return replace(plan, processes=processes)
 
 
 def refinable(plan: Plan) -> Plan:

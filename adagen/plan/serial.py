@@ -17,6 +17,7 @@ from adagen.plan.gather_trees import Tree, given_trees, moving_trees
 from adagen.plan.steps import (
     Accelerate,
     Articulate,
+    Certify,
     FreeAcceleration,
     FreeBase,
     SolveRoot,
@@ -36,6 +37,8 @@ def serial_plan(plan: Plan) -> Plan:
         of_one = ProcessSteps(plan.joints, _of_one(plan), 0)
         evaluation = sorted(of_one.evaluation([], []), key=lambda step: _SWEEPS.index(type(step)))
         process = of_one.process_of(evaluation)
+        if plan.certified:
+            process = replace(process, steps=(*process.steps, Certify()))
     else:
         (process,) = (process for process in plan.processes if process.steps)
     return replace(

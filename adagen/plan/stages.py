@@ -27,6 +27,7 @@ from adagen.plan.steps import (
     Load,
     LoadRoot,
     Receive,
+    Refine,
     Release,
     Send,
     SolveCoupling,
@@ -50,6 +51,7 @@ _DOWN = (
     Release,
     FreeAcceleration,
     Certify,
+    Refine,
     GiveOutput,
 )
 

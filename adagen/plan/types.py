@@ -12,7 +12,16 @@ from functools import cached_property
 
 from adagen.model import OUTPUT_SIZES
 from adagen.model.kinds import KINDS
-from adagen.plan.steps import Bias, Block, Certify, Force, Passage, SolveCoupling, Step
+from adagen.plan.steps import (
+    Bias,
+    Block,
+    Certify,
+    Force,
+    Passage,
+    Refine,
+    SolveCoupling,
+    Step,
+)
 
 THREADS = "threads"
 """The channel between processes that are threads of one program."""
@@ -349,6 +358,17 @@ class Plan:
     def certified(self) -> bool:
         """Whether the error of each answer is bounded."""
         return any(isinstance(p.steps[-1], Certify) for p in self.processes if p.steps)
+
+    @property
+    def corrections(self) -> int:
+        """How many times each answer is corrected by a residual in the solver's own numbers."""
+        last = (p.steps[-1] for p in self.processes if p.steps)
+        return sum(step.count for step in last if isinstance(step, Refine))
+
+    @property
+    def weighed(self) -> bool:
+        """Whether what an answer leaves over of the equations of motion is swept inwards."""
+        return self.certified or self.corrections > 0
 
     @property
     def closed(self) -> bool:

@@ -54,6 +54,7 @@ from adagen.plan.steps import (
     Passage,
     Propagate,
     Receive,
+    Refine,
     Release,
     Send,
     SolveCoupling,
@@ -137,7 +138,7 @@ def effects(plan: Plan, step: Step, runs: Mapping[int, tuple[int, ...]]) -> Effe
             return _closed(plan, step)
         case Traverse() | Append() | Arrive():
             return _passed(step)
-        case Certify():
+        case Certify() | Refine():
             return _certify(plan)
         case GiveOutput():
             return _output(plan, step)

@@ -34,7 +34,7 @@ class Measured:
         least: of an evaluation, microseconds.
         source: "clock", or "stretches" of computing, played through.
         error: largest forward error of the answers that were checked, or None.
-        digits: of the accelerations that are sure, or None.
+        digits: certain digits of the accelerations, or None.
         right: whether the check was passed.
         timeline: what each process did when; None where the program tells none.
     """
@@ -233,6 +233,7 @@ def _chart(chart: Chart) -> dict[str, Any]:
                 "time": point.time_ns / 1e3,
                 "error": point.error,
                 "front": point.front,
+                "emitted": point.team == "adagen" and not point.batch and point.clocked,
             }
             for point in chart.points
             if point.time_ns is not None and point.error is not None

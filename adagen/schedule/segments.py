@@ -8,7 +8,7 @@ takes what its plan takes. All times are ticks on a core of speed 1.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from itertools import accumulate
 
 from adagen.schedule.chains import Chain, Chains
@@ -25,18 +25,34 @@ class SegmentCosts:
     Attributes:
         chains: the robot, renumbered by position.
         priced_as: per position, the kind of its joint, or that it is prescribed.
-        own: per position, the kinematics of its joint.
+        own: per position, the kinematics of its joint in the chain that it belongs to.
+        passed: per position, the kinematics of its joint for a process that only passes it on the
+            way to others.
         alone: per position, what its joint takes inside a chain besides, its child link included.
         outward: per position, what it takes to carry mobility across it and loads back, without
             the loads themselves.
-        kinematics: per link, of all joints between it and the ground.
+        kinematics: per link, of all joints between it and the ground, where they are only passed.
         join: per position, the least that joining and taking apart its joint costs.
         start: what every process takes apart from its steps.
         whole_root: what a chain without the ground takes besides its joints: its root.
         branch: per link, the joint on the ground above it; -1 for the ground.
     """
 
-    def __init__(self, topology: Topology, profile: CostProfile) -> None:
+    def __init__(
+        self,
+        topology: Topology,
+        profile: CostProfile,
+        *,
+        passing: Mapping[str, float] | None = None,
+    ) -> None:
+        """Price a robot.
+
+        Args:
+            topology: the robot.
+            profile: a profile with the costs of steps.
+            passing: by kind, the kinematics of a joint that is only passed, microseconds; by
+                default what the profile says of any joint by itself.
+        """
         assert profile.steps is not None  # whoever asks for segments has looked
         self.chains = Chains(topology, profile)
         self.costs: StepCosts = profile.steps
@@ -48,6 +64,9 @@ class SegmentCosts:
         self.free = [g and f for g, f in zip(grounded, floats, strict=True)]
         rows = list(zip(self.priced_as, grounded, self.free, strict=True))
         self.own = [self._ticks(f"kinematics.{kind}") for kind in kinds]
+        self.passed = (
+            self.own if passing is None else [round(passing[kind] * TICKS) for kind in kinds]
+        )
         self.alone = [self._alone(*row) for row in rows]
         self.outward = [self._outward(*row) for row in rows]
         self.join = [
@@ -60,7 +79,7 @@ class SegmentCosts:
         self.kinematics = [0] * (len(parent) + 1)
         self.branch = [-1] * (len(parent) + 1)
         for p, above in enumerate(parent):
-            self.kinematics[p + 1] = self.kinematics[above] + self.own[p]
+            self.kinematics[p + 1] = self.kinematics[above] + self.passed[p]
             self.branch[p + 1] = self.branch[above] if above else p
         self.before = tuple(
             [0, *accumulate(column)] for column in (self.own, *zip(*self.alone, strict=True))
@@ -187,7 +206,7 @@ class SegmentCosts:
             for q in (p, *chains.above(chains.parent[p])):
                 if q not in seen and q not in inside:
                     seen.add(q)
-                    extra += self.own[q]
+                    extra += self.passed[q]
         return extra
 
     def cut(self, chain: Chain, position: int) -> Price:

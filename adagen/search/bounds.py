@@ -15,6 +15,7 @@ from math import inf
 from adagen.schedule.costs import ChannelCosts, StepCosts
 from adagen.search.floors import NOTHING, Floors
 from adagen.search.limbs import Core, Limb, Robot
+from adagen.search.side_by_side import SideBySide
 
 _TELLS = 27
 """Numbers that a process tells another at least: a link's inertia and bias force."""
@@ -62,6 +63,7 @@ class Bounds:
         self.telling = channel.send + self.taking
         self.solve = costs["root.solve"]
         self.outwards = min(floor.outwards for floor in floors.row)
+        self.side_by_side = SideBySide(floors)
         self._shared: dict[int, float] = {}
 
     def around(self, core: Core) -> Around:

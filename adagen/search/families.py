@@ -34,6 +34,7 @@ from adagen.search.bounds import Bounds
 from adagen.search.exchanged import ExchangedSchedules, numbers_of_processes
 from adagen.search.floors import Floors
 from adagen.search.gathered import GatheredSearch
+from adagen.search.guess import halves
 from adagen.search.incumbent import Spent
 from adagen.search.joined import LONG, JoinedFloor
 from adagen.search.layouts import Layout, LayoutPrices
@@ -235,15 +236,17 @@ class Families:
         floor = JoinedFloor(
             self.model, self.seen, self.processes, self.profile, self._pricing(self.best), cuttable
         )
-        most = min(self.expansions, max(_FEWEST, self.most * _PLAYED // len(self.topology)))
+        long = len(self.topology) > LONG  # priced joint by joint: an expansion costs less
+        most = max(_FEWEST, self.most * _PLAYED // len(self.topology))
+        most = self.expansions if long else min(self.expansions, most)
         lower, spent, made = floor.lower(self.least, most, tie)
         self.expanded += spent
         self.bounds.append(lower)
         if lower < self.least:
-            if len(self.topology) > LONG:
-                made = floor.found(tie, self.expansions)
-            if made is not None:
+            if made is not None and not long:
                 self.consider(made, "joined")
+            for working in halves(self.processes):
+                self.consider(floor.found(tie, self.expansions, working), "joined")
 
     def _pricing(self, schedule: Schedule) -> Pricing:
         if self._priced is None:

@@ -13,6 +13,7 @@ from dataclasses import astuple, dataclass
 from itertools import accumulate
 from math import inf
 
+from adagen.plan.carried import may_be_carried
 from adagen.plan.simd_groups import KINDS
 from adagen.plan.types import PlanJoint
 from adagen.program.runs import OF_ONE_FREEDOM, Run
@@ -67,6 +68,7 @@ class Floors:
         row: of each joint, with the whole row that it is in.
         share: of each joint, with its share of the row that it is in.
         pose: the kinematics alone of a joint by itself or with its run.
+        passing: the same for a process that only passes the joint on the way to others.
         ends: how many joints with nothing beyond them there are from each joint on.
         most: how many joints of a kind can lie side by side.
     """
@@ -83,7 +85,13 @@ class Floors:
             for j in _within(run)
         }
         long = {j for run in robot.long for j in _within(run)}
-        self.pose = [self._pose(joint, j in long) for j, joint in enumerate(joints)]
+        self.pose = [
+            self._pose(joint, j in long, "kinematics_segments") for j, joint in enumerate(joints)
+        ]
+        self.passing = [
+            min(self.pose[j], self._pose(joint, j in long, "passing_segments"))
+            for j, joint in enumerate(joints)
+        ]
         self._alone = [
             self._ways(joint, self.pose[j], run_of[j].length if j in run_of else 1, j in in_columns)
             for j, joint in enumerate(joints)
@@ -175,11 +183,9 @@ class Floors:
             widest[joints[j].parent] += here
         return min(widest[0], max(_ROWS))
 
-    def _pose(self, joint: PlanJoint, in_long: bool) -> float:
+    def _pose(self, joint: PlanJoint, in_long: bool, in_segment: str) -> float:
         alone = self.costs[f"kinematics.{joint.kind}"]
-        groups = ("kinematics_segments", "passing_segments")
-        in_segment = min(self.costs[f"{group}.{joint.kind}"] for group in groups)
-        return min(alone, in_segment) if in_long else alone
+        return min(alone, self.costs[f"{in_segment}.{joint.kind}"]) if in_long else alone
 
     def _ways(
         self, joint: PlanJoint, pose: float, length: int, in_columns: bool
@@ -216,7 +222,7 @@ class Floors:
     def _climb(self, j: int, joint: PlanJoint) -> None:
         """What is on the ground's side of a joint's child link, its joint passed the other way."""
         link, parent = j + 1, joint.parent
-        self._way[link] = self._way[parent] + self.pose[j]
+        self._way[link] = self._way[parent] + self.passing[j]
         self._depth[link] = self._depth[parent] + 1
         more, passed = self.share[j], self.passed[j]
         spared = Floor(
@@ -265,13 +271,15 @@ class Floors:
         costs, joints = self.costs, self.robot.joints
         held = self.robot.held[limb.link]
         inwards = costs["root.invert"] if held else 0.0
-        link = held or limb.link
+        beyond, link = 0, held or limb.link
         while link > 0:
             joint = joints[link - 1]
             priced = PRESCRIBED if joint.prescribed else joint.kind
             price = costs["propagate.ground" if joint.parent == 0 else f"propagate.{priced}"]
-            inwards += min(price, costs[f"propagate_run.{joint.kind}"])
-            link = joint.parent
+            if may_be_carried(joints, link - 1) or (beyond and may_be_carried(joints, beyond - 1)):
+                price = min(price, costs[f"propagate_run.{joint.kind}"])
+            inwards += price
+            beyond, link = link, joint.parent
         return Floor(inwards, 0.0, inwards)
 
 

@@ -15,7 +15,7 @@ from math import inf
 
 from adagen.search.bounds import Bounds
 from adagen.search.frames import Frames, in_place
-from adagen.search.guess import Guess, evenly
+from adagen.search.guess import Guess, evenly, halves
 from adagen.search.handout import HandOut
 from adagen.search.incumbent import LOOK, Incumbent, Spent
 from adagen.search.layouts import Frame, Layout, LayoutPrices
@@ -69,7 +69,7 @@ class GatheredSearch:
 
         Args:
             weights: what each joint takes; length N.
-            most: so many at most, on two processes and on all of them.
+            most: so many at most, for each number of processes that have work.
         """
         found: list[Layout] = []
         counts: Counter[int] = Counter()
@@ -104,7 +104,7 @@ class GatheredSearch:
                     floors.way(core.root) + sum(weights[j] for j in core.joints)
                     for core in frame.cores
                 )
-                for processes in sorted({2, self.bounds.processes}):
+                for processes in reversed(halves(self.bounds.processes)):
                     guess = evenly(limbs, processes)
                     found.append((guess.time + core, seen, frame, guess))
         found.sort(key=lambda each: each[:2])

@@ -10,6 +10,14 @@ _ROUNDED = 1e-12
 """Share of a load that its rounding may be: less is no difference."""
 
 
+def halves(processes: int) -> list[int]:
+    """Return P, P / 2, P / 4, .. down to 2: more processes are not always faster."""
+    found = [processes]
+    while found[-1] > 3:
+        found.append(found[-1] // 2)
+    return found
+
+
 @dataclass(frozen=True)
 class Guess:
     """Limbs handed out evenly.

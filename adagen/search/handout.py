@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import groupby
+from itertools import accumulate, groupby
+from math import prod
 
 from adagen.search.bounds import Around
 from adagen.search.incumbent import LOOK, Incumbent
@@ -16,6 +17,18 @@ from adagen.search.layouts import Frame
 
 Counts = tuple[int, ...]
 """How many limbs of each class of interchangeable ones."""
+
+
+_SORTED = 2048
+"""Ways to take limbs up to which the most promising come first."""
+
+
+_ALIKE = 0.1
+"""Share of a bound up to which another one is as promising."""
+
+
+def _without(remaining: Counts, counts: Counts) -> Counts:
+    return tuple(a - b for a, b in zip(remaining, counts, strict=True))
 
 
 @dataclass(frozen=True)
@@ -28,7 +41,7 @@ class _Block:
         before: until it sends; microseconds on the fastest core, as are the others.
         after: from the exchange on.
         total: all of it, without waiting.
-        trees: those that it has limbs of.
+        trees: those that it has limbs of; times are those of the trees that are shared.
     """
 
     counts: Counts
@@ -37,6 +50,26 @@ class _Block:
     after: float
     total: float
     trees: frozenset[int]
+
+
+def _last(tree: int, blocks: Sequence[_Block], rest: float) -> float:
+    """The least that it takes until the last block is done, each waiting for all others.
+
+    Args:
+        tree: that they share.
+        blocks: those that are known.
+        rest: what the slowest of the others takes before it sends; 0 if there are none.
+
+    Returns:
+        The time without messages.
+    """
+    own = [block for block in blocks if tree in block.trees]
+    last = 0.0
+    for k, block in enumerate(own):
+        others = max([rest, *(other.before for i, other in enumerate(own) if i != k)])
+        if others:
+            last = max(last, others + block.after)
+    return last
 
 
 @dataclass
@@ -64,6 +97,7 @@ class HandOut:
         ]
         bounds = self.found.bounds
         self.work = [bounds.floors.work(limb) for limb in limbs]
+        self.floors = [bounds.side_by_side.of(limb) for limb in limbs]
         self.long = [bounds.floors.longest(limb) for limb in limbs]
         self.weights = [self.work[own[0]].both for own in self.classes]
         self.longest = [self.long[own[0]].both for own in self.classes]
@@ -93,32 +127,91 @@ class HandOut:
         before = blocks[-1].counts if blocks and blocks[-1].counts[lead] else None
         if before is not None and any(n for c, n in enumerate(before) if self._leads(c, lead)):
             before = None
-        for counts in self._takes(remaining, lead, processes == 1):
-            if before is not None and counts > before:
-                continue
-            rest = tuple(a - b for a, b in zip(remaining, counts, strict=True))
-            bound = max(self._bound(rest, blocks, processes - 1, more=True), self._least(counts))
-            if bound >= found.best:
+        for counts, bound, every in self._promising(remaining, blocks, lead, processes):
+            if bound >= found.best or (before is not None and counts > before):
                 continue
             cost = LOOK if counts in self.blocks else found.share
             if not found.spent.on(cost):
-                self.left = min(self.left, max(bound, self.bound))
+                self.left = min(self.left, max(every, self.bound))
                 return
             block = self._block(counts)
             if block is None:
                 continue
+            rest = _without(remaining, counts)
             bound = self._bound(rest, [*blocks, block], processes - 1)
             if bound < found.best:
                 self._next(rest, [*blocks, block], processes - 1)
 
-    def _least(self, counts: Counts) -> float:
+    def _promising(
+        self, remaining: Counts, blocks: list[_Block], lead: int, processes: int
+    ) -> Iterator[tuple[Counts, float, float]]:
+        """What the next process may take, with a bound, and one on that and all that follows.
+
+        The best comes first, unless there is too much; of what is equally good, that which leaves
+        least to the others.
+        """
+        every = self._bound(remaining, blocks, processes)
+
+        def bounded(counts: Counts) -> tuple[float, float]:
+            own, rest = self._least(counts), _without(remaining, counts)
+            return self._bound(rest, [*blocks, own], processes - 1), own.total
+
+        takes = self._takes(remaining, lead, processes == 1)
+        if processes > 1 and prod(n + 1 for n in remaining) > _SORTED:
+            yield from ((counts, bounded(counts)[0], every) for counts in takes)
+            return
+        found = [(*bounded(counts), counts) for counts in takes]
+        found.sort(key=lambda each: (int(each[0] / every / _ALIKE), -each[1]))
+        least = reversed([*accumulate((bound for bound, _, _ in reversed(found)), min)])
+        for (bound, _, counts), later in zip(found, least, strict=True):
+            yield counts, bound, max(later, every)
+
+    def _least(self, counts: Counts) -> _Block:
         """The least that a process takes for so many limbs, without a look at them together."""
-        bounds = self.found.bounds
-        most = total = 0.0
-        for n, work, long in zip(counts, self.weights, self.longest, strict=True):
-            total += n * work
-            most = max(most, long if n else 0.0)
-        return bounds.start + max(most, total) / bounds.fastest
+        bounds, together = self.found.bounds, self.found.bounds.side_by_side
+        limbs = [k for own, n in zip(self.classes, counts, strict=True) for k in own[:n]]
+        work = together.least(self.floors[k] for k in limbs).both
+        most = max(self.long[k].both for k in limbs)
+        cores, messages = self._beside(limbs, 1)
+        total = (max(most, work) + cores) / bounds.fastest
+        total += 0.0 if self.around is not None else messages
+        before: list[float] = []
+        after: list[float] = []
+        for core, around in self.cores:
+            own = [k for k in limbs if self.frame.limbs[k].tree == core.tree]
+            if own:
+                known = together.least(
+                    (self.floors[k] for k in own), (self.floors[k] for k in limbs)
+                )
+                way = 0.0 if any(self.frame.limbs[k].up for k in own) else around.way
+                inwards = max(known.inwards, *(self.long[k].inwards for k in own))
+                before.append((inwards + way + around.before) / bounds.fastest)
+                after.append((known.outwards + around.after) / bounds.fastest)
+        trees = frozenset(self.frame.limbs[k].tree for k in limbs)
+        return _Block(counts, (), min(before, default=0), min(after, default=0), total, trees)
+
+    def _beside(self, limbs: Sequence[int], processes: int) -> tuple[float, float]:
+        """What processes that share limbs take besides, each on average at the least.
+
+        Args:
+            limbs: their numbers.
+            processes: that share them, at most. Where the frame has one tree, each of them takes
+                part in its exchange; else one at least in that of each core that has such a limb.
+
+        Returns:
+            The kinematics towards cores and all of the cores, on a core of speed 1, and messages.
+        """
+        bounds, total = self.found.bounds, 0.0
+        shared = 0
+        for core, around in self.cores:
+            own = [self.frame.limbs[k] for k in limbs if self.frame.limbs[k].tree == core.tree]
+            if own:
+                count = processes if self.around is not None else 1
+                up = any(limb.up for limb in own)
+                total += count * (around.before + around.after) + (count - up) * around.way
+                shared = count
+        messages = shared * (bounds.telling + bounds.taking)
+        return total / processes, messages / processes
 
     def _leads(self, c: int, lead: int) -> bool:
         """Whether limbs of a class are handed out before those of another."""
@@ -151,13 +244,8 @@ class HandOut:
                 self.blocks[counts] = _Block(counts, own, before, after, total, trees)
         return self.blocks[counts]
 
-    def _bound(
-        self, remaining: Counts, blocks: list[_Block], processes: int, *, more: bool = False
-    ) -> float:
-        """The least that layouts take which begin with some blocks, the rest shared by others.
-
-        With ``more`` there is one block that is not among them yet.
-        """
+    def _bound(self, remaining: Counts, blocks: list[_Block], processes: int) -> float:
+        """The least that layouts take which begin with some blocks, the rest shared by others."""
         bounds = self.found.bounds
         alone = max((block.total for block in blocks), default=0.0)
         limbs = [k for own, n in zip(self.classes, remaining, strict=True) for k in own[:n]]
@@ -166,15 +254,18 @@ class HandOut:
         messages = bounds.telling + bounds.taking if self.around is not None else 0.0
         least = bounds.start + alone + messages * bool(blocks)
         if limbs:
-            work = sum(self.work[k].both for k in limbs) / processes
-            least = max(least, bounds.start + work / bounds.fastest)
+            cores, messages = self._beside(limbs, processes)
+            work = bounds.side_by_side.least(self.floors[k] for k in limbs).both / processes + cores
+            least = max(least, bounds.start + work / bounds.fastest + messages)
         for core, around in self.cores:
             before = self._slowest(core.tree, around, limbs, blocks, processes)
             floor = (around.after + bounds.outwards) / bounds.fastest
             known = [block.after for block in blocks]
-            after = min([*known, *([floor] if limbs or more or not known else [])])
+            after = min([*known, *([floor] if limbs or not known else [])])
             waited = bounds.telling + bounds.taking + bounds.latency
             least = max(least, bounds.start + before + waited + after)
+            rest = self._slowest(core.tree, around, limbs, (), processes)
+            least = max(least, bounds.start + waited + _last(core.tree, blocks, rest))
         return least
 
     def _slowest(
@@ -192,9 +283,11 @@ class HandOut:
         for k in own:
             way = 0.0 if self.frame.limbs[k].up else around.way
             least = max(least, self.long[k].inwards + way)
-        if own and self.around is not None:
+        if own:
             up = any(self.frame.limbs[k].up for k in own)
-            work = sum(self.work[k].inwards for k in own)
+            work = bounds.side_by_side.least(
+                (self.floors[k] for k in own), (self.floors[k] for k in limbs)
+            ).inwards
             least = max(least, (work + around.way * (processes - up)) / processes)
         if own:
             least = (least + around.before) / bounds.fastest

@@ -24,7 +24,7 @@ from adagen.plan.steps import Force, Kinematics
 from adagen.plan.types import Process
 from adagen.schedule import CostProfile, Schedule
 from adagen.schedule.chains import WHOLE, Chain
-from adagen.schedule.costs import PRESCRIBED
+from adagen.schedule.costs import PRESCRIBED, StepCosts
 from adagen.schedule.fold import Fold
 from adagen.schedule.found import Found
 from adagen.schedule.profile import TICKS
@@ -39,7 +39,7 @@ from adagen.search.segment_front import Label, State, draft_of
 from adagen.search.segment_schedule import find_segments
 from adagen.search.segment_search import FOREVER, SegmentSearch
 
-LONG = 512
+LONG = 128
 """Joints up to which the longest ways through chains are looked at."""
 
 _ROWS = {2: ("two", 2), 3: ("four", 3), 4: ("four", 4)}
@@ -65,7 +65,6 @@ def least_profile(
         for kind in profile.steps.kinds:
             ways = [table[f"{group}.{kind}"]]
             ways += [] if other is None else [table[f"{other}.{kind}"]]
-            ways += [table[f"passing_segments.{kind}"]] if group == "kinematics" else []
             for count in range(2, min(rows.get(kind, 1), max(_ROWS)) + 1):
                 name, share = _ROWS[count]
                 ways.append(table[f"{group}_{name}.{kind}"] / share)
@@ -86,19 +85,31 @@ def least_profile(
     return replace(profile, steps=replace(profile.steps, table=table))
 
 
+def least_passing(least: StepCosts) -> dict[str, float]:
+    """Return the least that the kinematics of a joint take that is only passed, by its kind.
+
+    Args:
+        least: the costs of steps of a ``least_profile``.
+    """
+    return {
+        kind: min(least[f"kinematics.{kind}"], least[f"passing_segments.{kind}"])
+        for kind in least.kinds
+    }
+
+
 @dataclass(frozen=True)
 class _Joint:
     """What a joint takes beside no, one, two or three others of its kind; ticks.
 
     Attributes:
         kind: its kind.
-        pose: its kinematics by itself.
+        passed: its kinematics where it is only passed.
         shares: inwards and outwards, with its share of the row that it is in.
         rows: the same with the whole row.
     """
 
     kind: str
-    pose: int
+    passed: int
     shares: tuple[tuple[int, int], ...]
     rows: tuple[tuple[int, int], ...]
 
@@ -179,7 +190,7 @@ class _CutSearch(SegmentSearch):
                 total[sweep] += joint.shares[count][sweep]
                 longest[sweep] = max(longest[sweep], reached[position + 1][sweep])
         own, assembly, disassembly = self.costs.work(chain)
-        way = sum(self._joints[p].pose - self.costs.own[p] for p in chains.above(chain.top))
+        way = sum(self._joints[p].passed - self.costs.passed[p] for p in chains.above(chain.top))
         inwards = max(0, max(total[0], longest[0]) - own - assembly)
         return inwards + max(0, way), max(0, max(total[1], longest[1]) - disassembly)
 
@@ -229,7 +240,8 @@ class JoinedFloor:
         self.floors = Floors(robot, profile.steps)
         self.seen, self.processes, self.profile = seen, processes, profile
         least = least_profile(profile, self.floors.most, folded=not seen.trivial)
-        self.costs = SegmentCosts(seen.topology, least)
+        assert least.steps is not None  # as there are in the profile
+        self.costs = SegmentCosts(seen.topology, least, passing=least_passing(least.steps))
         self.speeds = tuple(profile.steps.speed(p) for p in range(processes))
         at = np.array([cuttable[j] for j in self.costs.chains.original], dtype=np.bool_)
         self._allowed = at
@@ -272,7 +284,7 @@ class JoinedFloor:
 
         return _Joint(
             kind if len(own) == 1 else "run",
-            math.floor(sum(self.floors.pose[j] for j in own) * TICKS),
+            math.floor(sum(self.floors.passing[j] for j in own) * TICKS),
             tuple(ticks(self.floors.of_row, count) for count in counts),
             tuple(ticks(self.floors.in_row, count) for count in counts),
         )
@@ -295,12 +307,19 @@ class JoinedFloor:
             made = self._schedule(Found(draft_of(search.best, self.costs.chains), 0, 0), tie)
         return min(known, search.lower / TICKS), search.budget.expanded, made
 
-    def found(self, tie: Tie, expansions: int) -> Schedule:
+    def found(self, tie: Tie, expansions: int, working: int) -> Schedule:
         """Return the schedule that the search by steps finds at the least prices.
 
         They come nearer to what is played than those of joints one by one where runs are long.
+
+        Args:
+            tie: the preference among equals.
+            expansions: states that may be expanded.
+            working: processes that may have work, the first ones; the others stay idle.
         """
-        found = find_segments(self.costs, self.processes, self._allowed, expansions, None)
+        found = find_segments(self.costs, working, self._allowed, expansions, None)
+        ranges = found.draft.ranges
+        ranges[:] = [(a, self.processes if b == working else b) for a, b in ranges]
         return self._schedule(found, tie)
 
     def _schedule(self, found: Found, tie: Tie) -> Schedule:

@@ -21,6 +21,7 @@ from adagen.plan.steps import Kinematics, Receive, Send, Step
 from adagen.plan.types import Message, PlanJoint, Process
 from adagen.program import Operation
 from adagen.program.loops import Loops
+from adagen.program.names import PASSING
 from adagen.program.segments import segments_of
 from adagen.program.slots import Slots
 from adagen.schedule import CostProfile, Schedule
@@ -159,7 +160,8 @@ class Pricing:
                 continue
             for step in moves:
                 kind = self.joints[step.joint].kind
-                groups = ("kinematics", "kinematics_segments", "passing_segments")
+                passing = ("passing_segments",) if operation.does == PASSING else ()
+                groups = ("kinematics", "kinematics_segments", *passing)
                 total += min(self.costs[f"{group}.{kind}"] for group in groups)
         return total
 

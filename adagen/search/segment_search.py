@@ -274,8 +274,8 @@ class SegmentSearch:
         if passing:  # joints of the other side on the way to joints that are joined further up
             passed = {q for p in passing for q in chains.above(chains.parent[p])}
             passed -= {*chains.above(state.chain.top), *chains.above(top)}
-            beyond += sum(self.costs.own[q] for q in passed)
+            beyond += sum(self.costs.passed[q] for q in passed)
         if root_here:
-            beyond += self.costs.own[position]
+            beyond += self.costs.passed[position]
             joined = tuple(sorted((*joined, position)))
         return State(here, state.first, count, joined, beyond)

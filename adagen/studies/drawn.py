@@ -6,7 +6,7 @@ import numpy as np
 
 from adagen.errors import InputError
 from adagen.model import Model
-from adagen.plan.closures import why_open
+from adagen.plan.closable import why_open
 from adagen.reference.closed import closed_states, constraints, constraints_of_all
 from adagen.states import States, random_states
 

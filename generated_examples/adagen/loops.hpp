@@ -319,10 +319,11 @@ inline void account(const Number* q, const Number* v, const Number* qdd, check::
   std::vector<Real> weights(nv), held(nv);
   // Links without mass have rows of no size, which constraint forces have to balance all the same.
   const Real usual = std::max(largest(left.size), std::numeric_limits<Real>::min()) * 1e-4L;
-  for (std::size_t k = 0; k < nv; ++k) {
-    const Real size = std::max(left.size[k], usual);
-    weights[k] = 1 / (size * size);
-  }
+  for (const auto& joint : about.joints)
+    for (std::size_t k = std::size_t(joint.v); k < std::size_t(joint.v + joint.nv); ++k) {
+      const Real size = std::max(left.size[k], usual);
+      weights[k] = joint.prescribed ? 0 : 1 / (size * size);  // nobody asks for its torque
+    }
   const auto squares = [&left] {
     Real sum = 0;
     for (const Real x : left.over) sum += x * x;
@@ -338,7 +339,7 @@ inline void account(const Number* q, const Number* v, const Number* qdd, check::
     for (std::size_t k = 0; k < nv; ++k)
       for (int i = 0; i < now.count(); ++i) {
         const Real part = now.row(i)[k] * forces[static_cast<std::size_t>(i)];
-        left.over[k] -= part;
+        if (weights[k] > 0) left.over[k] -= part;
         if (again == 0) held[k] += std::abs(part);
       }
   }

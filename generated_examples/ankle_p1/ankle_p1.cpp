@@ -142,7 +142,9 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
+[[maybe_unused]] constexpr bool kWide = false;  // whether their residuals are found in wider numbers
 [[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
+[[maybe_unused]] constexpr bool kWeighed = kCertified || (kRefine > 0 && !kWide);  // whether residuals are swept inwards
 [[maybe_unused]] constexpr int kPlanMessages = 0;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
 

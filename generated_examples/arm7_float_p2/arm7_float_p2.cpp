@@ -163,7 +163,9 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
+[[maybe_unused]] constexpr bool kWide = false;  // whether their residuals are found in wider numbers
 [[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
+[[maybe_unused]] constexpr bool kWeighed = kCertified || (kRefine > 0 && !kWide);  // whether residuals are swept inwards
 [[maybe_unused]] constexpr int kPlanMessages = 2;
 [[maybe_unused]] constexpr double kTolerance = 0.001;
 
@@ -324,7 +326,7 @@ constexpr bool kTurnedIfLost[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0 };
 constexpr double kLosing = 256.0;  // they do if trace > kLosing * D
 // Whether sweeps are repeated with other forces.
 constexpr bool kPassesFree = false;  // whether mobilities pass floating joints
-constexpr bool kAgain = kRefine > 0 || kSlavedCount > 0;
+constexpr bool kAgain = kWide || kSlavedCount > 0;
 
 // Role of each process at each link: gathers, adds_own, parts, oriented.
 constexpr LinkRole kRoles[2][kLinkCount]{

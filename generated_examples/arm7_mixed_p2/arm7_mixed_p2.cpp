@@ -2,7 +2,7 @@
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 2 --schedule=balanced --scalar=mixed --name=arm7_mixed
-// options   form segment, shape kernels, scalar mixed, refine 3, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// options   form segment, shape kernels, scalar mixed, refine 3 (wide residual), channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI
 // program   2 processes, joined at cuts; 0.953 us predicted (default profile)
 //           process 0: base_yaw .. forearm_roll
@@ -167,7 +167,9 @@ constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
 [[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
 [[maybe_unused]] constexpr int kRefine = 3;  // steps of iterative refinement
+[[maybe_unused]] constexpr bool kWide = true;  // whether their residuals are found in wider numbers
 [[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
+[[maybe_unused]] constexpr bool kWeighed = kCertified || (kRefine > 0 && !kWide);  // whether residuals are swept inwards
 [[maybe_unused]] constexpr int kPlanMessages = 2;
 [[maybe_unused]] constexpr double kTolerance = 1e-09;
 
@@ -333,7 +335,7 @@ constexpr bool kTurnedIfLost[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0 };
 constexpr double kLosing = 256.0;  // they do if trace > kLosing * D
 // Whether sweeps are repeated with other forces.
 constexpr bool kPassesFree = false;  // whether mobilities pass floating joints
-constexpr bool kAgain = kRefine > 0 || kSlavedCount > 0;
+constexpr bool kAgain = kWide || kSlavedCount > 0;
 
 // Role of each process at each link: gathers, adds_own, parts, oriented.
 constexpr LinkRole kRoles[2][kLinkCount]{

@@ -1,41 +1,148 @@
-// Error against time of variants, both on scales of powers of ten.
+// Error against time of variants, both on logarithmic scales: the front, what a budget picks, zoom.
 
-/** Return the powers of ten about some values, and where a value lies between them. */
-function powers(values, from, to) {
-  const low = Math.floor(Math.log10(Math.min(...values))), high = Math.ceil(Math.log10(Math.max(...values)) + 1e-9);
-  const last = high > low ? high : low + 1;
-  const ticks = Array.from({ length: last - low + 1 }, (_, k) => low + k);
-  return [ticks, (value) => from + ((Math.log10(value) - low) / (last - low)) * (to - from)];
+const CHART = { width: 1000, height: 520, left: 70, right: 970, top: 20, bottom: 470 };
+const SHADES = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#808080"];
+
+/** Return a number in few letters, as a label of an axis. */
+function short(value) {
+  const text = value.toPrecision(2);
+  return value >= 0.01 && value < 1000 ? String(Number(text)) : Number(text).toExponential().replace("e+", "e");
 }
 
-/** Return a chart of points with a time (µs) and an error, the best ones marked. */
-function errorChart(chart) {
-  const W = 1000, H = 520, points = chart.points.filter((p) => p.time > 0 && p.error > 0);
-  const svg = shape("svg", { viewBox: `0 0 ${W} ${H}`, role: "img", "aria-label": `error against time of ${points.length} variants; the table has them all` });
-  if (points.length === 0) return svg;
-  const [times10, x] = powers(points.map((p) => p.time), 70, W - 30);
-  const [errors10, y] = powers(points.map((p) => p.error), H - 50, 20);
-  const label = (k) => `1e${k}`;
-  times10.forEach((k) => {
-    svg.append(shape("line", { class: "rule", x1: x(10 ** k), x2: x(10 ** k), y1: 20, y2: H - 50 }));
-    svg.append(shape("text", { class: "muted", x: x(10 ** k), y: H - 32, "font-size": 13, "text-anchor": "middle" }, label(k)));
+/** Return the values at which an axis from 10^low to 10^high has labels. */
+function ticksOf(low, high) {
+  const step = Math.max(1, Math.ceil((high - low) / 12)), steps = high - low < 2.5 ? [1, 2, 5] : [1];
+  const ticks = [];
+  for (let k = Math.floor(low); k <= high; k += step) steps.forEach((n) => ticks.push(n * 10 ** k));
+  return ticks.filter((tick) => Math.log10(tick) >= low - 1e-9 && Math.log10(tick) <= high + 1e-9);
+}
+
+/** Return the part of the plane, in powers of ten, that holds all points: [low, high] of x and y. */
+function wholeView(points) {
+  return [points.map((p) => p.time), points.map((p) => p.error)].map((values) => {
+    const low = Math.log10(Math.min(...values)), high = Math.log10(Math.max(...values));
+    const margin = Math.max(0.06 * (high - low), 0.1);
+    return [low - margin, high + margin];
   });
-  errors10.forEach((k) => {
-    svg.append(shape("line", { class: "rule", x1: 70, x2: W - 30, y1: y(10 ** k), y2: y(10 ** k) }));
-    if (errors10.length < 14 || k % 2 === 0) svg.append(shape("text", { class: "muted", x: 62, y: y(10 ** k) + 4, "font-size": 13, "text-anchor": "end" }, label(k)));
+}
+
+/** Return what a budget picks: the fastest below an error, or else the most accurate in a time. */
+function picked(points, error, time) {
+  const kept = points.filter((p) => p.emitted && p.error < error && p.time < time);
+  const cost = (p) => (error < Infinity ? p.time : p.error);
+  return kept.reduce((best, p) => (best === null || cost(p) < cost(best) ? p : best), null);
+}
+
+/** Draw axes, front and points of a view into an svg; say(point) is called as one is pointed at. */
+function drawChart(svg, points, view, pick, say) {
+  const { width, left, right, top, bottom } = CHART, [[x0, x1], [y0, y1]] = view;
+  const x = (time) => left + ((Math.log10(time) - x0) / (x1 - x0)) * (right - left);
+  const y = (error) => bottom - ((Math.log10(error) - y0) / (y1 - y0)) * (bottom - top);
+  const inside = (p) => x(p.time) >= left && x(p.time) <= right && y(p.error) >= top && y(p.error) <= bottom;
+  svg.replaceChildren();
+  ticksOf(x0, x1).forEach((tick) => {
+    svg.append(shape("line", { class: "rule", x1: x(tick), x2: x(tick), y1: top, y2: bottom }));
+    svg.append(shape("text", { class: "muted", x: x(tick), y: bottom + 18, "font-size": 13, "text-anchor": "middle" }, short(tick)));
   });
-  svg.append(shape("text", { x: W / 2, y: H - 8, "font-size": 14, "text-anchor": "middle" }, "time of an evaluation, µs"));
-  svg.append(shape("text", { x: 70, y: 14, "font-size": 14 }, "largest error"));
-  const teams = [...new Set(points.map((p) => p.team))], shades = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#808080"];
-  points.forEach((p) => {
-    const fill = p.front ? shades[teams.indexOf(p.team) % shades.length] : "none";
-    const dot = shape("circle", { cx: x(p.time), cy: y(p.error), r: p.front ? 7 : 5, fill, stroke: shades[teams.indexOf(p.team) % shades.length], "stroke-width": 2 });
-    dot.append(shape("title", {}, `${p.label}: ${p.time.toPrecision(3)} µs, ${p.error.toExponential(1)}`));
+  ticksOf(y0, y1).forEach((tick) => {
+    svg.append(shape("line", { class: "rule", x1: left, x2: right, y1: y(tick), y2: y(tick) }));
+    svg.append(shape("text", { class: "muted", x: left - 8, y: y(tick) + 4, "font-size": 13, "text-anchor": "end" }, short(tick)));
+  });
+  svg.append(shape("text", { x: width / 2, y: bottom + 42, "font-size": 14, "text-anchor": "middle" }, "time of an evaluation, µs"));
+  svg.append(shape("text", { x: left, y: 14, "font-size": 14 }, "largest error"));
+  const teams = [...new Set(points.map((p) => p.team))], shade = (p) => SHADES[teams.indexOf(p.team) % SHADES.length];
+  const front = points.filter((p) => p.front && inside(p)).sort((a, b) => a.time - b.time);
+  const stairs = front.map((p, k) => (k === 0 ? `M${x(p.time)} ${y(p.error)}` : `H${x(p.time)}V${y(p.error)}`)).join("");
+  if (front.length > 1) svg.append(shape("path", { class: "front", d: stairs, fill: "none", stroke: shade(front[0]), "stroke-width": 1.5 }));
+  points.filter(inside).forEach((p) => {
+    const dot = shape("circle", { cx: x(p.time), cy: y(p.error), r: p.front ? 7 : 5, fill: p.front ? shade(p) : "transparent", stroke: shade(p), "stroke-width": 2 });
+    dot.append(shape("title", {}, pointText(p)));
+    dot.addEventListener("pointerenter", () => say(p));
     svg.append(dot);
   });
+  if (pick !== null && inside(pick)) svg.append(shape("ellipse", { class: "pick", cx: x(pick.time), cy: y(pick.error), rx: 12, ry: 12 }));
   teams.forEach((team, k) => {
-    svg.append(shape("circle", { cx: W - 180, cy: 36 + 20 * k, r: 5, fill: shades[k % shades.length] }));
-    svg.append(shape("text", { x: W - 168, y: 41 + 20 * k, "font-size": 14 }, team));
+    const at = right - 110 * (teams.length - k); // in the line above the points
+    svg.append(shape("circle", { cx: at, cy: 9, r: 5, fill: SHADES[k % SHADES.length] }));
+    svg.append(shape("text", { x: at + 12, y: 14, "font-size": 14 }, team));
   });
-  return svg;
+}
+
+/** Return a point in words. */
+function pointText(p) {
+  return `${p.label}: ${p.time.toPrecision(3)} µs, error ${p.error.toExponential(1)}`;
+}
+
+/** Return a slider over powers of ten; change(limit) gets Infinity at its right end. */
+function limitSlider(id, name, [low, high], start, unit, change) {
+  const box = element("div", undefined, { class: "slider" });
+  const input = element("input", undefined, { type: "range", id, min: 0, max: 100, step: 1 });
+  const output = element("output", "", { for: id });
+  input.addEventListener("input", () => {
+    const limit = input.value === "100" ? Infinity : Number((10 ** (low + (high - low) * (input.value / 100))).toPrecision(2));
+    output.textContent = limit === Infinity ? "any" : `< ${short(limit)}${unit}`;
+    change(limit);
+  });
+  input.value = start;
+  box.append(element("label", name, { for: id }), output, input);
+  return [box, input];
+}
+
+/** Return the chart with its controls: points have a time (µs) and an error. */
+function errorChart(chart) {
+  const points = chart.points.filter((p) => p.time > 0 && p.error > 0), box = element("div");
+  const svg = shape("svg", { viewBox: `0 0 ${CHART.width} ${CHART.height}`, role: "img", "aria-label": `error against time of ${points.length} variants; the table has them all` });
+  box.append(svg);
+  if (points.length === 0) return box;
+  const whole = wholeView(points), said = element("p", "Point at a variant to see its figures.", { class: "note", "aria-live": "polite" });
+  const verdict = element("p", "", { id: "budget", "aria-live": "polite" });
+  let view = whole, error = Infinity, time = Infinity;
+  let pick = null;
+  const draw = () => {
+    const free = error === Infinity && time === Infinity;
+    pick = free ? null : picked(points, error, time);
+    drawChart(svg, points, view, pick, (p) => { said.textContent = pointText(p); });
+    verdict.textContent = free ? "No budget." : pick === null ? "Nothing keeps this budget." : `This budget picks (ringed) ${pointText(pick)}.`;
+  };
+  const zoom = (factor, at) => {
+    view = view.map(([low, high], k) => {
+      const centre = low + at[k] * (high - low);
+      return [centre + (low - centre) * factor, centre + (high - centre) * factor];
+    });
+    draw();
+  };
+  const zoomAtPick = (factor) => { // what is ringed, or else the front, stays where it is
+    const fixed = pick ?? points.find((p) => p.front) ?? points[0], at = [fixed.time, fixed.error].map(Math.log10);
+    zoom(factor, view.map(([low, high], k) => Math.min(1, Math.max(0, (at[k] - low) / (high - low)))));
+  };
+  svg.addEventListener("wheel", (event) => {
+    event.preventDefault();
+    const area = svg.getBoundingClientRect(), scale = CHART.width / area.width;
+    const u = (event.clientX - area.left) * scale, v = (event.clientY - area.top) * scale;
+    zoom(event.deltaY > 0 ? 1.25 : 0.8, [(u - CHART.left) / (CHART.right - CHART.left), (CHART.bottom - v) / (CHART.bottom - CHART.top)]);
+  }, { passive: false });
+  let from = null;
+  svg.addEventListener("pointerdown", (event) => { from = [event.clientX, event.clientY]; svg.setPointerCapture(event.pointerId); });
+  svg.addEventListener("pointerup", () => { from = null; });
+  svg.addEventListener("pointermove", (event) => {
+    if (from === null) return;
+    const scale = CHART.width / svg.getBoundingClientRect().width;
+    const part = [(scale * (from[0] - event.clientX)) / (CHART.right - CHART.left), (scale * (event.clientY - from[1])) / (CHART.bottom - CHART.top)];
+    view = view.map(([low, high], k) => [low + part[k] * (high - low), high + part[k] * (high - low)]);
+    from = [event.clientX, event.clientY];
+    draw();
+  });
+  const controls = element("div", undefined, { class: "controls" });
+  [["Zoom in", () => zoomAtPick(0.6)], ["Zoom out", () => zoomAtPick(1 / 0.6)], ["Whole chart", () => { view = whole; draw(); }]].forEach(([name, act]) => {
+    const button = controls.appendChild(element("button", name, { type: "button" }));
+    button.addEventListener("click", act);
+  });
+  const [errorBox, errorInput] = limitSlider("budget-error", "budget: error", whole[1], 100, "", (limit) => { error = limit; draw(); });
+  const [timeBox, timeInput] = limitSlider("budget-time", "budget: time", whole[0], 100, " µs", (limit) => { time = limit; draw(); });
+  const start = Math.round((100 * (-10 - whole[1][0])) / (whole[1][1] - whole[1][0]));
+  if (start > 0 && start < 100) errorInput.value = start;
+  [errorInput, timeInput].forEach((input) => input.dispatchEvent(new Event("input")));
+  controls.append(errorBox, timeBox);
+  box.append(said, controls, verdict);
+  return box;
 }

@@ -28,7 +28,16 @@ def test_the_head_makes_it_again(tmp_path: Path, capsys: pytest.CaptureFixture[s
     assert capsys.readouterr().err.endswith("1 solver: up to date\n")
 
 
-@pytest.mark.parametrize("more", [("--shape", "kernels"), ("--shape", "unrolled"), ("--batch",)])
+@pytest.mark.parametrize(
+    "more",
+    [
+        ("--shape", "kernels"),
+        ("--shape", "unrolled"),
+        ("--batch",),
+        ("--reproducible",),
+        ("--reproducible", "--batch"),
+    ],
+)
 def test_a_bound_for_each_state_is_in_the_result(tmp_path: Path, more: tuple[str, ...]) -> None:
     model = read_robot(Path(CHAIN)).model
     given, found = tmp_path / "states.json", tmp_path / "result.json"
@@ -48,7 +57,6 @@ def test_a_bound_for_each_state_is_in_the_result(tmp_path: Path, more: tuple[str
         (("--scalar", "mixed"), "refined answers come with an estimate of their own"),
         (("--refine", "1"), "refined answers come with an estimate of their own"),
         (("--shape", "joints"), "certificates are emitted in shapes kernels and unrolled"),
-        (("--reproducible",), "certified solvers are not emitted with --reproducible"),
         (("--target", "embedded"), "certified solvers are not emitted with --target"),
         (("--tune",), "certified solvers are not emitted with --tune"),
         (("--procs", "2"), "answers are certified by one process"),
@@ -75,6 +83,19 @@ def test_closed_loops_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[
 def test_loops_refuse_what_straight_lines_certify(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    given = [MOBILE, "--shape", "kernels", "--certify", "--procs", "1", "--out", str(tmp_path)]
-    assert main(given) == 2
-    assert 'they do not certify planar joint "drive"' in capsys.readouterr().err
+    beside = tmp_path / "beside.urdf"
+    beside.write_text(BESIDE)
+    given = [str(beside), "--certify", "--procs", "1", "--out", str(tmp_path / "out")]
+    assert main([*given, "--shape", "kernels"]) == 2
+    assert "they certify one floating robot, with nothing beside it" in capsys.readouterr().err
+    assert main(given) == 0
+
+
+INERTIA = '<inertia ixx="0.1" iyy="0.1" izz="0.1" ixy="0" ixz="0" iyz="0"/>'
+BESIDE = f"""<robot name="beside"><link name="world"/>
+<link name="arm"><inertial><mass value="1"/>{INERTIA}</inertial></link>
+<link name="drone"><inertial><mass value="1"/>{INERTIA}</inertial></link>
+<joint name="turns" type="continuous"><parent link="world"/><child link="arm"/></joint>
+<joint name="flies" type="floating"><parent link="world"/><child link="drone"/></joint>
+</robot>
+"""

@@ -151,6 +151,32 @@ def test_a_slider_moves_the_robot_and_a_button_brings_it_back(
     tab.close()
 
 
+def test_the_chart_zooms_shows_a_budget_s_pick_and_what_is_pointed_at(
+    browser: Any, report: tuple[Path, Model]
+) -> None:
+    tab, said = opened(browser, report[0])
+    box = tab.locator("#chart-d")
+    assert box.locator("path.front").count() == 1
+    labels = box.locator("svg text").all_inner_texts()
+    box.get_by_role("button", name="Zoom in").press("Enter")
+    assert box.locator("svg text").all_inner_texts() != labels
+    box.get_by_role("button", name="Whole chart").press("Enter")
+    assert box.locator("svg text").all_inner_texts() == labels
+    for end, found in (("Home", "Nothing keeps this budget."), ("End", "No budget.")):
+        for name in ("budget-error", "budget-time"):
+            box.locator(f"#{name}").press(end)
+        assert box.locator("#budget").inner_text() == found
+    box.locator("#budget-error").press("ArrowLeft")
+    points = tab.evaluate("data.chart.points.filter((p) => p.emitted)")
+    fastest = min((p["time"], p["label"]) for p in points)[1]
+    assert f"(ringed) {fastest}:" in box.locator("#budget").inner_text()
+    assert box.locator("svg ellipse").count() == 1
+    box.locator("svg circle").first.hover(force=True)
+    assert "µs, error" in box.locator("p[aria-live]").first.inner_text()
+    assert said == []
+    tab.close()
+
+
 def test_links_are_where_the_model_has_them(browser: Any, report: tuple[Path, Model]) -> None:
     path, model = report
     tab, said = opened(browser, path)

@@ -100,9 +100,15 @@ def test_long_chains_are_shared_out() -> None:
     assert best.makespan == predict(make_plan(model, best), DEFAULT).makespan
 
 
-@pytest.mark.xfail(strict=True, reason="0.29: the bound takes any joint for one that is passed")
 def test_the_gap_of_a_long_chain_is_small() -> None:
     assert best_schedule(serial_chain(700), 4, DEFAULT).gap < 0.15
+
+
+@pytest.mark.parametrize("model", [serial_chain(60), human_figure()])
+def test_more_processes_are_not_slower(model: Model) -> None:
+    """Processes that do not pay stay idle."""
+    times = [best_schedule(model, processes, DEFAULT).makespan for processes in (1, 2, 4, 8)]
+    assert times == sorted(times, reverse=True)
 
 
 def test_the_file_tells_what_was_searched() -> None:

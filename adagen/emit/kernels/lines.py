@@ -72,7 +72,7 @@ class KernelLines:
     def all_lines(self) -> list[str]:
         """Return the lines of the process."""
         follows = ["slave(kJoints, w.q.data(), w.v.data());"] if self.words.plan.slaved else []
-        reaches = ["reach_ground(w);"] if self.words.plan.certified else []
+        reaches = ["reach_ground(w);"] if self.words.plan.weighed else []
         return [
             *follows,
             *guards.checks(self.words, self.process),
@@ -369,7 +369,7 @@ class KernelLines:
 
     def _solve_root(self, operation: Operation) -> list[str]:
         link = _link(operation.steps[0])
-        reaches = [f"reach_base<{link - 1}>(w);"] if self.words.plan.certified else []
+        reaches = [f"reach_base<{link - 1}>(w);"] if self.words.plan.weighed else []
         return [f"solve_root<{self.p}, {link}>(w);", *reaches]
 
     def _certify(self, _: Operation) -> list[str]:
@@ -384,6 +384,19 @@ class KernelLines:
         swept = [op for op in self.operations if op.does in weigh]
         lines = [line for op in swept for line in weigh[op.does](op)]
         return ["begin_weighing(w);", *lines, "end_weighing(w);"]
+
+    def _refine(self, operation: Operation) -> list[str]:
+        """What is left over inwards, what it changes outwards, as many times as asked."""
+        lines = [*self._certify(operation), "begin_own_correction(w, k);"]
+        for op in self.operations:
+            if op.does == "accelerate":
+                lines += self._accelerate(op)
+            elif op.does == "free_acceleration":
+                lines += self._free_acceleration(op)
+            elif op.does == "solve_root" and self.words.plan.corrections > 1:
+                lines.append(f"reach_base<{_link(op.steps[0]) - 1}>(w);")
+        lines.append("end_own_correction(w);")
+        return ["for (int k = 0; k < kRefine; ++k) {", *(f"  {line}" for line in lines), "}"]
 
     def _weigh_links(self, operation: Operation) -> list[str]:
         assert isinstance(operation.block, Links)

@@ -44,19 +44,20 @@ def why_not(plan: Plan) -> str | None:
         return "the robot has closed loops, which are straight lines"
     if plan.outputs:
         return "outputs beside accelerations are found in straight lines"
-    if plan.certified:
-        return why_not_certified(plan)
+    if plan.weighed:
+        return why_not_weighed(plan)
     return why_not_gather([replace(joint, mimic=None) for joint in plan.joints])
 
 
-def why_not_certified(plan: Plan) -> str | None:
-    """Return why loops do not certify a plan's answers; None where they do."""
+def why_not_weighed(plan: Plan) -> str | None:
+    """Return why loops do not sweep what answers leave over inwards; None where they do.
+
+    Certificates and corrections in the solver's own numbers need that.
+    """
     at_ground = [joint for joint in plan.joints if joint.parent == 0]
     if len(at_ground) > 1 and any(map(is_base, at_ground)):
         return "they certify one floating robot, with nothing beside it"
     for joint in plan.joints:
-        if joint.kind == "planar" or (joint.kind == "floating" and not is_base(joint)):
-            return f'they do not certify {joint.kind} joint "{joint.name}"'
         if joint.kind == "spherical" and joint.rotor_inertia:
             return f'they do not certify ball joint "{joint.name}" with a rotor'
     return None

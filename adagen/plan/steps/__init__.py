@@ -48,6 +48,7 @@ from adagen.plan.steps.process import (
     GiveOutput,
     Kinematics,
     Receive,
+    Refine,
     Send,
     SolveCoupling,
     Traverse,
@@ -90,6 +91,7 @@ __all__ = [
     "Passage",
     "Propagate",
     "Receive",
+    "Refine",
     "Release",
     "Send",
     "SolveCoupling",
@@ -141,6 +143,7 @@ Step = (
     | Release
     | AccelerateHeld
     | Certify
+    | Refine
 )
 
 

@@ -110,6 +110,19 @@ class ApplyCoupling:
 
 
 @dataclass(frozen=True)
+class Refine:
+    """The answer, corrected by what its links' equations of motion leave over. Of loops alone.
+
+    Attributes:
+        count: how many times.
+    """
+
+    count: int
+    does: ClassVar[str] = "refine"
+    about: ClassVar[str] = "corrections by what equations of motion leave over"
+
+
+@dataclass(frozen=True)
 class Certify:
     """A bound of the answer's error, from what its links' equations of motion leave over."""
 

@@ -39,6 +39,7 @@ class Point:
         reproducible: whether its last digits are the same on every machine.
         lanes: whether limbs that are alike may share code.
         objective: what its schedule and shape are searched for.
+        certify: whether a bound of its error comes with each answer.
         method: a key of ``adagen.studies.chart.variants.METHODS``, or a peer's name: the line that
             it is drawn on.
     """
@@ -63,6 +64,7 @@ class Point:
     reproducible: bool = False
     lanes: bool = True
     objective: str = "both"
+    certify: bool = False
     method: str = ""
 
     @property

@@ -140,6 +140,7 @@ def _point(variant: Variant) -> Point:
         reproducible=variant.reproducible,
         lanes=variant.lanes,
         objective=variant.objective,
+        certify=variant.certify,
     )
 
 

@@ -14,6 +14,7 @@ from adagen.errors import UsageError
 from adagen.executor import Grouping
 from adagen.model import Model
 from adagen.plan import SCALARS, Plan, make_plan
+from adagen.plan.certificate import certified
 from adagen.program import Program
 from adagen.schedule import Schedule, Topology, load_profile
 from adagen.schedule.tree import Named
@@ -58,6 +59,7 @@ class Variant:
         reproducible: whether the last digits are the same on every machine.
         lanes: whether limbs that are alike may share code, one in each SIMD lane.
         objective: what the schedule and the shape are searched for.
+        certify: whether a bound of its error comes with each answer.
     """
 
     algorithm: str
@@ -70,6 +72,7 @@ class Variant:
     reproducible: bool = False
     lanes: bool = True
     objective: str = "both"
+    certify: bool = False
 
     @property
     def baseline(self) -> bool:
@@ -86,6 +89,7 @@ class Variant:
         words += [f"{self.processes} processes"] if self.processes > 1 else []
         times = _TIMES.get(self.refine, f"{self.refine} times")
         words += [f"refined {times}"] if self.refine else []
+        words += ["certified"] * self.certify
         words += [f"for {self.objective}"] if self.objective != "both" else []
         return ", ".join(words)
 
@@ -132,7 +136,7 @@ class Variant:
             source_hash=source_hash,
             reproducible=self.reproducible,
         )
-        return schedule, plan
+        return schedule, certified(plan) if self.certify else plan
 
     def _shape(self, plan: Plan) -> str:
         if self.baseline:
@@ -215,13 +219,14 @@ def every_variant(
 
 
 def _of_one_process(scalars: Sequence[str], shapes: Sequence[str]) -> list[Variant]:
-    """Batches, reproducible solvers, and limbs one by one."""
+    """Batches, reproducible and certified solvers, and limbs one by one."""
     named = [shape for shape in shapes if shape in ("kernels", "unrolled")]
     found = []
     for scalar in scalars:
         plain = Variant("segment", scalar=scalar)
         found += [replace(plain, shape=shape, batch=True) for shape in named]
         found += [replace(plain, reproducible=True)]
+        found += [replace(plain, shape=shape, certify=True) for shape in named]
         found += [replace(plain, shape=s, lanes=False) for s in named if scalar == "double"]
     return found
 

@@ -3,12 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 
-from adagen.studies.stability import robots
+import numpy as np
+
+from adagen.studies.stability import linkages, robots
+from adagen.studies.stability.closed_cases import (
+    Array,
+    ClosedTrial,
+    State,
+    Tally,
+    dense,
+    dense_independent,
+    null_space,
+    shipped,
+)
 from adagen.studies.stability.loops import coupled_loops, four_bar
 from adagen.studies.stability.methods import METHODS, Trial
 from adagen.studies.stability.motion import damped_tip, tumbling_body
+from adagen.studies.stability.pinocchio_closed import Solve, installed, solvers
 
 
 @dataclass(frozen=True)
@@ -212,6 +226,75 @@ def _dill(_: bool) -> tuple[Finding, ...]:
     )
 
 
+def _closed(
+    trial: ClosedTrial, most: float, *, refused: int = 0, lost: float = np.inf
+) -> tuple[Finding, ...]:
+    """Solvers of a mechanism side by side.
+
+    Args:
+        trial: the mechanism and its states.
+        most: error that the shipped one may have.
+        refused: states that it may refuse.
+        lost: error that the KKT system of all rows must exceed; infinity where it must fail.
+    """
+    own, plain = trial.tally(shipped), trial.tally(dense)
+    weak = _figure(plain) > lost or (np.isinf(lost) and plain.refused == plain.states)
+    must = "fails" if np.isinf(lost) else f"> {lost:g}"
+    found = [
+        Finding("KKT by LU, all rows", True, _figure(plain), plain.said, must, weak),
+        _beside("KKT by LU, independent rows", trial.tally(dense_independent)),
+        _beside("orthonormal null space", trial.tally(null_space)),
+    ]
+    if installed():
+        for name, solve in solvers(trial.model, trial.states.q[0]).items():
+            found.append(_beside(name, trial.tally(partial(_asked, solve))))
+    good = own.error < most and own.refused <= refused
+    limit = f"< {most:g}" + (f", at most {refused} refused" if refused else "")
+    return (*found, Finding("form segment", False, _figure(own), own.said, limit, good))
+
+
+def _asked(solve: Solve, _: ClosedTrial, state: State) -> Array:
+    return solve(*state)
+
+
+def _beside(method: str, tally: Tally) -> Finding:
+    """A figure to be compared with, whatever it is."""
+    return Finding(method, False, _figure(tally), tally.said, "", True)
+
+
+def _figure(tally: Tally) -> float:
+    return float("inf") if tally.refused == tally.states else tally.error
+
+
+def _change_point(_: bool) -> tuple[Finding, ...]:
+    model = linkages.bars(1.0, 2.0, 1.0, across=2.0)
+    return _closed(ClosedTrial(model, linkages.passing(model, 2)), 1e-8, refused=2)
+
+
+def _flat(_: bool) -> tuple[Finding, ...]:
+    return tuple(
+        replace(finding, method=f"{shorter:g}: {finding.method}")
+        for shorter in (1e-7, 1e-11)
+        for finding in _closed(ClosedTrial(*linkages.slack(shorter)), 1e-9)
+    )
+
+
+def _redundant(_: bool) -> tuple[Finding, ...]:
+    model = linkages.parallelogram(3)
+    return _closed(ClosedTrial(model, linkages.turned(model, 3, (0.3, 1.0, 2.0, 4.0))), 1e-12)
+
+
+def _light_coupler(_: bool) -> tuple[Finding, ...]:
+    model = linkages.bars(0.2, 0.5, 0.4, across=0.45, massless=2)
+    return _closed(ClosedTrial(model, linkages.anywhere(model, 6)), 1e-12)
+
+
+def _ring(quick: bool) -> tuple[Finding, ...]:
+    model = linkages.ring(20 if quick else 64)
+    lost = 1e-12 if quick else 1e-11
+    return _closed(ClosedTrial(model, linkages.anywhere(model, 1)), 1e-12, lost=lost)
+
+
 CASES = (
     Case(1, "1000 links", _long),
     Case(2, "60 spherical joints", _spherical),
@@ -226,4 +309,9 @@ CASES = (
     Case(11, "a massless leaf", _leaf),
     Case(12, "a coil of 100 links", _coil),
     Case(13, "a dill of level 5: sizes over five decades", _dill),
+    Case(14, "a four-bar at speed through its change point", _change_point),
+    Case(15, "a four-bar nearly flat: slack of 1e-7 and 1e-11", _flat),
+    Case(16, "three equal rockers under a beam", _redundant),
+    Case(17, "a four-bar with a massless coupler", _light_coupler),
+    Case(18, "a ring of 64 ball joints", _ring),
 )

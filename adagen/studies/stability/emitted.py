@@ -33,7 +33,7 @@ from adagen.reference import energy_norm_error, joint_space_inertia
 from adagen.search.objective import FEW, predicted_digits
 from adagen.states import States, random_states
 from adagen.studies.drawn import drawn_states
-from adagen.studies.stability import robots
+from adagen.studies.stability import linkages, robots
 from adagen.studies.stability.adversary import hard_states
 from adagen.studies.stability.audit import WRONG, Way, planned, solved, source_of, truths
 
@@ -173,7 +173,12 @@ def suite(count: int) -> list[Subject]:
         first, more = robots.state(model), random_states(model, max(1, count - 1), seed=1)
         parts = (np.vstack([a, b]) for a, b in zip(first, _parts(more), strict=True))
         found.append(Subject(name, model, States(*parts)))
-    return found
+    looped = [
+        ("a four-bar, coupler massless", linkages.bars(0.2, 0.5, 0.4, across=0.45, massless=2)),
+        ("three equal rockers, a beam", linkages.parallelogram(3)),
+        ("a ring of 8 ball joints", linkages.ring(8)),
+    ]
+    return found + [subject(name, model, count) for name, model in looped]
 
 
 @dataclass

@@ -134,7 +134,7 @@ void accelerate(Workspace& w) {
   Reached<Value> reached = reached_at(w, kJoints[first].parent);
   each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     move<false>(w, single(first + k), kind, a);
-    if constexpr (kRefine > 0) keep_force<false>(w, single(first + k), a);
+    if constexpr (kWide) keep_force<false>(w, single(first + k), a);
     reach(w, single(first + k), kind, a, reached);
     const std::size_t far = static_cast<std::size_t>(first + k + 1);
     if (kRoles[p][far].parts) w.motions[far] = a, keep_reached(w, far, reached);
@@ -154,7 +154,7 @@ ADAGEN_ONE_BY_ONE void accelerate_reversed(Workspace& w) {
   each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     move<true>(w, single(j), kind, a);
-    if constexpr (kRefine > 0) keep_force<true>(w, single(j), a);
+    if constexpr (kWide) keep_force<true>(w, single(j), a);
     const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
     if (kRoles[p][far].parts) w.motions[far] = a;
   });
@@ -163,6 +163,7 @@ ADAGEN_ONE_BY_ONE void accelerate_reversed(Workspace& w) {
 // The Frame of a floating base knows nothing of its linear velocity, whose axes turn with the base.
 template <int j>
 void as_joint_acceleration(Workspace& w) {
+  if (kRefine > 0 && w.again) return;  // a correction has none
   const Value* v = w.v + kJoints[j].v;
   Value* qdd = &w.answer[kJoints[j].v];
   const Vector<Value> turned =

@@ -55,9 +55,9 @@ ADAGEN_INLINE Value over_links(const Lanes& x) {
   return found;
 }
 
-// What links of blocks first .. last - 1 take, n and f with all that they gain; what of it may be
-// rounding, as their inertia is expressed in axes of the base; the energy of the answer, and of
-// what is uncertain of it.
+// What links of blocks first .. last - 1 take with all that they gain; what of it may be rounding,
+// as their inertia is expressed in axes of the base; the energy of the answer, and of what is
+// uncertain of it.
 template <int first, int last>
 void weigh_links(Workspace& w) {
   Lanes energy{}, rounded{};
@@ -74,23 +74,23 @@ void weigh_links(Workspace& w) {
     energy += filled * (dot(alpha, n) + dot(a, f));
     if constexpr (kFloats) n += cross(c, fall), f += fall * mass;
     n += at(kTorque), f += at(kForce);
-    narrow(n, block.entries + kTorque), narrow(f, block.entries + kForce);
+    narrow(n, block.entries + kTakenTorque), narrow(f, block.entries + kTakenForce);
     const Lanes trace = A.xx + A.yy + A.zz;
     rounded += filled * (trace * wide(entries[kReached]) + mass * wide(entries[kReachedAlong]));
     const Vector<Lanes> omega = at(kOmega), ahead = at(kAlpha), above = at(kAcceleration);
     const Lanes spin = dot(omega, omega);
     const Lanes turning = dot(alpha, alpha) + dot(ahead, ahead) + spin * spin;
     narrow(trace * trace * turning + dot(c, c) * (dot(gained, gained) + dot(above, above)),
-           block.entries[kReached]);
+           block.entries[kTakenUnits]);
   }
   w.energy += over_links(energy), w.rounded += over_links(rounded);
 }
 
 template <class T>
 ADAGEN_INLINE void add_weighed_link(Workspace& w, const Joints<T>& joints, Left<T>& X) {
-  X.n += vector_at<T>(w.at(joints.slot, kTorque));
-  X.f += vector_at<T>(w.at(joints.slot, kForce));
-  X.moments += number_at<T>(w.at(joints.slot, kReached));
+  X.n += vector_at<T>(w.at(joints.slot, kTakenTorque));
+  X.f += vector_at<T>(w.at(joints.slot, kTakenForce));
+  X.moments += number_at<T>(w.at(joints.slot, kTakenUnits));
 }
 
 // The trace of the inverse of a matrix, by its factors.
@@ -122,9 +122,10 @@ ADAGEN_INLINE T driving(Workspace& w, const Joints<T>& joints) {
 template <class T>
 ADAGEN_INLINE void weigh_freedom(Workspace& w, const Joints<T>& joints, const T& u, const T& units,
                                  Left<T>& X, Found<T>& found) {
-  const T* const e = w.memory(joints).e;
+  T* const e = w.memory(joints).e;
   found.seen += u * u * e[7];
   found.rounded += units * e[7];
+  if constexpr (kRefine > 0) e[6] = u * e[7];
   X.n += cross(w.memory(joints).r, X.f);
   X.n += Vector<T>{e[0], e[1], e[2]} * u;
   X.f += Vector<T>{e[3], e[4], e[5]} * u;
@@ -175,16 +176,81 @@ ADAGEN_INLINE void weigh_in_base(Workspace& w, const Joints<T>& joints, Left<T>&
 template <class T>
 ADAGEN_INLINE void weigh_rotations(Workspace& w, const Joints<T>& joints, Left<T>& X,
                                    Found<T>& found) {
-  const T* const e = w.memory(joints).e;
+  T* const e = w.memory(joints).e;
   const Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * spherical_torque(w, joints);
   const Vector<T> u = torque - X.n;
   X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
-  found.seen += dot(u, solved(e + 12, u));
+  const Vector<T> y = solved(e + 12, u);
+  found.seen += dot(u, y);
+  if constexpr (kRefine > 0) e[9] = y.x, e[10] = y.y, e[11] = y.z;
   found.rounded += X.moments * trace_of_inverse(e + 12);
   X.f += transposed_times(Matrix<T>{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}}, u);
   X.n = torque;
   X.moments = dot(torque, torque);
   X.n += cross(w.memory(joints).r, X.f);
+}
+
+// A planar joint, freedom by freedom; see eliminate_planar in inward.hpp.
+template <bool along>
+ADAGEN_INLINE void weigh_part(const Vector<Value>& s, const Value& tau, Value* e, Left<Value>& X,
+                              Found<Value>& found) {
+  X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
+  const Value u = tau - dot(s, along ? X.f : X.n);
+  found.seen += u * u * e[7];
+  found.rounded += (along ? X.forces : X.moments) * e[7];
+  if constexpr (kRefine > 0) e[6] = u * e[7];
+  X.n += Vector<Value>{e[0], e[1], e[2]} * u;
+  X.f += Vector<Value>{e[3], e[4], e[5]} * u;
+}
+ADAGEN_INLINE void weigh_planar(Workspace& w, const Joints<Value>& joints, Left<Value>& X,
+                                Found<Value>& found) {
+  Memory& memory = w.memory(joints);
+  const Value* const tau = w.tau + joints.any().v;
+  const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
+  const Vector<Value> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y}, z{R.x.z, R.y.z, R.z.z};
+  weigh_part<true>(x, tau[0], memory.e, X, found);
+  weigh_part<true>(y, tau[1], memory.e + 8, X, found);
+  weigh_part<false>(z, tau[2], memory.e + 16, X, found);
+  X.n += cross(memory.r, X.f);
+}
+
+// What is left over at a body that nothing holds; returns what it accelerates by for it.
+ADAGEN_INLINE Motion<Value> weigh_unheld(const Body<Value>& body, const Left<Value>& X,
+                                         Found<Value>& found) {
+  Value turning[6], sliding[6], checks[4];
+  factorize(body.A, turning, checks);
+  Symmetric<Value> C = body.C;
+  const Matrix<Value> K = complement(C, body.B, turning);
+  factorize(C, sliding, checks);
+  const Vector<Value> rest = X.f - transposed_times(K, X.n);
+  const Vector<Value> turn = solved(turning, X.n), slide = solved(sliding, rest);
+  found.seen += dot(X.n, turn) + dot(rest, slide);
+  const Vector<Value>&x = K.x, &y = K.y, &z = K.z;
+  const Value passed =
+      dot(x, solved(sliding, x)) + dot(y, solved(sliding, y)) + dot(z, solved(sliding, z));
+  found.rounded += X.moments * (trace_of_inverse(turning) + passed);
+  found.rounded += X.forces * trace_of_inverse(sliding);
+  return {K * slide - turn, -slide};
+}
+
+// A joint with all freedoms hands on its force alone; see set_free in inward.hpp.
+ADAGEN_INLINE void weigh_free(Workspace& w, const Joints<Value>& joints, Left<Value>& X,
+                              Found<Value>& found) {
+  Memory& memory = w.memory(joints);
+  const Value* const tau = w.tau + joints.any().v;
+  const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
+  const Vector<Value> n = R * Vector<Value>{tau[3], tau[4], tau[5]};
+  const Vector<Value> f = R * Vector<Value>{tau[0], tau[1], tau[2]};
+  X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
+  X.n += -n, X.f += -f;
+  const Body<Value>& body = w.free[static_cast<std::size_t>(joints.joint[0])];
+  const Motion<Value> far = weigh_unheld(body, X, found);
+  const Vector<Value>&turn = far.angular, &slide = far.linear;
+  if constexpr (kRefine > 0) {
+    Value* const e = memory.e;
+    e[0] = turn.x, e[1] = turn.y, e[2] = turn.z, e[3] = slide.x, e[4] = slide.y, e[5] = slide.z;
+  }
+  X = {n + cross(memory.r, f), f, dot(n, n), dot(f, f)};
 }
 
 // Whether what the bare link beyond a joint takes is added with the joint.
@@ -198,7 +264,13 @@ ADAGEN_INLINE void weigh_joint(Workspace& w, const Joints<T>& joints, JointKind 
   if constexpr (kAnySpherical) {
     if (kind == JointKind::kSpherical) weigh_rotations(w, joints, X, found);
   }
-  if (kind != JointKind::kSpherical) {
+  if constexpr (kAnyPlanar && kWidth<T> == 1) {
+    if (kind == JointKind::kPlanar) weigh_planar(w, joints, X, found);
+  }
+  if constexpr (kAnyFloating && kWidth<T> == 1) {
+    if (kind == JointKind::kFloating) weigh_free(w, joints, X, found);
+  }
+  if (kind == JointKind::kRevolute || along) {
     if (weighed_apart(joints.joint[0]))
       along ? weigh_turned<true>(w, joints, X, found) : weigh_turned<false>(w, joints, X, found);
     else
@@ -255,21 +327,12 @@ void weigh(Workspace& w) {
 template <int p, int link>
 void weigh_root(Workspace& w) {
   Left<Value> X{};
+  Found<Value> found{};
   meet_left<p>(w, link, X);
   X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
-  const Body<Value> body = whole<p>(w, link);
-  Value turning[6], sliding[6], checks[4];
-  factorize(body.A, turning, checks);
-  Symmetric<Value> C = body.C;
-  const Matrix<Value> K = complement(C, body.B, turning);
-  factorize(C, sliding, checks);
-  const Vector<Value> rest = X.f - transposed_times(K, X.n);
-  w.seen += dot(X.n, solved(turning, X.n)) + dot(rest, solved(sliding, rest));
-  const Vector<Value>&x = K.x, &y = K.y, &z = K.z;
-  const Value passed =
-      dot(x, solved(sliding, x)) + dot(y, solved(sliding, y)) + dot(z, solved(sliding, z));
-  w.rounded += X.moments * (trace_of_inverse(turning) + passed);
-  w.rounded += X.forces * trace_of_inverse(sliding);
+  const Motion<Value> gained = weigh_unheld(whole<p>(w, link), X, found);
+  if constexpr (kRefine > 0) w.motions[link] = gained;
+  w.seen += found.seen, w.rounded += found.rounded;
 }
 
 inline void begin_weighing(Workspace& w) { w.seen = w.rounded = w.energy = Value{}; }

@@ -156,7 +156,7 @@ auto inward_group(Workspace& w) {
   if constexpr (quick) meet_group<p>(w, limbs.at(limbs.kRows - 1), X);
   each_row<LimbRows<limbs>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     if constexpr (!quick) meet_group<p>(w, limbs.at(k), X);
-    if constexpr (kRefine > 0) keep_body(w, limbs.at(k), X);
+    if constexpr (kWide) keep_body(w, limbs.at(k), X);
     step_inward<false>(w, limbs.at(k), kind, X, [&](Body<T>& near) ADAGEN_ALWAYS {
       if (quick && k > 0) add_bare_link(w, limbs.at(k - 1), near);
     });
@@ -168,7 +168,7 @@ auto inward_group(Workspace& w) {
 
 template <class T, class W, class L>
 ADAGEN_INLINE Reached<T> reached_at([[maybe_unused]] const W& w, [[maybe_unused]] const L& limbs) {
-  if constexpr (kCertified) {
+  if constexpr (kWeighed) {
     const Reached<Value>* sides[kWidth<T>];
     ADAGEN_FOR (lane, 0, kWidth<T>)
       sides[lane] = &w.reached[static_cast<std::size_t>(limbs.near(lane))];
@@ -189,13 +189,13 @@ void accelerate_group(Workspace& w) {
   each_row<LimbRows<limbs>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     const Joints<T> joints = limbs.at(k);
     move<false>(w, joints, kind, a);
-    if constexpr (kRefine > 0) keep_force<false>(w, joints, a);
+    if constexpr (kWide) keep_force<false>(w, joints, a);
     reach(w, joints, kind, a, reached);
     ADAGEN_FOR (side, 0, kWidth<T>) {
       const std::size_t link = static_cast<std::size_t>(joints.joint[side] + 1);
       if (kRoles[p][link].parts) {
         w.motions[link] = lane(a, side);
-        if constexpr (kCertified) keep_reached(w, link, lane(reached, side));
+        if constexpr (kWeighed) keep_reached(w, link, lane(reached, side));
       }
     }
   });

@@ -123,7 +123,7 @@ ADAGEN_INLINE void set_free(Workspace& w, int j, Body<Value>& X, const Vector<Va
   X.n += -n, X.f += -f;
   Motion<Value> a;
   if (!solve_free(X, a)) fail(w, kFactorization, j);
-  if constexpr (kPassesFree) w.free[static_cast<std::size_t>(j)] = X;
+  if constexpr (kKeepsFree) w.free[static_cast<std::size_t>(j)] = X;
   e[0] = a.angular.x, e[1] = a.angular.y, e[2] = a.angular.z;
   e[3] = a.linear.x, e[4] = a.linear.y, e[5] = a.linear.z;
   X = Body<Value>{};
@@ -254,7 +254,7 @@ void inward(Workspace& w) {
   each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     if constexpr (!quick) meet<p>(w, j + 1, X);
-    if constexpr (kRefine > 0) keep_body(w, single(j), X);
+    if constexpr (kWide) keep_body(w, single(j), X);
     step_inward<false>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
       if (quick && j > first) add_bare_link(w, single(j - 1), near);
     });
@@ -286,14 +286,14 @@ ADAGEN_INLINE Body<Value> turn_inward_reversed(Workspace& w) {
 template <int p, int first, int last, bool starts>
 void inward_reversed(Workspace& w) {
   constexpr bool quick = bare<p>(first + 1, last);
-  if constexpr (quick && leave_mass_alone(first, last) && kRefine == 0)
+  if constexpr (quick && leave_mass_alone(first, last) && !kWide)
     return leave<starts>(w, last + 1, turn_inward_reversed<p, first, last>(w));
   Body<Value> X{};
   if constexpr (quick) meet<p>(w, kJoints[first].parent, X);
   each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
-    if constexpr (kRefine > 0) keep_body(w, single(j), X);
+    if constexpr (kWide) keep_body(w, single(j), X);
     step_inward<true>(w, single(j), kind, X, [&](Body<Value>& near) ADAGEN_ALWAYS {
       if (quick && j < last) add_bare_link(w, single(j), near);
     });

@@ -89,7 +89,7 @@ void inward_turned(Workspace& w) {
   each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     meet<p, lost>(w, j + 1, X);
-    if constexpr (kRefine > 0) keep_turned(w, single(j), turned_slot<lost>(j + 1), X);
+    if constexpr (kWide) keep_turned(w, single(j), turned_slot<lost>(j + 1), X);
     const int near = kJoints[static_cast<std::size_t>(j)].parent;
     step_turned<false, lost>(w, single(j), kind,
                              k > 0 ? turned_slot<lost>(near) : turned_slot(near), X);
@@ -108,7 +108,7 @@ void inward_turned_reversed(Workspace& w) {
     const int j = first + k;
     const int parent = kJoints[static_cast<std::size_t>(j)].parent;
     meet<p, lost>(w, parent, X);
-    if constexpr (kRefine > 0) keep_turned(w, single(j), turned_slot<lost>(parent), X);
+    if constexpr (kWide) keep_turned(w, single(j), turned_slot<lost>(parent), X);
     step_turned<true, lost>(w, single(j), kind, turned_slot<lost>(parent), X);
   });
   if constexpr (!lost && may_lose(first, last))

@@ -78,11 +78,14 @@ enum Entry : int {
   kMoments = 33,       // mass times centre of mass: B of the bare link is its cross product
   kTorque = 36,        // bias force n
   kForce = 39,         // and f of the bare link
-  kGained = 42,        // with certificates: what it accelerates by beyond that, angular and
+  kGained = 42,        // for residuals: what it accelerates by beyond that, angular and
   kGainedAlong = 45,   // linear, and
   kReached = 48,       // squares of what is uncertain of it in the last place
   kReachedAlong = 49,
-  kEntries = kCertified ? 50 : 42
+  kTakenTorque = 50,  // what it takes with all that: n
+  kTakenForce = 53,   // and f, and
+  kTakenUnits = 56,   // the square of what may be rounding of it
+  kEntries = kWeighed ? 57 : 42
 };
 
 // Whether joints have one freedom each, so that their numbers are those of their freedoms.
@@ -113,6 +116,9 @@ ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
     if (joint.kind == kind && (joint.parent > 0 || kind != JointKind::kFloating)) return true;
   return false;
 }
+// Whether the body beyond a floating joint is kept: for mobilities, and for residuals.
+[[maybe_unused]] constexpr bool kKeepsFree =
+    kPassesFree || (kWeighed && any_of(JointKind::kFloating));
 // Asked once each, not where templates use it: g++ takes time quadratic in the joints there.
 [[maybe_unused]] constexpr bool kAnyPrismatic = any_of(JointKind::kPrismatic);
 [[maybe_unused]] constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
@@ -175,8 +181,8 @@ struct Workspace : State, Cuts, Inertias {
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
-  std::array<Body<Value>, kPassesFree ? kJointCount : 0> free{};  // beyond floating joints
-  std::array<Body<Value>, kRefine ? kJointCount : 0> whole{};  // beyond each joint, to be refined
+  std::array<Body<Value>, kKeepsFree ? kJointCount : 0> free{};  // beyond floating joints
+  std::array<Body<Value>, kWide ? kJointCount : 0> whole{};      // beyond each joint, to be refined
 
   Workspace() {
     for (Block& block : blocks)  // slots that are not filled do not turn

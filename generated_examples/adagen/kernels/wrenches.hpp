@@ -129,7 +129,7 @@ void deliver(Workspace& w) {
   Vector<Value> n{}, f{};
   for (int j = last; j >= first; --j) {
     if (!through || j == last) take_load(w, j + 1, n, f);
-    if constexpr (kRefine > 0) keep_load(w, j, n, f);
+    if constexpr (kWide) keep_load(w, j, n, f);
     deliver<false>(w, j, n, f);
   }
   w.loads[kJoints[first].parent] += columns_of({n, f});
@@ -140,7 +140,7 @@ void deliver_reversed(Workspace& w) {
   Vector<Value> n{}, f{};
   for (int j = first; j <= last; ++j) {
     if (!through || j == first) take_load(w, kJoints[static_cast<std::size_t>(j)].parent, n, f);
-    if constexpr (kRefine > 0) keep_load(w, j, n, f);
+    if constexpr (kWide) keep_load(w, j, n, f);
     deliver<true>(w, j, n, f);
   }
   w.loads[last + 1] += columns_of({n, f});

@@ -25,10 +25,16 @@ struct Cuts {
   Vector<Value> fall{};
   std::array<Reached<Value>, kLinkCount> reached{};
   std::array<Left<Value>, kLinkCount> lefts{};
+  std::array<Value, kNv> sum{};
 #if defined(ADAGEN_SAMPLE_CUTS)
   std::array<Columns6, kLinkCount> loads;
   Refinement refinement;
   EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+#else
+  struct {
+    std::array<double, kRefine> corrections{};
+    double rounding = 0;
+  } refinement;
 #endif
 };
 

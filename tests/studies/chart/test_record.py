@@ -51,6 +51,7 @@ SCHEMA = {
                     "batch": {"type": "boolean"},
                     "reproducible": {"type": "boolean"},
                     "lanes": {"type": "boolean"},
+                    "certify": {"type": "boolean"},
                     "objective": {"enum": ["both", "time", "accuracy"]},
                     "method": {"enum": ["", *METHODS]},
                     "source": {"enum": ["clock", "stretches", None]},

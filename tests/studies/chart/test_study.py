@@ -49,6 +49,7 @@ class TestVariants:
         assert {v.refine for v in found if v.scalar == "mixed"} == {2}
         assert {v.scalar for v in found if v.batch} == {"double", "float"}
         assert any(v.reproducible for v in found) and any(not v.lanes for v in found)
+        assert {v.shape for v in found if v.certify} == {"kernels", "unrolled"}
         aimed = every_variant(objective="accuracy")
         assert {v.objective for v in aimed[1:] if not v.baseline} == {"accuracy"}
 

@@ -10,7 +10,7 @@ import pytest
 from adagen.build import Toolchain
 from adagen.build.toolchain import STANDARD
 from adagen.studies.stability.adversary import FAMILIES, hard_states, robots
-from adagen.studies.stability.audit import Way, audited
+from adagen.studies.stability.audit import Way, audited, planned, warned
 from tests.emitted import QUICK, Builder
 
 WAYS = [Way("kernels"), Way("unrolled")]
@@ -37,6 +37,14 @@ def test_nothing_is_wrong_in_silence(k: int, quick: Toolchain) -> None:
     for way, audit in found.items():
         assert audit.warned or not audit.wrong, f"{way}: {audit.wrong}"
         assert sum(audit.counts[what] for what in ("answered", "refused")) == 40
+
+
+def test_a_cut_beside_far_masses_is_warned_of() -> None:
+    """One of 400 answers is 2e-6 off there, where 3e-7 is predicted."""
+    model, way = robots(11, seed=1)[10], Way("kernels", 2)
+    plan = planned(model, way)
+    assert plan is not None
+    assert warned(model, plan, way)
 
 
 @pytest.mark.slow

@@ -44,7 +44,8 @@ def test_no_bound_is_exceeded_by_more_than_three(k: int, quick: Toolchain) -> No
 
 
 @pytest.mark.parametrize(
-    ("name", "ways"), [("chain16", WAYS), ("humanoid", WAYS[:2]), ("human40", WAYS[:1])]
+    ("name", "ways"),
+    [("chain16", WAYS), ("humanoid", WAYS[:2]), ("human40", WAYS[:1]), ("mobile", WAYS[:1])],
 )
 def test_bounds_of_ordinary_robots_are_small_in_every_shape(
     name: str, ways: list[Certified], quick: Toolchain

@@ -37,7 +37,7 @@ auto inward_group_turned(Workspace& w) {
   Body<T> X{};
   each_row<LimbRows<limbs>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     meet_group<p, lost>(w, limbs.at(k), X);
-    if constexpr (kRefine > 0)
+    if constexpr (kWide)
       keep_turned(w, limbs.at(k), turned<lost>(limbs.at(k).joint[0]) ? limbs.at(k).slot : -1, X);
     const auto slot = [k] {
       if (k > 0) return turned<lost>(limbs.at(k - 1).joint[0]) ? limbs.at(k - 1).slot : -1;

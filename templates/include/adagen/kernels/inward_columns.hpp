@@ -179,7 +179,7 @@ void inward_in_columns(Workspace& w) {
   each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     if constexpr (!quick) meet<p>(w, j + 1, X);
-    if constexpr (kRefine > 0) keep_body(w, single(j), settled(X, due));
+    if constexpr (kWide) keep_body(w, single(j), settled(X, due));
     step_inward<false>(w, j, kind, X, due, [&](Columns& near) ADAGEN_ALWAYS {
       if (quick && j > first) add_bare_link(w, j, near);
     });
@@ -202,7 +202,7 @@ void inward_in_columns_reversed(Workspace& w) {
   each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     if constexpr (!quick) meet<p>(w, kJoints[static_cast<std::size_t>(j)].parent, X);
-    if constexpr (kRefine > 0) keep_body(w, single(j), settled(X, due));
+    if constexpr (kWide) keep_body(w, single(j), settled(X, due));
     step_inward<true>(w, j, kind, X, due, [&](Columns& near) ADAGEN_ALWAYS {
       if (quick && j < last) add_bare_link(w, j + 1, near);
     });

@@ -38,12 +38,25 @@ ADAGEN_INLINE void keep_gained(Workspace& w, int slot, const Motion<T>& a, const
   put_at(w.at(slot, kReached), to.turning);
   put_at(w.at(slot, kReachedAlong), to.sliding);
 }
+// A correction adds to it.
+template <class T>
+ADAGEN_INLINE void gain_more(Workspace& w, int slot, const Motion<T>& a) {
+  put_at(w.at(slot, kGained), vector_at<T>(w.at(slot, kGained)) + a.angular);
+  put_at(w.at(slot, kGainedAlong), vector_at<T>(w.at(slot, kGainedAlong)) + a.linear);
+}
 template <class T>
 ADAGEN_INLINE void reach(Workspace& w, const Joints<T>& joints, JointKind kind, const Motion<T>& a,
                          Reached<T>& to) {
+  if constexpr (kRefine > 0) {
+    if (w.again) {
+      if constexpr (kRefine > 1) gain_more(w, joints.slot, a);
+      return;
+    }
+  }
   const Vector<T>& r = w.memory(joints).r;
   to.sliding += dot(r, r) * to.turning;
-  if (kind == JointKind::kPrismatic) to.sliding = larger(to.sliding, dot(a.linear, a.linear));
+  if (kind != JointKind::kRevolute && kind != JointKind::kSpherical)
+    to.sliding = larger(to.sliding, dot(a.linear, a.linear));
   to.turning = larger(to.turning, dot(a.angular, a.angular));
   keep_gained(w, joints.slot, a, to);
 }
@@ -57,6 +70,9 @@ void reach_base(Workspace& w) {
   const Value* v = w.v + kJoints[j].v;
   w.fall = cross(Vector<Value>{v[3], v[4], v[5]}, Vector<Value>{v[0], v[1], v[2]});
   const Motion<Value>& a = w.motions[j + 1];
+  if constexpr (kRefine > 1) {
+    if (w.again) return gain_more(w, slot_of(j), a);
+  }
   w.reached[j + 1] = {dot(a.angular, a.angular), dot(a.linear, a.linear) + dot(w.fall, w.fall)};
   keep_gained(w, slot_of(j), a, w.reached[j + 1]);
 }

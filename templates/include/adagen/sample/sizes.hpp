@@ -18,7 +18,9 @@ constexpr int kColumns = 1;              // right-hand sides: the motion, and on
 constexpr std::size_t kSlavedCount = 1;  // joints that follow others
 constexpr bool kBatch = false;           // whether many states are solved at once
 constexpr int kRefine = 2;               // steps of iterative refinement
+constexpr bool kWide = true;             // whether their residuals are found in wider numbers
 constexpr bool kCertified = true;        // whether the error of each answer is bounded
+constexpr bool kWeighed = true;          // whether residuals are swept inwards
 constexpr int kPlanMessages = 2;
 constexpr double kTolerance = 1e-9;
 

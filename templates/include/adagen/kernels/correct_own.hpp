@@ -1,0 +1,50 @@
+// adagen's runtime, the same for all robots.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "../sample/cuts.hpp"
+#include "../sample/layout.hpp"
+#include "../sample/sizes.hpp"
+#include "../sample/value.hpp"
+#include "../status.hpp"
+#include "guards.hpp"
+#include "memory.hpp"
+
+namespace {
+
+// Refinement by residuals in the solver's own numbers. The sweep that weighs what the links'
+// equations of motion leave over (certify.hpp) leaves u / D at each joint; one more sweep outwards
+// makes the correction of it, H^-1 times the residual, whose energy norm that sweep has found.
+
+inline double size_of(double part, double whole) {
+  if (whole > 0) return std::sqrt(part / whole);
+  return part > 0 ? std::numeric_limits<double>::infinity() : 0;
+}
+
+// A correction must be smaller than half of the answer, later ones than half of the one before, and
+// the last one so small that what it leaves, about its square, has digits; down to what the
+// residual itself is rounded by.
+constexpr double kSmallEnough = std::numeric_limits<Real>::digits > 30 ? 1e-3 : 0.1;
+inline void begin_own_correction(Workspace& w, int k) {
+  const double seen = double(w.seen), settled = 4 * double(kUnit) * double(kUnit);
+  const double size = size_of(seen, double(w.energy));
+  auto& sizes = w.refinement.corrections;
+  const double before = k > 0 ? sizes[static_cast<std::size_t>(k) - 1] : 1;
+  sizes[static_cast<std::size_t>(k)] = size;
+  if (!(seen <= settled * double(w.rounded))) {
+    if (!(size < before / 2)) fail(w, kNotRefined, 0);
+    if (k == kRefine - 1 && !(size < kSmallEnough)) fail(w, kTooFewSteps, 0);
+  }
+  w.sum = w.answer;
+  w.again = true;
+}
+
+inline void end_own_correction(Workspace& w) {
+  for (std::size_t k = 0; k < std::size_t(kNv); ++k) w.answer[k] += w.sum[k];
+  w.again = false;
+}
+
+}  // namespace

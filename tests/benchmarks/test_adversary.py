@@ -1,0 +1,28 @@
+"""The benchmark of hard states goes on with what its record has."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from benchmarks import adversary
+
+
+def test_what_is_recorded_is_not_solved_again(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    wrong = {"robot": "x", "way": {}, "state": 3, "error": float("inf")}
+    ways = {"kernels": {"answered": 7, "refused": 1, "warned": False, "wrong": [wrong]}}
+    record = tmp_path / "record.jsonl"
+    rows = [{"seed": 1, "states": 8, "robot": k, "ways": ways} for k in range(2)]
+    record.write_text("".join(json.dumps(row) + "\n" for row in rows))
+    words = ["adversary", "--robots", "2", "--states", "8", "--record", str(record)]
+    monkeypatch.setattr("sys.argv", words)
+    assert adversary.main() == 0
+    out, err = capsys.readouterr()
+    assert "| kernels | 2 | 14 | 2 | 0 | 2, on 2 robots |" in out
+    assert "16 evaluations, 2 wrong in silence." in out
+    assert "1 wrong, silent, the worst inf in state 3" in err
+    assert len(record.read_text().splitlines()) == 2
