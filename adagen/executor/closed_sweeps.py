@@ -1,8 +1,8 @@
 """In which order sweeps of a robot with closed loops are done, where rows and closures share lanes.
 
 What stands for several joints or closures waits for what all of them wait for. Inwards a joint
-waits for all that hangs on its child link, closures that end there among it, and a closure for its
-joints. Outwards a joint waits for its parent link, and for its closure, which waits for its top.
+waits for all that hangs on its far link, closures that end there among it, and a closure for its
+joints. Outwards a joint waits for its near link, and for its closure, which waits for its top.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from heapq import heapify, heappop, heappush
 
 from adagen.plan import Plan
 from adagen.plan.alike import ClosureSteps
+from adagen.plan.order import ends_of
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Eliminate, Release, Step
 
@@ -52,16 +53,21 @@ def closed_sweep(
 
     units: dict[_Unit, list[tuple[int, Step, int]]] = {}
     hangs_on: set[tuple[_Unit, _Unit]] = set()  # outer, inner
+    beyond: dict[int, _Unit] = {}  # the joint or row by which a link is reached from the root
+    at_link: list[tuple[_Unit, int]] = []  # what hangs on a link
     for place, step in steps:
         if isinstance(step, Eliminate | Release):
             unit, member = of_closure(step.closure), step.closure
             hangs_on.update((of_joint(j), unit) for j in closures[step.closure].path)
-            hangs_on.add((unit, of_joint(step.link - 1)))
+            at_link.append((unit, step.link))
         else:
             member = step.joint  # type: ignore[union-attr]
             unit = of_joint(member)
-            hangs_on.add((unit, of_joint(plan.joints[member].parent - 1)))
+            ends = ends_of(plan.joints, member, getattr(step, "reversed", False))
+            beyond[ends.far] = unit
+            at_link.append((unit, ends.near))
         units.setdefault(unit, []).append((place, step, member))
+    hangs_on.update((unit, beyond[link]) for unit, link in at_link if link in beyond)
     for unit, lanes in (
         *((of_joint(row[0]), set(row)) for row in rows),
         *((of_closure(k), {n for n, lead in lead_of.items() if lead == k}) for k in lead_of),

@@ -23,8 +23,11 @@ from adagen.model import (
 )
 from adagen.plan import Plan, make_plan
 from adagen.plan.alike import side_by_side
-from adagen.schedule import load_profile
+from adagen.plan.steps import Articulate
+from adagen.schedule import Schedule, load_profile
+from adagen.schedule.tree import Gathered
 from adagen.search import best_schedule
+from adagen.search.closed import _layouts
 from adagen.states import States
 from tests.emitted import EXACT, Builder
 from tests.executor.test_closures import plan_of, worst
@@ -211,3 +214,32 @@ def test_what_is_done_instead_goes_side_by_side_only_where_it_is_alike(
     for k, state in enumerate(zip(states.q, states.v, states.tau, strict=True)):
         exact = np.array([float(x) for x in interpret(plan, *state, BALLS)])
         assert np.abs(found[k] - exact).max() < 1e-11 * np.abs(exact).max()
+
+
+def test_lanes_of_processes_that_meet_away_from_the_base() -> None:
+    """Joints are swept towards the middle of a robot, some of them from the base outwards."""
+    model = figure()
+    alone = best_schedule(model, 2, load_profile("default"))
+    states = states_of(model, 1)
+    found = {step for layout in layouts(model, 2) for step in swept_back(model, alone, layout)}
+    assert found
+    for layout in layouts(model, 2):
+        plan = make_plan(model, replace(alone, meeting="gather", gathered=layout))
+        grouping = chosen_grouping(plan)
+        assert any(grouping)
+        for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+            exact = np.array([float(x) for x in interpret(plan, q, v, tau, BALLS)])
+            answer = interpret(plan, q, v, tau, lanes=grouping)
+            assert np.abs(answer - exact).max() < 1e-12 * np.abs(exact).max()
+
+
+def layouts(model: Model, processes: int) -> list[Gathered]:
+    """Return where processes may gather, and who may have what."""
+    return list(_layouts(model, plan_of(model), processes))
+
+
+def swept_back(model: Model, schedule: Schedule, layout: Gathered) -> set[Articulate]:
+    """Return the steps of a layout in which a joint's parent link is the far one."""
+    plan = make_plan(model, replace(schedule, meeting="gather", gathered=layout))
+    steps = (step for process in plan.processes for step in process.steps)
+    return {step for step in steps if isinstance(step, Articulate) and step.reversed}
