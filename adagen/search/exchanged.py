@@ -72,27 +72,46 @@ class ExchangedSchedules:
     def least(self, processes: int) -> float:
         """Return a time that no such schedule beats, microseconds.
 
-        The outermost of m parts takes a share of what its joints would take elsewhere, at least.
-        The last process is done no sooner than all are on average; each takes part in log2(m)
-        joins on average, at least, before each of which a third of them or more waits for what
-        others send as late.
+        The outermost of m parts takes a share of what its joints would take elsewhere, at least,
+        and the last process is done no sooner than all are on average.
         """
-        costs, again = self.costs, dict[str, tuple[float, float]]()
+        costs, own = self.costs, dict[str, tuple[float, float]]()
         for kind in set(self.kinds):
             second = costs[f"accelerate.{kind}"]
-            own = _first_sweep(costs, kind, outermost=True) + second
-            again[kind] = own, _first_sweep(costs, kind, outermost=False) + second
-            again[kind] = own, again[kind][1] + costs[f"deliver.{kind}"]
-        whole = sum(again[kind][1] for kind in self.kinds)
-        share = min(own / inner for own, inner in again.values())
-        joins = (costs[f"join.{kind}"] + costs[f"disassemble.{kind}"] for kind in again)
-        join = min(costs["join.ground"], *joins) + costs.window.latency / 3
+            inner = _first_sweep(costs, kind, outermost=False) + costs[f"deliver.{kind}"]
+            own[kind] = _first_sweep(costs, kind, outermost=True) + second, inner + second
+        whole = sum(own[kind][1] for kind in self.kinds)
+        share = min(outermost / inner for outermost, inner in own.values())
         least = min(
-            whole * share / (share * (count - 1) + 1) + log2(count) * join
+            whole * share / (share * (count - 1) + 1) + self._besides(count)
             for count in numbers_of_processes(self.topology, processes)
         )
         fastest = max(costs.speed(p) for p in range(processes))
         return (costs["process.evaluation"] + least) / fastest
+
+    def _besides(self, count: int) -> float:
+        """What each of some processes takes on average besides its own joints, at the least.
+
+        Each takes part in log2(m) joins, all but the last of which have a handle beside them. All
+        parts but one have a root, all but two are carried through. Where two wait for each other,
+        they wait for half a latency on average, however far apart they are.
+        """
+        costs, levels = self.costs, log2(count)
+        inside, within = (count - 1) / count, max(0, count - 2) / count
+        join = min(costs[f"join.{kind}"] + costs[f"disassemble.{kind}"] for kind in set(self.kinds))
+        beside = (costs["join.block"] + costs["disassemble.coupling"]) * (levels - 1) / 2
+        alike = count & (count - 1) == 0  # halves are of equal size, on all levels
+        waits = levels / 2 + (1 / 4 if count > 2 else 0) if alike else levels / 3
+        return (
+            levels * (join + 42 * costs.window.number)
+            + beside
+            + costs.window.latency * waits
+            + inside * costs["root.invert"]
+            + within * 3 * costs["propagate_run.product"]
+            + (levels - inside) * costs["kinematics.floating"]
+            + (1 + inside) * min(costs["kinematics.run"], costs["kinematics_segments.run"])
+            + min(costs["articulate.run"], costs["articulate_columns.run"])
+        )
 
     def best(self, processes: int, count: int, play: Play) -> Schedule | None:
         """Return the fastest schedule found on some of the processes; None where it is not cut.
