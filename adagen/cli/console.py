@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 import threading
 import time
@@ -102,26 +103,60 @@ def progress(doing: str) -> Iterator[None]:
 
 @contextmanager
 def speaking(about: str) -> Iterator[Callable[[str], None]]:
-    """Show what is being done: one changing line on a terminal, else now and then a line."""
+    """Show what is being done: one changing line on a terminal, else now and then a line.
+
+    Where the work is counted ("compiling 3 of 20"), an estimate of what is left follows.
+    """
     if _Said.quiet:
         yield lambda _text: None
         return
+    left = _Left()
     if sys.stderr.isatty():
         from rich.console import Console
 
         with Console(stderr=True).status(about) as status:
-            yield lambda text: status.update(f"{about}: {text}")
+            yield lambda text: status.update(f"{about}: {text}{left.after(text)}")
         return
     sort, spoken = "", 0.0
 
     def say(text: str) -> None:
         nonlocal sort, spoken
+        estimate = left.after(text)
         new, now = text.rstrip("0123456789 of"), time.monotonic()
         if new != sort or now > spoken + _SILENCE_SECONDS:
             sort, spoken = new, now
-            note(f"{about}: {text} ...")
+            note(f"{about}: {text}{estimate} ...")
 
     yield say
+
+
+class _Left:
+    """How long the rest of counted work takes, if it goes on as fast as so far."""
+
+    def __init__(self) -> None:
+        self._sort, self._first, self._since = "", 0, 0.0
+
+    def after(self, text: str) -> str:
+        """Return what is left after a line, from 2 s on; nothing where work is not counted.
+
+        Args:
+            text: the line; "... 3 of 20" says that the third part of twenty begins.
+        """
+        counted = _COUNTED.search(text)
+        if counted is None:
+            return ""
+        now, sort, part = time.monotonic(), text[: counted.start()], int(counted[1])
+        if sort != self._sort or part <= self._first:
+            self._sort, self._first, self._since = sort, part, now
+            return ""
+        rest = (now - self._since) / (part - self._first) * (int(counted[2]) - part + 1)
+        if rest < _WORTH_SECONDS:
+            return ""
+        return f" (about {rest / 60:.0f} min left)" if rest > 90 else f" (about {rest:.0f} s left)"
+
+
+_COUNTED = re.compile(r"(\d+) of (\d+)")
+_WORTH_SECONDS = 2.0
 
 
 class Stages:

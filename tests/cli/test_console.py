@@ -75,3 +75,20 @@ def test_written_files_are_listed_below_their_folder_in_80_columns(
     assert first.startswith("wrote out: a_long_robot_s_name_p0.cpp, ") and len(first) <= 80
     assert second.startswith("  ") and second.endswith("p4.cpp")
     assert last == "wrote here.json"
+
+
+def test_counted_work_says_how_long_the_rest_takes(
+    monkeypatch: pytest.MonkeyPatch, capsys: Captured
+) -> None:
+    clock = iter([100.0, 100.0, 103.0, 103.0, 400.0, 400.0])
+    monkeypatch.setattr("adagen.cli.console.time.monotonic", lambda: next(clock))
+    monkeypatch.setattr("adagen.cli.console._SILENCE_SECONDS", 0.0)
+    with speaking("arm") as said:
+        said("compiling 1 of 20")
+        said("compiling 2 of 20")
+        said("compiling 3 of 20")
+    assert capsys.readouterr().err.splitlines() == [
+        "arm: compiling 1 of 20 ...",
+        "arm: compiling 2 of 20 (about 57 s left) ...",
+        "arm: compiling 3 of 20 (about 45 min left) ...",
+    ]
