@@ -2,10 +2,10 @@
 
     python -m benchmarks.loops [--rounds 5] [--write docs/records/loops.md]
 
-Pinocchio is its constraintDynamics and lcaba, instantiated from the headers of its wheel with
-g++ -O3 -march=native. Programs run by turns; the least median of all rounds counts. Loops are
-points and welds, which Pinocchio has too; states are closed. The tree is the same robot with its
-loops left out.
+Pinocchio is its constraintDynamics and lcaba, instantiated from the headers of its wheel; of its
+builds (g++ and clang++, native and portable) the fastest counts. Programs run by turns; the least
+median of all rounds counts. Loops are points and welds, which Pinocchio has too; states are
+closed. The tree is the same robot with its loops left out.
 """
 
 from __future__ import annotations
@@ -33,8 +33,7 @@ from adagen.schedule import load_profile
 from adagen.search import best_schedule
 from adagen.states import States, write_states
 from adagen.studies.bench.machine import machine
-from adagen.studies.bench.peers.pinocchio import coordinates, described, headers
-from adagen.studies.bench.program import NATIVE, Program, build, source
+from adagen.studies.bench.peers import contestants
 from benchmarks.page import write_between_marks
 
 STATES, REPEAT = 32, 200
@@ -125,17 +124,6 @@ def _ours(executable: Path) -> float:
     return float(json.loads(done.stdout)["time"]["in_place"]["median_ns"])
 
 
-def _constraints(model: Model) -> str:
-    lines = []
-    for loop in model.loops:
-        words = ["weld" if loop.kind.name == "weld" else "point"]  # a planar pin is a point, too
-        for link, frame in loop.ends:
-            numbers = (*frame.rotation.ravel().tolist(), *frame.translation.tolist())
-            words += [str(link), *map(repr, map(float, numbers))]
-        lines.append(" ".join(words))
-    return "\n".join([*lines, ""])
-
-
 def measured(name: str, model: Model, rounds: int, folder: Path) -> Row:
     """Return what a mechanism takes."""
     row = Row(name, model.nv, sum(loop.kind.rows for loop in model.loops))
@@ -146,14 +134,15 @@ def measured(name: str, model: Model, rounds: int, folder: Path) -> Row:
     tau = np.random.default_rng(1).uniform(-1, 1, (len(q), model.ntau))
     states = States(q, v, tau)
     row.error = _error(ours, model, states, folder)
-    peers = _peers(model, folder)
-    given = folder / "states.bin"
-    coordinates(model, states).write(given)
+    peers = contestants("pinocchio", model, states, folder)
     for _ in range(rounds):
         row.ours, row.tree = min(row.ours, _ours(ours)), min(row.tree, _ours(tree))
-        for key, program in peers.items():
-            took = program.turn(given, REPEAT)["in_place"].median
-            setattr(row, key, min(getattr(row, key), took))
+        for peer in peers:
+            took = peer.turn(REPEAT)["in_place"].median
+            if "lcaba" in peer.name:
+                row.lcaba = min(row.lcaba, took)
+            else:
+                row.factors = min(row.factors, took)
     return row
 
 
@@ -169,19 +158,6 @@ def _error(executable: Path, model: Model, states: States, folder: Path) -> floa
         own = np.hstack([np.ravel(found[joint.name]["qdd"][s]) for joint in model.joints])
         worst = max(worst, float(np.abs(own - truth).max() / np.abs(truth).max()))
     return worst
-
-
-def _peers(model: Model, folder: Path) -> dict[str, Program]:
-    robot, constraints = folder / "robot.txt", folder / "constraints.txt"
-    robot.write_text(described(model), encoding="utf-8")
-    constraints.write_text(_constraints(model), encoding="utf-8")
-    text = source("pinocchio_loops.cpp")
-    folders = (headers(), headers() / "eigen3")
-    executable = build(text, "bench_pinocchio_loops", "g++", NATIVE, folders)
-    return {
-        key: Program(executable, (str(robot),), (str(constraints), word))
-        for key, word in (("factors", "FACTORS"), ("lcaba", "LCABA"))
-    }
 
 
 def main() -> int:

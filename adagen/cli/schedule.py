@@ -112,7 +112,7 @@ def _check_hosts(parser: Parser, options: argparse.Namespace) -> None:
         if getattr(options, name) != usual:
             parser.error(f"--hosts chooses it: leave out --{name}")
     if options.reproducible:
-        parser.error("--hosts does not support --reproducible: leave out one of both")
+        parser.error("--hosts does not support it: leave out --reproducible")
 
 
 @dataclass(frozen=True)
@@ -141,11 +141,11 @@ def _found(model: Model, schedule: Schedule, options: argparse.Namespace) -> _Fo
 
 def _show(found: _Found) -> None:
     """Print the tree, what each process does, and what is predicted, for people."""
-    from adagen.program.summary import meeting, program_text
+    from adagen.program.summary import TREES, meeting, program_text
     from adagen.schedule import Topology, schedule_tree
 
     print(wrapped(program_text(found.program), 2) + "\n")
-    if meeting(found.program) == "joined":  # there the tree says what is joined when, and by whom
+    if meeting(found.program) in TREES:  # there the tree says what is joined when, and by whom
         print(schedule_tree(found.schedule, Topology.of(found.model)))
     if found.timeline is None:
         _show_loads(found.schedule)

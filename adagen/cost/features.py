@@ -13,7 +13,9 @@ from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import (
     Accelerate,
     AccelerateRoot,
+    Append,
     ApplyCoupling,
+    Arrive,
     Articulate,
     Certify,
     Deliver,
@@ -39,6 +41,7 @@ from adagen.plan.steps import (
     StartEmpty,
     StartLink,
     Step,
+    Traverse,
 )
 from adagen.plan.types import PlanJoint
 from adagen.program import Operation
@@ -63,6 +66,8 @@ _PLAIN: dict[type, str] = {
     Load: "deliver.load",
     SolveCoupling: "slaved.solve",
     ApplyCoupling: "slaved.apply",
+    Append: "kinematics.floating",  # a run that is told moves its link as a free joint does
+    Arrive: "kinematics.floating",
 }
 
 
@@ -73,10 +78,7 @@ def step_features(step: Step, joints: Sequence[PlanJoint]) -> Features:
         step: a step of a plan.
         joints: the plan's joints.
     """
-    if isinstance(step, Certify | Refine):
-        times = step.count if isinstance(step, Refine) else 1
-        return added(times * [_weighed(joint) for joint in joints])
-    known = _without_joint(step)
+    known = _without_joint(step, joints)
     if known is not None:
         return known
     joint = joints[step.joint]  # type: ignore[union-attr]
@@ -122,8 +124,14 @@ def _join(step: Join, kind: str) -> Features:
     }
 
 
-def _without_joint(step: Step) -> Features | None:
-    """Of a step that is the same whatever joint it is about; None for others."""
+def _without_joint(step: Step, joints: Sequence[PlanJoint]) -> Features | None:
+    """Of a step that is not about one joint, or the same whatever joint; None for others."""
+    if isinstance(step, Certify | Refine):
+        times = step.count if isinstance(step, Refine) else 1
+        return added(times * [_weighed(joint) for joint in joints])
+    if isinstance(step, Traverse):
+        run = range(step.passage.first, step.passage.last + 1)
+        return added({f"kinematics.{joints[j].kind}": 1} for j in run)
     if isinstance(step, Send | Receive | StartEmpty | GiveOutput):
         return {}
     plain = _PLAIN.get(type(step))
@@ -170,6 +178,8 @@ _RUNS = {
     ("kinematics", "segments"): "kinematics_segments.run",
     ("kinematics", "tiles"): "kinematics_segments.run",
     (PASSING, "segments"): "kinematics_segments.run",
+    ("traverse", "each"): "kinematics.run",
+    ("traverse", "segments"): "kinematics_segments.run",
     ("accelerate", "each"): "accelerate.run",
     ("accelerate", "segments"): "accelerate.run",
 }
@@ -220,6 +230,9 @@ def _of_step(step: Step, operation: Operation, joints: Sequence[PlanJoint]) -> F
         case Kinematics(), "segments":
             group = "passing_segments" if operation.does == PASSING else "kinematics_segments"
             return {f"{group}.{joints[step.joint].kind}": 1}
+        case Traverse(passage), "segments":
+            run = range(passage.first, passage.last + 1)
+            return added({f"passing_segments.{joints[j].kind}": 1} for j in run)
         case Kinematics(), "tiles":
             return {
                 f"{group}.{joints[step.joint].kind}": 1

@@ -23,7 +23,7 @@ from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Receive, Send
 from adagen.program import Operation, Program
 from adagen.program.runs import Run
-from adagen.program.summary import gathering, lanes, meeting, title
+from adagen.program.summary import TREES, gathering, lanes, meeting, title
 from adagen.schedule import Schedule, Topology, preorder
 
 LEAST_WIDTH, MOST_WIDTH = 960.0, 1920.0
@@ -55,7 +55,7 @@ def program_svg(
         An SVG document that needs no other resource; the same bytes for the same arguments.
     """
     canvas = Canvas()
-    joined = meeting(program) == "joined"
+    joined = meeting(program) in TREES
     owner = {j: p for p, process in enumerate(program.plan.processes) for j in process.owns}
     right = captioned(robot_rows(topology), robot_label(topology))
     if joined:
@@ -90,7 +90,7 @@ def program_svg(
 def _headings(program: Program) -> tuple[str, str]:
     """The heading of the left outline, and what its rows say."""
     match meeting(program):
-        case "joined":
+        case "joined" | "exchanged":
             return (
                 "Schedule tree",
                 "assembled from below, in the circle: process; then joint number, boundary joints "

@@ -24,7 +24,7 @@ from adagen.executor import Grouping
 from adagen.plan import Plan, plan_to_json
 from adagen.plan.types import FACTORS, THREADS
 from adagen.program import Program, check, lower
-from adagen.program.summary import meeting
+from adagen.program.summary import TREES, meeting
 from adagen.schedule import CostProfile, load_profile, step_costs
 
 # Largest backward error that an emitted self-check lets pass: what cuts may lose at most, with a
@@ -294,7 +294,7 @@ def _head(program: Program, stem: str, chunk: int, compiler: str) -> dict[str, o
         "base": "floating" if plan.floating else "fixed",
         "floating": plan.floating,
         # The paper's tree says what runs where processes are joined, and only there.
-        "tree": quoted(plan.schedule)[1:-1] if meeting(program) == "joined" else "",
+        "tree": quoted(plan.schedule)[1:-1] if meeting(program) in TREES else "",
     }
 
 

@@ -41,6 +41,9 @@ _JOINED = (
     "joins chain A (on its parent link's side) and chain B (on its child link's side), Eq. "
     "(3)-(7), and its force follows from Eq. (8)-(10)."
 )
+_EXCHANGED = (
+    "Both sides of a cut tell each other what they show, and both join it: no forces are sent back."
+)
 _ADA = (
     "Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body "
     "inertias, b bias accelerations. Joint i joins chain A (its parent link's side) and chain B "
@@ -64,8 +67,8 @@ def algorithm(program: Program) -> list[str]:
             parts = [_ABA]
         case _, "gathered":
             parts = [_GATHERED]
-        case _:
-            parts = [_SEGMENTS, _JOINED]
+        case _, how:
+            parts = [_SEGMENTS, _JOINED] + [_EXCHANGED] * (how == "exchanged")
     parts += [_CLOSED] * program.plan.closed
     parts.append(_FRAMES.get(program.shape, _FRAMES["other"]))
     parts += [_BATCH] * program.batch

@@ -54,6 +54,9 @@ def describe_message(words: Words, message: Message) -> str:
     if message.inertias:
         links = ", ".join(words.quoted_link(link) for link in message.inertias)
         return f"what hangs on {links}"
+    if message.passages:
+        spans = (words.span(own.first, own.last) for own in message.passages)
+        return f"how {', '.join(spans)} move their last link"
     what = "assembled" if message.sweep == "assembly" else "forces on"
     return f"{what}: chain of {words.quoted_joint(message.joint)}"
 

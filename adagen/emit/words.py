@@ -9,7 +9,7 @@ from adagen.emit.expressions import Printer
 from adagen.emit.names import distinct, identifiers, quoted
 from adagen.model.kinds import KINDS, JointKind
 from adagen.plan import Plan
-from adagen.plan.steps import Bias, Block, Force, Load, blocks_set_by
+from adagen.plan.steps import Append, Bias, Block, Force, Load, Passage, Traverse, blocks_set_by
 from adagen.plan.types import FACTORS
 from adagen.program import Program
 from adagen.program.lower import LOOPS
@@ -47,6 +47,16 @@ class Words:
     def links(self) -> tuple[str, ...]:
         """A word for each link."""
         return identifiers(link.name for link in self.plan.links)
+
+    @cached_property
+    def passages(self) -> tuple[Passage, ...]:
+        """Runs whose joints' motion is told as a whole."""
+        steps = (step for process in self.plan.processes for step in process.steps)
+        return tuple(sorted({s.passage for s in steps if isinstance(s, Traverse | Append)}))
+
+    def passage(self, passage: Passage) -> str:
+        """Return where one of them is."""
+        return f"w.passages[{self.passages.index(passage)}]"
 
     @cached_property
     def printer(self) -> Printer:

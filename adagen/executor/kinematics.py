@@ -50,6 +50,16 @@ class Motion:
     def kinematics(self, j: int) -> None:
         """Placement of a joint's child link, its velocity and its reference acceleration."""
         joint, kind = self.state.plan.joints[j], self._kind(j)
+        x, motion = self.placed(j)
+        self.state.memory["X", j] = x
+        self._advance(j, x, motion[:3], motion[3:])
+        if joint.prescribed:
+            drift = self.state.memory.get(("drift", j), self.state.zeros(6)).copy()
+            drift[list(kind.free)] = drift[list(kind.free)] + self.state.given(j)
+            self.state.memory["drift", j] = drift
+
+    def placed(self, j: int) -> tuple[Transform, Array]:
+        """Return a joint's child link in its parent's frame, and its velocity in its own."""
         q, v = self.state.configuration(j)
         base = self.state.rows.of_joint(j, lambda joint: joint.rotation)
         turn, shift = self._placement(j, q)
@@ -60,13 +70,8 @@ class Motion:
             )
         x = Transform(placed(base, turn, across=j in self.state.rows), origin)
         motion = self.state.zeros(6)
-        motion[list(kind.free)] = v
-        self.state.memory["X", j] = x
-        self._advance(j, x, motion[:3], motion[3:])
-        if joint.prescribed:
-            drift = self.state.memory.get(("drift", j), self.state.zeros(6)).copy()
-            drift[list(kind.free)] = drift[list(kind.free)] + self.state.given(j)
-            self.state.memory["drift", j] = drift
+        motion[list(self._kind(j).free)] = v
+        return x, motion
 
     def _placement(self, j: int, q: list[Expression]) -> tuple[Turn | Dense | None, Array | None]:
         """Turn and shift of the child frame in the canonical joint frame, None for neither."""
@@ -119,7 +124,7 @@ class Motion:
             high = self.state.upwards() if parent == 0 else self._above(j).up
             assert high is not None  # it is kept of all links, or of none
             up = back.vector(high)
-        self.state.memory["field", j + 1] = Field(omega, alpha, a, _gradient(omega, alpha), up)
+        self.state.memory["field", j + 1] = Field(omega, alpha, a, gradient_of(omega, alpha), up)
 
     def _above(self, j: int) -> Field:
         """The field of a joint's parent link, of a row's first joints that of several links."""
@@ -139,7 +144,7 @@ class Motion:
         )
         ups = [fields[link].up for link in links]
         up = None if ups[0] is None else self.state.rows.packed(ups)  # type: ignore[arg-type]
-        return Field(omega, alpha, a, _gradient(omega, alpha), up)
+        return Field(omega, alpha, a, gradient_of(omega, alpha), up)
 
     def field_of(self, link: int) -> Field:
         """Return the field of a link, the ground or one of a row among them."""
@@ -232,8 +237,8 @@ class Motion:
                 yield np.concatenate([plus_cross(moment, place, force), force])
 
 
-def _gradient(omega: Array, alpha: Array) -> Array:
-    """H = alpha x + omega x omega x, shape (3, 3)."""
+def gradient_of(omega: Array, alpha: Array) -> Array:
+    """Return H = alpha x + omega x omega x, shape (3, 3)."""
     h = np.empty((3, 3), dtype=object)
     squares = omega * omega
     for i in range(3):

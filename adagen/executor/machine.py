@@ -20,6 +20,7 @@ from adagen.executor.closures import Closures
 from adagen.executor.joins import Joins
 from adagen.executor.kinematics import Motion
 from adagen.executor.outputs import Outputs
+from adagen.executor.passages import Passages
 from adagen.executor.segments import Segments
 from adagen.executor.state import Refining, State
 from adagen.executor.tied_rows import TiedRows
@@ -28,7 +29,9 @@ from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import (
     Accelerate,
     AccelerateHeld,
+    Append,
     ApplyCoupling,
+    Arrive,
     CarryRows,
     Certify,
     CloseCoupling,
@@ -46,6 +49,7 @@ from adagen.plan.steps import (
     SolveCoupling,
     SolveRoot,
     Step,
+    Traverse,
 )
 from adagen.plan.types import Message, Plan
 
@@ -78,6 +82,7 @@ class Machine(State):
         self.motion = Motion(self)
         self.segments = Segments(self, self.motion)
         self.joins = Joins(self, self.motion)
+        self.passages = Passages(self, self.motion)
         self.closures = Closures(self, self.motion, steps)
         self.bounds = Certificate(self, self.motion)
         self.given_outputs = Outputs(self, self.motion)
@@ -92,6 +97,8 @@ class Machine(State):
                 self._send(step.message)
             case Kinematics():
                 self.motion.kinematics(step.joint)
+            case Traverse() | Append() | Arrive():
+                self.passages.step(step)
             case LinkBias():
                 self.joins.link_bias(step.link)
             case Join():
@@ -151,7 +158,15 @@ class Machine(State):
             return ["torques"]
         accelerations = [("qdd", j) for j in message.joints]
         inertias = [(what, link) for link in message.inertias for what in ("IA", "pA")]
-        return [*message.blocks, *message.biases, *message.forces, *accelerations, *inertias]
+        passages = message.passages
+        return [
+            *passages,
+            *message.blocks,
+            *message.biases,
+            *message.forces,
+            *accelerations,
+            *inertias,
+        ]
 
     def _send(self, number: int) -> None:
         items = [(item, self.memory[item]) for item in self._items(self.plan.messages[number])]

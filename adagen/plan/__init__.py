@@ -22,6 +22,7 @@ from adagen.plan.constants import (
     wrenches_of,
 )
 from adagen.plan.early import early_closures_of
+from adagen.plan.exchange import ExchangePlanner
 from adagen.plan.gather import GatherPlanner, why_not_gather
 from adagen.plan.parameters import parameters_of, refuse_inverted
 from adagen.plan.segment import SegmentPlanner
@@ -35,7 +36,7 @@ from adagen.schedule import Schedule, Topology, gathered_line, postorder, schedu
 FORMS: dict[str, type[AdaPlanner]] = {"segment": SegmentPlanner, "ada": AdaPlanner}
 SCALARS = tuple(FACTORS)
 CHANNELS = ("auto", "window", "message", THREADS)
-MEETINGS = ("auto", "join", "gather")
+MEETINGS = ("auto", "join", "gather", "exchange")
 
 __all__ = [
     "CHANNELS",
@@ -74,8 +75,9 @@ def make_plan(
         scalar: one of ``SCALARS``.
         channel: how processes exchange, one of ``CHANNELS``.
         source_hash: hash of the robot description, for the emitted header.
-        meeting: how segments meet, one of ``MEETINGS``: joined at the cuts by Eq. (3)-(10), or
-            gathered at a small core, in one exchange; "auto": as the schedule says.
+        meeting: how segments meet, one of ``MEETINGS``: joined at the cuts by Eq. (3)-(10), by
+            one side ("join") or by both ("exchange"), or gathered at a small core, in one
+            exchange; "auto": as the schedule says.
         reproducible: whether answers are the same to the last bit on any number of processes.
         runtime: what can be set at run time (see ``parameters_of``).
         loop_forces: whether forces of loops and couplings are given behind the accelerations.
@@ -185,7 +187,10 @@ def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto
     clusters = clusters_of(model, runs) if form == "ada" else {}
     if clusters:
         return ClusterPlanner(joints, schedule, runs, clusters)
-    if form == "segment" and (schedule.meeting if meeting == "auto" else meeting) == "gather":
+    how = schedule.meeting if meeting == "auto" else meeting
+    if form == "segment" and how == "exchange":
+        return ExchangePlanner(joints, schedule, runs)
+    if form == "segment" and how == "gather":
         if (reason := why_not_gather(joints)) is not None:
             raise UsageError(f"processes cannot gather: {reason}")
         return GatherPlanner(joints, schedule)

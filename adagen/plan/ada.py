@@ -159,8 +159,7 @@ class AdaPlanner:
                 else:
                     part = chains.pop(side.joint)
                 parts.append(part)
-            for part in parts:
-                self._send_chain(part, p)
+            self._meet(p, (parts[0], parts[1]))
             chains[i] = self._join(run, p, parts[0], parts[1])
         return chains[self.schedule.root.joint]
 
@@ -176,16 +175,11 @@ class AdaPlanner:
         """Compute what is inside a segment, given the forces on its handles."""
         raise AssertionError("form ada has no segments")
 
-    def _send_chain(self, chain: Chain, target: int) -> None:
-        if chain.process == target or not chain.biases:
-            return
-        blocks = tuple(
-            b for b in sorted(chain.blocks.values(), key=_block_key) if b.joint is not None
-        )
-        biases = tuple(chain.biases[h] for h in sorted(chain.biases))
-        self._message(
-            Message(chain.process, target, "assembly", chain.joint, blocks=blocks, biases=biases)
-        )
+    def _meet(self, process: int, parts: tuple[Chain, Chain]) -> None:
+        """Bring what is to be joined to the process that joins it."""
+        for part in parts:
+            if part.process != process and part.biases:
+                self._message(assembled(part, part.process, process))
 
     def _message(self, message: Message) -> None:
         number = len(self.messages)
@@ -247,19 +241,22 @@ class AdaPlanner:
                     updates.append(ForceUpdate(inner[at], forces.get(at), side))
                 below.append((part, inner))
             outer = tuple(forces[coupling.handle] for coupling in join.couplings)
-            self.steps[chain.process].append(Disassemble(i, outer, tuple(updates)))
+            for p in self._joining(chain):
+                self.steps[p].append(Disassemble(i, outer, tuple(updates)))
             for part, inner in below:
-                if part.process != chain.process and inner:
-                    self._message(
-                        Message(
-                            chain.process,
-                            part.process,
-                            "disassembly",
-                            part.joint,
-                            forces=tuple(inner[h] for h in sorted(inner)),
-                        )
-                    )
+                self._send_forces(chain, part, inner)
             stack.extend(reversed(below))
+
+    def _joining(self, chain: Chain) -> Iterable[int]:
+        """The processes that join a chain's parts."""
+        return (chain.process,)
+
+    def _send_forces(self, chain: Chain, part: Chain, forces: dict[int, Force]) -> None:
+        """Tell the process of a part which forces act on its handles."""
+        if part.process == chain.process or not forces:
+            return
+        told = tuple(forces[h] for h in sorted(forces))
+        self._message(Message(chain.process, part.process, "disassembly", part.joint, forces=told))
 
     # --- slaved joints -------------------------------------------------------------------------
 
@@ -285,6 +282,14 @@ class AdaPlanner:
                 self._message(Message(0, p, "torques", None))
         for p in owners:
             self.steps[p].append(ApplyCoupling())
+
+
+def assembled(chain: Chain, source: int, target: int) -> Message:
+    """The message that says how a chain's handles feel forces."""
+    named = (block for block in chain.blocks.values() if block.joint is not None)
+    blocks = tuple(sorted(named, key=_block_key))
+    biases = tuple(chain.biases[h] for h in sorted(chain.biases))
+    return Message(source, target, "assembly", chain.joint, blocks=blocks, biases=biases)
 
 
 def _block_key(block: Block) -> tuple[int, int, int]:

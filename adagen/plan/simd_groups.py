@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import groupby
 from typing import TypeVar
 
@@ -77,7 +78,8 @@ class Limbs:
             yield from row
 
 
-def placed_links(plan: Plan) -> set[int]:
+@lru_cache(maxsize=16)  # of one plan it is asked for each process
+def placed_links(plan: Plan) -> frozenset[int]:
     """Return the links whose own inertia is put down before sweeps: they are swept to, or twice.
 
     These are the links at which several processes' inertias are gathered, and those whose mobility
@@ -85,7 +87,8 @@ def placed_links(plan: Plan) -> set[int]:
     """
     gathered = {link for message in plan.messages for link in message.inertias}
     steps = (step for process in plan.processes for step in process.steps)
-    return gathered | {s.link for s in steps if isinstance(s, HoldMobility | SolveMobility)}
+    held = (s.link for s in steps if isinstance(s, HoldMobility | SolveMobility))
+    return frozenset(gathered).union(held)
 
 
 def simd_groups(

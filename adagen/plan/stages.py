@@ -14,7 +14,9 @@ from adagen.plan.steps import (
     Accelerate,
     AccelerateHeld,
     AccelerateRoot,
+    Append,
     ApplyCoupling,
+    Arrive,
     Certify,
     Deliver,
     Disassemble,
@@ -31,6 +33,7 @@ from adagen.plan.steps import (
     SolveCoupling,
     SolveMobility,
     Step,
+    Traverse,
 )
 from adagen.plan.types import Process
 
@@ -97,7 +100,7 @@ def stages(process: Process) -> tuple[Stage, ...]:
 
 def _what(step: Step) -> What:
     match step:
-        case Kinematics():
+        case Kinematics() | Traverse() | Append() | Arrive():
             return "kinematics"
         case Send():
             return "send"

@@ -12,13 +12,26 @@ from functools import cached_property
 
 from adagen.model import OUTPUT_SIZES
 from adagen.model.kinds import KINDS
-from adagen.plan.steps import Bias, Block, Certify, Force, Refine, SolveCoupling, Step
+from adagen.plan.steps import (
+    Bias,
+    Block,
+    Certify,
+    Force,
+    Passage,
+    Refine,
+    SolveCoupling,
+    Step,
+)
 
 THREADS = "threads"
 """The channel between processes that are threads of one program."""
 FACTORS = {"double": "double", "float": "float", "mixed": "float"}
 """Scalars, and the number type in which each factorizes and solves; all else of "mixed" is double,
 and what it solves for is refined."""
+
+
+OPTIONAL = {"optional": True}
+"""Marks fields that a plan's JSON leaves out where they have their default."""
 
 
 @dataclass(frozen=True)
@@ -28,8 +41,8 @@ class Message:
     Attributes:
         source: sending process.
         target: receiving process.
-        sweep: "assembly", "disassembly", "slaved" (accelerations of slaved joints and their
-            sources, to be solved for) or "torques" (the answer).
+        sweep: "kinematics", "assembly", "disassembly", "slaved" (accelerations of slaved joints
+            and their sources, to be solved for) or "torques" (the answer).
         joint: the joint that completed the chain that is spoken of; None for the last two.
         blocks: blocks in it, 36 numbers each.
         biases: biases in it, 6 numbers for each right-hand side.
@@ -37,6 +50,7 @@ class Message:
         joints: joints whose accelerations are in it, for every right-hand side.
         inertias: links whose I^A and p^A, as far as the source knows them, are in it: 21 numbers,
             and 6 for each right-hand side. The target adds them to its own.
+        passages: how runs of joints move their last links, 24 numbers each.
     """
 
     source: int
@@ -48,13 +62,14 @@ class Message:
     forces: tuple[Force, ...] = ()
     joints: tuple[int, ...] = ()
     inertias: tuple[int, ...] = ()
+    passages: tuple[Passage, ...] = field(default=(), metadata=OPTIONAL)
 
     def numbers(self, columns: int) -> int:
         """Return how many numbers it holds, with so many right-hand sides."""
         if self.sweep == "torques":
             return columns - 1
         vectors = len(self.biases) + len(self.forces) + len(self.inertias)
-        matrices = 36 * len(self.blocks) + 21 * len(self.inertias)
+        matrices = 36 * len(self.blocks) + 21 * len(self.inertias) + 24 * len(self.passages)
         return matrices + 6 * columns * vectors + columns * len(self.joints)
 
 
@@ -77,10 +92,6 @@ class PlanLink:
     tensor: tuple[tuple[float, ...], ...]
     tensor_inverse: tuple[tuple[float, ...], ...]
     phi: tuple[tuple[float, ...], ...]
-
-
-OPTIONAL = {"optional": True}
-"""Marks fields that a plan's JSON leaves out where they have their default."""
 
 
 @dataclass(frozen=True)
@@ -321,6 +332,14 @@ class Plan:
     wanted: tuple[int, ...] = field(default=(), metadata=OPTIONAL)
     outputs: tuple[PlanOutput, ...] = field(default=(), metadata=OPTIONAL)
     at_rest: bool = field(default=False, metadata=OPTIONAL)
+
+    def __hash__(self) -> int:
+        """Return a hash that is computed once: what is found for a plan is kept by it."""
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
+        return hash((self.name, self.schedule, self.processes, self.messages))
 
     def wants(self, joint: int) -> bool:
         """Return whether a joint's acceleration is given."""

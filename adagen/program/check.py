@@ -27,6 +27,7 @@ from adagen.plan.steps import (
     StartEmpty,
     StartLink,
     Step,
+    Traverse,
 )
 from adagen.plan.types import Plan
 from adagen.program.effects import Effects, Place, contents, effects, joined_runs
@@ -196,6 +197,8 @@ class _Memory:
             match step, operation.method:
                 case Kinematics(), "each" | "segments" | "lanes" | "base":
                     yield "angles", step.joint
+                case Traverse(passage), _ if self.prepared:
+                    yield from (("angles", j) for j in range(passage.first, passage.last + 1))
                 case Articulate(), "columns":
                     link = ends_of(self.plan.joints, step.joint, step.reversed).far
                     if ("inertia", link) in self.read and link not in self.placed:

@@ -2,7 +2,8 @@
 
 A place is a name: a ``Block``, ``Bias`` or ``Force`` of the plan, or a pair of a word and a number:
 
-* ``("velocity", link)``, ``("transform", joint)``: its motion, as kinematics finds it;
+* ``("velocity", link)``, ``("transform", joint)``: its motion, as kinematics finds it, and a
+  ``Passage`` of the plan;
 * ``("inertia", link)``: I^A and p^A of a link;
 * ``("projected", joint)``: U, D and u of a joint that was swept inwards;
 * ``("load", link)``, ``("acceleration", link)``, ``("joined", joint)``, ``("qdd", joint)``;
@@ -24,7 +25,9 @@ from adagen.plan.steps import (
     Accelerate,
     AccelerateHeld,
     AccelerateRoot,
+    Append,
     ApplyCoupling,
+    Arrive,
     Articulate,
     Bias,
     Block,
@@ -48,6 +51,7 @@ from adagen.plan.steps import (
     LinkBias,
     Load,
     LoadRoot,
+    Passage,
     Propagate,
     Receive,
     Refine,
@@ -59,11 +63,12 @@ from adagen.plan.steps import (
     StartEmpty,
     StartLink,
     Step,
+    Traverse,
     blocks_set_by,
 )
 from adagen.plan.types import Message, Plan
 
-Place = Block | Bias | Force | tuple[str, int]
+Place = Block | Bias | Force | Passage | tuple[str, int]
 
 
 @dataclass(frozen=True)
@@ -131,6 +136,8 @@ def effects(plan: Plan, step: Step, runs: Mapping[int, tuple[int, ...]]) -> Effe
             | AccelerateHeld()
         ):
             return _closed(plan, step)
+        case Traverse() | Append() | Arrive():
+            return _passed(step)
         case Certify() | Refine():
             return _certify(plan)
         case GiveOutput():
@@ -175,6 +182,18 @@ def _of_joint(
             return Effects(_coupled(plan), (("torques", 0),))
         case ApplyCoupling():
             return Effects((("torques", 0),))
+
+
+def _passed(step: Traverse | Append | Arrive) -> Effects:
+    """Of a step that is about how runs of joints move their last links."""
+    match step:
+        case Traverse():
+            return Effects(sets=(step.passage,))
+        case Append():
+            return Effects((step.near, step.far), (step.passage,))
+        case Arrive():
+            reads = (step.passage, *_moving(("velocity", step.near)))
+            return Effects(reads, (("velocity", step.passage.link),))
 
 
 def _of_link(step: _OfLink) -> Effects:
@@ -271,7 +290,7 @@ def contents(message: Message) -> tuple[Place, ...]:
     if message.sweep == "torques":
         return (("torques", 0),)
     accelerations: tuple[Place, ...] = tuple(("qdd", joint) for joint in message.joints)
-    return (*message.blocks, *message.biases, *message.forces, *accelerations)
+    return (*message.passages, *message.blocks, *message.biases, *message.forces, *accelerations)
 
 
 def _moving(*places: tuple[str, int]) -> tuple[Place, ...]:

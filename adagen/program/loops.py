@@ -13,6 +13,8 @@ from adagen.plan.simd_groups import Limbs, placed_links
 from adagen.plan.stages import stages
 from adagen.plan.steps import (
     Accelerate,
+    Append,
+    Arrive,
     Articulate,
     Deliver,
     FreeAcceleration,
@@ -24,6 +26,7 @@ from adagen.plan.steps import (
     StartEmpty,
     StartLink,
     Step,
+    Traverse,
 )
 from adagen.plan.types import Plan, Process
 from adagen.plan.wanted import needed_outwards
@@ -78,6 +81,7 @@ class Loops:
         self.named = mentions(plan, process)
         self.through = self._passed_through()  # links that no load but a run's own reaches
         self.needed = needed_outwards(plan, process.steps, limbs)
+        self.turning: set[int] = set()  # joints whose sines and cosines are known
         self.holding: set[int] = set()  # links at which an inertia has been left
         self.bare: set[int] = set()  # links whose own inertia is set up
         self.by_columns: set[int] = set()  # those of them that are set up by columns, too
@@ -88,6 +92,9 @@ class Loops:
         """Return the operations of the process in order."""
         together: dict[type, Callable[[list[Any]], None]] = {
             Kinematics: self._kinematics,
+            Traverse: self._traverse,
+            Append: self._put_together,
+            Arrive: self._put_together,
             StartLink: self._link_inertias,
             StartEmpty: self._clear,
             FreeBase: self._free_bases,
@@ -136,7 +143,7 @@ class Loops:
         if self.slots.tile:
             self._add("kinematics", Run(joints[0], joints[-1]), "tiles", steps)
             return
-        self._add("angles", Links(tuple(joints)), "each")
+        self._prepare_angles(joints)
         for j in joints:
             if is_base(self.joints[j]):
                 self._add("kinematics", Run(j, j), "base", [Kinematics(j)])
@@ -148,6 +155,24 @@ class Loops:
             for run, in_segments in split(unit.run, self.slots.segments):
                 method: Method = "segments" if in_segments else "each"
                 self._add(what, run, method, map(Kinematics, range(run.first, run.last + 1)))
+
+    def _prepare_angles(self, joints: Iterable[int]) -> None:
+        wanted = tuple(j for j in joints if j not in self.turning)
+        if wanted:
+            self.turning.update(wanted)
+            self._add("angles", Links(wanted), "each")
+
+    def _traverse(self, steps: list[Traverse]) -> None:
+        for step in steps:
+            run = Run(step.passage.first, step.passage.last)
+            self._prepare_angles(run.joints())
+            method: Method = "segments" if run in self.slots.segments else "each"
+            self._add("traverse", run, method, [step])
+
+    def _put_together(self, steps: list[Append | Arrive]) -> None:
+        for step in steps:
+            run = Run(step.passage.first, step.passage.last)
+            self._add(step.does, run, "step", [step])
 
     def _link_inertias(self, steps: list[StartLink]) -> None:
         """Set all links up at the first of these: links that lie in one block are set up at once.

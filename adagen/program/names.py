@@ -12,5 +12,15 @@ PREPARES: dict[str, str] = {
 PASSING = "pass_kinematics"
 """Kinematics of joints that are only passed on the way to others."""
 
-PREPARED = ("angles", "kinematics", PASSING, "link_inertia", "solve_coupling", "apply_coupling")
+PREPARED = (
+    "angles",
+    "kinematics",
+    PASSING,
+    "traverse",
+    "append",
+    "arrive",
+    "link_inertia",
+    "solve_coupling",
+    "apply_coupling",
+)
 """What operations of loops do once, however many right-hand sides there are."""

@@ -10,7 +10,7 @@ from itertools import groupby, pairwise
 
 from adagen.plan import Plan
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.steps import Kinematics
+from adagen.plan.steps import Kinematics, Traverse
 from adagen.plan.types import FACTORS, PlanJoint
 from adagen.program.runs import Run, outward_units
 from adagen.schedule.costs import StepCosts
@@ -34,7 +34,8 @@ def segments_of(plan: Plan, limbs: Sequence[Sequence[Limbs]], costs: StepCosts) 
     """
     taken = {j for own in limbs for each in own for j in each.members()}
     passed = [run for p, own in enumerate(limbs) for run in _outward(plan, p, own)]
-    ends = sorted({end for run in passed for end in (run.first, run.last + 1)})
+    whole = {j for first, last in _traversed(plan) for j in range(first + 1, last + 1)}
+    ends = sorted({end for run in passed for end in (run.first, run.last + 1)} - whole)
     pieces = {
         Run(first, beyond - 1)
         for run in passed
@@ -78,6 +79,12 @@ def _outward(plan: Plan, p: int, limbs: Sequence[Limbs]) -> Iterator[Run]:
             for unit in outward_units(plan.joints, joints, limbs, process.treated):
                 if not isinstance(unit, Limbs):
                     yield unit.run
+
+
+def _traversed(plan: Plan) -> set[tuple[int, int]]:
+    """Runs whose motion is told as a whole, which nothing parts."""
+    steps = (step for process in plan.processes for step in process.steps)
+    return {(s.passage.first, s.passage.last) for s in steps if isinstance(s, Traverse)}
 
 
 def slots_of(run: Run, lanes: int) -> list[int]:

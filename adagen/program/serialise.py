@@ -6,7 +6,7 @@ import json
 from typing import Any
 
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.steps import Receive, Send
+from adagen.plan.steps import Append, Arrive, Receive, Send, Traverse
 from adagen.plan.types import Plan
 from adagen.program.runs import Run
 from adagen.program.summary import lanes, meeting
@@ -98,6 +98,8 @@ def _of_step(plan: Plan, operation: Operation) -> dict[str, Any]:
         said["joints"] = [plan.joints[step.joint].name]
     if hasattr(step, "link"):
         said["links"] = [plan.links[step.link].name]
+    if isinstance(step, Traverse | Append | Arrive):
+        said["joints"] = [plan.joints[j].name for j in (step.passage.first, step.passage.last)]
     if getattr(step, "reversed", False):
         said["reversed"] = True
     return said
@@ -105,6 +107,7 @@ def _of_step(plan: Plan, operation: Operation) -> dict[str, Any]:
 
 def _message(plan: Plan, number: int) -> dict[str, Any]:
     message = plan.messages[number]
+    passages = [[plan.joints[j].name for j in (p.first, p.last)] for p in message.passages]
     return {
         "from": message.source,
         "to": message.target,
@@ -114,4 +117,5 @@ def _message(plan: Plan, number: int) -> dict[str, Any]:
         "forces": [plan.links[f.handle].name for f in message.forces],
         "inertias": [plan.links[k].name for k in message.inertias],
         "joints": [plan.joints[j].name for j in message.joints],
+        **({"passages": passages} if passages else {}),
     }

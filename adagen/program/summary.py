@@ -13,7 +13,9 @@ from adagen.plan.types import Process
 from adagen.program.runs import spans
 from adagen.program.types import Program
 
-Meeting = Literal["alone", "joined", "gathered"]
+Meeting = Literal["alone", "joined", "exchanged", "gathered"]
+TREES = ("joined", "exchanged")
+"""Ways to meet in which the schedule's tree says what is joined when."""
 
 
 @dataclass(frozen=True)
@@ -35,7 +37,9 @@ def meeting(program: Program) -> Meeting:
     if sum(bool(process.steps) for process in processes) < 2:
         return "alone"
     joins = any(isinstance(step, Join) for process in processes for step in process.steps)
-    return "joined" if joins else "gathered"
+    if not joins:
+        return "gathered"
+    return "exchanged" if any(process.shares for process in processes) else "joined"
 
 
 def gathering(program: Program) -> Gathering:
@@ -96,6 +100,8 @@ def title(program: Program) -> str:
             how = "one of them at work"
         case "joined":
             how = "joined at cuts"
+        case "exchanged":
+            how = "joined at cuts, by both sides of each"
         case "gathered":
             found = gathering(program)
             where = named(_links(program, found.roots))

@@ -12,7 +12,7 @@ Strategy = Literal["exact", "astar", "paper", "file"]
 Named = Literal["balanced", "sequential", "middle-out"]
 Split = Literal["always", "free", "any"]
 Verdict = Literal["optimal", "gap"]
-Meeting = Literal["join", "gather"]
+Meeting = Literal["join", "gather", "exchange"]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -89,8 +89,9 @@ class Schedule:
             divide it unevenly.
         expanded: partial chains (exact) or search nodes (A*) that were expanded.
         loads: active time of each process; length P.
-        meeting: how its processes meet: joined pair by pair as the tree says (the paper), or all
-            gathering what they have at a small core (adagen.plan.gather).
+        meeting: how its processes meet: joined pair by pair as the tree says (the paper); the
+            same with both sides joining (adagen.plan.exchange); or all gathering what they have at
+            a small core (adagen.plan.gather).
         families: the families of candidates that it was chosen from at the price that is played
             (adagen.search), which makespan, bound and loads are then told in, in the shape that is
             emitted; empty where they are told in that of the tree.

@@ -95,6 +95,7 @@ def best_schedule(
     if families.settled:
         return families.taken()
     families.consider(best, "joined")
+    families.exchange(cuttable)
     families.name(cuttable)
     if gather and can_gather(model):
         alike = seen.trivial and limit is None

@@ -4,6 +4,7 @@
 * ``gathered``: processes gather at a core (layouts.py), searched by branch and bound.
 * ``joined``: processes are joined at cuts: what the search by steps finds at its own prices, and at
   those that are played (joined.py).
+* ``exchanged``: of long serial chains, with both sides of each cut joining it (exchanged.py).
 * ``balanced``, ``sequential``, ``middle-out``: schedules that have a name (named.py), of robots of
   some tens of joints, where they cut no joint that loses digits.
 
@@ -23,13 +24,14 @@ from adagen.emit.predicted import priced_program
 from adagen.emit.shapes import offered
 from adagen.model import Model
 from adagen.paper.restricted import joined_between_processes
-from adagen.plan import make_plan
+from adagen.plan import Plan, make_plan
 from adagen.plan.types import Process
 from adagen.program import Program
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.fold import Fold
 from adagen.schedule.tree import Named
 from adagen.search.bounds import Bounds
+from adagen.search.exchanged import ExchangedSchedules, numbers_of_processes
 from adagen.search.floors import Floors
 from adagen.search.gathered import GatheredSearch
 from adagen.search.guess import halves
@@ -138,6 +140,29 @@ class Families:
     def _name(self, family: str) -> None:
         if family not in self.names:
             self.names.append(family)
+
+    def exchange(self, cuttable: Sequence[bool]) -> None:
+        """Look at schedules of serial chains whose processes exchange pair by pair.
+
+        Args:
+            cuttable: for each joint whether processes may meet there.
+        """
+        counts = numbers_of_processes(self.topology, self.processes)
+        if not (self.loops and self.seen.trivial and counts):
+            return
+        assert self.best is not None  # one process comes first
+        chains = ExchangedSchedules(self.topology, self.profile, cuttable, self.best.tie)
+        for count in counts:
+            found, before = chains.best(self.processes, count, self._played), self.least
+            if found is not None:
+                self.consider(found, "exchanged")
+            if found is not None and self.least == before:
+                break  # fewer processes are no faster where more are not
+        self.bounds.append(chains.least(self.processes))
+
+    def _played(self, schedule: Schedule) -> tuple[Plan, Timeline]:
+        plan = make_plan(self.model, schedule)
+        return plan, timeline(priced_program(plan, "kernels", self.profile), self.profile)
 
     def name(self, cuttable: Sequence[bool]) -> None:
         """Look at the schedules that have a name, where they are soon priced.

@@ -96,9 +96,11 @@ def _meeting(data: dict[str, Any]) -> Meeting:
     match data.get("meeting", "join"):
         case "join":
             return "join"
+        case "exchange":
+            return "exchange"
         case "gather":
             return "gather"
-    raise InvalidSchedule('"meeting" is "join" or "gather"')
+    raise InvalidSchedule('"meeting" is "join", "exchange" or "gather"')
 
 
 def _read(root: dict[str, Any], topology: Topology) -> Draft:

@@ -92,7 +92,7 @@ def draft_of(best: Label, chains: Chains) -> Draft:
         label, first, above, is_end = stack.pop()
         chain, count = label.state.chain, label.state.processes
         if label.here is None or label.there is None:
-            joint = _segment(draft, chains, chain, (first, first + count))
+            joint = put_segment(draft, chains, chain, (first, first + count))
         else:
             joint = chains.original[label.position]
             draft.ranges[joint] = (first, first + count)
@@ -106,7 +106,7 @@ def draft_of(best: Label, chains: Chains) -> Draft:
     return draft
 
 
-def _segment(draft: Draft, chains: Chains, chain: Chain, processes: tuple[int, int]) -> int:
+def put_segment(draft: Draft, chains: Chains, chain: Chain, processes: tuple[int, int]) -> int:
     """Put a chain of one process under its joint nearest to the ground; return that joint."""
     order = [chains.original[p] for p in reversed(chains.positions(chain))]
     for joint in order:

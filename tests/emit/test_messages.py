@@ -65,7 +65,8 @@ def test_every_message_is_read_before_its_place_is_written_again(
     form: str, meeting: str, joints: int, processes: int, mimics: int, seed: int
 ) -> None:
     rng = np.random.default_rng(seed)
-    model = random_tree(rng, joints, mimics=0 if meeting == "gather" else mimics, branching=0.6)
+    takes_mimics = meeting not in ("gather", "exchange")
+    model = random_tree(rng, joints, mimics=mimics * takes_mimics, branching=0.6)
     model = grounded(model, rng)
     plan = make_plan(model, random_schedule(model, processes, rng), form=form, meeting=meeting)
     assert unguarded(plan) == []

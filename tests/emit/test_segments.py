@@ -127,6 +127,16 @@ def test_segments_on_the_way_to_others_are_solved(
     assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
 
 
+def test_few_rows_of_known_constants_are_solved(builder: Builder, tmp_path: Path) -> None:
+    """Of runs of 17 joints g++ 12 knows all origins, and would add some of them up wrongly."""
+    model = serial_chain(70)
+    plan = plan_of(model, 4)
+    assert "pass_outward_in_segments<17, 33>" in kernels_of(plan)
+    states = random_states(model, 4, seed=1)
+    solver = builder.solver(plan, name="segments", shape="kernels")
+    assert solver.error(model, states, tmp_path, "--check") < 5 * ROUNDING["double"]
+
+
 @pytest.mark.parametrize(("seed", "processes"), [(9, 1), (8, 2)])
 def test_segments_beside_limbs_are_solved(
     seed: int, processes: int, builder: Builder, tmp_path: Path

@@ -27,11 +27,13 @@ from tests.golden.examples import FOLDER
 from tests.models import human_figure, serial_chain
 
 ARM = BY_STEM["arm7_p1"].model()
+CHAIN = serial_chain(70)
 SLAVED = BY_STEM["arm7_slaved_p2"].model()
 CASES: dict[str, tuple[Model, Plan, dict[str, Any]]] = {
     "joined": (ARM, plan_of(ARM, 2), {}),
     "straight lines": (ARM, plan_of(ARM, 2), {"shape": "unrolled"}),
     "gathered": (human_figure(), plan_of(human_figure(), 3, meeting="gather"), {}),
+    "exchanged": (CHAIN, plan_of(CHAIN, 4, meeting="exchange"), {"shape": "kernels"}),
     "the paper's form": (ARM, plan_of(ARM, 4, form="ada"), {"shape": "joints"}),
     "float": (ARM, plan_of(ARM, 2, scalar="float"), {}),
     "refined": (ARM, plan_of(ARM, 2), {"refine": 2}),

@@ -23,6 +23,8 @@ def why_not(plan: Plan) -> str | None:
         return "in it masses are constants"
     if any(message.inertias for message in plan.messages):
         return "the processes of this plan gather their inertias"
+    if any(process.shares for process in plan.processes):
+        return "several processes of this plan join the same joints"
     if plan.certified:
         return "its answers are not certified"
     if plan.closed:

@@ -15,13 +15,16 @@ from adagen.emit.words import Words
 from adagen.plan.edges import is_base
 from adagen.plan.simd_groups import Limbs, placed_links
 from adagen.plan.steps import (
+    Append,
     ApplyCoupling,
+    Arrive,
     LoadRoot,
     Receive,
     Send,
     SolveCoupling,
     StartLink,
     Step,
+    Traverse,
 )
 from adagen.plan.types import Message, Process
 from adagen.program import Links, Operation
@@ -195,6 +198,27 @@ class KernelLines:
 
     _pass_kinematics = _kinematics
 
+    def _traverse(self, operation: Operation) -> list[str]:
+        (step,), run = operation.steps, operation.block
+        assert isinstance(step, Traverse)
+        assert isinstance(run, Run)
+        verb = "traverse" + "_in_segments" * (operation.method == "segments")
+        own = self.words.passage(step.passage)
+        return [f"{verb}<{run.first}, {run.last}>(w, {own});" + self._names(run)]
+
+    def _append(self, operation: Operation) -> list[str]:
+        (step,) = operation.steps
+        assert isinstance(step, Append)
+        whole, near, far = map(self.words.passage, (step.passage, step.near, step.far))
+        return [f"{whole} = appended({near}, {far});"]
+
+    def _arrive(self, operation: Operation) -> list[str]:
+        (step,) = operation.steps
+        assert isinstance(step, Arrive)
+        name = self.words.quoted_link(step.passage.link)
+        own = self.words.passage(step.passage)
+        return [f"arrive<{step.near}, {step.passage.link}>(w, {own});  // {name}"]
+
     def _number(self, limbs: Limbs) -> str:
         return f"kLimbs{self.slots.numbers[limbs]}"
 
@@ -280,6 +304,7 @@ class KernelLines:
             return ["w.coupling"]
         return [
             *(self._responses(joint) for joint in message.joints),
+            *(self.words.passage(passage) for passage in message.passages),
             *(self.words.block(block) for block in message.blocks),
             *(self.words.bias(bias) for bias in message.biases),
             *(self.words.force(force) for force in message.forces),

@@ -103,6 +103,7 @@ def values(words: Words) -> dict[str, object]:
         "passes_free": mobility.passes_free(plan),
         "holds": mobility.holds_ground(plan),
         "carries": mobility.carries(program),
+        "passages": [words.span(run.first, run.last) for run in words.passages],
         "cut_joints": [
             {"type": f"Joint_{words.joints[j]}", "id": f"j_{words.joints[j]}", "members": lines}
             for j, lines in mobility.members(words).items()

@@ -39,9 +39,11 @@ from adagen.plan.steps.joins import (
     Join,
     LinkBias,
 )
-from adagen.plan.steps.names import Bias, Block, Force
+from adagen.plan.steps.names import Bias, Block, Force, Passage
 from adagen.plan.steps.process import (
+    Append,
     ApplyCoupling,
+    Arrive,
     Certify,
     GiveOutput,
     Kinematics,
@@ -49,13 +51,16 @@ from adagen.plan.steps.process import (
     Refine,
     Send,
     SolveCoupling,
+    Traverse,
 )
 
 __all__ = [
     "Accelerate",
     "AccelerateHeld",
     "AccelerateRoot",
+    "Append",
     "ApplyCoupling",
+    "Arrive",
     "Articulate",
     "Bias",
     "BiasUpdate",
@@ -83,6 +88,7 @@ __all__ = [
     "LinkBias",
     "Load",
     "LoadRoot",
+    "Passage",
     "Propagate",
     "Receive",
     "Refine",
@@ -95,12 +101,16 @@ __all__ = [
     "StartEmpty",
     "StartLink",
     "Step",
+    "Traverse",
     "biases_set_by",
     "blocks_set_by",
 ]
 
 Step = (
     Kinematics
+    | Traverse
+    | Append
+    | Arrive
     | LinkBias
     | Join
     | FusedJoin

@@ -1,11 +1,12 @@
 """Names of what steps read and set: blocks, biases and forces of partial chains.
 
-Three kinds of buffers are named, each living in the memory of the process that computes or receives
+Four kinds of buffers are named, each living in the memory of the process that computes or receives
 it:
 
 * ``Block``: Phi_gh of a partial chain, 6x6, row handle g and column handle h (links), g <= h;
 * ``Bias``: b_h of a partial chain, 6 numbers for each right-hand side;
 * ``Force``: the wrench that acts on handle h of a partial chain from outside, likewise.
+* ``Passage``: how a run of joints lies and moves seen from the link that it hangs on, 24 numbers.
 
 Handles are links, in the link's own frame: all joints at one link share its block, seen through
 their constant or joint-dependent transforms. A partial chain is named by the joint that completed
@@ -41,3 +42,21 @@ class Force:
 
     joint: int
     handle: int
+
+
+@dataclass(frozen=True, order=True)
+class Passage:
+    """How joints ``first`` .. ``last``, each on the link of the one before, move their last link.
+
+    Seen from the link that the first one hangs on, were that at rest and all joint accelerations
+    zero: orientation R (9 numbers), angular velocity and acceleration, place of the origin, its
+    velocity and its acceleration (3 each), in axes of that link, in radians, metres and seconds.
+    """
+
+    first: int
+    last: int
+
+    @property
+    def link(self) -> int:
+        """The link beyond the last joint."""
+        return self.last + 1

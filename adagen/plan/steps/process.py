@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from adagen.plan.steps.names import Passage
+
 
 @dataclass(frozen=True)
 class Kinematics:
@@ -15,6 +17,50 @@ class Kinematics:
     about_row: ClassVar[str] = "placement, velocity and reference acceleration of their links"
 
     joint: int
+
+
+@dataclass(frozen=True)
+class Traverse:
+    """How a run of joints moves its last link, seen from the link that it hangs on."""
+
+    does: ClassVar[str] = "traverse"
+    about: ClassVar[str] = "how they move their last link, seen from where they hang"
+
+    passage: Passage
+
+
+@dataclass(frozen=True)
+class Append:
+    """Two runs, one hanging on the last link of the other, as one.
+
+    Attributes:
+        passage: of both together.
+        near: of the one that comes first.
+        far: of the other.
+    """
+
+    does: ClassVar[str] = "append"
+    about: ClassVar[str] = "how they move their last link, from what is known of both parts"
+
+    passage: Passage
+    near: Passage
+    far: Passage
+
+
+@dataclass(frozen=True)
+class Arrive:
+    """The motion of a run's last link from that of the link that it hangs on.
+
+    Attributes:
+        passage: how the run moves it.
+        near: the link that the run hangs on; 0 is the ground.
+    """
+
+    does: ClassVar[str] = "arrive"
+    about: ClassVar[str] = "placement, velocity and reference acceleration of their last link"
+
+    passage: Passage
+    near: int
 
 
 @dataclass(frozen=True)

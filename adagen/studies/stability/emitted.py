@@ -39,7 +39,7 @@ from adagen.studies.stability.audit import WRONG, Way, planned, solved, source_o
 
 Array = NDArray[np.float64]
 PROCESSES = (1, 2, 4)
-MEETINGS = ("searched", "joined", "gathered")
+MEETINGS = ("searched", "joined", "exchanged", "gathered")
 SCALARS = ("double", "float")
 SHAPES = ("kernels", "unrolled", "joints", *BASELINES)
 EPSILON = {"double": 2.0**-53, "float": 2.0**-24}

@@ -17,6 +17,7 @@
 #include "links.hpp"
 #include "memory.hpp"
 #include "outward.hpp"
+#include "passage.hpp"
 #include "scans.hpp"
 #include "shuffles.hpp"
 
@@ -66,6 +67,16 @@ struct Segments {
   static constexpr bool kAnglesInOrder = in_order(&JointConstants::q);
   static constexpr bool kSpeedsInOrder = in_order(&JointConstants::v);
 };
+
+// The origins of a row. Where g++ 12 knows all of these constants, as it does of few rows, it adds
+// them to others in wrong lanes: what it reads them from is hidden from it.
+ADAGEN_INLINE Vector<Lanes> origins_of(const Joints<Lanes>& row) {
+  const int place = constants_at(row.slot / kPerBlock);
+  const BlockConstants* block = &kBlockConstants[static_cast<std::size_t>(place)];
+  asm("" : "+r"(block));
+  return {number_at<Lanes>(block->x.data()), number_at<Lanes>(block->y.data()),
+          number_at<Lanes>(block->z.data())};
+}
 
 // The k-th of three numbers that each joint of a row turns with; a hinge has only the last.
 template <class Run, std::size_t... lane>
@@ -145,7 +156,7 @@ ADAGEN_INLINE Vector<Lanes> spin_segments(Workspace& w, int beyond, const Matrix
   Matrix<Lanes> R = start;
   Vector<Lanes> omega{};
   for (int row = 0; row < Run::kRows; ++row) {
-    const Vector<Lanes> r = R * origin_of(Run::row(row, beyond));
+    const Vector<Lanes> r = R * origins_of(Run::row(row, beyond));
     put_at(row_at<Run>(w, row, kAcceleration), r);
     R = start * matrix_at<Lanes>(row_at<Run>(w, row, kAxes));
     put_at(row_at<Run>(w, row, kAxes), R);
@@ -202,19 +213,14 @@ ADAGEN_INLINE void along_segments(Workspace& w, int beyond, Frame<Value> at) {
   }
 }
 
-// How a segment's last link lies and moves relative to the segment's start, were that at rest: its
-// place, velocity and acceleration last.
-struct Passage {
-  Matrix<Lanes> R;
-  Vector<Lanes> omega, alpha, p, v, a;
-};
+// How the last link of each segment lies and moves relative to the segment's start.
 template <class Run>
-ADAGEN_INLINE Passage through_segments(const Workspace& w, int beyond) {
-  const Vector<Lanes> first = origin_of(Run::row(0, beyond));
-  Passage at{matrix_at<Lanes>(row_at<Run>(w, 0, kTurn)), {}, {}, first, {}, {}};
+ADAGEN_INLINE Passage<Lanes> through_segments(const Workspace& w, int beyond) {
+  const Vector<Lanes> first = origins_of(Run::row(0, beyond));
+  Passage<Lanes> at{matrix_at<Lanes>(row_at<Run>(w, 0, kTurn)), {}, {}, first, {}, {}};
   at.omega = spins<Run>(w, 0, beyond, at.R);
   for (int row = 1; row < Run::kRows; ++row) {
-    const Vector<Lanes> r = at.R * origin_of(Run::row(row, beyond)), v = cross(at.omega, r);
+    const Vector<Lanes> r = at.R * origins_of(Run::row(row, beyond)), v = cross(at.omega, r);
     at.p += r;
     at.v += v;
     at.a += cross(at.omega, v) + cross(at.alpha, r);
@@ -226,19 +232,30 @@ ADAGEN_INLINE Passage through_segments(const Workspace& w, int beyond) {
   return at;
 }
 
-// The frame of the last link. Seen from a start that turns, what moves there has the acceleration
-// of Coriolis besides, 2 omega x v, and its spin omega x its own.
+// The frame of the last link, seen from a start that moves; and how far it is from there, and how
+// fast. Seen from a start that turns, what moves there has the acceleration of Coriolis besides,
+// 2 omega x v, and its spin omega x its own.
 template <class Run>
-ADAGEN_INLINE Frame<Value> past_segments(const Workspace& w, int beyond, Frame<Value> at) {
-  const Passage own = through_segments<Run>(w, beyond);
-  const Matrix<Lanes> R = products_before(own.R, at.R);
+ADAGEN_INLINE Passage<Value> passage_past_segments(const Workspace& w, int beyond,
+                                                   Frame<Value> at) {
+  const Passage<Lanes> own = through_segments<Run>(w, beyond);
+  Passage<Value> all{at.R, at.omega, at.alpha, {}, {}, at.a};
+  const Matrix<Lanes> R = products_before(own.R, all.R);
   const Vector<Lanes> spin = R * own.omega, p = R * own.p, v = R * own.v;
-  const Vector<Lanes> omega = sums_before(spin, at.omega);
+  const Vector<Lanes> omega = sums_before(spin, all.omega);
   const Vector<Lanes> turns = R * own.alpha + cross(omega, spin);
-  const Vector<Lanes> alpha = sums_before(turns, at.alpha);
-  const Vector<Lanes> more = R * own.a + cross(alpha, p) + cross(omega, cross(omega, p) + (v + v));
-  sums_before(more, at.a);
-  return at;
+  const Vector<Lanes> alpha = sums_before(turns, all.alpha);
+  const Vector<Lanes> ride = cross(omega, p);
+  sums_before(p, all.p);
+  sums_before(v + ride, all.v);
+  sums_before(R * own.a + cross(alpha, p) + cross(omega, ride + (v + v)), all.a);
+  return all;
+}
+
+template <class Run>
+ADAGEN_INLINE Frame<Value> past_segments(const Workspace& w, int beyond, const Frame<Value>& at) {
+  const Passage<Value> all = passage_past_segments<Run>(w, beyond, at);
+  return {all.R, all.omega, all.alpha, all.a};
 }
 
 // See outward and pass_outward in outward.hpp, and take_angles in links.hpp. Functions of their
@@ -250,6 +267,13 @@ ADAGEN_NOINLINE void outward_in_segments(Workspace& w) {
 template <int first, int last>
 ADAGEN_NOINLINE void pass_outward_in_segments(Workspace& w) {
   keep(w, slot_of(last), past_segments<Segments<first, last>>(w, 0, frame_near<first>(w)));
+}
+// The same as seen from the link that they hang on, were that at rest.
+template <int first, int last>
+ADAGEN_NOINLINE void traverse_in_segments(const Workspace& w, Passage<Value>& own) {
+  const Value one = Value{} + 1, none{};
+  const Frame<Value> still{{{one, none, none}, {none, one, none}, {none, none, one}}, {}, {}, {}};
+  own = passage_past_segments<Segments<first, last>>(w, 0, still);
 }
 template <int first, int last>
 void take_angles_in_segments(Workspace& w, int beyond = 0) {

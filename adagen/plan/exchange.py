@@ -1,0 +1,288 @@
+"""Form `segment` by pairwise exchanges: both sides of a cut join it, so no answer is waited for.
+
+The schedule's tree says what is joined when, as for the paper's joins. But where two chains meet,
+processes of either side tell a process of the other one what its chain shows, and all of them join
+the two. After the last join every process knows all forces on its own part. There are log2(P)
+exchanges, where joins on one side take as many messages up and as many back.
+
+Along a serial chain motions are told likewise. Each process finds how its own joints move their
+last link, seen from the link that they hang on (a passage), and pairs of processes put passages
+together, level by level. So nobody passes joints of others on the way to its own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from adagen.errors import UsageError
+from adagen.plan.ada import Chain, assembled
+from adagen.plan.edges import on_the_way
+from adagen.plan.fusions import Run
+from adagen.plan.segment import SegmentPlanner
+from adagen.plan.steps import (
+    Append,
+    Arrive,
+    Force,
+    Kinematics,
+    LinkBias,
+    Passage,
+    Receive,
+    Send,
+    Step,
+    Traverse,
+)
+from adagen.plan.types import Message, PlanJoint, Process
+from adagen.schedule import Node, Schedule, postorder
+
+_PASSED = frozenset({"revolute", "spherical"})
+"""Kinds of joints whose motion is told: those that are passed in registers."""
+
+
+def why_not_exchange(joints: Sequence[PlanJoint], schedule: Schedule) -> str | None:
+    """Return why a schedule's processes cannot exchange pair by pair, None where they can."""
+    for joint in joints:
+        if joint.mimic is not None:
+            return f'joint "{joint.name}" is slaved to another'
+    at_work = at_work_of(schedule)
+    for node in postorder(schedule.root):
+        sides = [set(at_work[child.joint]) for child in node.children]
+        if len(sides) == 2 and sides[0] != sides[1] and sides[0] & sides[1]:
+            return f'processes share both sides of joint "{joints[node.joint].name}"'
+    return None
+
+
+def at_work_of(schedule: Schedule) -> dict[int, tuple[int, ...]]:
+    """Return the processes that have joints at or below each node of a schedule, ascending."""
+    found: dict[int, tuple[int, ...]] = {}
+    for node in postorder(schedule.root):
+        below = {p for child in node.children for p in found[child.joint]}
+        found[node.joint] = tuple(sorted(below or {node.processes[0]}))
+    return found
+
+
+class ExchangePlanner(SegmentPlanner):
+    """Builds the processes and messages of form `segment` by pairwise exchanges.
+
+    Raises:
+        UsageError: the schedule's processes cannot exchange pair by pair.
+    """
+
+    def __init__(
+        self, joints: tuple[PlanJoint, ...], schedule: Schedule, runs: Sequence[Run] = ()
+    ) -> None:
+        super().__init__(joints, schedule, runs)
+        reason = why_not_exchange(joints, schedule)
+        if any(len(run) > 1 for run in runs):
+            reason = "some joints are joined as one, past links without mass"
+        if reason is not None:
+            raise UsageError(f"processes cannot exchange pair by pair: {reason}")
+        self.at_work = at_work_of(schedule)
+        self.knowing: dict[int, tuple[int, ...]] = {}  # who joins a joint, of those that are cut
+
+    def plan(self) -> tuple[tuple[Process, ...], tuple[Message, ...]]:
+        """Return every process's steps, and the messages between them."""
+        parts = self._parts(self.schedule.root)
+        told = None if parts is None else Told(self, parts)
+        top = self._assemble()
+        self._disassemble(top)
+        owns = self._owned() if told is None else told.owns()
+        return self._processes(owns, told), tuple(self.messages)
+
+    def _owned(self) -> list[list[int]]:
+        """The joints that each process gives the accelerations of: the first one that knows."""
+        owns: list[list[int]] = [[] for _ in self.steps]
+        for p, own in enumerate(self.owns):
+            for j in own:
+                owns[self.knowing.get(j, (p,))[0]].append(j)
+        return [sorted(own) for own in owns]
+
+    def _processes(self, owns: Sequence[list[int]], told: Told | None) -> tuple[Process, ...]:
+        found = []
+        for p, (steps, own) in enumerate(zip(self.steps, owns, strict=True)):
+            shares = sorted(
+                j for j, knowing in self.knowing.items() if p in knowing and j not in own
+            )
+            if told is None:
+                reads = on_the_way(self.joints, (*own, *shares))
+                moving: list[Step] = [Kinematics(j) for j in reads]
+            else:
+                reads = tuple(sorted((*own, *shares)))
+                moving = [*told.steps[p], *(Kinematics(j) for j in reads)]
+            found.append(Process((*moving, *steps), reads, tuple(own), tuple(shares)))
+        return tuple(found)
+
+    # --- mobilities and forces -------------------------------------------------------------------
+
+    def _knows(self, part: Chain) -> tuple[int, ...]:
+        """The processes that know what a part shows, ascending."""
+        if part.joint is None:
+            return ()
+        return self.knowing.get(part.joint, (part.process,))
+
+    def _meet(self, process: int, parts: tuple[Chain, Chain]) -> None:
+        """Tell each side of a joint what the other one shows, if both show anything."""
+        a, b = parts
+        if a.joint is None or b.joint is None:
+            self._show_bare(process, a, b)
+        elif a.biases and b.biases and self._knows(a) != self._knows(b):
+            self.exchange(
+                assembled(part, source, target)
+                for part, others in ((a, b), (b, a))
+                for source, target in pairs(self._knows(part), self._knows(others))
+            )
+
+    def _show_bare(self, process: int, a: Chain, b: Chain) -> None:
+        """Every process of a chain that a bare link is joined to finds what that shows."""
+        links = [link for part in (a, b) if part.joint is None for link in part.biases]
+        for p in (*self._knows(a), *self._knows(b)):
+            self.steps[p] += [LinkBias(link) for link in links if p != process]
+
+    def exchange(self, messages: Iterable[Message], steps: list[list[Step]] | None = None) -> None:
+        """Add messages, all of which are sent before any is received.
+
+        Args:
+            messages: those of one level.
+            steps: of each process, to which they are added; those of the sweeps if not given.
+        """
+        to = self.steps if steps is None else steps
+        first = len(self.messages)
+        self.messages += messages
+        numbered = list(enumerate(self.messages[first:], start=first))
+        for number, message in numbered:
+            to[message.source].append(Send(number))
+        for number, message in numbered:
+            to[message.target].append(Receive(number))
+
+    def _join(self, run: Run, process: int, a: Chain, b: Chain) -> Chain:
+        """Join two parts on all processes that know them: what shows nothing need not be known."""
+        knowing = {p for part in (a, b) if part.biases for p in self._knows(part)} or {process}
+        first, *others = sorted(knowing)
+        whole = super()._join(run, first, a, b)
+        join = self.steps[first][-1]
+        for p in others:
+            self.steps[p].append(join)
+        if others or first != process:
+            self.knowing[run[-1]] = (first, *others)
+        return whole
+
+    def _joining(self, chain: Chain) -> Iterable[int]:
+        return self._knows(chain)
+
+    def _send_forces(self, chain: Chain, part: Chain, forces: dict[int, Force]) -> None:
+        """Nobody is told: the processes of a part have found the forces on it themselves."""
+
+    # --- motions ---------------------------------------------------------------------------------
+
+    def _parted(self, node: Node) -> bool:
+        """Whether several processes join a node's two sides."""
+        return len({self.at_work[child.joint] for child in node.children}) == 2
+
+    def _parts(self, root: Node) -> list[range] | None:
+        """What each process treats of a serial chain, its inner cut first; None where not told."""
+        joints = self.joints
+        serial = all(joint.parent == j for j, joint in enumerate(joints))
+        if not serial or any(j.kind not in _PASSED or j.prescribed for j in joints):
+            return None
+        cuts: list[int] = []
+        last = -1
+        for p, cut in self._inner_cuts(root):
+            if p != last + 1 or (cuts and cut <= cuts[-1]):
+                return None  # processes do not follow each other along the chain
+            cuts.append(cut)
+            last = p
+        if last < 1:
+            return None
+        ends = [*cuts[1:], len(joints)]
+        return [range(first, beyond) for first, beyond in zip(cuts, ends, strict=True)]
+
+    def _inner_cuts(self, node: Node, cut: int = 0) -> Iterator[tuple[int, int]]:
+        """Yield for each process, outwards along the chain, the joint that its part hangs on by."""
+        if not self._parted(node):
+            yield self.at_work[node.joint][0], cut
+            return
+        for child in node.children:  # the root side comes first
+            yield from self._inner_cuts(child, node.joint if child.joint > node.joint else cut)
+
+
+class Told:
+    """How the motions of a serial chain are told, level by level.
+
+    Args:
+        planner: whose messages these are put among.
+        parts: the joints of each process, outwards along the chain.
+
+    Attributes:
+        steps: of each process, before the kinematics of its own joints.
+    """
+
+    def __init__(self, planner: ExchangePlanner, parts: Sequence[range]) -> None:
+        self.planner, self.parts = planner, parts
+        self.steps: list[list[Step]] = [[] for _ in planner.steps]
+        self._put_together(planner.schedule.root)
+        self._arrive(planner.schedule.root, 0)
+
+    def owns(self) -> list[list[int]]:
+        """Return the joints that each process gives the accelerations of."""
+        idle = len(self.steps) - len(self.parts)
+        return [list(part) for part in self.parts] + [[] for _ in range(idle)]
+
+    def _passage(self, at_work: Sequence[int]) -> Passage:
+        return Passage(self.parts[at_work[0]].start, self.parts[at_work[-1]].stop - 1)
+
+    def _sides(self, node: Node) -> tuple[tuple[int, ...], tuple[int, ...]]:
+        """The processes at work on a node's root side and on its end side."""
+        near, far = (self.planner.at_work[child.joint] for child in node.children)
+        return near, far
+
+    def _put_together(self, node: Node) -> None:
+        """Find the passage of a node's processes, unless nobody is beyond it."""
+        at_work = self.planner.at_work[node.joint]
+        passage = self._passage(at_work)
+        outermost = at_work[-1] == len(self.parts) - 1
+        if len(at_work) == 1:
+            if not outermost:
+                self.steps[at_work[0]].append(Traverse(passage))
+            return
+        for child in node.children:
+            self._put_together(child)
+        near, far = self._sides(node)
+        told = [(near, far)] if outermost else [(near, far), (far, near)]
+        self.planner.exchange(
+            [
+                self._message(self._passage(own), source, target)
+                for own, others in told
+                for source, target in pairs(own, others)
+            ],
+            self.steps,
+        )
+        if not outermost:
+            append = Append(passage, self._passage(near), self._passage(far))
+            for p in at_work:
+                self.steps[p].append(append)
+
+    @staticmethod
+    def _message(passage: Passage, source: int, target: int) -> Message:
+        return Message(source, target, "kinematics", passage.last, passages=(passage,))
+
+    def _arrive(self, node: Node, start: int) -> None:
+        """Find the motions of the links on which cuts hang, from the tree's top downwards.
+
+        Args:
+            node: whose processes do that.
+            start: the link that their part hangs on.
+        """
+        if len(self.planner.at_work[node.joint]) == 1:
+            return
+        near, far = self._sides(node)
+        passage = self._passage(near)
+        for p in (*near, *far):
+            if p != near[-1]:  # its own kinematics end there
+                self.steps[p].append(Arrive(passage, start))
+        for child, link in zip(node.children, (start, passage.link), strict=True):
+            self._arrive(child, link)
+
+
+def pairs(sources: Sequence[int], targets: Sequence[int]) -> Iterator[tuple[int, int]]:
+    """Yield for each target the source that tells it, sources taking turns."""
+    for k, target in enumerate(targets):
+        yield sources[k % len(sources)], target

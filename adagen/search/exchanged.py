@@ -1,0 +1,213 @@
+"""Serial chains whose processes exchange pair by pair (adagen/plan/exchange.py): where to cut.
+
+Pairs of processes meet level by level, so each waits for the slowest of those that it meets. The
+parts are cut so that all processes are done with their first sweep at once. That takes a few
+plays: what a process needs apart from its own joints follows from the play before.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from itertools import accumulate
+from math import log2
+
+from adagen.cost import Timeline
+from adagen.plan.stages import stages
+from adagen.plan.types import Plan
+from adagen.schedule import CostProfile, Schedule, Topology
+from adagen.schedule.chains import WHOLE, Chain, Chains
+from adagen.schedule.costs import StepCosts
+from adagen.schedule.draft import Draft
+from adagen.schedule.found import Found
+from adagen.schedule.tree import Tie
+from adagen.search.segment_front import put_segment
+
+_FEWEST = 32
+"""Joints that a process has at least, on average: with fewer, messages take longer than they do."""
+_PLAYS = 3
+_FINE = 1e-4  # microseconds to which parts are equally long
+
+Play = Callable[[Schedule], tuple[Plan, Timeline]]
+"""Plans a schedule and plays it."""
+
+
+def numbers_of_processes(topology: Topology, processes: int) -> list[int]:
+    """Return on how many processes a robot may be done by exchanges: all, half of them, ..."""
+    serial = all(parent == j for j, parent in enumerate(topology.parents))
+    found, count = list[int](), processes
+    while serial and count > 1:
+        if len(topology) >= _FEWEST * count:
+            found.append(count)
+        count //= 2
+    return found
+
+
+class ExchangedSchedules:
+    """Schedules of a serial chain with one part for each process.
+
+    Args:
+        topology: the robot.
+        profile: a profile with the costs of steps.
+        cuttable: for each joint whether processes may meet there.
+        tie: the preference among equals, for schedules.
+    """
+
+    def __init__(
+        self, topology: Topology, profile: CostProfile, cuttable: Sequence[bool], tie: Tie
+    ) -> None:
+        assert profile.steps is not None  # as the caller has made sure
+        self.topology, self.profile, self.tie = topology, profile, tie
+        self.chains = Chains(topology, profile)
+        self.cuts = [j for j in range(1, len(topology)) if cuttable[j]]
+        kinds = [topology.kind(j) for j in range(len(topology))]
+        self.costs: StepCosts = profile.steps
+        self.kinds = kinds
+        self.inner, self.outermost = (
+            [0.0, *accumulate(_first_sweep(profile.steps, kind, last) for kind in kinds)]
+            for last in (False, True)
+        )
+
+    def least(self, processes: int) -> float:
+        """Return a time that no such schedule beats, microseconds.
+
+        The outermost of m parts takes a share of what its joints would take elsewhere, at least,
+        and the last process is done no sooner than all are on average.
+        """
+        costs, own = self.costs, dict[str, tuple[float, float]]()
+        for kind in set(self.kinds):
+            second = costs[f"accelerate.{kind}"]
+            inner = _first_sweep(costs, kind, outermost=False) + costs[f"deliver.{kind}"]
+            own[kind] = _first_sweep(costs, kind, outermost=True) + second, inner + second
+        whole = sum(own[kind][1] for kind in self.kinds)
+        share = min(outermost / inner for outermost, inner in own.values())
+        least = min(
+            whole * share / (share * (count - 1) + 1) + self._besides(count)
+            for count in numbers_of_processes(self.topology, processes)
+        )
+        fastest = max(costs.speed(p) for p in range(processes))
+        return (costs["process.evaluation"] + least) / fastest
+
+    def _besides(self, count: int) -> float:
+        """What each of some processes takes on average besides its own joints, at the least.
+
+        Each takes part in log2(m) joins, all but the last of which have a handle beside them. All
+        parts but one have a root, all but two are carried through. Where two wait for each other,
+        they wait for half a latency on average, however far apart they are.
+        """
+        costs, levels = self.costs, log2(count)
+        inside, within = (count - 1) / count, max(0, count - 2) / count
+        join = min(costs[f"join.{kind}"] + costs[f"disassemble.{kind}"] for kind in set(self.kinds))
+        beside = (costs["join.block"] + costs["disassemble.coupling"]) * (levels - 1) / 2
+        alike = count & (count - 1) == 0  # halves are of equal size, on all levels
+        waits = levels / 2 + (1 / 4 if count > 2 else 0) if alike else levels / 3
+        return (
+            levels * (join + 42 * costs.window.number)
+            + beside
+            + costs.window.latency * waits
+            + inside * costs["root.invert"]
+            + within * 3 * costs["propagate_run.product"]
+            + (levels - inside) * costs["kinematics.floating"]
+            + (1 + inside) * min(costs["kinematics.run"], costs["kinematics_segments.run"])
+            + min(costs["articulate.run"], costs["articulate_columns.run"])
+        )
+
+    def best(self, processes: int, count: int, play: Play) -> Schedule | None:
+        """Return the fastest schedule found on some of the processes; None where it is not cut.
+
+        Args:
+            processes: P.
+            count: those that are to work.
+            play: plans and plays a schedule.
+        """
+        if len(self.cuts) < count - 1:
+            return None
+        others = [0.0] * count
+        found: list[tuple[float, int, Schedule]] = []
+        for turn in range(_PLAYS):
+            cuts = self._even(others)
+            if cuts is None:
+                break
+            schedule = self._schedule(cuts, processes)
+            plan, line = play(schedule)
+            found.append((line.makespan, turn, schedule))
+            ready = _ready(plan, line)[:count]
+            ends = [0, *cuts, len(self.topology)]
+            others = [
+                ready[p] - self._time(p == count - 1, ends[p], ends[p + 1]) for p in range(count)
+            ]
+        return min(found)[2] if found else None
+
+    def _time(self, outermost: bool, first: int, beyond: int) -> float:
+        sums = self.outermost if outermost else self.inner
+        return sums[beyond] - sums[first]
+
+    def _even(self, others: Sequence[float]) -> list[int] | None:
+        """Return cuts by which all processes take equally long, with what they do besides."""
+        low, high = 0.0, self.inner[-1] + max(others)
+        found = None
+        while high - low > _FINE:
+            middle = (low + high) / 2
+            cuts = self._within(middle, others)
+            if cuts is None:
+                low = middle
+            else:
+                high, found = middle, cuts
+        return found
+
+    def _within(self, time: float, others: Sequence[float]) -> list[int] | None:
+        """Where to cut so that no process takes longer than a time; None: nowhere."""
+        cuts: list[int] = []
+        first = 0
+        for p, other in enumerate(others[:-1]):
+            beyond = bisect_right(self.inner, self.inner[first] + time - other) - 1
+            place = bisect_right(self.cuts, beyond) - 1
+            place = min(place, len(self.cuts) - len(others) + 1 + p)  # those beyond have some, too
+            if place < 0 or self.cuts[place] <= first:
+                return None
+            first = self.cuts[place]
+            cuts.append(first)
+        left = self._time(True, first, len(self.topology)) + others[-1]
+        return cuts if left <= time else None
+
+    def _schedule(self, cuts: Sequence[int], processes: int) -> Schedule:
+        """Return the schedule whose processes meet in halves."""
+        draft = Draft(len(self.topology))
+        draft.root = self._part(draft, WHOLE, 0, cuts)
+        found = Found(draft, 0, 0).schedule(self.topology, processes, self.profile, self.tie)
+        return replace(found, meeting="exchange")
+
+    def _part(self, draft: Draft, chain: Chain, first: int, cuts: Sequence[int]) -> int:
+        if not cuts:
+            return put_segment(draft, self.chains, chain, (first, first + 1))
+        half = len(cuts) // 2
+        joint = cuts[half]  # of a serial chain, a joint's number is its position
+        near, far = self.chains.split(chain, joint)
+        draft.ranges[joint] = (first, first + len(cuts) + 1)
+        draft.root_child[joint] = self._part(draft, near, first, cuts[:half])
+        draft.end_child[joint] = self._part(draft, far, first + half + 1, cuts[half + 1 :])
+        return joint
+
+
+def _first_sweep(costs: StepCosts, kind: str, outermost: bool) -> float:
+    """What a joint takes in a part until its process can tell others of it; microseconds."""
+    kinematics = min(costs[f"kinematics.{kind}"], costs[f"kinematics_segments.{kind}"])
+    sweep = min(costs[f"articulate.{kind}"], costs[f"articulate_columns.{kind}"])
+    own = kinematics + costs["link.start"] + sweep
+    told = costs[f"passing_segments.{kind}"] + costs[f"propagate_run.{kind}"]
+    return own if outermost else own + told
+
+
+def _ready(plan: Plan, line: Timeline) -> list[float]:
+    """When each process first tells another what its part shows."""
+    first: list[float] = []
+    for p, process in enumerate(plan.processes):
+        messages = {
+            stage.message
+            for stage in stages(process)
+            if stage.message is not None and plan.messages[stage.message].sweep == "assembly"
+        }
+        begun = (i.start for i in line.intervals if i.process == p and i.message in messages)
+        first.append(min(begun, default=0.0))
+    return first

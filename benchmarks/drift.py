@@ -1,0 +1,103 @@
+"""What 100 simulated seconds of linkages lose: how far loops open, and the energy's drift.
+
+    python -m benchmarks.drift [--seconds 100] [--steps 1e-3,2.5e-4] [--only NAME ...]
+        [--mechanisms FOLDER] [--write docs/records/loops.md]
+
+Solvers are emitted and simulate by RK4 from a closed state without torques; loops are projected
+after each step (`--simulate`). A second, finer step is the reference. FOLDER holds further
+linkages (NAME.urdf, NAME.scene.toml).
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from adagen.build import build_executable, find_toolchain
+from adagen.emit import stem_of
+from adagen.errors import AdagenError
+from adagen.library import read
+from adagen.model import Model
+from adagen.reference.closed import constraints
+from adagen.states import States
+from adagen.studies.chart.motion import Played, Player, drifts, state_error
+from adagen.studies.chart.variants import REFERENCE
+from adagen.studies.drawn import drawn_states
+from benchmarks.loops import MECHANISMS
+from benchmarks.page import write_between_marks
+
+
+def _player(model: Model) -> Player:
+    _, plan = REFERENCE.plan(model)
+    toolchain, stem = find_toolchain(), stem_of(plan)
+    program = build_executable(REFERENCE.files(plan)[f"{stem}.cpp"], stem, toolchain)
+    return Player(model, program, len(plan.processes), toolchain)
+
+
+def _read(urdf: Path, scene: Path) -> Model:
+    return read(urdf, scene=scene).model
+
+
+def _open(model: Model, motion: Played) -> float:
+    """Return how far loops open along a motion, m or rad."""
+    return max(float(np.abs(constraints(model, q).gaps).max()) for q in motion.q)
+
+
+def row(name: str, model: Model, seconds: float, steps: tuple[float, ...]) -> list[str]:
+    """Return a linkage's rows of the table, one for each step."""
+    player = _player(model)
+    state = drawn_states(model, 1, seed=1)
+    start = States(state.q, state.v, np.zeros_like(state.tau))
+    found = {step: player.play(start, seconds, step, "rk4") for step in steps}
+    finest = found[min(steps)]
+    lines = []
+    for step, motion in found.items():
+        energy, _ = drifts(model, motion)
+        apart = "-" if motion is finest else f"{state_error(model, motion, finest):.0e}"
+        kept = "-" if energy is None else f"{energy:.0e}"
+        cells = (name, f"{step:g}", f"{_open(model, motion):.0e}", kept, apart)
+        lines.append(f"| {' | '.join(cells)} |")
+    return lines
+
+
+def main() -> int:
+    """Print the table, or put it into a document."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--seconds", type=float, default=100.0)
+    parser.add_argument("--steps", default="1e-3,2.5e-4")
+    parser.add_argument("--only", nargs="+", metavar="NAME")
+    parser.add_argument("--mechanisms", type=Path)
+    parser.add_argument("--write", type=Path)
+    options = parser.parse_args()
+    known: dict[str, Callable[[], Model]] = dict(MECHANISMS)
+    for scene in sorted(options.mechanisms.glob("*.scene.toml")) if options.mechanisms else ():
+        name = scene.name.removesuffix(".scene.toml")
+        urdf = scene.with_name(f"{name}.urdf")
+        known[name] = partial(_read, urdf, scene)
+    steps = tuple(float(step) for step in options.steps.split(","))
+    lines = [
+        f"RK4, {options.seconds:g} s from a random closed state, no torques.",
+        "",
+        "| linkage | step, s | loops open by, m or rad | energy's drift | from the finest step |",
+        "|---|--:|--:|--:|--:|",
+    ]
+    for name in options.only or MECHANISMS:
+        try:
+            lines += row(name, known[name](), options.seconds, steps)
+        except AdagenError as error:
+            lines.append(f"| {name} | | {str(error).removeprefix('error: ')} | | |")
+        print(lines[-1], file=sys.stderr)
+    if options.write is None:
+        print("\n".join(lines))
+    else:
+        write_between_marks(options.write, "drift", "\n".join(lines))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,94 @@
+// adagen's runtime, the same for all robots.
+#pragma once
+#if !defined(ADAGEN_SOLVER)
+#define ADAGEN_SAMPLE_CUTS  // read alone, it is of a solver whose processes meet
+#endif
+
+#include <initializer_list>
+
+#include "../common.hpp"
+#include "../constants.hpp"
+#include "../sample/layout.hpp"
+#include "../sample/robot.hpp"
+#include "../sample/sizes.hpp"
+#include "../sample/value.hpp"
+#include "algebra.hpp"
+#include "blocks.hpp"
+#include "kinds.hpp"
+#include "memory.hpp"
+#include "outward.hpp"
+#include "passage.hpp"
+
+namespace {
+
+// Processes tell each other how their runs of joints move, so that none passes those of others.
+
+// The passage of two runs, the second one on the last link of the first. Seen from a link that
+// turns, what moves there has the acceleration of Coriolis besides, 2 omega x v, and its spin
+// omega x its own.
+[[maybe_unused]] inline Passage<Value> appended(const Passage<Value>& near,
+                                                const Passage<Value>& far) {
+  const Vector<Value> spin = near.R * far.omega, p = near.R * far.p, v = near.R * far.v;
+  return {near.R * far.R,
+          near.omega + spin,
+          near.alpha + near.R * far.alpha + cross(near.omega, spin),
+          near.p + p,
+          near.v + v + cross(near.omega, p),
+          near.a + near.R * far.a + cross(near.alpha, p) +
+              cross(near.omega, cross(near.omega, p) + (v + v))};
+}
+
+// The frame of a run's last link from that of the link that the run hangs on, the ground if 0.
+template <int near, int link>
+void arrive(Workspace& w, const Passage<Value>& own) {
+  const Frame<Value> at = near == 0 ? ground(w) : frame_of(w, near == 0 ? 0 : near - 1);
+  const Vector<Value> spin = at.R * own.omega, p = at.R * own.p, v = at.R * own.v;
+  keep(w, slot_of(link - 1),
+       Frame<Value>{at.R * own.R, at.omega + spin,
+                    at.alpha + at.R * own.alpha + cross(at.omega, spin),
+                    at.a + at.R * own.a + cross(at.alpha, p) +
+                        cross(at.omega, cross(at.omega, p) + (v + v))});
+}
+
+// A run of hinges and ball joints, joint by joint.
+template <int first, int last>
+void traverse(Workspace& w, Passage<Value>& own) {
+  const Value one = Value{} + 1, none{};
+  own = {{{one, none, none}, {none, one, none}, {none, none, one}}, {}, {}, {}, {}, {}};
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    const Joints<Value> at = single(first + k);
+    const JointConstants& joint = at.any();
+    const Vector<Value> p = own.R * origin_of(at), v = cross(own.omega, p);
+    own.a += cross(own.omega, v) + cross(own.alpha, p);
+    own.p += p;
+    own.v += v;
+    own.R = own.R * matrix_at<Value>(w.at(at.slot, kTurn));
+    Vector<Value> spin{own.R.x.z, own.R.y.z, own.R.z.z};
+    if (kind == JointKind::kSpherical)
+      spin = own.R * Vector<Value>{w.v[joint.v], w.v[joint.v + 1], w.v[joint.v + 2]};
+    else
+      spin = spin * w.v[joint.v];
+    own.alpha += cross(own.omega, spin);
+    own.omega += spin;
+  });
+}
+
+// Into a message, and out of one.
+inline Number* put(Number* to, const Passage<Value>& own) {
+  for (const Vector<Value>* u :
+       {&own.R.x, &own.R.y, &own.R.z, &own.omega, &own.alpha, &own.p, &own.v, &own.a}) {
+    to[0] = Number(u->x), to[1] = Number(u->y), to[2] = Number(u->z);
+    to += 3;
+  }
+  return to;
+}
+inline const Number* get(const Number* from, Passage<Value>& own) {
+  for (Vector<Value>* u :
+       {&own.R.x, &own.R.y, &own.R.z, &own.omega, &own.alpha, &own.p, &own.v, &own.a}) {
+    *u = {Value(from[0]), Value(from[1]), Value(from[2])};
+    from += 3;
+  }
+  return from;
+}
+
+}  // namespace

@@ -1,0 +1,110 @@
+"""Form segment by pairwise exchanges: both sides of a cut join it."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from adagen.errors import UsageError
+from adagen.executor import interpret
+from adagen.model import Inertia, Model
+from adagen.model.kinds import REVOLUTE, SPHERICAL, JointKind
+from adagen.plan import Plan, make_plan, plan_from_json, plan_to_json
+from adagen.plan.steps import Arrive, Kinematics, Receive, Send, Traverse
+from adagen.program import check
+from adagen.program.lower import lower
+from adagen.schedule import Schedule, Topology, load_profile
+from adagen.search import find_schedule, named_schedule
+from adagen.states import random_states
+from tests.emit.test_messages import unguarded
+from tests.links import with_inertia
+from tests.models import random_tree, serial_chain
+from tests.plan.test_fused import balanced
+from tests.schedules import random_schedule
+
+PROFILE = load_profile("default")
+
+
+def by_process(model: Model, processes: int) -> Schedule:
+    return find_schedule(Topology.of(model), processes, profile=load_profile("paper"))
+
+
+def error(model: Model, plan: Plan) -> float:
+    """Largest difference from the plan of one process, relative to the largest acceleration."""
+    alone = make_plan(model, by_process(model, 1))
+    states = random_states(model, 3, seed=3)
+    worst = 0.0
+    for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+        right, found = interpret(alone, q, v, tau), interpret(plan, q, v, tau)
+        worst = max(worst, float(np.abs(found - right).max() / max(1.0, np.abs(right).max())))
+    return worst
+
+
+@settings(max_examples=15, deadline=None)
+@given(st.integers(1, 12), st.integers(1, 8), st.booleans(), st.integers(0, 2**32 - 1))
+def test_any_schedule_of_any_tree_can_exchange(
+    joints: int, processes: int, floating: bool, seed: int
+) -> None:
+    rng = np.random.default_rng(seed)
+    model = random_tree(rng, joints, branching=0.6, floating=floating)
+    plan = make_plan(model, random_schedule(model, processes, rng), meeting="exchange")
+    for shape in ("kernels", "unrolled"):
+        check(lower(plan, shape))
+    assert error(model, plan) < 1e-8
+
+
+@pytest.mark.parametrize(
+    ("joints", "processes", "kind"), [(9, 4, REVOLUTE), (13, 5, REVOLUTE), (7, 3, SPHERICAL)]
+)
+def test_motions_of_a_serial_chain_are_told(joints: int, processes: int, kind: JointKind) -> None:
+    model = serial_chain(joints, kind=kind)
+    schedule = named_schedule("balanced", Topology.of(model), processes, profile=PROFILE)
+    plan = make_plan(model, schedule, meeting="exchange")
+    for shape in ("kernels", "unrolled"):
+        check(lower(plan, shape))
+    assert error(model, plan) < 1e-11
+    assert unguarded(plan) == []
+    for p, process in enumerate(plan.processes):
+        told = [step for step in process.steps if isinstance(step, Traverse)]
+        assert len(told) == (p < processes - 1)  # nobody asks how the outermost part moves
+        cuts = sum(len(path.shares) for path in plan.processes) // processes + 1
+        assert len(process.reads) <= len(process.owns) + cuts  # and nobody passes others' joints
+    assert plan_from_json(plan_to_json(plan)) == plan
+
+
+def test_exchanges_take_as_many_messages_as_there_are_levels() -> None:
+    """On 8 processes each sends three times what it shows, and three times how it moves at most."""
+    model = serial_chain(24)
+    schedule = named_schedule("balanced", Topology.of(model), 8, profile=PROFILE)
+    plan = make_plan(model, schedule, meeting="exchange")
+    assert {message.sweep for message in plan.messages} == {"kinematics", "assembly"}
+    for p, process in enumerate(plan.processes):
+        sent = [plan.messages[s.message] for s in process.steps if isinstance(s, Send)]
+        taken = [plan.messages[s.message] for s in process.steps if isinstance(s, Receive)]
+        for own in (sent, taken):
+            assert sum(message.sweep == "assembly" for message in own) == 3
+        assert {m.target for m in sent if m.sweep == "assembly"} == {p ^ 1, p ^ 2, p ^ 4}
+
+
+def test_a_joint_that_a_process_only_joins_is_another_ones() -> None:
+    model = serial_chain(16)
+    schedule = named_schedule("balanced", Topology.of(model), 4, profile=PROFILE)
+    plan = make_plan(model, schedule, meeting="exchange")
+    assert sorted(j for process in plan.processes for j in process.owns) == list(range(16))
+    assert all(process.shares for process in plan.processes)
+    kinds = {type(step) for process in plan.processes for step in process.steps}
+    assert {Arrive, Kinematics} <= kinds
+
+
+def test_slaved_joints_do_not_exchange() -> None:
+    model = random_tree(np.random.default_rng(3), 6, mimics=1)
+    with pytest.raises(UsageError, match="cannot exchange pair by pair: joint"):
+        make_plan(model, by_process(model, 2), meeting="exchange")
+
+
+def test_joints_past_links_without_mass_do_not_exchange() -> None:
+    model = with_inertia(serial_chain(8), 3, Inertia.zero())
+    with pytest.raises(UsageError, match="past links without mass"):
+        make_plan(model, balanced(model, 2, "segment"), meeting="exchange")

@@ -1,0 +1,77 @@
+"""Long serial chains whose processes exchange pair by pair."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from adagen.cost import Timeline, timeline
+from adagen.emit.predicted import priced_program
+from adagen.plan import Plan, make_plan
+from adagen.schedule import Schedule, Topology, load_profile, validate
+from adagen.schedule.tree import preorder
+from adagen.search import best_schedule
+from adagen.search.exchanged import ExchangedSchedules, numbers_of_processes
+from adagen.search.price import played
+from tests.models import binary, serial_chain
+
+PROFILE = load_profile("default")
+
+
+def exchanged(joints: int, processes: int, cuttable: list[bool] | None = None) -> Schedule:
+    model = serial_chain(joints)
+    topology = Topology.of(model)
+    chains = ExchangedSchedules(topology, PROFILE, cuttable or [True] * joints, "work")
+
+    def play(schedule: Schedule) -> tuple[Plan, Timeline]:
+        plan = make_plan(model, schedule)
+        return plan, timeline(priced_program(plan, "kernels", PROFILE), PROFILE)
+
+    found = chains.best(processes, processes, play)
+    assert found is not None
+    validate(found, topology)
+    assert chains.least(processes) <= play(found)[1].makespan
+    return found
+
+
+@pytest.mark.parametrize(("joints", "processes"), [(300, 2), (600, 4), (700, 8), (900, 16)])
+def test_parts_are_as_long_as_each_other(joints: int, processes: int) -> None:
+    """Moving a cut by a tenth of a part makes no schedule of a chain faster."""
+    found = exchanged(joints, processes)
+    plan = make_plan(serial_chain(joints), found)
+    parts = [len(process.owns) for process in plan.processes]
+    assert sum(parts) == joints and min(parts) > 0
+    assert parts[-1] == max(parts)  # it shows one handle, and nobody asks how it moves
+    ends = np.cumsum(parts)[:-1]
+    best = played(serial_chain(joints), found, PROFILE)
+    for k in (0, len(ends) - 1):
+        for by in (-parts[k] // 10, parts[k] // 10):
+            moved = [joint + by * (i == k) for i, joint in enumerate(ends.tolist())]
+            allowed = [j in moved for j in range(joints)]
+            other = played(serial_chain(joints), exchanged(joints, processes, allowed), PROFILE)
+            assert best <= other
+
+
+def test_only_joints_that_may_be_cut_are() -> None:
+    allowed = [j % 7 == 3 for j in range(400)]
+    found = exchanged(400, 4, allowed)
+    cuts = [
+        node.joint for node in preorder(found.root) if node.processes[1] - node.processes[0] > 1
+    ]
+    assert len(cuts) == 3 and all(allowed[j] for j in cuts)
+
+
+@pytest.mark.parametrize("processes", [4, 8])
+def test_long_chains_exchange_where_that_is_the_fastest(processes: int) -> None:
+    model = serial_chain(900)
+    found = best_schedule(model, processes, PROFILE)
+    assert found.meeting == "exchange" and "exchanged" in found.families
+    assert found.makespan == pytest.approx(played(model, found, PROFILE))
+    assert found.lower_bound <= found.makespan
+
+
+def test_trees_and_short_chains_are_not_asked_to_exchange() -> None:
+    assert numbers_of_processes(Topology.of(serial_chain(900)), 16) == [16, 8, 4, 2]
+    assert numbers_of_processes(Topology.of(serial_chain(100)), 4) == [2]
+    assert numbers_of_processes(Topology.of(serial_chain(60)), 4) == []
+    assert numbers_of_processes(Topology.of(binary(6)), 4) == []
