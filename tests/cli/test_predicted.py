@@ -53,7 +53,7 @@ def test_where_they_pay_there_is_no_warning(
 ) -> None:
     arm = write_arm(tmp_path / "arm.urdf", 6)
     assert main(["schedule", str(arm), "--procs", "2", "--profile", str(cheap), "--json"]) == 0
-    assert capsys.readouterr().err == ""
+    assert "warning" not in capsys.readouterr().err
 
 
 def test_auto_takes_one_for_an_arm_and_more_where_it_pays(
