@@ -148,7 +148,8 @@ class Builder:
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, f"{stem}.cpp")
             path.write_text(joined(source))
-            command = toolchain.compile_command(path, path.with_suffix(".o"), uses_mpi(source))
+            mpi = "-DADAGEN_MPI" in flags or uses_mpi(source)
+            command = toolchain.compile_command(path, path.with_suffix(".o"), mpi)
             done = subprocess.run(
                 command, capture_output=True, text=True, env=toolchain.variables(os.environ)
             )

@@ -20,6 +20,7 @@ from adagen.plan import Plan, make_plan, plan_from_json, plan_to_json
 from adagen.reference.closed import closed_forward_dynamics, constraints, pose_of
 from adagen.reference.double import inverse_dynamics
 from adagen.schedule import load_profile
+from adagen.schedule.tree import Gathered
 from adagen.search import best_schedule
 from tests.emitted import QUICK, Builder
 from tests.end_to_end.test_loops import write_bars
@@ -34,9 +35,9 @@ def bars(tmp_path: Path) -> Path:
     return write_bars(tmp_path)
 
 
-def forces_of(model: Model, processes: int = 1) -> Plan:
-    """Return a plan with forces of loops."""
-    schedule = best_schedule(model, processes, load_profile("default"))
+def forces_of(model: Model) -> Plan:
+    """Return a plan of one process with forces of loops."""
+    schedule = best_schedule(model, 1, load_profile("default"))
     return make_plan(model, schedule, loop_forces=True)
 
 
@@ -109,7 +110,10 @@ def test_forces_are_those_of_least_squares(name: str) -> None:
 def test_accelerations_are_the_same_beside_forces(builder: Builder, tmp_path: Path) -> None:
     """Emitted for two processes: each gives the forces of its own loops."""
     model = quadruped()
-    plan = forces_of(model, 2)
+    schedule = best_schedule(model, 2, load_profile("default"))
+    two_legs_each = Gathered((1,), (None, *[0] * 6, *[1] * 6))
+    schedule = replace(schedule, meeting="gather", gathered=two_legs_each)
+    plan = make_plan(model, schedule, loop_forces=True)
     assert plan_from_json(plan_to_json(plan)) == plan
     assert [len(plan.force_entries(process)) for process in plan.processes] == [12, 12]
     states = states_of(model, 4, seed=5)

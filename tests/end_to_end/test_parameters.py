@@ -88,7 +88,7 @@ def test_gravity_goes_with_copies_and_pickles() -> None:
 
 def test_what_cannot_be_set_is_told() -> None:
     solver = build(ARM, runtime="gravity", shape="kernels")
-    with pytest.raises(ValueError, match="what is to be set at run time is not finite"):
+    with pytest.raises(ValueError, match="a run-time constant is not finite"):
         solver.gravity = [0, np.nan, 0]
     with pytest.raises(ValueError, match=r"gravity has shape \(3,\), not \(2,\)"):
         solver.gravity = [0, 0]
