@@ -19,6 +19,7 @@ from adagen.search import named_schedule
 from adagen.states import States
 from adagen.studies.stability.adversary import FAMILIES, hard_states, robots
 from adagen.urdf import read_robot
+from tests.emit.test_kernel_slaved import damped
 from tests.emitted import Builder, energy_errors, plan_of
 from tests.golden.make_models import MODELS
 from tests.models import serial_chain
@@ -70,6 +71,15 @@ def test_ordinary_robots_keep_their_digits(
     refined, told = _errors(model, states, builder, tmp_path, **options)
     assert refined.max() < (1e-5 if "scalar" in options else 1e-14)
     assert np.array(told).shape == (10, options["refine"])
+
+
+def test_passive_torques_are_part_of_the_residual(builder: Builder, tmp_path: Path) -> None:
+    """Damping, friction, springs and rotors of a robot that loses digits."""
+    model = damped(robots(len(FAMILIES), seed=2)[NAMES.index("graded")])
+    states = hard_states(model, 20, seed=2)
+    plain, _ = _errors(model, states, builder, tmp_path)
+    refined, _ = _errors(model, states, builder, tmp_path, refine=1)
+    assert refined.max() < min(plain.max() / 2, 2e-14)
 
 
 def test_only_loops_of_one_process_have_residuals_of_their_own() -> None:

@@ -82,8 +82,8 @@ class TestCompile:
         compiled = arm.compiled
         assert compiled.request == adagen.Request()
         assert compiled.stem == "arm7_p1"
-        assert "arm7_p1_solve(" in compiled.source
-        assert compiled.header in compiled.source
+        assert '#include "arm7_p1.h"' in compiled.source
+        assert "arm7_p1_solve(" in compiled.header
         assert compiled.predicted is not None
         assert 0.01 < compiled.predicted < 10
         assert compiled.digits is not None
