@@ -157,7 +157,7 @@ def test_eight_processes(builder: Builder) -> None:
 
 def test_the_source_holds_what_messages_are_taken_to_cost() -> None:
     lines = text_of(plan_of(serial_chain(3), 2)).splitlines()
-    (window,) = (b for a, b in pairwise(lines) if a == "// As the cost profile default has them.")
+    (window,) = (b for a, b in pairwise(lines) if a == "// From the cost profile default.")
     costs = load_profile("default").steps
     assert costs is not None
     told = ", ".join(
