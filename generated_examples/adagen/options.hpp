@@ -165,7 +165,8 @@ std::string parse(int count, char** words, Options& options) {
         if (value != "auto" && value != "window" && value != "message")
           return "--channel takes auto, window or message";
       } else if (!numeric)
-        return word + " takes a number of 0 or more, not \"" + value + "\"";
+        return std::string(word).append(" takes a number of 0 or more, not \"").append(value) +
+               "\"";
       else if (flag("--repeat")) {
         if (number < 1 || number > 1e6 || number != std::floor(number))
           return "--repeat takes a whole number from 1 to 1000000";

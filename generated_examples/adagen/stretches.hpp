@@ -62,6 +62,7 @@ class Stretches {
     if (session_.rank != 0) return {};
     const std::vector<Message> messages(about.messages.begin(), about.messages.end());
     std::vector<const double*> next;
+    next.reserve(told.size());
     for (const std::vector<double>& one : told) next.push_back(one.data());
     work_.assign(processes(), 0);
     std::vector<double> typical, least;

@@ -57,7 +57,13 @@ def test_clang_tidy_has_nothing_to_say(source: Path, builder: Builder) -> None:
     assert (done.returncode, said) == (0, []), done.stderr
 
 
-@pytest.mark.parametrize("header", ["adagen/articulated.hpp", "adagen/kernels/segments.hpp"])
+QUICKLY = ("adagen/articulated.hpp", "adagen/kernels/segments.hpp")
+HEADERS = [str(h.relative_to(include_folder())) for h in sorted(include_folder().rglob("*.hpp"))]
+
+
+@pytest.mark.parametrize(
+    "header", [h if h in QUICKLY else pytest.param(h, marks=pytest.mark.slow) for h in HEADERS]
+)
 def test_clangd_finds_no_errors(header: str, builder: Builder, tmp_path: Path) -> None:
     """As an editor shows it: by itself, with the sizes of the sample.
 

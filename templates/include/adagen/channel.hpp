@@ -238,7 +238,7 @@ class Channel {
       if (on_node[p] == MPI_UNDEFINED) continue;
       MPI_Aint bytes;
       int unit;
-      MPI_Win_shared_query(window_, on_node[p], &bytes, &unit, &next[p]);
+      MPI_Win_shared_query(window_, on_node[p], &bytes, &unit, static_cast<void*>(&next[p]));
     }
     for (std::size_t k = 0; k < ports_.size(); ++k) {
       const MessageInfo& info = kMessages[k];
@@ -264,8 +264,8 @@ class Channel {
     MPI_Info_set(hints, "alloc_shared_noncontig",
                  "true");  // every part on pages of its own process
     MPI_Comm_set_errhandler(node_, MPI_ERRORS_RETURN);
-    int good = MPI_Win_allocate_shared(static_cast<MPI_Aint>(own), 1, hints, node_, &base,
-                                       &window_) == MPI_SUCCESS;
+    int good = MPI_Win_allocate_shared(static_cast<MPI_Aint>(own), 1, hints, node_,
+                                       static_cast<void*>(&base), &window_) == MPI_SUCCESS;
     MPI_Comm_set_errhandler(node_, MPI_ERRORS_ARE_FATAL);
     MPI_Info_free(&hints);
     MPI_Allreduce(MPI_IN_PLACE, &good, 1, MPI_INT, MPI_MIN, node_);

@@ -212,8 +212,8 @@ def test_progress_is_told_now_and_then_where_there_is_no_terminal(
         f"arm: {words} ..."
         for words in (
             "compiling 1 of 30",
-            "compiling 12 of 30",
-            "compiling 23 of 30",
+            "compiling 12 of 30 (about 19 s left)",
+            "compiling 23 of 30 (about 8 s left)",
             "round 1 of 5",
         )
     ]

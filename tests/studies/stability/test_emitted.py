@@ -44,8 +44,8 @@ def studied(one: Subject, quick: Toolchain, *asked: Way) -> Study:
 def test_every_way_is_asked_for_once() -> None:
     every = ways()
     assert len(set(every)) == len(every)
-    # six shapes alone; loops and lines by three meetings, form ada by one, on 2 and 4 threads
-    assert len(every) == 2 * (6 + 2 * (2 * 3 + 1))
+    # six shapes alone; loops and lines by four meetings, form ada by one, on 2 and 4 threads
+    assert len(every) == 2 * (6 + 2 * (2 * 4 + 1))
     assert every[0] == Way("kernels")
     assert {way.form for way in every if way.shape == "joints"} == {"ada"}
     assert len({way.words for way in every}) == len(every)
@@ -115,7 +115,8 @@ def test_time_is_bounded(quick: Toolchain) -> None:
 def test_the_suites_robots_have_the_suites_state() -> None:
     for one in suite(3):
         assert one.states.count == 3
-        assert np.array_equal(one.states.q[0], robots.state(one.model)[0])
+        if not one.model.closed:  # loops are closed first
+            assert np.array_equal(one.states.q[0], robots.state(one.model)[0])
 
 
 def test_a_users_robot_is_judged_by_the_command(
