@@ -60,7 +60,8 @@ class ExchangedSchedules:
         assert profile.steps is not None  # as the caller has made sure
         self.topology, self.profile, self.tie = topology, profile, tie
         self.chains = Chains(topology, profile)
-        self.cuts = [j for j in range(1, len(topology)) if cuttable[j]]
+        # The joint of a cut is in neither part, and no part is empty.
+        self.cuts = [j for j in range(1, len(topology) - 1) if cuttable[j]]
         kinds = [topology.kind(j) for j in range(len(topology))]
         self.costs: StepCosts = profile.steps
         self.kinds = kinds
@@ -164,7 +165,7 @@ class ExchangedSchedules:
             beyond = bisect_right(self.inner, self.inner[first] + time - other) - 1
             place = bisect_right(self.cuts, beyond) - 1
             place = min(place, len(self.cuts) - len(others) + 1 + p)  # those beyond have some, too
-            if place < 0 or self.cuts[place] <= first:
+            if place < 0 or self.cuts[place] <= first + (p > 0):
                 return None
             first = self.cuts[place]
             cuts.append(first)

@@ -52,6 +52,20 @@ def test_parts_are_as_long_as_each_other(joints: int, processes: int) -> None:
             assert best <= other
 
 
+@pytest.mark.parametrize("allowed", [(10, 11, 12), (100, 101, 399), (1, 2, 300)])
+def test_no_part_is_empty(allowed: tuple[int, ...]) -> None:
+    """The joint of a cut is in neither part: two cuts have a joint between them."""
+    model = serial_chain(400)
+    cuttable = [j in allowed for j in range(400)]
+    chains = ExchangedSchedules(Topology.of(model), PROFILE, cuttable, "work")
+
+    def play(schedule: Schedule) -> tuple[Plan, Timeline]:
+        plan = make_plan(model, schedule)
+        return plan, timeline(priced_program(plan, "kernels", PROFILE), PROFILE)
+
+    assert chains.best(4, 4, play) is None
+
+
 def test_only_joints_that_may_be_cut_are() -> None:
     allowed = [j % 7 == 3 for j in range(400)]
     found = exchanged(400, 4, allowed)
