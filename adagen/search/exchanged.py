@@ -122,12 +122,13 @@ class ExchangedSchedules:
             count: those that are to work.
             play: plans and plays a schedule.
         """
-        if len(self.cuts) < count - 1:
+        latest = self._latest(count - 1)
+        if latest is None:
             return None
         others = [0.0] * count
         found: list[tuple[float, int, Schedule]] = []
         for turn in range(_PLAYS):
-            cuts = self._even(others)
+            cuts = self._even(others, latest)
             if cuts is None:
                 break
             schedule = self._schedule(cuts, processes)
@@ -144,27 +145,37 @@ class ExchangedSchedules:
         sums = self.outermost if outermost else self.inner
         return sums[beyond] - sums[first]
 
-    def _even(self, others: Sequence[float]) -> list[int] | None:
+    def _latest(self, count: int) -> list[int] | None:
+        """Return the last places in ``cuts`` of so many cuts with a joint between any two."""
+        found: list[int] = []
+        for place in reversed(range(len(self.cuts))):
+            if len(found) < count and (not found or self.cuts[place] + 1 < self.cuts[found[-1]]):
+                found.append(place)
+        return found[::-1] if len(found) == count else None
+
+    def _even(self, others: Sequence[float], latest: Sequence[int]) -> list[int] | None:
         """Return cuts by which all processes take equally long, with what they do besides."""
         low, high = 0.0, self.inner[-1] + max(others)
         found = None
         while high - low > _FINE:
             middle = (low + high) / 2
-            cuts = self._within(middle, others)
+            cuts = self._within(middle, others, latest)
             if cuts is None:
                 low = middle
             else:
                 high, found = middle, cuts
         return found
 
-    def _within(self, time: float, others: Sequence[float]) -> list[int] | None:
+    def _within(
+        self, time: float, others: Sequence[float], latest: Sequence[int]
+    ) -> list[int] | None:
         """Where to cut so that no process takes longer than a time; None: nowhere."""
         cuts: list[int] = []
         first = 0
         for p, other in enumerate(others[:-1]):
             beyond = bisect_right(self.inner, self.inner[first] + time - other) - 1
             place = bisect_right(self.cuts, beyond) - 1
-            place = min(place, len(self.cuts) - len(others) + 1 + p)  # those beyond have some, too
+            place = min(place, latest[p])  # those beyond have some, too
             if place < 0 or self.cuts[place] <= first + (p > 0):
                 return None
             first = self.cuts[place]
