@@ -22,6 +22,7 @@ from adagen.schedule.costs import StepCosts
 from adagen.schedule.draft import Draft
 from adagen.schedule.found import Found
 from adagen.schedule.tree import Tie
+from adagen.search.guess import halves
 from adagen.search.segment_front import put_segment
 
 _FEWEST = 32
@@ -36,12 +37,8 @@ Play = Callable[[Schedule], tuple[Plan, Timeline]]
 def numbers_of_processes(topology: Topology, processes: int) -> list[int]:
     """Return on how many processes a robot may be done by exchanges: all, half of them, ..."""
     serial = all(parent == j for j, parent in enumerate(topology.parents))
-    found, count = list[int](), processes
-    while serial and count > 1:
-        if len(topology) >= _FEWEST * count:
-            found.append(count)
-        count //= 2
-    return found
+    counts = halves(processes) if serial and processes > 1 else []
+    return [count for count in counts if len(topology) >= _FEWEST * count]
 
 
 class ExchangedSchedules:

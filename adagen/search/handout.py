@@ -100,7 +100,6 @@ class HandOut:
         self.floors = [bounds.side_by_side.of(limb) for limb in limbs]
         self.long = [bounds.floors.longest(limb) for limb in limbs]
         self.weights = [self.work[own[0]].both for own in self.classes]
-        self.longest = [self.long[own[0]].both for own in self.classes]
         self.cores = [(core, bounds.around(core)) for core in self.frame.cores]
         # Where there is one tree, all take part in its exchange.
         self.around: Around | None = None
