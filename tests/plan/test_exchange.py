@@ -8,38 +8,22 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from adagen.errors import UsageError
-from adagen.executor import interpret
-from adagen.model import Inertia, Model
+from adagen.model import Inertia
 from adagen.model.kinds import REVOLUTE, SPHERICAL, JointKind
-from adagen.plan import Plan, make_plan, plan_from_json, plan_to_json
+from adagen.plan import make_plan, plan_from_json, plan_to_json
 from adagen.plan.steps import Arrive, Kinematics, Receive, Send, Traverse
 from adagen.program import check
 from adagen.program.lower import lower
-from adagen.schedule import Schedule, Topology, load_profile
-from adagen.search import find_schedule, named_schedule
-from adagen.states import random_states
+from adagen.schedule import Topology, load_profile
+from adagen.search import named_schedule
 from tests.emit.test_messages import unguarded
 from tests.links import with_inertia
 from tests.models import random_tree, serial_chain
 from tests.plan.test_fused import balanced
+from tests.plan.test_gather import by_process, error
 from tests.schedules import random_schedule
 
 PROFILE = load_profile("default")
-
-
-def by_process(model: Model, processes: int) -> Schedule:
-    return find_schedule(Topology.of(model), processes, profile=load_profile("paper"))
-
-
-def error(model: Model, plan: Plan) -> float:
-    """Largest difference from the plan of one process, relative to the largest acceleration."""
-    alone = make_plan(model, by_process(model, 1))
-    states = random_states(model, 3, seed=3)
-    worst = 0.0
-    for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
-        right, found = interpret(alone, q, v, tau), interpret(plan, q, v, tau)
-        worst = max(worst, float(np.abs(found - right).max() / max(1.0, np.abs(right).max())))
-    return worst
 
 
 @settings(max_examples=15, deadline=None)
