@@ -18,7 +18,7 @@ from adagen.errors import UsageError
 from adagen.states import States, random_states
 from adagen.wholefile import write_files
 from tests.emitted import EXACT, ROUNDING, Builder, Solver, forward_error, truth_of
-from tests.end_to_end.test_library import STRICT, filled, run
+from tests.end_to_end.test_library import HERE, STRICT, filled, run
 from tests.golden.make_models import MODELS
 from tests.real import real_robot
 
@@ -119,6 +119,50 @@ def test_it_stands_alone_and_answers_as_ever(case: str, builder: Builder, tmp_pa
     assert forward_error(found, truth_of(model, everything)) < enough
     if real == "double":
         assert np.array_equal(found, of_host(case, builder).solve(model, everything, tmp_path))
+
+
+BARE = ("-O2", *ALONE, "-ffunction-sections")
+SLOW = pytest.mark.slow
+CORTEX_M7 = ("-mcpu=cortex-m7", "-mthumb", "-mfpu=fpv5-d16", "-mfloat-abi=hard")
+
+
+@pytest.mark.parametrize(
+    "case",
+    [
+        case if case in ("arm", "quaternions of floats") else pytest.param(case, marks=SLOW)
+        for case in CASES
+    ],
+)
+def test_a_cortex_m7_answers_as_the_host_does(case: str, builder: Builder, tmp_path: Path) -> None:
+    """Emulated, with newlib below it: what it reads and prints are files of the host."""
+    for tool in ("arm-none-eabi-g++", "qemu-system-arm"):
+        if shutil.which(tool) is None:
+            pytest.skip(f"{tool} is not installed: see docs/how_to/embedded.md")
+    compiled = compiled_for("embedded", case)
+    write_files(tmp_path, compiled.files)
+    real = "float" if CASES[case][1].get("scalar") == "float" else "double"
+    (tmp_path / "main.c").write_text(filled("embedded.c", "own_p1", NUMBER=real))
+    made = (tmp_path / "own_p1.o", tmp_path / "own_host.o")
+    strict = ("-std=c++17", *STRICT, "-Wno-psabi", *BARE, "-ffp-contract=off", "-c")
+    run("arm-none-eabi-g++", *strict, *CORTEX_M7, tmp_path / "own_p1.cpp", "-o", made[0])
+    run(*builder.toolchain.cxx, *strict, tmp_path / "own_p1.cpp", "-o", made[1])
+    board = HERE / "cortex_m7"
+    start = (board / "start.c", f"-T{board / 'board.ld'}", "--specs=rdimon.specs")
+    image, program = tmp_path / "image", tmp_path / "program"
+    given = ("-std=c99", "-O1", f"-I{tmp_path}", tmp_path / "main.c")
+    run("arm-none-eabi-gcc", *CORTEX_M7, *given, made[0], *start, "-lm", "-o", image)
+    run("cc", *given, made[1], "-lm", "-o", program)
+
+    states = random_states(compiled.model, 8, seed=8)
+    rows = [np.concatenate(row) for row in zip(states.q, states.v, states.tau, strict=True)]
+    spoilt = rows[0].copy()
+    spoilt[-1] = np.nan
+    np.savetxt(tmp_path / "states", [*rows, spoilt], fmt="%.17g")
+    words = f"enable=on,target=native,arg=image,arg={tmp_path / 'states'}"
+    machine = ("qemu-system-arm", "-M", "mps2-an500", "-nographic", "-monitor", "none")
+    said = run(*machine, "-serial", "none", "-semihosting-config", words, "-kernel", image)
+    assert len(said.splitlines()) == 10
+    assert said == run(program, tmp_path / "states")
 
 
 def of_host(case: str, builder: Builder) -> Solver:
