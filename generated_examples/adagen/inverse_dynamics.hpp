@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "program_setting.hpp"
@@ -46,9 +47,12 @@ Vec vec3(const Number* x) { return {Real(x[0]), Real(x[1]), Real(x[2])}; }
 Mat mat3(const Number* x) { return {vec3(x), vec3(x + 3), vec3(x + 6)}; }
 
 // How large the terms are from which something is added up: what rounding errors are relative to.
-// A rotation changes no length, so that sizes hold in every frame.
+// A rotation changes no length, so that sizes hold in every frame. The moment about the base is
+// what n becomes in a solver that works in the axes of the base: the way there times f.
 struct Sizes {
   Real dw, a, f, n;
+  Real way;         // from the base to the body's origin, through all joints
+  Real about_base;  // moment
 };
 
 struct Body {
@@ -117,9 +121,12 @@ void motion(const Joint& joint, const Number* x, Vec& angular, Vec& linear) {
   }
 }
 
-// What is added up in a row of the equation of motion, and the size of it.
+// What is added up in a row of the equation of motion, and the size of it. A light body that falls
+// freely has no moment about its centre of mass, and a solver in the axes of the base finds none
+// but the rounding of moments about the base.
 struct Row {
   Real value = 0, size = 0;
+  Real about_base = 0;  // the size with moments about the base
 
   void add(Real x) { value += x, size += std::abs(x); }
 };
@@ -187,24 +194,30 @@ void set_motion(int j, const Number* q, const Number* v, const Number* qdd,
   b.size.dw = std::hypot(parent.size.dw, length(carried) * length(spin), length(spin_rate));
   b.size.a = parent.size.a + turning * length(b.shift) + 2 * length(b.w) * length(slide) +
              length(slide_rate);
+  b.size.way = parent.size.way + length(b.shift);
 }
 
 // The torques of a joint: moments and forces along its freedoms.
 void take_torques(const Joint& joint, const Body& b, Row* row) {
-  const auto take = [&row](const Vec& x, Real size, int first, int count) {
-    for (int k = first; k < first + count; ++k, ++row) row->value = x[k], row->size = size;
+  const auto take = [&row](const Vec& x, Real size, Real about_base, int first, int count) {
+    for (int k = first; k < first + count; ++k, ++row)
+      row->value = x[k], row->size = size, row->about_base = about_base;
+  };
+  const auto forces = [&](int first, int count) { take(b.f, b.size.f, b.size.f, first, count); };
+  const auto moments = [&](int first, int count) {
+    take(b.n, b.size.n, b.size.n + b.size.about_base, first, count);
   };
   switch (joint.kind) {
     case JointKind::kRevolute:
-      return take(b.n, b.size.n, 2, 1);
+      return moments(2, 1);
     case JointKind::kPrismatic:
-      return take(b.f, b.size.f, 2, 1);
+      return forces(2, 1);
     case JointKind::kSpherical:
-      return take(b.n, b.size.n, 0, 3);
+      return moments(0, 3);
     case JointKind::kPlanar:
-      return take(b.f, b.size.f, 0, 2), take(b.n, b.size.n, 2, 1);
+      return forces(0, 2), moments(2, 1);
     case JointKind::kFloating:
-      return take(b.f, b.size.f, 0, 3), take(b.n, b.size.n, 0, 3);
+      return forces(0, 3), moments(0, 3);
   }
 }
 
@@ -215,6 +228,7 @@ void fold(Row* row) {
     Row& source = row[about.joints[joint.source].v];
     source.value += joint.multiplier * row[joint.v].value;
     source.size += std::abs(joint.multiplier) * row[joint.v].size;
+    source.about_base += std::abs(joint.multiplier) * row[joint.v].about_base;
     row[joint.v] = {};
   }
 }
@@ -232,6 +246,7 @@ void inverse_dynamics(const Number* q, const Number* v, const Number* qdd, const
     set_in_motion(about.links[j + 1], body[static_cast<std::size_t>(j) + 1]);
   }
   push(outer, body);
+  for (Body& b : body) b.size.about_base = b.size.way * b.size.f;
   for (int j = about.joints.count - 1; j >= 0; --j) {
     const Joint& joint = about.joints[j];
     const Body& b = body[static_cast<std::size_t>(j) + 1];
@@ -243,6 +258,7 @@ void inverse_dynamics(const Number* q, const Number* v, const Number* qdd, const
     parent.n = parent.n + times(b.turn, b.n) + cross(b.shift, force);
     parent.size.f += b.size.f;
     parent.size.n += b.size.n + length(b.shift) * b.size.f;
+    parent.size.about_base += b.size.about_base;
   }
   fold(rows.data());
 }
@@ -327,6 +343,14 @@ struct Left {
   int joint = 0;                 // whose row that is
 };
 
+// What is left over as a part of the size of its row; of the size with moments about the base where
+// it is no more than their rounding.
+double part_of(Real over, Real size, Real about_base) {
+  constexpr Real kRounding = 64 * std::numeric_limits<Number>::epsilon();
+  const Real whole = std::abs(over) <= kRounding * about_base ? std::max(size, about_base) : size;
+  return whole > 0 ? double(std::abs(over) / whole) : 0;
+}
+
 // Nobody asks for the torque of a prescribed joint.
 Left left_over(const Number* q, const Number* v, const Number* tau, const Number* qdd) {
   const std::size_t nv = static_cast<std::size_t>(about.nv);
@@ -334,7 +358,7 @@ Left left_over(const Number* q, const Number* v, const Number* tau, const Number
   static const std::vector<Number> zero(nv);
   inverse_dynamics(q, v, qdd, tau + nv, needed);
   inverse_dynamics(q, v, zero.data(), tau + nv, at_rest);
-  for (std::size_t k = 0; k < nv; ++k) given[k] = {Real(tau[k]), std::abs(Real(tau[k]))};
+  for (std::size_t k = 0; k < nv; ++k) given[k] = {Real(tau[k]), std::abs(Real(tau[k])), 0};
   fold(given.data());
   Left left;
   left.over.resize(nv), left.size.resize(nv);
@@ -345,7 +369,7 @@ Left left_over(const Number* q, const Number* v, const Number* tau, const Number
       const std::size_t k = static_cast<std::size_t>(at);
       left.over[k] = needed[k].value - given[k].value,
       left.size[k] = needed[k].size + given[k].size;
-      const double part = left.size[k] > 0 ? double(std::abs(left.over[k]) / left.size[k]) : 0;
+      const double part = part_of(left.over[k], left.size[k], needed[k].about_base);
       if (!(part <= left.backward)) left.backward = part, left.joint = j;
       error += left.over[k] * left.over[k];
       size += given[k].value * given[k].value + at_rest[k].value * at_rest[k].value;

@@ -14,8 +14,8 @@ import pytest
 
 from adagen.emit.runtime import joined
 from adagen.model import REVOLUTE, SPHERICAL, Inertia, Link, Model
-from adagen.reference import exact_forward_dynamics
-from adagen.states import random_states
+from adagen.reference import exact_forward_dynamics, inverse_dynamics
+from adagen.states import random_states, write_states
 from adagen.studies.stability import robots
 from tests.emitted import QUICK, Builder, Solver, plan_of, text_of
 from tests.models import (
@@ -161,3 +161,38 @@ def test_batches_and_processes_are_judged_alike(builder: Builder) -> None:
         assert told["backward_error_max"] < 1e-10
     assert many["digits"] > 13
     assert 7 < two["digits"] < many["digits"]  # they meet beside the light link
+
+
+def heavy_tip(links: int) -> Model:
+    """Return rods of 1 g with a tip of 1000 kg."""
+    inertias = [robots.rod(1e-3, 0.2)] * (links - 1) + [robots.rod(1e3, 0.2)]
+    return robots.chain("heavy tip", inertias, lengths=[0.2] * links)
+
+
+@pytest.mark.parametrize("factor", [None, 1 + 1e-5])
+def test_a_large_backward_error_is_excused_by_conditioning_alone(
+    factor: float | None, builder: Builder, tmp_path: Path
+) -> None:
+    """Torques of slow motions: the forces of the tip are huge beside what they leave over."""
+    model = heavy_tip(32)
+    states = random_states(model, 10, seed=1)
+    slow = np.random.default_rng(1).uniform(-3, 3, (10, model.nv))
+    torques = [inverse_dynamics(model, *row) for row in zip(states.q, states.v, slow, strict=True)]
+    states = replace(states, tau=np.array(torques))
+    text = text_of(plan_of(model, 2), shape="kernels")
+    if factor is not None:
+        text = spoilt(text, 3, factor)
+    solver = Solver(builder.compile(text, "heavy_p2", QUICK), 2, builder.toolchain)
+    write_states(states, model, tmp_path / "s.json")
+    words = ("--states", tmp_path / "s.json", "--result", tmp_path / "r.json")
+    told = verdict(solver, *words)
+    assert told["backward_error_max"] > told["tolerance"]
+    if factor is None:
+        assert (told["status"], told["ok"], told["fault"]) == (0, True, "conditioning")
+        assert solver.error(model, states, tmp_path) < 3 * told["forward_error"] < 3e-6
+        assert (
+            "last digits of the state move the accelerations as much"
+            in solver.run("--check", *words).stdout
+        )
+    else:
+        assert (told["status"], told["ok"], told["fault"]) == (1, False, "solver")

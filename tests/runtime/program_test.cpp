@@ -123,6 +123,29 @@ TEST_CASE("what is left over of right torques is rounding, of wrong ones what is
   CHECK(static_cast<double>(left.over[1]) == doctest::Approx(-0.01));
 }
 
+TEST_CASE("a light body that falls freely far from the base turns by no more than rounding") {
+  const double far[3]{0, 3, 0}, gravity[3]{0, 0, -kGravity};
+  const double ball[9]{1e-6, 0, 0, 0, 1e-6, 0, 0, 0, 1e-6};
+  adagen::Joint<double> free = hinge("free", 0, far);
+  free.kind = JointKind::kFloating, free.nq = 7, free.nv = 6;
+  const std::array<adagen::Link<double>, 2> links{{{0, kHere, kOne}, {0.01, kHere, ball}}};
+  about = {};
+  about.robot = "body";
+  about.nq = 7, about.nv = about.nqdd = about.ntau = 6;
+  about.gravity = gravity;
+  about.joints = {&free, 1};
+  about.links = {links.data(), 2};
+  const double q[7]{0, 0, 0, 0, 0, 0, 1}, none[6]{};
+  const auto backward = [&](double spin_rate) {
+    const double falls[6]{0, 0, -kGravity, 0, spin_rate, 0};  // m/s^2, rad/s^2
+    std::vector<adagen::check::Row> rows(6);
+    adagen::check::inverse_dynamics(q, none, falls, none + 6, rows);
+    return adagen::check::part_of(rows[4].value, rows[4].size, rows[4].about_base);
+  };
+  CHECK(backward(2e-12) < 1e-15);
+  CHECK(backward(1e-6) > 0.5);
+}
+
 TEST_CASE("rows are solved by elimination; singular ones are not") {
   const auto x = adagen::check::solved({{0, 2, 4}, {3, 1, 11}});
   REQUIRE(x.size() == 2);

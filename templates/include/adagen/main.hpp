@@ -174,7 +174,7 @@ class Program {
       if (!about.batch) on.share_states();
       if (!solve_quietly()) break;
       for (int s = 0; s < states.count && on.rank == 0; ++s)
-        verdict_.note_response(probe, s, on.acceleration(s));
+        verdict_.note_response(probe, s, on.states, on.acceleration(s));
     }
     on.states = states, on.qdd = qdd;
     int status = on.rank > 0 || verdict_.judge(on.options.tolerance) ? kDone : kInputAtFault;
