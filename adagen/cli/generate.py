@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from adagen.cli.console import Stages, note, warned, wrote
-from adagen.cli.options import AUTO, add_emission, add_model, add_out, add_schedule, check_emission
+from adagen.cli.options import add_emission, add_model, add_out, add_schedule, check_emission
 from adagen.cli.parser import Parser, make_parser, parse
 
 if TYPE_CHECKING:
@@ -98,8 +98,6 @@ def options_of(argv: Sequence[str]) -> argparse.Namespace:
     parser = command_parser()
     options = parse(parser, argv)
     check_emission(parser, options)
-    if options.target == "embedded" and options.procs == AUTO:
-        options.procs = 1
     return options
 
 

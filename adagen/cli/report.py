@@ -10,14 +10,14 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from adagen.cli.console import Stages, note, progress, warned, wrote
+from adagen.cli.console import Stages, note, progress, speaking, warned, wrote
 from adagen.cli.options import add_emission, add_model, add_out, add_schedule, check_emission
 from adagen.cli.parser import Parser, make_parser, parse
 from adagen.errors import EnvironmentFault, InputError, printable
 
 if TYPE_CHECKING:
     from adagen.library import Compiled
-    from adagen.report import Measured, Scene
+    from adagen.report import Accuracy, Measured, Scene
     from adagen.studies.chart import Chart
 
 _DESCRIPTION = """\
@@ -69,12 +69,15 @@ def run(argv: Sequence[str]) -> int:
         model, reading = pipeline.read_whole(options, stages, options.gravity)
         chart = None if options.record is None else _chart(options.record, model.name)
         made = pipeline.generate(model, options, stages)
-        with stages.stage("run"):
-            measured = _measured(made) if options.run else None
+        measured, accuracy = None, None
+        if options.run:
+            with stages.stage("run"):
+                measured, accuracy = _measured(made)
         told = document(
             made,
             _commands(made, argv, run=options.run),
             measured=measured,
+            accuracy=accuracy,
             scene=_scene(made, options),
             chart=chart,
             remarks=[*warned(), *reading.ignored],
@@ -110,14 +113,15 @@ def _scene(made: Compiled, options: argparse.Namespace) -> Scene | None:
     return Scene(str(options.scene), tuple(each.removeprefix("scene: ") for each in lines))
 
 
-def _measured(made: Compiled) -> Measured:
-    """Build and run a solver, with its check, its clock and its trace.
+def _measured(made: Compiled) -> tuple[Measured, Accuracy]:
+    """Build and run a solver, with its check, its clock and its trace; and judge its answers.
 
     Raises:
-        EnvironmentFault: it cannot be built, or the run fails.
+        EnvironmentFault: it cannot be built, or a run fails.
     """
     from adagen.build import build_executable, find_toolchain
     from adagen.build.toolchain import with_compiler
+    from adagen.report import accuracy_of
     from adagen.run import launch
     from adagen.run.trace import read_trace
 
@@ -133,7 +137,14 @@ def _measured(made: Compiled) -> Measured:
             raise EnvironmentFault(done.stderr.removeprefix("error: ") or "the run printed nothing")
         names = [joint.name for joint in made.model.joints]
         line = read_trace(str(trace), names, made.request.procs) if trace.is_file() else None
-    return _as_measured(report, line)
+
+    def run(words: list[str]) -> None:
+        done = launch(executable, processes, words, toolchain, TIMEOUT)
+        if done.status != 0:
+            raise EnvironmentFault(done.stderr.strip().removeprefix("error: "))
+
+    with speaking("judging answers") as said:
+        return _as_measured(report, line), accuracy_of(made, run, said)
 
 
 def _reported(text: str) -> dict[str, Any] | None:
@@ -176,8 +187,11 @@ def _commands(made: Compiled, argv: Sequence[str], *, run: bool) -> dict[str, st
         "program": solver,
         "scene": [*solver, "-v"],
         "chart": ["adagen", "chart", *robot],
+        "run": ["adagen", "report", *argv, "--run"],
+        "record": ["adagen", "report", *argv, "--record", f"chart_{made.origin.path.stem}.json"],
     }
     if run:
+        found["accuracy"] = found["page"]
         start = [] if made.request.procs == 1 else ["mpiexec", "-n", str(made.request.procs)]
         words = ["--check", "--time", "--trace", "trace.json"]
         found["measured"] = [*start, f"./{made.stem}", *words]

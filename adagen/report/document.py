@@ -7,22 +7,21 @@ and computes nothing but where joints are as they move.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from math import fsum
+from dataclasses import asdict, dataclass
 from typing import Any
 
 from adagen.cost import Timeline
 from adagen.drawing.program import operation_name
 from adagen.drawing.svg import colour
-from adagen.exact import rotation_taking_z_to, rounded
 from adagen.library import Compiled
-from adagen.model import Joint, Model
 from adagen.plan.simd_groups import Limbs
 from adagen.program import Operation, Program
 from adagen.program.summary import lanes, owners, title
+from adagen.report.accuracy import Accuracy
+from adagen.report.robot import robot
 from adagen.studies.chart import Chart
 
-VERSION = 1
+VERSION = 2
 
 
 @dataclass(frozen=True)
@@ -61,6 +60,7 @@ def document(
     commands: Mapping[str, str],
     *,
     measured: Measured | None = None,
+    accuracy: Accuracy | None = None,
     scene: Scene | None = None,
     chart: Chart | None = None,
     remarks: Sequence[str] = (),
@@ -69,9 +69,10 @@ def document(
 
     Args:
         made: what was compiled.
-        commands: the command behind each part: "page", "robot", "program", "measured", "scene",
-            "chart".
+        commands: the command behind each part: "page", "robot", "program", "measured",
+            "accuracy", "scene", "chart"; and "run", "record": what adds the parts that are missing.
         measured: what a run says, if there was one.
+        accuracy: errors beside their bounds, if there was a run.
         scene: what a scene did, if there was one.
         chart: error against time of variants of this robot, if there is a record.
         remarks: warnings, and what is not modelled.
@@ -79,7 +80,7 @@ def document(
     program = made.program
     return {
         "version": VERSION,
-        "robot": _robot(made.model, owners(program)),
+        "robot": robot(made.model, owners(program)),
         "program": {
             "title": title(program),
             "shape": program.shape,
@@ -96,6 +97,7 @@ def document(
             ],
         },
         "figures": _figures(made, measured),
+        "accuracy": None if accuracy is None else asdict(accuracy),
         "scene": None if scene is None else {"file": scene.file, "lines": list(scene.lines)},
         "chart": None if chart is None else _chart(chart),
         "remarks": list(remarks),
@@ -110,45 +112,6 @@ def _untimed(made: Compiled) -> str | None:
     if made.request.batch:
         return "No timeline is predicted of a batch: processes share its states."
     return f"No timeline is predicted: the profile {made.request.profile} prices joins alone."
-
-
-def _robot(model: Model, owner: Mapping[str, int]) -> dict[str, Any]:
-    return {
-        "name": model.name,
-        "floating": model.floating,
-        "gravity": model.gravity.tolist(),
-        "nv": model.nv,
-        "mass": fsum(link.inertia.mass for link in model.links[1:]),
-        "links": [
-            {
-                "name": link.name,
-                "mass": link.inertia.mass,
-                "com": link.inertia.com.tolist(),
-                "fixed": [
-                    {"name": frame.name, "at": frame.translation.tolist()} for frame in link.frames
-                ],
-            }
-            for link in model.links
-        ],
-        "joints": [_joint(joint, owner[joint.name]) for joint in model.joints],
-    }
-
-
-def _joint(joint: Joint, owner: int) -> dict[str, Any]:
-    mimic, across = joint.mimic, None
-    if joint.kind.name == "planar":  # the directions in which it shifts
-        across = rounded(rotation_taking_z_to(joint.axis))[:, :2].T.tolist()
-    return {
-        "name": joint.name,
-        "kind": joint.kind.name,
-        "parent": joint.parent,
-        "rotation": joint.rotation.tolist(),
-        "translation": joint.translation.tolist(),
-        "axis": joint.axis.tolist(),
-        "across": across,
-        "owner": owner,
-        "mimic": None if mimic is None else [mimic.source, mimic.multiplier, mimic.offset],
-    }
 
 
 def _timeline(program: Program, line: Timeline) -> dict[str, Any]:
@@ -176,8 +139,10 @@ def _timeline(program: Program, line: Timeline) -> dict[str, Any]:
 
 def _words(program: Program, process: int, place: int | None, joint: int | None) -> dict[str, Any]:
     """Return what an interval is called, and what lies in each SIMD lane of it."""
-    if place is None:
-        return {"name": "" if joint is None else program.plan.joints[joint].name, "lanes": []}
+    if place is None:  # measured: of form ada each joint, else a whole phase
+        if joint is None or program.plan.form != "ada":
+            return {"name": "", "lanes": []}
+        return {"name": program.plan.joints[joint].name, "lanes": []}
     operation = program.processes[process].operations[place]
     return {"name": operation_name(program, operation), "lanes": _lanes(program, operation)}
 

@@ -11,7 +11,8 @@ from adagen.emit.templates import environment, verbatim
 from adagen.errors import printable
 
 _STYLE = "report/style.css"
-_SCRIPTS = ("report/skeleton.js", "report/timeline.js", "report/chart.js", "report/page.js")
+_PARTS = ("skeleton", "timeline", "chart", "accuracy", "page")
+_SCRIPTS = tuple(f"report/{part}.js" for part in _PARTS)
 
 
 def page(document: dict[str, Any]) -> str:

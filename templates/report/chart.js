@@ -33,6 +33,21 @@ function picked(points, error, time) {
   return kept.reduce((best, p) => (best === null || cost(p) < cost(best) ? p : best), null);
 }
 
+/** Return where labels of points stand without lying on each other, on a point or beyond the chart. */
+function labels(named, points, x, y, [left, right, top, bottom]) {
+  const taken = points.map((p) => [x(p.time) - 7, y(p.error) - 7, x(p.time) + 7, y(p.error) + 7]), found = [];
+  const free = ([a, b, c, d]) => a >= left && c <= right && b >= top && d <= bottom && taken.every(([e, f, g, h]) => c <= e || a >= g || d <= f || b >= h);
+  named.forEach((p) => {
+    const width = 7.2 * p.label.length, u = x(p.time), v = y(p.error);
+    const places = [[u + 12, v - 6], [u - 12 - width, v - 6], [u + 12, v + 18], [u - 12 - width, v + 18], [u + 12, v - 22], [u + 12, v + 34]];
+    const place = places.find(([a, b]) => free([a, b - 12, a + width, b + 4]));
+    if (place === undefined) return;
+    taken.push([place[0], place[1] - 12, place[0] + width, place[1] + 4]);
+    found.push([p, { x: place[0], y: place[1] }]);
+  });
+  return found;
+}
+
 /** Draw axes, front and points of a view into an svg; say(point) is called as one is pointed at. */
 function drawChart(svg, points, view, pick, say) {
   const { width, left, right, top, bottom } = CHART, [[x0, x1], [y0, y1]] = view;
@@ -60,6 +75,7 @@ function drawChart(svg, points, view, pick, say) {
     dot.addEventListener("pointerenter", () => say(p));
     svg.append(dot);
   });
+  labels(front, points.filter(inside), x, y, [left, right, top, bottom]).forEach(([p, at]) => svg.append(shape("text", { class: "label", ...at, "font-size": 13, "pointer-events": "none" }, p.label)));
   if (pick !== null && inside(pick)) svg.append(shape("ellipse", { class: "pick", cx: x(pick.time), cy: y(pick.error), rx: 12, ry: 12 }));
   teams.forEach((team, k) => {
     const at = right - 110 * (teams.length - k); // in the line above the points
@@ -92,7 +108,7 @@ function limitSlider(id, name, [low, high], start, unit, change) {
 function errorChart(chart) {
   const points = chart.points.filter((p) => p.time > 0 && p.error > 0), box = element("div");
   const svg = shape("svg", { viewBox: `0 0 ${CHART.width} ${CHART.height}`, role: "img", "aria-label": `error against time of ${points.length} variants; the table has them all` });
-  box.append(svg);
+  box.append(wide(svg, "error against time"));
   if (points.length === 0) return box;
   const whole = wholeView(points), said = element("p", "Point at a variant to see its figures.", { class: "note", "aria-live": "polite" });
   const verdict = element("p", "", { id: "budget", "aria-live": "polite" });

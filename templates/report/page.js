@@ -45,7 +45,12 @@ function slide(input, value) {
 function showRobot() {
   const { robot, program } = data, svg = byId("skeleton");
   const draw = skeleton(svg, robot, program.colours), pose = restingPose(robot), view = [0.7, 0.35];
-  const again = () => draw(pose, view[0], view[1]);
+  const again = () => {
+    draw(pose, view[0], view[1]);
+    if (robot.loops.length === 0) return;
+    const links = placed(robot, pose), open = Math.max(...robot.loops.map((loop) => endsOf(loop, links)[2]));
+    byId("loops").textContent = `Rings: loops. ${open < 5e-4 ? "In this pose they are closed." : `In this pose they are open by up to ${open.toPrecision(2)} m.`} Sliders do not keep them closed.`;
+  };
   const turns = [["turn", 0, Math.PI], ["tilt", 1, Math.PI / 2]].map(([name, k, range]) => {
     const [box, input] = slider(`view-${k}`, name, range, "rad", (value) => { view[k] = value; again(); });
     byId("view").append(box);
@@ -58,16 +63,24 @@ function showRobot() {
     SLIDERS[joint.kind].forEach(([part, range, unit], k) => {
       const [box, input] = slider(`joint-${j}-${k}`, part ? `${joint.name}, ${part}` : joint.name, range, unit, (value) => { pose[j][k] = value; again(); });
       byId("joints").append(box);
-      inputs.push(input);
+      inputs.push([input, j, k]);
     });
   });
-  byId("home").addEventListener("click", () => inputs.forEach((input) => slide(input, 0)));
+  const home = () => {
+    inputs.forEach(([input, j, k]) => {
+      slide(input, robot.rest[j][k]);
+      pose[j][k] = robot.rest[j][k]; // sliders go in steps
+    });
+    again();
+  };
+  byId("home").textContent = robot.loops.length ? "Close all loops" : "All joints to zero";
+  byId("home").addEventListener("click", home);
   svg.addEventListener("pointermove", (event) => {
     if (!event.buttons) return;
     slide(turns[0], Math.max(-Math.PI, Math.min(Math.PI, view[0] + event.movementX / 150)));
     slide(turns[1], Math.max(-Math.PI / 2, Math.min(Math.PI / 2, view[1] + event.movementY / 150)));
   });
-  again();
+  home();
 }
 
 function showProgram() {
@@ -86,7 +99,7 @@ function showProgram() {
   program.timelines.forEach((line) => {
     const [svg, said] = timelineChart(line, processes, program.colours, longest);
     const figure = element("figure");
-    figure.append(element("h3", said[0].toUpperCase() + said.slice(1)), svg);
+    figure.append(element("h3", said[0].toUpperCase() + said.slice(1)), wide(svg, said));
     const table = element("table"), details = element("details");
     fillTable(table, ["operation", "process", "from, µs", "to, µs", "lanes"], line.intervals.map((i) => [i.name ? `${i.name} (${i.what})` : i.what, i.process, i.start.toFixed(3), i.end.toFixed(3), i.lanes.length || 1]));
     details.append(element("summary", "The same as a table"), table);
@@ -96,12 +109,40 @@ function showProgram() {
   byId("legend").hidden = program.timelines.length === 0;
 }
 
+/** Return a wide picture in a box that scrolls where the page is narrow. */
+function wide(svg, said) {
+  const box = element("div", undefined, { class: "wide", tabindex: 0, role: "region", "aria-label": said });
+  box.append(svg);
+  return box;
+}
+
+/** Return a note that a part is missing, and the command that adds it. */
+function missing(said, ...commands) {
+  const note = element("p", `${said} `, { class: "note" });
+  commands.forEach((name, k) => note.append(k ? ", then " : "", element("code", data.commands[name] ?? "")));
+  return note;
+}
+
+function showAccuracy() {
+  const { accuracy } = data, place = byId("accuracy-d");
+  if (accuracy === null) { place.append(missing("Not measured here. To measure errors, and times beside the predicted ones:", "run")); return; }
+  if (accuracy.missing) { place.append(element("p", accuracy.missing, { class: "note" })); return; }
+  const [svg, said] = accuracyChart(accuracy), table = element("table"), details = element("details");
+  const shown = (x) => (x === null || x === undefined ? "–" : x.toExponential(1));
+  fillTable(table, ["state", "error", "certified bound"], accuracy.errors.map((error, s) => [s + 1, shown(error), shown(accuracy.bounds[s])]));
+  details.append(element("summary", "The same as a table"), table);
+  place.append(element("p", said), wide(svg, said), details);
+}
+
 function showRest() {
   const { robot, chart, scene } = data;
   byId("summary").textContent = `${robot.joints.length} joints, ${robot.nv} degrees of freedom, ${robot.floating ? "floating" : "fixed"} base, ${Number(robot.mass.toPrecision(6))} kg, gravity ${robot.gravity.join(" ")} m/s²`;
   const told = (value) => (value === null ? "–" : typeof value === "number" ? String(Number(value.toPrecision(3))) : value);
   fillTable(byId("figures-t"), ["", "predicted", "measured", ""], data.figures.map((row) => [row.what, told(row.predicted), told(row.measured), row.unit]));
-  if (chart !== null) {
+  if (chart === null) {
+    byId("chart-d").append(missing("No record of variants was given. To measure them (minutes), and to show them here:", "chart", "record"));
+    byId("chart").querySelector(".command").remove();
+  } else {
     const table = element("table"), details = element("details");
     fillTable(table, ["variant", "µs", "largest error", "no other is better"], chart.points.map((p) => [p.label, p.time.toPrecision(3), p.error.toExponential(1), p.front ? "yes" : ""]));
     details.append(element("summary", "The same as a table"), table);
@@ -109,7 +150,6 @@ function showRest() {
   }
   if (scene !== null) scene.lines.forEach((line) => byId("scene-l").append(element("li", line)));
   data.remarks.forEach((line) => byId("remarks-l").append(element("li", line)));
-  byId("chart").hidden = chart === null;
   byId("scene").hidden = scene === null;
   byId("remarks").hidden = data.remarks.length === 0;
 }
@@ -128,4 +168,5 @@ function showCommands() {
 showRobot();
 showProgram();
 showRest();
+showAccuracy();
 showCommands();

@@ -87,7 +87,7 @@ function strokes(robot, children, links) {
   links.forEach((link, k) => {
     for (const child of children[k]) {
       found.push(["bone", link.origin, links[child].at]);
-      if (links[child].at.some((x, i) => x !== links[child].origin[i])) found.push(["bone", links[child].at, links[child].origin]);
+      if (links[child].at.some((x, i) => x !== links[child].origin[i])) found.push([robot.joints[child - 1].kind === "floating" ? "ground" : "bone", links[child].at, links[child].origin]);
     }
     const { mass, com, fixed } = robot.links[k];
     const point = (at) => add(link.origin, times(link.rotation, at));
@@ -97,12 +97,29 @@ function strokes(robot, children, links) {
   return found;
 }
 
+/** Return both ends of a loop in the ground, and how far the loop is open along the axes it holds. */
+function endsOf(loop, links) {
+  const [one, two] = loop.ends.map((end) => add(links[end.link].origin, times(links[end.link].rotation, end.at)));
+  const axes = product(links[loop.ends[0].link].rotation, loop.rotation), apart = two.map((x, i) => x - one[i]);
+  const along = [0, 1, 2].map((k) => axes[0][k] * apart[0] + axes[1][k] * apart[1] + axes[2][k] * apart[2]);
+  return [one, two, Math.hypot(...loop.held.map((k) => along[k]))];
+}
+
+/** Return the strokes of loops: from links to their ends, and dashes between the ends. */
+function loopStrokes(robot, links) {
+  return robot.loops.flatMap((loop) => {
+    const [one, two] = endsOf(loop, links);
+    const arms = loop.ends.map((end, k) => ["bone", links[end.link].origin, [one, two][k], end.link]);
+    return [...arms.filter(([, , , link]) => link > 0), ["loop", one, two]];
+  });
+}
+
 /** Draw the robot and return what draws it again in another pose or view. */
 function skeleton(svg, robot, colours) {
   const W = 800, H = 600;
   svg.setAttribute("viewBox", `0 0 ${W} ${H}`);
   const children = childrenOf(robot), rest = placed(robot, restingPose(robot));
-  const points = strokes(robot, children, rest).flatMap(([, a, b]) => [a, b]).concat([[0, 0, 0]]);
+  const points = [...strokes(robot, children, rest), ...loopStrokes(robot, rest)].flatMap(([, a, b]) => [a, b]).concat([[0, 0, 0]]);
   const bounds = [0, 1, 2].map((k) => points.reduce(([low, high], p) => [Math.min(low, p[k]), Math.max(high, p[k])], [Infinity, -Infinity]));
   const centre = bounds.map(([low, high]) => (low + high) / 2);
   const size = Math.hypot(...bounds.map(([low, high]) => high - low)) || 1;
@@ -119,7 +136,12 @@ function skeleton(svg, robot, colours) {
     };
     const links = placed(robot, pose), g = 0.3 * size;
     const drawn = [line("ground", [-g, 0, 0], [g, 0, 0]), line("ground", [0, -g, 0], [0, g, 0])];
-    strokes(robot, children, links).forEach(([kind, a, b]) => drawn.push(line(kind, a, b)));
+    [...strokes(robot, children, links), ...loopStrokes(robot, links)].forEach(([kind, a, b]) => drawn.push(line(kind, a, b)));
+    robot.loops.forEach((loop) => {
+      const [cx, cy] = seen(endsOf(loop, links)[0]), ring = shape("circle", { class: "ring", cx, cy, r: 7 });
+      ring.append(shape("title", {}, `loop ${loop.name}: ${loop.kind}`));
+      drawn.push(ring);
+    });
     robot.joints.forEach((joint, j) => {
       const { at, axis } = links[j + 1], [cx, cy] = seen(at), half = axis.map((x) => 0.025 * size * x);
       if (["revolute", "prismatic"].includes(joint.kind)) drawn.push(line("axis", add(at, half.map((x) => -x)), add(at, half)));
@@ -131,7 +153,7 @@ function skeleton(svg, robot, colours) {
   };
 }
 
-/** Return q of each joint, all zero. */
+/** Return q of each joint as the page begins: zero, or near to it with loops closed. */
 function restingPose(robot) {
-  return robot.joints.map((joint) => SLIDERS[joint.kind].map(() => 0));
+  return robot.rest.map((q) => [...q]);
 }

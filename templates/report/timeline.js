@@ -17,7 +17,7 @@ function timeAxis(svg, end, scale, y) {
     svg.append(shape("line", { class: "rule", x1: x, x2: x, y1: y, y2: y + 4 }));
     svg.append(shape("text", { class: "muted", x, y: y + 17, "font-size": 11, "text-anchor": "middle" }, (k * step).toFixed(digits)));
   }
-  svg.append(shape("text", { class: "muted", x: LEFT + end * scale + 10, y: y + 17, "font-size": 11 }, "µs"));
+  svg.append(shape("text", { class: "muted", x: LEFT + end * scale + 22, y: y + 17, "font-size": 11 }, "µs"));
 }
 
 /** Return a name that fits a width, or nothing. */

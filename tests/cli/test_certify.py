@@ -50,6 +50,12 @@ def test_a_bound_for_each_state_is_in_the_result(tmp_path: Path, more: tuple[str
     assert read_result(found, model).shape == (5, model.nv)
 
 
+def test_one_process_is_chosen_where_none_is_asked_for(tmp_path: Path) -> None:
+    long = str(MODELS / "snake100.urdf")  # for which two processes pay
+    assert main([long, "--certify", "--out", str(tmp_path)]) == 0
+    assert (tmp_path / "snake100_p1.cpp").is_file()
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [

@@ -64,7 +64,7 @@ def test_references_are_generated(site: Path) -> None:
 
 def test_search_works_from_a_disk_without_a_network(site: Path) -> None:
     playwright = pytest.importorskip(
-        "playwright.sync_api", reason="playwright is not installed: pip install 'adagen[browser]'"
+        "playwright.sync_api", reason="playwright is not installed: pip install 'adagen[test]'"
     )
     browser = next(filter(None, map(shutil.which, ("chromium", "chromium-browser"))), None)
     if browser is None:

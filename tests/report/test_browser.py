@@ -1,6 +1,6 @@
 """The page in a real browser: no errors, all by the keyboard, dark and light, on paper.
 
-Needs Chromium (Debian: chromium) and the package playwright: pip install 'adagen[browser]'.
+Needs Chromium (Debian: chromium), which pip does not install.
 """
 
 from __future__ import annotations
@@ -15,14 +15,16 @@ from typing import Any
 import numpy as np
 import pytest
 
+from adagen.library import compile, read  # noqa: A004
 from adagen.model import Model, Pose
 from adagen.model.placement import placed
-from adagen.report import Measured, Scene, document, page
+from adagen.report import Accuracy, Measured, Scene, document, page
 from tests.report.robots import chart, compiled, every_kind
 
 playwright = pytest.importorskip(
-    "playwright.sync_api", reason="playwright is not installed: pip install 'adagen[browser]'"
+    "playwright.sync_api", reason="playwright is not installed: pip install 'adagen[test]'"
 )
+MODELS = Path(__file__).resolve().parents[2] / "generated_examples" / "models"
 NAMES = ("chromium", "chromium-browser", "google-chrome")
 PATH = next(filter(None, map(shutil.which, NAMES)), None)
 if PATH is None:
@@ -43,9 +45,17 @@ def report(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Model]:
     made = compiled(folder, every_kind(), procs=1)
     run = Measured(0.5, 0.4, "clock", 1e-15, 14.5, True, made.timeline)
     scene = Scene("s.toml", ("two joints locked",))
-    commands = dict.fromkeys(("page", "robot", "program", "measured", "scene", "chart"), "adagen x")
+    commands = dict.fromkeys(
+        ("page", "robot", "program", "measured", "accuracy", "scene", "chart"), "adagen x"
+    )
     told = document(
-        made, commands, measured=run, scene=scene, chart=chart("robot"), remarks=["<b>odd</b>"]
+        made,
+        commands,
+        measured=run,
+        accuracy=Accuracy((1e-15, 0.0, 3e-15), (4e-15, None, 5e-15), 2e-15, 25),
+        scene=scene,
+        chart=chart("robot"),
+        remarks=["<b>odd</b>"],
     )
     path = folder / "report.html"
     path.write_text(page(told), encoding="utf-8")
@@ -77,11 +87,14 @@ def test_it_is_shown_without_a_complaint(
     tab, said = opened(
         browser, report[0], color_scheme=scheme, viewport={"width": width, "height": 800}
     )
-    for part in ("robot", "program", "figures", "chart", "scene", "remarks"):
+    for part in ("robot", "program", "figures", "accuracy", "chart", "scene", "remarks"):
         assert tab.locator(f"#{part}").is_visible()
     assert tab.locator("#skeleton circle").count() == len(report[1].joints)
     assert tab.locator("#timelines figure").count() == 2
     assert tab.locator("#chart-d circle").count() == 6 + 2  # and two in the legend
+    assert tab.locator("#accuracy-d circle.error").count() == 3 + 1
+    assert tab.locator("#accuracy-d line.bound").count() == 2 + 1
+    assert "no error exceeds its bound" in tab.locator("#accuracy-d p").inner_text()
     assert tab.locator("#remarks-l li").inner_text() == "<b>odd</b>"
     assert tab.evaluate("document.documentElement.scrollWidth <= innerWidth")
     ink, paper = tab.evaluate(
@@ -91,6 +104,39 @@ def test_it_is_shown_without_a_complaint(
     assert (luminance(paper) > 0.5) == (scheme == "light")
     muted = tab.evaluate("getComputedStyle(document.querySelector('figcaption')).color")
     assert contrast(muted, paper) >= 4.5
+    assert said == []
+    tab.close()
+
+
+def overlapping(tab: Any, chosen: str) -> list[list[str]]:
+    """Pairs of texts of one picture that lie on each other, by more than a hair."""
+    found = tab.evaluate(OVERLAPPING, chosen)
+    assert isinstance(found, list)
+    return found
+
+
+OVERLAPPING = """(chosen) => [...document.querySelectorAll(chosen)].flatMap((svg) => {
+  const texts = [...svg.querySelectorAll("text")].filter((t) => t.textContent);
+  const boxes = texts.map((t) => t.getBoundingClientRect());
+  return texts.flatMap((one, i) => texts.slice(i + 1).flatMap((other, k) => {
+    const a = boxes[i], b = boxes[i + 1 + k];
+    const across = Math.min(a.right, b.right) - Math.max(a.left, b.left);
+    const down = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
+    return across > 1 && down > 3 ? [[one.textContent, other.textContent]] : [];
+  }));
+})"""
+"""Boxes of texts have some room above and below their letters."""
+
+REACHED = 'a, input, button, summary, main [tabindex="0"]'
+
+
+@pytest.mark.parametrize("width", [1200, 390])
+def test_no_label_lies_on_another(width: int, browser: Any, report: tuple[Path, Model]) -> None:
+    tab, said = opened(browser, report[0], viewport={"width": width, "height": 800})
+    assert overlapping(tab, "figure svg, .wide svg") == []
+    assert tab.locator("#chart-d text.label").count() == 3  # of the front
+    for text in tab.locator(".wide svg text").all()[:20]:
+        assert text.bounding_box()["height"] >= 8.0  # to be read on a telephone, too
     assert said == []
     tab.close()
 
@@ -108,14 +154,13 @@ def contrast(one: str, other: str) -> float:
 
 def test_everything_is_reached_by_the_keyboard(browser: Any, report: tuple[Path, Model]) -> None:
     tab, said = opened(browser, report[0])
-    wanted = tab.evaluate("document.querySelectorAll('a, input, button, summary').length")
+    wanted = tab.evaluate(f"document.querySelectorAll('{REACHED}').length")
     seen = set()
     for _ in range(wanted):
         tab.keyboard.press("Tab")
         seen.add(
             tab.evaluate(
-                "[...document.querySelectorAll('a, input, button, summary')]"
-                ".indexOf(document.activeElement)"
+                f"[...document.querySelectorAll('{REACHED}')].indexOf(document.activeElement)"
             )
         )
         outline = tab.evaluate("getComputedStyle(document.activeElement).outlineStyle")
@@ -204,6 +249,24 @@ def test_links_are_where_the_model_has_them(browser: Any, report: tuple[Path, Mo
 def quaternion(vector: list[float]) -> list[float]:
     angle = math.hypot(*vector)
     return [*(x / angle * math.sin(angle / 2) for x in vector), math.cos(angle / 2)]
+
+
+def test_loops_are_drawn_and_close_again(browser: Any, tmp_path: Path) -> None:
+    scene = MODELS / "fourbar.toml"
+    made = compile(read(MODELS / "fourbar.urdf", scene=scene), procs=1)
+    path = tmp_path / "fourbar.html"
+    path.write_text(page(document(made, {"run": "adagen x --run"})), encoding="utf-8")
+    tab, said = opened(browser, path)
+    assert tab.locator("#skeleton circle.ring").count() == 1
+    closed = tab.locator("#loops").inner_text()
+    assert "they are closed" in closed
+    tab.locator("#joints input").first.press("End")
+    assert "open by up to" in tab.locator("#loops").inner_text()
+    tab.get_by_role("button", name="Close all loops").press("Enter")
+    assert tab.locator("#loops").inner_text() == closed
+    assert "adagen x --run" in tab.locator("#accuracy-d").inner_text()  # what is missing, and how
+    assert said == []
+    tab.close()
 
 
 def test_it_is_printed_on_a4(browser: Any, report: tuple[Path, Model]) -> None:

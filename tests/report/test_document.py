@@ -9,12 +9,17 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from adagen.cli import main
-from adagen.report import Measured, Scene, document, page
+from adagen.library import compile, read  # noqa: A004
+from adagen.reference.closed import constraints
+from adagen.report import Measured, Scene, accuracy_of, document, page
+from adagen.report.robot import robot
 from adagen.studies.chart import write_json
 from tests.report.robots import chart, compiled, every_kind
+from tests.urdf.texts import chain
 
 MODELS = Path(__file__).resolve().parents[2] / "generated_examples" / "models"
 
@@ -132,5 +137,42 @@ def test_a_run_is_measured(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     rows = {row["what"]: row["measured"] for row in data["figures"]}
     assert rows["time of an evaluation"] > 0.0 and rows["answers"].startswith("right")
     assert data["program"]["timelines"][1]["source"] == "measured"
+    accuracy = data["accuracy"]
+    assert accuracy["bounds"] == [] and len(accuracy["errors"]) == 12
+    assert max(accuracy["errors"]) < 10 * accuracy["predicted"] < 1e-12
     assert "--check" in data["commands"]["measured"]
     assert main(["report", str(MODELS / "arm7.urdf"), "--run", "--batch"]) == 2
+
+
+def test_no_error_exceeds_its_certified_bound(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("ADAGEN_CACHE", str(tmp_path / "cache"))
+    words = ["--certify", "--scalar", "float", "--run", "--out", str(tmp_path / "out")]
+    assert main(["report", str(MODELS / "chain16.urdf"), *words]) == 0
+    data = data_of((tmp_path / "out" / "chain16_p1_report.html").read_text())
+    errors, bounds = data["accuracy"]["errors"], data["accuracy"]["bounds"]
+    assert len(errors) == len(bounds) == 12
+    assert all(0 < error <= bound for error, bound in zip(errors, bounds, strict=True))
+
+
+def test_why_no_error_is_known_is_told(tmp_path: Path) -> None:
+    def run(_: list[str]) -> None:
+        raise AssertionError("nothing is to be run")
+
+    scene = tmp_path / "s.toml"
+    scene.write_text('accelerations = ["base_yaw"]\n')
+    made = compile(read(MODELS / "arm7.urdf", scene=scene))
+    assert accuracy_of(made, run, print).missing == "The scene leaves out accelerations."
+    made = compiled(tmp_path, chain(151))
+    assert "more than 150 degrees" in accuracy_of(made, run, print).missing
+
+
+def test_a_closed_robot_begins_with_its_loops_closed() -> None:
+    model = read(MODELS / "fourbar.urdf", scene=MODELS / "fourbar.toml").model
+    told = robot(model, dict.fromkeys((joint.name for joint in model.joints), 0))
+    q = np.array([angle for (angle,) in told["rest"]])
+    assert np.abs(constraints(model, q).gaps).max() < 1e-9
+    assert [end["link"] for end in told["loops"][0]["ends"]] == [
+        link for link, _ in model.loops[0].ends
+    ]
