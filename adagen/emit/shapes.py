@@ -69,9 +69,18 @@ def stepwise(plan: Plan) -> str:
 
     Refined plans are emitted in it, too. Masses that can be set are no constants in straight lines,
     where loops do not take a plan.
+
+    Raises:
+        UsageError: no shape takes it.
     """
     names = ("kernels", "joints", "unrolled")  # closed loops and outputs are straight lines alone
-    return next(name for name in names if SHAPES[name].why_not(plan) is None)
+    reasons = {name: SHAPES[name].why_not(plan) for name in names}
+    for name, reason in reasons.items():
+        if reason is None:
+            return name
+    told = "; ".join(f"{name}: {reason}" for name, reason in reasons.items())
+    ways = "; leave out --scalar mixed" if plan.scalar == "mixed" else ""
+    raise UsageError(f"no code shape takes this robot so: {told}{ways}")
 
 
 def chosen_shape(

@@ -1,154 +1,35 @@
 """Every documented option over real robots: done, or refused with a reason, and never a fault.
 
-Every value of an option occurs alone, and every pair of values of two options that is not refused
-occurs on some robot, in a design from a seeded greedy search; a few of what is emitted are built,
-run and checked.
+The cases are those of tests/options.py. Every value by itself, and some at random, run in seconds;
+every pair of values, and many at random, are slow tests. A few of what is emitted are built, run
+and checked.
 """
 
 from __future__ import annotations
 
-import itertools
-import random
-from collections.abc import Mapping
-from functools import cache
-from importlib import metadata
+import subprocess
+from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
 
 from adagen.cli import main
 from adagen.emit.around import PROGRAM_FILE
-from tests.emitted import WRITTEN, Builder, Solver
+from tests.emitted import Builder, Solver
+from tests.options import (
+    OPTIONS,
+    ROBOTS,
+    SCENES,
+    Case,
+    alone,
+    drawn,
+    pairs,
+    path_of,
+    words_of,
+)
 
-EXAMPLES = Path(__file__).resolve().parents[2] / "generated_examples" / "models"
-PACKAGE = "example-robot-data"
-ROBOTS = {
-    "arm7": "",
-    "humanoid": "",
-    "mobile": "",
-    "double_pendulum": "double_pendulum_description/urdf/double_pendulum.urdf",
-    "panda": "panda_description/urdf/panda.urdf",
-    "solo12": "solo_description/robots/solo12.urdf",
-    "allegro": "allegro_hand_description/urdf/allegro_right_hand.urdf",
-    "talos_arm": "talos_data/robots/talos_left_arm.urdf",
-}
-"""Path in the package, or "" for a model of this project."""
-
-SCENES = {
-    "effects": 'damping = "urdf"\nfriction = 0.1\n',
-    "planar": 'base = { kind = "planar", axis = [0, 0, 1] }\n',
-    "moon": "gravity = [0, 0, -1.62]\n",
-}
-
-OPTIONS: dict[str, tuple[str, ...]] = {
-    "robot": tuple(ROBOTS),
-    "--procs": ("1", "2", "3", "4", "auto"),
-    "--form": ("segment", "ada"),
-    "--scalar": ("double", "float", "mixed"),
-    "--refine": ("", "0", "1", "2"),
-    "--shape": ("auto", "unrolled", "kernels", "joints"),
-    "--batch": ("", "yes"),
-    "--schedule": ("auto", "balanced", "sequential", "middle-out"),
-    "--objective": ("", "time", "accuracy", "both"),
-    "--split": ("", "free", "any"),
-    "--channel": ("", "window", "message"),
-    "--scene": ("", *SCENES),
-    "--floating": ("", "yes"),
-    "--mimic": ("", "yes"),
-    "--profile": ("", "paper"),
-}
-"""Values of each option, the default first; "" leaves it out, "yes" is that of a flag."""
-
-Case = Mapping[str, str]
-
-
-def pairs_of(case: Case) -> set[tuple[tuple[str, str], tuple[str, str]]]:
-    return set(itertools.combinations(sorted(case.items()), 2))
-
-
-def is_refused(case: Case) -> bool:
-    """Return whether options exclude each other, or do not suit the robot."""
-    refined = case["--scalar"] == "mixed" or case["--refine"] in ("1", "2")
-    straight, batch = case["--shape"] == "unrolled", case["--batch"] == "yes"
-    searched = case["--objective"] in ("time", "accuracy") or case["--split"] != ""
-    moved = case["--floating"] == "yes", case["--scene"] == "planar"
-    return (
-        (refined and (batch or straight or case["--shape"] == "kernels"))
-        or (case["--scalar"] == "mixed" and case["--refine"] in ("0", "1"))
-        or (case["--scene"] == "effects" and refined)
-        or (batch and case["--shape"] == "joints")
-        or (case["--form"] == "ada" and case["--shape"] == "kernels")
-        or (searched and case["--schedule"] != "auto")
-        or all(moved)
-        or (any(moved) and case["robot"] == "mobile")
-        or (case["--mimic"] == "yes" and case["robot"] == "talos_arm")
-    )
-
-
-def is_long(case: Case) -> bool:
-    """Return whether a case is searched for longer than all others together.
-
-    Each two of these values occur in other cases.
-    """
-    digits = case["--objective"] == "accuracy" and case["--form"] == "segment"
-    return digits and case["robot"] == "humanoid" and case["--procs"] in ("3", "4")
-
-
-def any_case(draw: random.Random, *, refused: bool) -> Case:
-    while True:
-        case = {name: draw.choice(values) for name, values in OPTIONS.items()}
-        if is_refused(case) == refused and not is_long(case):
-            return case
-
-
-@cache
-def design(seed: int = 0, tries: int = 50) -> list[Case]:
-    """Return cases that hold every value alone, and every pair of values that is not refused."""
-    draw, robots = random.Random(seed), itertools.cycle(ROBOTS)
-    plain = {name: values[0] for name, values in OPTIONS.items()}
-    alone = [
-        {**plain, name: value, "robot": next(robots)}
-        for name, values in OPTIONS.items()
-        for value in values[1:]
-        if name != "robot"
-    ]
-    wanted = {pair for _ in range(3000) for pair in pairs_of(any_case(draw, refused=False))}
-    cases: list[Case] = [case for case in alone if not is_refused(case)]
-    wanted -= {pair for case in cases for pair in pairs_of(case)}
-    while wanted:
-        few = (any_case(draw, refused=False) for _ in range(tries))
-        best = max(few, key=lambda case: len(pairs_of(case) & wanted))
-        if pairs_of(best) & wanted:
-            cases.append(best)
-            wanted -= pairs_of(best)
-    return cases
-
-
-FLAGS = {"--batch", "--floating", "--mimic"}
-EMITTED = {"--refine", "--shape", "--batch", "--channel"}
-
-
-def path_of(robot: str) -> Path:
-    if not ROBOTS[robot]:
-        return EXAMPLES / f"{robot}.urdf"
-    try:
-        package = metadata.distribution(PACKAGE)
-    except metadata.PackageNotFoundError:
-        pytest.skip(f"{PACKAGE} is not installed")
-    folder = Path(str(package.locate_file(f"cmeel.prefix/share/{PACKAGE}/robots")))
-    return folder / ROBOTS[robot]
-
-
-def words_of(case: Case, folder: Path, *, emitted: bool = True) -> list[str]:
-    words = []
-    for name, value in case.items():
-        if name == "robot" or value == "" or (name in EMITTED and not emitted):
-            continue
-        if name == "--scene":
-            (folder / f"{value}.toml").write_text(SCENES[value])
-            value = str(folder / f"{value}.toml")
-        words += [name] if name in FLAGS else [name, value]
-    return words
+PARTS = 4
+"""Parts that tests of many cases have, for workers side by side."""
 
 
 def done_or_refused(words: list[str], capsys: pytest.CaptureFixture[str]) -> bool:
@@ -163,48 +44,79 @@ def done_or_refused(words: list[str], capsys: pytest.CaptureFixture[str]) -> boo
     return status == 0
 
 
-def test_the_design_holds_every_value() -> None:
-    for name, values in OPTIONS.items():
-        assert {case[name] for case in design()} == set(values)
-
-
-@pytest.mark.parametrize("robot", ROBOTS)
-def test_real_robots(robot: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    cases = [case for case in design() if case["robot"] == robot]
-    done = 0
+def generated(
+    cases: Iterable[Case], folder: Path, capsys: pytest.CaptureFixture[str]
+) -> list[tuple[Case, Path]]:
+    """Generate all cases that are not refused; of every fifth, see the schedule, and verify it."""
+    found = []
     for k, case in enumerate(cases):
-        out = tmp_path / str(k)
-        words = words_of(case, tmp_path)
-        ok = done_or_refused([str(path_of(robot)), *words, "--out", str(out)], capsys)
-        assert ok == out.exists() and (not ok or len(list(out.iterdir())) == WRITTEN)
-        done += ok
-        if k % 3 == 0:
-            assert not ok or main(["verify", str(out)]) == 0, capsys.readouterr()
-            words = words_of(case, tmp_path, emitted=False)
-            done_or_refused(["schedule", str(path_of(robot)), *words], capsys)
-    assert done >= len(cases) // 2  # a robot may refuse a shape, for one
+        out = folder / str(k)
+        done = done_or_refused([*words_of(case, folder), "--out", str(out)], capsys)
+        assert done == out.exists() and (not done or any(out.glob("*.cpp")))
+        if done:
+            found.append((case, out))
+        if k % 5 == 0:
+            assert not done or main(["verify", str(out)]) == 0, capsys.readouterr()
+            done_or_refused(["schedule", *words_of(case, folder, emitted=False)], capsys)
+    return found
 
 
-def test_what_excludes_each_other_is_refused(
+def test_cases_hold_every_value_and_robot() -> None:
+    every = alone()
+    for name, values in OPTIONS.items():
+        assert {case[name] for case in every if name in case} >= set(values[1:])
+    assert {case["robot"] for case in every} == set(ROBOTS)
+
+
+@pytest.mark.parametrize("part", range(PARTS))
+def test_every_value_alone_is_done(
+    part: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    cases = alone()[part::PARTS]
+    assert len(generated(cases, tmp_path, capsys)) == len(cases)
+
+
+@pytest.mark.parametrize("part", range(PARTS))
+def test_some_values_at_random(
+    part: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert generated(drawn(12, seed=part), tmp_path, capsys)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("part", range(2 * PARTS))
+def test_every_pair_of_values(
+    part: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    cases = list(pairs())[part :: 2 * PARTS]
+    assert len(generated(cases, tmp_path, capsys)) > len(cases) // 2
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("part", range(PARTS))
+def test_many_values_at_random(
+    part: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert generated(drawn(100, seed=10 + part), tmp_path, capsys)
+
+
+@pytest.mark.slow
+def test_a_sample_of_pairs_is_built_and_right(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    draw = random.Random(1)
-    for _ in range(25):
-        case = any_case(draw, refused=True)
-        words = [str(path_of(case["robot"])), *words_of(case, tmp_path)]
-        assert not done_or_refused([*words, "--out", str(tmp_path / "out")], capsys), words
-        assert not (tmp_path / "out").exists()
+    cases = [case for case in pairs() if "--target" not in case][::90]
+    for case, out in generated(cases, tmp_path, capsys):
+        done = subprocess.run(["make", "-s", "-C", out, "check"], capture_output=True, text=True)
+        assert done.returncode == 0, f"{case}\n{done.stdout}{done.stderr}"
 
 
 def test_shared_robots(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     robots = sorted(shared.glob("real/*.urdf"))
-    done = [
-        done_or_refused(
-            [str(robot), *words_of(design()[3 * k], tmp_path), "--out", str(tmp_path / "out")],
-            capsys,
-        )
-        for k, robot in enumerate(robots)
-    ]
+    cases = [case for case in alone() if not {"--scene", "--runtime"} & set(case)]
+    done = []
+    for k, robot in enumerate(robots):
+        _, *words = words_of({**cases[3 * k], "robot": "arm7"}, tmp_path)
+        done.append(done_or_refused([str(robot), *words, "--out", str(tmp_path / str(k))], capsys))
     assert any(done)
 
 
@@ -231,3 +143,16 @@ def test_a_few_are_built_and_right(
     executable = builder.compile(source.read_text(), source.stem)
     done = Solver(executable, int(source.stem[-1]), builder.toolchain).run("--check")
     assert done.status == 0 and "right" in done.stdout, done.stderr
+
+
+@pytest.mark.parametrize(
+    ("robot", "scene"), [("fourbar", ""), ("talos_arm", "outputs"), ("arm7", "outputs")]
+)
+def test_what_no_shape_takes_is_refused_with_every_reason(
+    robot: str, scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    case = {"robot": robot, "--scalar": "mixed", "--scene": scene}
+    assert main([*words_of(case, tmp_path), "--out", str(tmp_path / "out")]) == 2
+    told = capsys.readouterr().err
+    assert "unrolled: it computes in one number type; leave out --scalar mixed" in told
+    assert "kernels: " in told and "joints: " in told
