@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import reduce
+from itertools import groupby
 
 import numpy as np
 
@@ -55,17 +56,13 @@ class _Copy:
         return Simulated(self.machine, tuple(ends))
 
     def _late(self) -> set[Pair]:
-        """What waits for a message."""
+        """What waits for a message; lanes side by side wait together."""
         late: set[Pair] = set(self.want.missing)
-        indices: set[int] = set()
-        for pair in sorted(self.pairs):
-            if pair in late:
-                continue
-            if pair[0] in indices or not late.isdisjoint(self.line.operands(pair)):
-                late.add(pair)
-                if pair[0] in self.lanes:
-                    indices.add(pair[0])
-        return late | {pair for pair in self.pairs if pair[0] in indices}
+        for index, pairs in groupby(sorted(self.pairs), key=lambda pair: pair[0]):
+            own = [pair for pair in pairs if pair not in self.want.missing]
+            waits = {pair for pair in own if not late.isdisjoint(self.line.operands(pair))}
+            late |= set(own) if waits and index in self.lanes else waits
+        return late
 
     # -- values -----------------------------------------------------------------------------------
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+import adagen
 from adagen.errors import UsageError
 from adagen.executor import groupings, interpret, simulate, straight_line
 from adagen.graph import DOUBLE, FLOAT, RoundedGraph
@@ -23,6 +25,7 @@ from tests.mechanisms import four_bar
 from tests.models import Array, human_figure, random_tree, serial_chain
 from tests.scene.effects import with_effects, with_wrenches
 
+EXAMPLES = Path(__file__).resolve().parents[2] / "generated_examples" / "models"
 ALGEBRAS = {"double": DOUBLE, "float": FLOAT}
 
 
@@ -106,6 +109,20 @@ def test_effects_of_limbs_are_the_same() -> None:
     expected = answers(reproducible_plan(model), model)
     plan = reproducible_plan(model, dealt(model, 3, rng))
     np.testing.assert_array_equal(answers(plan, model, lanes=True), expected)
+
+
+def test_lanes_that_wait_for_messages_wait_together(tmp_path: Path) -> None:
+    """One arm has a joint less than the other: both lanes wait for what one of them needs."""
+    scene = tmp_path / "locked.toml"
+    scene.write_text("[lock]\nright_wrist_pitch = 0.1\n")
+    robot = adagen.read(EXAMPLES / "humanoid.urdf", scene=scene)
+    plan = adagen.compile(robot, procs=2, reproducible=True).plan
+    assert any(
+        each.rows for one in simulate(plan, groupings(plan)[-1]) for each in one.machine.limbs
+    )
+    expected = answers(reproducible_plan(robot.model), robot.model)
+    for grouping in groupings(plan):
+        np.testing.assert_array_equal(answers(plan, robot.model, lanes=grouping), expected)
 
 
 def test_a_plan_is_read_as_it_was_written() -> None:
