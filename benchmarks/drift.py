@@ -28,7 +28,7 @@ from adagen.states import States
 from adagen.studies.chart.motion import Played, Player, drifts, state_error
 from adagen.studies.chart.variants import REFERENCE
 from adagen.studies.drawn import drawn_states
-from benchmarks.loops import MECHANISMS
+from benchmarks.closed_robots import MECHANISMS
 from benchmarks.page import write_between_marks
 
 

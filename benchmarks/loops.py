@@ -1,6 +1,8 @@
 """Mechanisms with closed loops: an emitted solver beside Pinocchio, and beside its own open tree.
 
-    python -m benchmarks.loops [--rounds 5] [--write docs/records/loops.md]
+    python -m benchmarks.loops [ROBOT.urdf ...] [--rounds 5] [--write docs/records/loops.md]
+
+A ROBOT.urdf is a mechanism of one's own; its loops are in ROBOT.toml or ROBOT.scene.toml beside it.
 
 Pinocchio is its constraintDynamics and lcaba, instantiated from the headers of its wheel; of its
 builds (g++ and clang++, native and portable) the fastest counts. Programs run by turns; the least
@@ -13,10 +15,9 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-import sysconfig
 import tempfile
-from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -24,66 +25,19 @@ import numpy as np
 from adagen.build import build_executable, find_toolchain
 from adagen.emit import emit, stem_of
 from adagen.errors import EnvironmentFault
-from adagen.library import read
-from adagen.model import LoopEnd, Model, NamedLoop, closed
+from adagen.model import Model
 from adagen.plan import make_plan
-from adagen.reference.closed import closed_forward_dynamics, closed_states, pose_of
+from adagen.reference.closed import closed_forward_dynamics, closed_states
 from adagen.run import launch
 from adagen.schedule import load_profile
 from adagen.search import best_schedule
 from adagen.states import States, write_states
 from adagen.studies.bench.machine import machine
 from adagen.studies.bench.peers import contestants
+from benchmarks.closed_robots import MECHANISMS, of_file
 from benchmarks.page import write_between_marks
 
 STATES, REPEAT = 32, 200
-ROBOTS = Path(
-    sysconfig.get_path("purelib"), "cmeel.prefix", "share", "example-robot-data", "robots"
-)
-EXAMPLES = Path(__file__).resolve().parents[1] / "generated_examples" / "models"
-
-
-def _standing(file: str, *feet: str, kind: str) -> Model:
-    """Return a robot on a floating base whose feet are held by the ground where they are."""
-    model = read(ROBOTS / file, floating=True).model
-    rest = np.zeros(model.nq)
-    for j, joint in enumerate(model.joints):
-        if joint.kind.quaternion is not None:
-            rest[model.q_start[j] + joint.kind.nq - 1] = 1.0
-    links = {link.name: (k, None) for k, link in enumerate(model.links)}
-    links.update({f.name: (k, f) for k, link in enumerate(model.links) for f in link.frames})
-    loops = []
-    for foot in feet:
-        number, frame = links[foot]
-        turn, place = pose_of(model, rest, number)
-        if frame is not None:
-            place = place + turn @ frame.translation
-        x, y, z = (float(value) for value in place)
-        ends = LoopEnd(foot), LoopEnd("__world__", (x, y, z))
-        loops.append(NamedLoop(foot, kind, *ends))
-    return closed(model, loops, (), links.__getitem__, {}.__getitem__)
-
-
-def _of_example(name: str) -> Model:
-    return read(EXAMPLES / f"{name}.urdf", scene=EXAMPLES / f"{name}.toml").model
-
-
-MECHANISMS: dict[str, Callable[[], Model]] = {
-    "four-bar": lambda: _of_example("fourbar"),
-    "leg with a parallel ankle": lambda: _of_example("ankle"),
-    "g1 on both feet": lambda: _standing(
-        "g1_description/urdf/g1_29dof_rev_1_0.urdf",
-        "left_ankle_roll_link",
-        "right_ankle_roll_link",
-        kind="weld",
-    ),
-    "a1 on four point feet": lambda: _standing(
-        "a1_description/urdf/a1.urdf", "FL_foot", "FR_foot", "RL_foot", "RR_foot", kind="point"
-    ),
-    "talos on both feet": lambda: _standing(
-        "talos_data/robots/talos_reduced.urdf", "leg_left_6_link", "leg_right_6_link", kind="weld"
-    ),
-}
 
 
 @dataclass
@@ -163,6 +117,7 @@ def _error(executable: Path, model: Model, states: States, folder: Path) -> floa
 def main() -> int:
     """Print the table, or put it into a document."""
     parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("robots", nargs="*", type=Path, metavar="ROBOT.urdf")
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--write", type=Path)
     options = parser.parse_args()
@@ -174,7 +129,10 @@ def main() -> int:
         " faster than the better | error |",
         "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|",
     ]
-    for name, make in MECHANISMS.items():
+    for name, make in {
+        **MECHANISMS,
+        **{p.stem: partial(of_file, p) for p in options.robots},
+    }.items():
         with tempfile.TemporaryDirectory() as folder:
             row = measured(name, make(), options.rounds, Path(folder))
         print(row.cells(), file=sys.stderr)
