@@ -44,6 +44,9 @@ def in_scene(reading: Reading, scene: Scene, options: argparse.Namespace) -> Mod
 
 def tell_savings(plan: Plan, schedule: Schedule, options: argparse.Namespace) -> None:
     """Print what is left of the robot and what that saves, as predicted and as measured here."""
+    if options.reduction.all_left:
+        note("scene: it leaves out nothing of the robot")
+        return
     line, whole = predicted_savings(plan, schedule, options)
     note(line)
     for line in accuracy(plan, whole, options):

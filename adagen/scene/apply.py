@@ -47,6 +47,17 @@ class Reduction:
     locked: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
     dropped: tuple[str, ...] = ()
 
+    @property
+    def all_left(self) -> bool:
+        """Whether the scene takes nothing from the robot; loops, forces and effects only add."""
+        model, full = self.model, self.full
+        return (
+            (len(model.joints), model.nv) == (len(full.joints), full.nv)
+            and np.array_equal(model.gravity, full.gravity)
+            and not (model.wanted or model.at_rest)
+            and not any(joint.prescribed for joint in model.joints)
+        )
+
     def why_missing(self, joint: str) -> str | None:
         """Return in words why a joint of the robot is not in the smaller one; None if it is."""
         if joint in self.locked:

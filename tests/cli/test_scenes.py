@@ -48,6 +48,17 @@ def test_locked_joints_are_gone_and_what_that_saves_is_told(
     assert plan["floating"] is True
 
 
+def test_a_scene_that_only_adds_is_compared_with_nothing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Nothing is built to be timed: the robot with and without such a scene is the same."""
+    path, loops = str(MODELS / "fourbar.urdf"), str(MODELS / "fourbar.toml")
+    assert run(path, "--procs", "1", "--scene", loops, "-v", "--out", str(tmp_path)) == 0
+    said = capsys.readouterr().err
+    assert "scene: it leaves out nothing of the robot" in said
+    assert "building and timing" not in said
+
+
 def test_without_v_nothing_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(HUMANOID, "--procs", "1", "--scene", LEGS, "--out", str(tmp_path)) == 0
     assert "scene:" not in capsys.readouterr().err
