@@ -17,7 +17,7 @@ import pytest
 
 import adagen
 from adagen.cli import main
-from tests.cli.test_generate import write_arm
+from tests.cli.robots import write_arm
 
 ROOT = Path(adagen.__file__).resolve().parents[1]
 OURS = (str(ROOT / "adagen"), str(ROOT / "templates"), __file__)

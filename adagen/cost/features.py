@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from adagen.model.kinds import KINDS
+from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import (
     Accelerate,
@@ -43,7 +44,6 @@ from adagen.plan.steps import (
     Step,
     Traverse,
 )
-from adagen.plan.types import PlanJoint
 from adagen.program import Operation
 from adagen.program.names import PASSING
 from adagen.program.runs import Run

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from adagen.emit.names import quoted
 from adagen.emit.words import Words
 from adagen.plan import Plan
-from adagen.plan.types import PlanJoint
+from adagen.plan.robot import PlanJoint
 
 
 def has_effects(plan: Plan) -> bool:

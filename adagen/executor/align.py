@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 
 from adagen.exact import Exact, exact, identity, rotated_inertia, rounded
 from adagen.plan import Plan
+from adagen.plan.robot import PlanJoint, PlanLink, PlanLoop, PlanParameter
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.types import PlanJoint, PlanLink, PlanLoop, PlanParameter
 
 Array = NDArray[np.float64]
 _Part = tuple[PlanJoint, PlanLink]

@@ -19,7 +19,7 @@ from adagen.executor.state import State
 from adagen.graph import Expression, cross, dot, total
 from adagen.model.kinds import KINDS
 from adagen.model.loops import LOOP_KINDS
-from adagen.plan.types import PlanLoop
+from adagen.plan.robot import PlanLoop
 
 Array = NDArray[Any]
 

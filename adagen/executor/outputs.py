@@ -12,8 +12,8 @@ from adagen.executor.kinematics import Field, Motion
 from adagen.executor.state import State
 from adagen.graph import matrix_times, total
 from adagen.model import LINK_ACCELERATION, REACTION_FORCE
+from adagen.plan.robot import PlanOutput
 from adagen.plan.steps import Block, blocks_set_by
-from adagen.plan.types import PlanOutput
 
 Array = NDArray[Any]
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from adagen.executor.lanes import Row
 from adagen.graph import Expression
-from adagen.plan.types import PlanJoint, PlanLink
+from adagen.plan.robot import PlanJoint, PlanLink
 
 if TYPE_CHECKING:
     from adagen.executor.state import State

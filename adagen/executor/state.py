@@ -15,9 +15,10 @@ from adagen.graph import Expression, Factors, Graph, Numbers, factorize, matrix_
 from adagen.model import LINK_ACCELERATION
 from adagen.model.kinds import HELD, KINDS, JointKind
 from adagen.plan.digits import EPSILON
+from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.turned import losing_joints
-from adagen.plan.types import FACTORS, Plan, PlanJoint
+from adagen.plan.types import FACTORS, Plan
 
 Array = NDArray[Any]
 Refining = Literal["answer", "correction"] | None

@@ -16,8 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.model.kinds import KINDS
+from adagen.plan.robot import PlanJoint
 from adagen.plan.turned import ENOUGH, Turned
-from adagen.plan.types import FACTORS, Plan, PlanJoint
+from adagen.plan.types import FACTORS, Plan
 
 Array = NDArray[Any]
 STATES = {"few joints": 32, "many joints": 4}

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 
 from adagen.plan.edges import on_the_way
 from adagen.plan.fusions import Fusions, Run
+from adagen.plan.robot import PlanJoint
 from adagen.plan.steps import (
     ApplyCoupling,
     Bias,
@@ -32,7 +33,7 @@ from adagen.plan.steps import (
     SolveCoupling,
     Step,
 )
-from adagen.plan.types import Message, PlanJoint, Process
+from adagen.plan.types import Message, Process
 from adagen.schedule import Node, Schedule, postorder
 from adagen.schedule.tree import Gathered
 

@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import KINDS, Limbs
 from adagen.plan.steps import CarryRows, CloseCoupling, CloseLoop, Eliminate, HoldBack, Step
-from adagen.plan.types import Plan, PlanJoint
+from adagen.plan.types import Plan
 
 
 @dataclass(frozen=True)

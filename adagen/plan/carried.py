@@ -10,8 +10,9 @@ from collections import Counter
 from collections.abc import Container, Iterator, Sequence
 from dataclasses import is_dataclass
 
+from adagen.plan.robot import PlanJoint
 from adagen.plan.steps import Block, HoldMobility, Propagate
-from adagen.plan.types import Plan, PlanJoint, Process
+from adagen.plan.types import Plan, Process
 
 _KINDS = ("revolute", "prismatic", "spherical", "planar")
 

@@ -22,8 +22,9 @@ from adagen.plan.edges import Edge, is_free_base
 from adagen.plan.gather import exchange, sides_of, trees_of
 from adagen.plan.gather_steps import ProcessSteps
 from adagen.plan.gather_trees import Tree
+from adagen.plan.robot import PlanCoupling, PlanJoint, PlanLoop, bound_by_loops
 from adagen.plan.steps import Accelerate, Articulate, Kinematics, Release, StartLink, Step
-from adagen.plan.types import Message, PlanCoupling, PlanJoint, PlanLoop, Process, bound_by_loops
+from adagen.plan.types import Message, Process
 from adagen.schedule import Schedule
 from adagen.schedule.tree import Gathered
 

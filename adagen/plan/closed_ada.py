@@ -14,8 +14,9 @@ from adagen.model.loops import LOOP_KINDS
 from adagen.plan.ada import AdaPlanner
 from adagen.plan.closures import Closure
 from adagen.plan.edges import on_the_way
+from adagen.plan.robot import PlanCoupling, PlanJoint, PlanLoop
 from adagen.plan.steps import CloseCoupling, CloseLoop, Join, Kinematics, LinkBias, Step
-from adagen.plan.types import Message, PlanCoupling, PlanJoint, PlanLoop, Process
+from adagen.plan.types import Message, Process
 from adagen.schedule import Schedule
 
 

@@ -9,6 +9,7 @@ from adagen.model.kinds import KINDS
 from adagen.model.loops import LOOP_KINDS
 from adagen.plan.closures import Choice, Closure
 from adagen.plan.edges import is_free_base
+from adagen.plan.robot import PlanCoupling, PlanJoint, PlanLoop
 from adagen.plan.steps import (
     Accelerate,
     AccelerateHeld,
@@ -23,7 +24,6 @@ from adagen.plan.steps import (
     SolveRoot,
     Step,
 )
-from adagen.plan.types import PlanCoupling, PlanJoint, PlanLoop
 
 
 @dataclass(frozen=True)

@@ -16,8 +16,8 @@ from adagen.errors import InputError
 from adagen.model import Inertia, Model
 from adagen.model.fuse import Run, runs_of, settled
 from adagen.plan.constants import inverse_inertia
+from adagen.plan.robot import PlanJoint
 from adagen.plan.segment import SegmentPlanner
-from adagen.plan.types import PlanJoint
 from adagen.schedule import Node, Schedule, Topology
 from adagen.schedule.fold import Fold, fold
 

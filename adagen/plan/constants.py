@@ -11,7 +11,7 @@ import numpy as np
 from adagen.errors import InputError
 from adagen.exact import Exact, exact, identity, rounded, skew
 from adagen.model import Inertia, Model, Passive, canonical
-from adagen.plan.types import PlanCoupling, PlanJoint, PlanLink, PlanLoop, PlanOutput, PlanWrench
+from adagen.plan.robot import PlanCoupling, PlanJoint, PlanLink, PlanLoop, PlanOutput, PlanWrench
 
 WAY_OUT = (
     "joining it as a link of its own inverts its inertia: use a schedule that adagen finds, or form"

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.model.kinds import KINDS
+from adagen.plan.robot import PlanJoint
 from adagen.plan.steps import Join
-from adagen.plan.types import FACTORS, Plan, PlanJoint
+from adagen.plan.types import FACTORS, Plan
 
 EPSILON = {"double": 2.0**-53, "float": 2.0**-24}
 

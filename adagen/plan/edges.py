@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from adagen.plan.types import PlanJoint, ways
+from adagen.plan.robot import PlanJoint, ways
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,7 @@ from adagen.errors import UsageError
 from adagen.plan.ada import Chain, assembled
 from adagen.plan.edges import on_the_way
 from adagen.plan.fusions import Run
+from adagen.plan.robot import PlanJoint
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.steps import (
     Append,
@@ -31,7 +32,7 @@ from adagen.plan.steps import (
     Step,
     Traverse,
 )
-from adagen.plan.types import Message, PlanJoint, Process
+from adagen.plan.types import Message, Process
 from adagen.schedule import Node, Schedule, postorder
 
 _PASSED = frozenset({"revolute", "spherical"})

@@ -22,9 +22,10 @@ from dataclasses import replace
 from adagen.errors import InputError
 from adagen.plan.gather_steps import ProcessSteps, about, told
 from adagen.plan.gather_trees import Tree, given_trees, laid_out_trees
+from adagen.plan.robot import PlanJoint
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.steps import Step
-from adagen.plan.types import Message, PlanJoint, Process
+from adagen.plan.types import Message, Process
 from adagen.schedule import postorder
 from adagen.schedule.tree import Gathered
 

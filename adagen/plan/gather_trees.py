@@ -12,7 +12,7 @@ from functools import cached_property
 
 from adagen.model.kinds import KINDS
 from adagen.plan.edges import Edge, edges_from, is_free_base, joints_at
-from adagen.plan.types import PlanJoint
+from adagen.plan.robot import PlanJoint
 
 HELD_FREEDOMS = 8
 """Freedoms between the ground and a link whose mobility is taken for an inertia: 6 make it regular

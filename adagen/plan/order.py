@@ -11,8 +11,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from heapq import heappop, heappush
 
+from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.types import PlanJoint
 
 Unit = Limbs | int
 """What is passed at once: limbs, or a single joint."""

@@ -8,7 +8,7 @@ from adagen.errors import UsageError, printable
 from adagen.exact import identity, rotation_taking_z_to, rounded
 from adagen.jsonfile import nearest
 from adagen.model import Model, canonical
-from adagen.plan.types import PlanParameter
+from adagen.plan.robot import PlanParameter
 
 KNOWN = "gravity, mass:LINK and center:LINK"
 

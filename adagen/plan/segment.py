@@ -17,6 +17,7 @@ from functools import cached_property
 from adagen.plan.ada import AdaPlanner, Chain
 from adagen.plan.edges import Edge, edges_from, is_free_base, joints_at, ways_to
 from adagen.plan.fusions import Run
+from adagen.plan.robot import PlanJoint
 from adagen.plan.steps import (
     Accelerate,
     AccelerateRoot,
@@ -35,7 +36,6 @@ from adagen.plan.steps import (
     StartLink,
     Step,
 )
-from adagen.plan.types import PlanJoint
 from adagen.schedule import Node, Schedule, postorder, preorder
 
 

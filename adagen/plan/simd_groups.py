@@ -12,6 +12,7 @@ from functools import lru_cache
 from itertools import groupby
 from typing import TypeVar
 
+from adagen.plan.robot import PlanJoint
 from adagen.plan.stages import stages
 from adagen.plan.steps import (
     Accelerate,
@@ -29,7 +30,7 @@ from adagen.plan.steps import (
     StartLink,
     Step,
 )
-from adagen.plan.types import Plan, PlanJoint, Process
+from adagen.plan.types import Plan, Process
 
 KINDS = frozenset({"revolute", "prismatic", "spherical"})
 """Kinds of joints that are treated side by side."""

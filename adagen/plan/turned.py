@@ -28,8 +28,9 @@ from numpy.typing import NDArray
 from adagen.model.kinds import KINDS
 from adagen.plan.digits import generic_configuration
 from adagen.plan.placement import motion_transform, placement
+from adagen.plan.robot import PlanJoint, PlanLink
 from adagen.plan.steps import Articulate, FusedJoin, LinkBias
-from adagen.plan.types import FACTORS, Plan, PlanJoint, PlanLink
+from adagen.plan.types import FACTORS, Plan
 
 Array = NDArray[np.float64]
 MOST = {"double": 2.0**18, "float": 2.0**12}

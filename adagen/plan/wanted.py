@@ -12,6 +12,7 @@ from dataclasses import replace
 from adagen.errors import UsageError
 from adagen.model import INVERSE_INERTIA, LINK_ACCELERATION, REACTION_FORCE, Model
 from adagen.plan.order import ends_of
+from adagen.plan.robot import PlanOutput
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import (
     Accelerate,
@@ -24,7 +25,7 @@ from adagen.plan.steps import (
     Send,
     Step,
 )
-from adagen.plan.types import Plan, PlanOutput, Process
+from adagen.plan.types import Plan, Process
 from adagen.schedule import Schedule, postorder
 
 

@@ -8,9 +8,9 @@ from itertools import groupby
 
 from adagen.plan.edges import is_base
 from adagen.plan.order import Ends, Unit, ends_of, outward_order
+from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Accelerate, Articulate, Deliver
-from adagen.plan.types import PlanJoint
 from adagen.schedule.costs import StepCosts
 
 OF_ONE_FREEDOM = ("revolute", "prismatic")

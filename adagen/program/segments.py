@@ -9,9 +9,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby, pairwise
 
 from adagen.plan import Plan
+from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Kinematics, Traverse
-from adagen.plan.types import FACTORS, PlanJoint
+from adagen.plan.types import FACTORS
 from adagen.program.runs import Run, outward_units
 from adagen.schedule.costs import StepCosts
 

@@ -15,7 +15,8 @@ from adagen.model import Model
 from adagen.plan import make_plan
 from adagen.plan.edges import Edge, edges_from, joints_at
 from adagen.plan.gather_trees import moving_trees
-from adagen.plan.types import PlanJoint, Process
+from adagen.plan.robot import PlanJoint
+from adagen.plan.types import Process
 from adagen.schedule import CostProfile, Schedule
 from adagen.schedule.tree import Gathered
 

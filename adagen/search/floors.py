@@ -14,8 +14,8 @@ from itertools import accumulate
 from math import inf
 
 from adagen.plan.carried import may_be_carried
+from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import KINDS
-from adagen.plan.types import PlanJoint
 from adagen.program.runs import OF_ONE_FREEDOM, Run
 from adagen.schedule.costs import PRESCRIBED, StepCosts
 from adagen.search.limbs import Limb, Robot

@@ -15,7 +15,7 @@ from itertools import chain, groupby
 
 from adagen.plan.edges import Edge, edges_from, is_base, joints_at
 from adagen.plan.gather_trees import Tree, held_links, moving_trees
-from adagen.plan.types import PlanJoint
+from adagen.plan.robot import PlanJoint
 from adagen.program.runs import Run, runs
 from adagen.program.segments import KINDS, fits_segments
 

@@ -15,10 +15,11 @@ from adagen.emit.predicted import predict
 from adagen.emit.shapes import SHAPES
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
+from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.stages import stages
 from adagen.plan.steps import Kinematics, Receive, Send, Step
-from adagen.plan.types import Message, PlanJoint, Process
+from adagen.plan.types import Message, Process
 from adagen.program import Operation
 from adagen.program.loops import Loops
 from adagen.program.names import PASSING

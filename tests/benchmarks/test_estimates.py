@@ -17,7 +17,7 @@ from adagen.states import random_states, write_result, write_states
 from adagen.urdf import read_robot
 from benchmarks.estimates import main, planned, subjects
 from benchmarks.estimates_report import Row, judged, report, within
-from tests.cli.test_generate import write_arm
+from tests.cli.robots import write_arm
 
 
 def test_within_is_a_factor_three_either_way() -> None:

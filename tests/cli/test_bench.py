@@ -13,7 +13,7 @@ from adagen.cli.contest import Entry, contest, measure
 from adagen.errors import UsageError
 from adagen.studies.bench.contest import Rules
 from adagen.studies.bench.record import read_record
-from tests.cli.test_generate import write_arm
+from tests.cli.robots import write_arm
 
 ONE = ("--variant", "--procs 1", "--rounds", "2", "--peers", "none")
 

@@ -10,7 +10,7 @@ import pytest
 import adagen
 from adagen.cli import demo
 from adagen.errors import EnvironmentFault
-from tests.cli.test_generate import write_arm
+from tests.cli.robots import write_arm
 from tests.golden.make_models import MODELS
 
 

@@ -16,7 +16,7 @@ from adagen.emit.predicted import predict
 from adagen.plan import make_plan
 from adagen.schedule import load_profile
 from adagen.search import best_schedule
-from tests.cli.test_generate import write_arm
+from tests.cli.robots import write_arm
 from tests.cost.costs import step_profile
 from tests.models import serial_chain
 

@@ -14,7 +14,7 @@ from adagen.cli.main import main
 from adagen.library import Origin
 from adagen.library.robot import read_whole
 from adagen.states import random_states, write_states
-from tests.cli.test_generate import BALL
+from tests.cli.robots import BALL
 from tests.urdf.texts import joint, link, robot
 
 

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 
 from adagen.emit import guards
 from adagen.emit.effects import push_calls
-from adagen.emit.entries import entries_of, ranges
-from adagen.emit.kernels import mobility
-from adagen.emit.processes import describe_message
+from adagen.emit.kernels import messages, mobility
 from adagen.emit.stages import stamped
 from adagen.emit.words import Words
 from adagen.plan.edges import is_base
@@ -26,7 +23,7 @@ from adagen.plan.steps import (
     Step,
     Traverse,
 )
-from adagen.plan.types import Message, Process
+from adagen.plan.types import Process
 from adagen.program import Links, Operation
 from adagen.program.names import PASSING, PREPARED
 from adagen.program.runs import Run, ends_of_run, links_of_run, spans
@@ -250,65 +247,16 @@ class KernelLines:
         return []  # what comes first takes its place
 
     def _send(self, operation: Operation) -> list[str]:
-        (step,) = operation.steps
-        assert isinstance(step, Send)
-        message = self.words.plan.messages[step.message]
-        return [
-            f"{{  // to process {message.target}: {describe_message(self.words, message)}",
-            f"  Number* to = channel.outgoing({step.message}, w.status);",
-            *(f"  to = put(to, {item});" for item in self._items(message)),
-            *(f"  to = put(to, w.bodies[{link}]);" for link in message.inertias),
-            f"  channel.send({step.message}, w.status);",
-            "}",
-        ]
+        return messages.sent(self.words, operation)
 
     def _receive(self, operation: Operation) -> list[str]:
-        (step,) = operation.steps
-        assert isinstance(step, Receive)
-        message = self.words.plan.messages[step.message]
-        taken = zip(message.inertias, operation.first, strict=True)
-        return [
-            f"{{  // from process {message.source}: {describe_message(self.words, message)}",
-            f"  const Number* from = channel.receive({step.message}, w.status);",
-            *(f"  from = get_responses(from, w, {self.joints[j].v});" for j in message.joints),
-            *(f"  from = get(from, {item});" for item in self._items(replace(message, joints=()))),
-            *(f"  from = {'get' if one else 'add'}(from, w.bodies[{k}]);" for k, one in taken),
-            "}",
-        ]
+        return messages.received(self.words, operation)
 
     def _solve_coupling(self, _: Operation) -> list[str]:
-        plan = self.words.plan
-        rows = []
-        for k, slaved in enumerate(plan.slaved):
-            mimic = plan.joints[slaved].mimic
-            assert mimic is not None  # that is what slaved means
-            own, source = self._responses(slaved), self._responses(mimic[0])
-            rows.append(f"  coupling_row(rows[{k}], {own}, {source}, {mimic[1]!r});")
-        return [
-            "{",
-            "  std::array<Responses, kSlavedCount> rows;",
-            *rows,
-            f"  solve_coupling(w, {plan.slaved[0]}, rows, w.coupling);",
-            "}",
-        ]
+        return messages.solved_coupling(self.words)
 
     def _apply_coupling(self, _: Operation) -> list[str]:
-        own = ranges(entries_of(self.words, "v", self.process.owns))
-        return [f"apply_coupling(w, {first}, {count});" for first, count in own]
-
-    def _responses(self, joint: int) -> str:
-        return f"responses_of(w, {self.joints[joint].v})"
-
-    def _items(self, message: Message) -> list[str]:
-        if message.sweep == "torques":
-            return ["w.coupling"]
-        return [
-            *(self._responses(joint) for joint in message.joints),
-            *(self.words.passage(passage) for passage in message.passages),
-            *(self.words.block(block) for block in message.blocks),
-            *(self.words.bias(bias) for bias in message.biases),
-            *(self.words.force(force) for force in message.forces),
-        ]
+        return messages.applied_coupling(self.words, self.process)
 
     def _free_base(self, operation: Operation) -> list[str]:
         assert isinstance(operation.block, Run)

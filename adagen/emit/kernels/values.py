@@ -20,9 +20,10 @@ from adagen.plan.certificate import ROUNDING
 from adagen.plan.digits import EPSILON
 from adagen.plan.edges import is_base
 from adagen.plan.gather import why_not_gather
+from adagen.plan.robot import PlanLink
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.turned import ENOUGH
-from adagen.plan.types import FACTORS, PlanLink
+from adagen.plan.types import FACTORS
 from adagen.program.segments import LANES
 from adagen.program.slots import Slots
 from adagen.program.turned import turned_in_loops

@@ -11,6 +11,7 @@ from adagen.emit.entries import entries_of, given_entries, ranges, read_joints
 from adagen.emit.processes import describe_message
 from adagen.emit.unrolled.describe import describe_step
 from adagen.emit.unrolled.layout import Chunk, Layout, Stretch, is_given, laid_out, looked_at
+from adagen.emit.unrolled.results import Results, names_state
 from adagen.emit.unrolled.text import FUNCTIONS, TYPES, Text
 from adagen.emit.words import Words
 from adagen.executor import Simulated, simulate
@@ -81,7 +82,7 @@ def values(words: Words, chunk: int = 0) -> dict[str, object]:
         "wide_functions": ["unrolled_wide_functions.hpp"] * (functions and wide),
         "sines_in_lanes": sines_in_lanes,
         "near_lock": not words.batch and any(c.near for s in line for c in s.machine.checks),
-        "wide_results": max((row.count_of_lanes for row in rows), default=0),
+        "wide_results": max((row.results.lanes for row in rows), default=0),
     }
 
 
@@ -112,15 +113,13 @@ class _ProcessText:
         self.words, self.p, self.machine, self.wide = words, p, simulated.machine, wide
         self.process = process
         self.owner = p % len(words.plan.processes)  # processes come again for their recovery
-        self.forces = words.plan.force_entries(process)
         self.graph = simulated.machine.graph
         self.operations = simulated.operations
         self.layout: Layout = laid_out(
             self.process, self.machine, simulated.ends, chunk, batch=words.batch
         )
         self.text = Text(self.graph, words.plan.scalar, self._only_users())
-        self.count_of_lanes = 0
-        self.wide_results = self._places_of_results()
+        self.results = Results(words, process, self.owner, self.machine, self.text)
         self.followers = self._followers()
         self.functions: list[dict[str, object]] = []
 
@@ -131,7 +130,7 @@ class _ProcessText:
         return {
             "begin": self._prologue() if batch else [],
             "run": self._run(),
-            "end": self._give() if batch else [],
+            "end": self.results.give() if batch else [],
             "functions": self.functions,
             "operations": self.operations,
             "read": read_joints(self.words, self.process),
@@ -176,59 +175,16 @@ class _ProcessText:
             for k, x in enumerate(content):
                 lines[x.index].append(f"w.to[{number}][{k}] = {self.text.name(x.index)};")
         for k, x in enumerate(self.machine.certificate):
-            lines[x.index].append(f"w.certificate[{k}] = {self._value(x.index)};")
-        for index, results in self._results().items():
+            lines[x.index].append(f"w.certificate[{k}] = {self.results.value(x.index)};")
+        for index, results in self.results.lines().items():
             lines[index] += results
         return lines
-
-    def _results(self) -> dict[int, list[str]]:
-        """By index, the lines that put values down as accelerations and outputs."""
-        lines: dict[int, list[str]] = defaultdict(list)
-        for first, force in self.machine.forces.items():
-            for k, x in enumerate(force):
-                lines[x.index].append(f"w.result[{first + k}] = {self._value(x.index)};")
-        # A reproducible zero has no sign: whether one does depends on what is known beforehand.
-        zero = " + Real(0)" if self.words.plan.reproducible else ""
-        for joint, values in self.machine.results.items():
-            v = self.words.plan.joints[joint].v
-            for k, x in enumerate(values):
-                place = self.wide_results.get((joint, k))
-                if place is None:
-                    lines[x.index].append(f"w.result[{v + k}] = {self._value(x.index)}{zero};")
-                else:
-                    value = self.text.name(x.index)
-                    if x.node.width == 1:  # the same in all lanes
-                        value = f"{TYPES[self._width(joint)]}{{}} + {value}"
-                    lines[x.index].append(f"put({value}{zero}, w.lanes.data() + {place});")
-        for number, values in self.machine.outputs.items():
-            first = self.words.plan.entry_of_output(number)
-            for k, x in enumerate(values):
-                lines[x.index].append(f"w.result[{first + k}] = {self._value(x.index)}{zero};")
-        return lines
-
-    def _width(self, joint: int) -> int:
-        return len(self.machine.lanes_of_result(joint))
-
-    def _places_of_results(self) -> dict[tuple[int, int], int]:
-        """Where rows' accelerations are kept, by joint and freedom; the widest come first."""
-        places: dict[tuple[int, int], int] = {}
-        for joint in sorted(self.machine.results, key=lambda j: (-self._width(j), j)):
-            for k in range(len(self.machine.results[joint])):
-                if self._width(joint) > 1:
-                    places[joint, k] = self.count_of_lanes
-                    self.count_of_lanes += self._width(joint)
-        return places
 
     def _blamed(self, checked: Expression, joint: int) -> str:
         """The joint that a value is checked for, or the one of each lane."""
         if checked.node.width == 1:
             return str(joint)
         return f"{{{', '.join(map(str, self.machine.rows.own(joint)))}}}"
-
-    def _value(self, index: int) -> str:
-        """A value's name where one is put down: a number in all lanes."""
-        constant = self.graph.nodes[index].op == "constant"
-        return f"Value{{}} + {self.text.name(index)}" if constant else self.text.name(index)
 
     def _run(self) -> list[str]:
         """The lines of the function that does it all."""
@@ -244,7 +200,7 @@ class _ProcessText:
             first = place + 1
             if stage is not None and stage.message is not None:
                 lines += [self._message(stage.what, stage.message), f"stamp({place + 1});"]
-        return [*lines, *self._give()] if given_entries(self.words, self.process) else lines
+        return [*lines, *self.results.give()] if given_entries(self.words, self.process) else lines
 
     def _prologue(self) -> list[str]:
         """The state is looked at; sines and cosines are taken of all angles at once."""
@@ -313,11 +269,9 @@ class _ProcessText:
             for name, entries in looked_at.items()
             for first, count in ranges(entries)
         ]
-        lines = [f"if (!all({' + '.join(terms)} == 0))", f"  {self._names_state()}"] * bool(terms)
+        amiss = f"if (!all({' + '.join(terms)} == 0))"
+        lines = [amiss, f"  {names_state(self.owner)}"] * bool(terms)
         return [*lines, *self._look_at_outer_forces()]
-
-    def _names_state(self) -> str:
-        return f"name_what_is_not_finite(w, kRead_{self.owner}, kOwned_{self.owner});"
 
     def _told_of(self) -> set[str]:
         """Inputs that are not finite only if an acceleration or what is checked is not, either.
@@ -351,55 +305,6 @@ class _ProcessText:
             f" fail(w, kNotFinite, {wrench.link - 1});"
             for k, wrench in enumerate(plan.wrenches)
             if wrench.link in links
-        ]
-
-    def _give(self) -> list[str]:
-        """An acceleration is given only where all went well."""
-        single, wide = self._single_results(), self._scattered()
-        terms = [f"unlike_zero(w.result.data() + {first}, {count})" for first, count in single]
-        terms += self._unlike_zero_in_lanes()
-        amiss = f"!all({' + '.join(terms)} == 0)"
-        overflow = [f"name_what_overflows(w, kOwned_{self.owner});"]
-        if wide:
-            overflow = [*(f"w.result[{v}] = w.lanes[{at}];" for v, at in wide), *overflow]
-        if guards.talks(self.process):
-            lines = [f"if ({amiss}) {{", *(f"  {line}" for line in overflow), "}"]
-            lines = lines if wide else [f"if ({amiss}) {overflow[0]}"]
-        else:
-            amiss = f"__builtin_expect(w.status != kFine || {amiss}, 0)"
-            lines = guards.in_hindsight(amiss, [self._names_state()], overflow)
-        return [
-            *lines,
-            "if (w.status != kFine) return;",
-            *(f"std::copy_n(w.result.data() + {k}, {n}, w.qdd + {k});" for k, n in single),
-            *(f"w.qdd[{v}] = w.lanes[{at}];" for v, at in wide),
-        ]
-
-    def _single_results(self) -> list[tuple[int, int]]:
-        """Ranges of accelerations that are computed by themselves."""
-        rows = {j for joint, _ in self.wide_results for j in self.machine.rows.own(joint)}
-        wide = set(entries_of(self.words, "v", rows))
-        own = [k for k in given_entries(self.words, self.process) if k not in wide]
-        return ranges([*own, *self.forces])
-
-    def _scattered(self) -> list[tuple[int, int]]:
-        """Entries of the result that are computed in lanes, and where they are kept."""
-        joints = self.words.plan.joints
-        return sorted(
-            (joints[j].v + k, place + lane)
-            for (joint, k), place in self.wide_results.items()
-            for lane, j in enumerate(self.machine.rows.own(joint))
-            if self.words.plan.wants(j)
-        )
-
-    def _unlike_zero_in_lanes(self) -> list[str]:
-        """Sums that are zero if what is computed in lanes is finite, for each width."""
-        by_width: dict[int, list[int]] = defaultdict(list)
-        for (joint, _), place in self.wide_results.items():
-            by_width[self._width(joint)].append(place)
-        return [
-            f"unlike_zero<{TYPES[width]}, {len(places)}>(w.lanes.data() + {places[0]})"
-            for width, places in by_width.items()
         ]
 
     def _message(self, what: str, number: int) -> str:

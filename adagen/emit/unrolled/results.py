@@ -1,0 +1,130 @@
+"""What a straight line gives: accelerations, outputs and forces, by themselves or in lanes."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+
+from adagen.emit import guards
+from adagen.emit.entries import entries_of, given_entries, ranges
+from adagen.emit.unrolled.text import TYPES, Text
+from adagen.emit.words import Words
+from adagen.executor import Machine
+from adagen.plan.types import Process
+
+
+class Results:
+    """Puts down what one process computes, and gives it where all went well.
+
+    Args:
+        words: the plan's names.
+        process: the process.
+        owner: whose results they are: what recovers counts on from the last process.
+        machine: what simulated it.
+        text: how values are written.
+    """
+
+    def __init__(
+        self, words: Words, process: Process, owner: int, machine: Machine, text: Text
+    ) -> None:
+        self.words, self.process, self.owner = words, process, owner
+        self.machine, self.text = machine, text
+        self.forces = words.plan.force_entries(process)
+        self.lanes = 0
+        self.places = self._places_of_results()
+
+    def lines(self) -> dict[int, list[str]]:
+        """By index, the lines that put values down as accelerations and outputs."""
+        lines: dict[int, list[str]] = defaultdict(list)
+        for first, force in self.machine.forces.items():
+            for k, x in enumerate(force):
+                lines[x.index].append(f"w.result[{first + k}] = {self.value(x.index)};")
+        # A reproducible zero has no sign: whether one does depends on what is known beforehand.
+        zero = " + Real(0)" if self.words.plan.reproducible else ""
+        for joint, values in self.machine.results.items():
+            v = self.words.plan.joints[joint].v
+            for k, x in enumerate(values):
+                place = self.places.get((joint, k))
+                if place is None:
+                    lines[x.index].append(f"w.result[{v + k}] = {self.value(x.index)}{zero};")
+                else:
+                    value = self.text.name(x.index)
+                    if x.node.width == 1:  # the same in all lanes
+                        value = f"{TYPES[self._width(joint)]}{{}} + {value}"
+                    lines[x.index].append(f"put({value}{zero}, w.lanes.data() + {place});")
+        for number, values in self.machine.outputs.items():
+            first = self.words.plan.entry_of_output(number)
+            for k, x in enumerate(values):
+                lines[x.index].append(f"w.result[{first + k}] = {self.value(x.index)}{zero};")
+        return lines
+
+    def _width(self, joint: int) -> int:
+        return len(self.machine.lanes_of_result(joint))
+
+    def _places_of_results(self) -> dict[tuple[int, int], int]:
+        """Where rows' accelerations are kept, by joint and freedom; the widest come first."""
+        places: dict[tuple[int, int], int] = {}
+        for joint in sorted(self.machine.results, key=lambda j: (-self._width(j), j)):
+            for k in range(len(self.machine.results[joint])):
+                if self._width(joint) > 1:
+                    places[joint, k] = self.lanes
+                    self.lanes += self._width(joint)
+        return places
+
+    def value(self, index: int) -> str:
+        """A value's name where one is put down: a number in all lanes."""
+        constant = self.machine.graph.nodes[index].op == "constant"
+        return f"Value{{}} + {self.text.name(index)}" if constant else self.text.name(index)
+
+    def give(self) -> list[str]:
+        """An acceleration is given only where all went well."""
+        single, wide = self._single_results(), self._scattered()
+        terms = [f"unlike_zero(w.result.data() + {first}, {count})" for first, count in single]
+        terms += self._unlike_zero_in_lanes()
+        amiss = f"!all({' + '.join(terms)} == 0)"
+        overflow = [f"name_what_overflows(w, kOwned_{self.owner});"]
+        if wide:
+            overflow = [*(f"w.result[{v}] = w.lanes[{at}];" for v, at in wide), *overflow]
+        if guards.talks(self.process):
+            lines = [f"if ({amiss}) {{", *(f"  {line}" for line in overflow), "}"]
+            lines = lines if wide else [f"if ({amiss}) {overflow[0]}"]
+        else:
+            amiss = f"__builtin_expect(w.status != kFine || {amiss}, 0)"
+            lines = guards.in_hindsight(amiss, [names_state(self.owner)], overflow)
+        return [
+            *lines,
+            "if (w.status != kFine) return;",
+            *(f"std::copy_n(w.result.data() + {k}, {n}, w.qdd + {k});" for k, n in single),
+            *(f"w.qdd[{v}] = w.lanes[{at}];" for v, at in wide),
+        ]
+
+    def _single_results(self) -> list[tuple[int, int]]:
+        """Ranges of accelerations that are computed by themselves."""
+        rows = {j for joint, _ in self.places for j in self.machine.rows.own(joint)}
+        wide = set(entries_of(self.words, "v", rows))
+        own = [k for k in given_entries(self.words, self.process) if k not in wide]
+        return ranges([*own, *self.forces])
+
+    def _scattered(self) -> list[tuple[int, int]]:
+        """Entries of the result that are computed in lanes, and where they are kept."""
+        joints = self.words.plan.joints
+        return sorted(
+            (joints[j].v + k, place + lane)
+            for (joint, k), place in self.places.items()
+            for lane, j in enumerate(self.machine.rows.own(joint))
+            if self.words.plan.wants(j)
+        )
+
+    def _unlike_zero_in_lanes(self) -> list[str]:
+        """Sums that are zero if what is computed in lanes is finite, for each width."""
+        by_width: dict[int, list[int]] = defaultdict(list)
+        for (joint, _), place in self.places.items():
+            by_width[self._width(joint)].append(place)
+        return [
+            f"unlike_zero<{TYPES[width]}, {len(places)}>(w.lanes.data() + {places[0]})"
+            for width, places in by_width.items()
+        ]
+
+
+def names_state(owner: int) -> str:
+    """Return the line that tells which input of a process is not finite."""
+    return f"name_what_is_not_finite(w, kRead_{owner}, kOwned_{owner});"

@@ -1,0 +1,60 @@
+"""Files that are generated are built by the Makefile beside them."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from adagen.build import find_toolchain
+from adagen.cli import main
+
+
+@pytest.mark.parametrize("words", [("--procs", "1"), ("--procs", "2", "--scalar", "float")])
+def test_a_single_file_stands_alone(words: tuple[str, ...], arm: Path, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    assert main([str(arm), *words, "--single-file", "--out", str(out)]) == 0
+    assert not (out / "adagen_program.cpp").exists()
+    (source,) = out.glob("*.cpp")
+    assert "// links " not in source.read_text()
+    assert main(["verify", str(out)]) == 0
+    toolchain = find_toolchain()
+    command = [
+        "make",
+        "-C",
+        str(out),
+        f"MPICXX={toolchain.mpicxx[0]}",
+        "CXXFLAGS=-O0 -Wall -Wextra",
+    ]
+    command += [f"MPIEXEC={toolchain.mpiexec[0]}", "check"]
+    environment = toolchain.variables(os.environ)
+    done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=300)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert ": right" in done.stdout
+
+
+@pytest.mark.parametrize(("processes", "form"), [(1, "segment"), (2, "ada")])
+def test_the_emitted_makefile_builds_and_checks(
+    processes: int, form: str, arm: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "out"
+    assert main([str(arm), "--procs", str(processes), "--form", form, "--out", str(out)]) == 0
+    toolchain = find_toolchain()
+    source = next(out.glob("*_p[0-9]*.cpp")).read_text()
+    # Joints by themselves are told in 6x6 blocks; a straight line needs no Eigen.
+    assert ("Eigen" in source) == (processes == 2)
+    command = [
+        "make",
+        "-C",
+        str(out),
+        f"MPICXX={toolchain.mpicxx[0]}",
+        f"MPIEXEC={toolchain.mpiexec[0]}",
+        f"EIGEN={toolchain.eigen if processes == 2 else 'nowhere'}",
+        "CXXFLAGS=-O1 -Wall -Wextra -Wpedantic -Werror",
+        "check",
+    ]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stderr
+    assert "right" in done.stdout
