@@ -19,7 +19,7 @@ from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
 _FOREIGN_WORKER = "https://unpkg.com/iframe-worker/shim"
-_WITHOUT_MORE = ("info", "verify", "calibrate", "stability", "bench", "completion", "env")
+_WITHOUT_MORE = ("info", "verify", "calibrate", "stability", "completion", "env")
 
 
 def on_page_markdown(markdown: str, **_: Any) -> str:

@@ -23,17 +23,21 @@ def show_hosts(model: Model, options: argparse.Namespace) -> None:
         InputError: the file of hosts, or the profile, is refused.
         UsageError: the profile does not tell what messages between hosts cost.
     """
-    from adagen.schedule import load_profile, read_hosts
+    from adagen.schedule import load_profile, read_fabric, read_hosts
     from adagen.search.across import across_hosts
 
-    hosts = read_hosts(options.hosts)
     profile = load_profile(options.profile)
-    if profile.steps is None or profile.steps.network is None:
+    if options.hosts.suffix == ".toml":
+        fabric = read_fabric(options.hosts)
+        hosts, network = fabric.hosts, fabric.network
+    else:
+        hosts, network = read_hosts(options.hosts), None
+    if profile.steps is None or (network is None and profile.steps.network is None):
         raise UsageError(
             f"the profile {profile.name} has no costs of messages between hosts: run adagen "
             f"calibrate --hosts {options.hosts}, then add --profile machine"
         )
-    found = across_hosts(model, hosts, profile)
+    found = across_hosts(model, hosts, profile, network)
     if options.json:
         print(json.dumps(_document(found), indent=1))
     else:

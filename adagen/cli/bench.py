@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from adagen.cli.console import note, wrote
 from adagen.cli.parser import Parser, make_parser, parse, whole
+from adagen.cli.scale import add_scale, check_scale, run_scale
 from adagen.cli.tables import table_of
 
 if TYPE_CHECKING:
@@ -33,12 +34,17 @@ examples:
   adagen bench arm.urdf                                 a table
   adagen bench humanoid.urdf --floating --out result    tables, record, pictures
   adagen bench fourbar.urdf --scene fourbar.toml        with closed loops
-  adagen bench arm.urdf --variant "--procs 2 --form ada" --peers none"""
+  adagen bench arm.urdf --variant "--procs 2 --form ada" --peers none
+  adagen bench --scale --out result                     chains, processes, hosts"""
 
 
 def run(argv: Sequence[str]) -> int:
     """Carry out ``adagen bench`` with the arguments after the verb; return the exit status."""
-    options = parse(command_parser(), argv)
+    parser = command_parser()
+    options = parse(parser, argv)
+    check_scale(parser, options)
+    if options.scale:
+        return run_scale(options)
     from adagen.cli.contest import VARIANTS, Entry, contest
     from adagen.studies.bench.contest import Rules
 
@@ -61,7 +67,11 @@ def run(argv: Sequence[str]) -> int:
 def command_parser() -> Parser:
     """Return the parser of ``adagen bench``."""
     parser = make_parser("adagen bench", _DESCRIPTION, _EPILOG)
-    parser.add_argument("models", nargs="+", metavar="MODEL", help="robot descriptions (URDF)")
+    parser.usage = "adagen bench MODEL ... [option ...]"
+    parser.add_argument(
+        "models", nargs="*", default=(), metavar="MODEL", help="robot descriptions (URDF)"
+    )
+    add_scale(parser)
     parser.add_argument("--floating", action="store_true", help="put the robots on floating bases")
     parser.add_argument("--scene", metavar="FILE", help="scene of the robots: loops, base, ...")
     parser.add_argument(
@@ -94,7 +104,7 @@ def command_parser() -> Parser:
     parser.add_argument("--quick", action="store_true", help="few rounds and variants")
     parser.add_argument("--json", action="store_true", help="print the record as JSON")
     parser.add_argument(
-        "--out", type=Path, metavar="DIR", help="write bench.json, bench.md and pictures there"
+        "--out", type=Path, metavar="DIR", help="write record, tables and pictures there"
     )
     return parser
 

@@ -50,7 +50,8 @@ def command_parser() -> Parser:
         type=Path,
         metavar="FILE",
         help="predict on how many hosts single evaluations and batches pay; FILE as mpiexec "
-        "--hostfile reads it, profile from adagen calibrate --hosts",
+        "--hostfile reads it, profile from adagen calibrate --hosts; or FILE.toml, the levels of a "
+        "cluster",
     )
     parser.add_argument(
         "--trace",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from adagen.cost.features import operation_features
@@ -13,6 +13,7 @@ from adagen.program import Operation, Program
 from adagen.program.lower import LOOPS
 from adagen.program.names import PREPARED
 from adagen.schedule.costs import ChannelCosts, StepCosts
+from adagen.schedule.fabric import Links
 from adagen.schedule.profile import CostProfile
 
 
@@ -93,9 +94,7 @@ class Timeline:
         return replace(self, intervals=tuple(found))
 
 
-def timeline(
-    program: Program, profile: CostProfile, hosts: Sequence[int] | None = None
-) -> Timeline:
+def timeline(program: Program, profile: CostProfile, links: Links | None = None) -> Timeline:
     """Return how one evaluation is predicted to go.
 
     Each process is taken to have a core of its own, and all to begin at the same instant.
@@ -103,24 +102,22 @@ def timeline(
     Args:
         program: what runs.
         profile: a profile with the costs of steps.
-        hosts: of each process, the number of its host; all on one where that is not given.
+        links: what messages cost between processes that share no memory; all share it where
+            that is not given.
 
     Raises:
-        ValueError: the profile prices joins alone, as the paper's does, or knows of no network
-            where there are several hosts.
+        ValueError: the profile prices joins alone, as the paper's does.
     """
     if profile.steps is None:
         raise ValueError(f"the profile {profile.name} has no costs of steps")
-    if hosts is not None and len(set(hosts)) > 1 and profile.steps.network is None:
-        raise ValueError(f"the profile {profile.name} has no costs of messages between hosts")
-    return _Play(program, profile.steps, hosts).play()
+    return _Play(program, profile.steps, links).play()
 
 
 @dataclass
 class _Play:
     program: Program
     costs: StepCosts
-    hosts: Sequence[int] | None = None
+    links: Links | None = None
     sent: dict[int, float] = field(default_factory=dict)  # message -> when its sender was done
 
     def __post_init__(self) -> None:
@@ -174,12 +171,10 @@ class _Play:
         return True
 
     def _channel(self, step: Send | Receive) -> ChannelCosts:
-        """Return what a message costs between the hosts that it goes between."""
-        message, network = self.plan.messages[step.message], self.costs.network
-        if self.hosts is None or self.hosts[message.source] == self.hosts[message.target]:
-            return self.near
-        assert network is not None
-        return network
+        """Return what a message costs between the processes that it goes between."""
+        message = self.plan.messages[step.message]
+        far = None if self.links is None else self.links(message.source, message.target)
+        return self.near if far is None else far
 
     def _copied(self, step: Send | Receive) -> float:
         """Time to put a message's numbers in, or to take them out."""

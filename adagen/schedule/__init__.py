@@ -1,5 +1,6 @@
 """Which joint joins which partial chains on which process, and what that is predicted to cost."""
 
+from adagen.schedule.fabric import Fabric, read_fabric, shipped_fabric
 from adagen.schedule.hosts import Host, read_hosts
 from adagen.schedule.profile import CostProfile, load_profile, parse_profile, step_costs
 from adagen.schedule.sweeps import makespan_of, total_work
@@ -16,6 +17,7 @@ from adagen.schedule.validity import InvalidSchedule, validate
 
 __all__ = [
     "CostProfile",
+    "Fabric",
     "Host",
     "InvalidSchedule",
     "Node",
@@ -28,11 +30,13 @@ __all__ = [
     "parse_profile",
     "postorder",
     "preorder",
+    "read_fabric",
     "read_hosts",
     "schedule_line",
     "schedule_to_dict",
     "schedule_to_json",
     "schedule_tree",
+    "shipped_fabric",
     "step_costs",
     "total_work",
     "validate",

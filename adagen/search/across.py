@@ -13,7 +13,8 @@ from adagen.emit.shapes import chosen_shape
 from adagen.model import Model
 from adagen.plan import make_plan
 from adagen.schedule import CostProfile, Host
-from adagen.schedule.costs import ChannelCosts, StepCosts
+from adagen.schedule.costs import StepCosts
+from adagen.schedule.fabric import Network, between_hosts
 from adagen.search.best import best_schedule
 from adagen.search.choose import Candidate, choose_processes, margin
 
@@ -98,7 +99,9 @@ class Across:
         return next(one for one in self.batches if one.rate >= (1 - self.margin) * most)
 
 
-def across_hosts(model: Model, hosts: Sequence[Host], profile: CostProfile) -> Across:
+def across_hosts(
+    model: Model, hosts: Sequence[Host], profile: CostProfile, network: Network | None = None
+) -> Across:
     """Return what is predicted of a robot on several hosts.
 
     One evaluation is searched with every message at the price of the network, so that the
@@ -108,14 +111,16 @@ def across_hosts(model: Model, hosts: Sequence[Host], profile: CostProfile) -> A
     Args:
         model: the robot.
         hosts: in the order in which they are filled.
-        profile: with the costs of messages between hosts.
+        profile: the costs.
+        network: what messages cost between hosts, by their numbers; what the profile says of them
+            if not given.
 
     Raises:
-        ValueError: the profile has none.
+        ValueError: the profile has no such costs, and they are not given.
     """
-    costs = profile.steps
-    if costs is None or costs.network is None:
-        raise ValueError(f"the profile {profile.name} has no costs of messages between hosts")
+    costs, network = profile.steps, network or network_of(profile)
+    if costs is None:
+        raise ValueError(f"the profile {profile.name} has no costs of steps")
 
     def searched(processes: int, by: CostProfile = profile) -> Candidate:
         schedule = best_schedule(model, processes, by)
@@ -123,16 +128,26 @@ def across_hosts(model: Model, hosts: Sequence[Host], profile: CostProfile) -> A
 
     most = min(max(host.slots for host in hosts), MOST_SHARING)
     alone, *_ = choose_processes(model, profile, "segment", most, lambda p: searched(p).schedule)
-    far = replace(profile, steps=replace(costs, window=costs.network, message=costs.network))
-    shared = tuple(
-        _shared(model, hosts[:count], searched(count, far), profile)
-        for count in _counts(min(len(hosts), MOST_SHARING))[1:]
-    )
+    shared = []
+    for count in _counts(min(len(hosts), MOST_SHARING))[1:]:
+        farthest = network(0, count - 1)
+        far = replace(profile, steps=replace(costs, window=farthest, message=farthest))
+        shared.append(_shared(model, hosts[:count], searched(count, far), profile, network))
     state = state_time(model, profile)
-    batches = tuple(
-        _batches(model, hosts[:count], state, costs, costs.network) for count in _counts(len(hosts))
-    )
-    return Across(alone, shared, batches, state, profile.name, margin(profile))
+    batches = batches_on(model, hosts, state, costs, network)
+    return Across(alone, tuple(shared), batches, state, profile.name, margin(profile))
+
+
+def network_of(profile: CostProfile) -> Network:
+    """Return what a profile says of messages between any two hosts.
+
+    Raises:
+        ValueError: it says nothing.
+    """
+    costs = None if profile.steps is None else profile.steps.network
+    if costs is None:
+        raise ValueError(f"the profile {profile.name} has no costs of messages between hosts")
+    return lambda _a, _b: costs
 
 
 def _counts(hosts: int) -> list[int]:
@@ -141,10 +156,16 @@ def _counts(hosts: int) -> list[int]:
     return sorted({*found, hosts})
 
 
-def _shared(model: Model, hosts: Sequence[Host], found: Candidate, profile: CostProfile) -> Shared:
+def _shared(
+    model: Model,
+    hosts: Sequence[Host],
+    found: Candidate,
+    profile: CostProfile,
+    network: Network,
+) -> Shared:
     plan = make_plan(model, found.schedule)
-    places = placed(hosts, found.processes)
-    time = timeline(priced_program(plan, profile=profile), profile, places).makespan
+    links = between_hosts(placed(hosts, found.processes), network)
+    time = timeline(priced_program(plan, profile=profile), profile, links).makespan
     working = sum(bool(process.owns) for process in plan.processes)
     return Shared(len(hosts), found.processes, working, time)
 
@@ -172,17 +193,32 @@ def state_time(model: Model, profile: CostProfile) -> float:
     return timeline(programmed(plan, shape, profile, batch=True), profile).makespan / LANES
 
 
-def _batches(
+def batches_on(
     model: Model,
     hosts: Sequence[Host],
     state: float,
     costs: StepCosts,
-    network: ChannelCosts,
-) -> HandedOut:
-    near = Helper(costs.message, far=False)
-    helpers = [near] * (hosts[0].slots - 1)
-    helpers += [Helper(network, far=True)] * sum(host.slots for host in hosts[1:])
+    network: Network,
+) -> tuple[HandedOut, ...]:
+    """Return how batches go that process 0 hands out, on 1, 2, 4, ... of the hosts and on all.
+
+    Args:
+        model: the robot.
+        hosts: in the order in which they are filled.
+        state: microseconds of a state on one process.
+        costs: of messages in a host.
+        network: of messages between hosts.
+    """
     batch = Batch(STATES, state, model.nq + model.nv + model.ntau, model.nv, LANES)
+    return tuple(_batches(batch, hosts[:count], costs, network) for count in _counts(len(hosts)))
+
+
+def _batches(batch: Batch, hosts: Sequence[Host], costs: StepCosts, network: Network) -> HandedOut:
+    helpers = [Helper(costs.message, far=False)] * (hosts[0].slots - 1)
+    for k, host in enumerate(hosts[1:], 1):
+        helpers += [Helper(network(0, k), far=True)] * host.slots
     found = handed_out(batch, helpers)
     processes = 1 + len(helpers)
-    return HandedOut(len(hosts), processes, found, STATES / found.makespan, processes / state)
+    return HandedOut(
+        len(hosts), processes, found, batch.states / found.makespan, processes / batch.state
+    )

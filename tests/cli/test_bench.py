@@ -13,6 +13,7 @@ from adagen.cli.contest import Entry, contest, measure
 from adagen.errors import UsageError
 from adagen.studies.bench.contest import Rules
 from adagen.studies.bench.record import read_record
+from adagen.studies.bench.scale_record import read_scale
 from tests.cli.robots import write_arm
 
 ONE = ("--variant", "--procs 1", "--rounds", "2", "--peers", "none")
@@ -109,6 +110,14 @@ def test_a_robot_that_cannot_be_measured_may_be_left_out(
         (["--rounds", "0"], 2, "must be a whole number from 1 to 1000"),
         (["--variant", "--procs 1 --shape cubist", "--peers", "none"], 2, "cubist"),
         (["--profile", "none-such", *ONE], 2, "no cost profile"),
+        (["--joints", "8"], 2, "--joints is for --scale"),
+        (["--scale", "--floating"], 2, "--scale takes no --floating"),
+        (["--scale", "--joints", "8,x"], 2, "must be a whole number from 2"),
+        (["--scale", "--processes", "65"], 2, "must be a whole number from 1 to 64"),
+        (["--scale", "--peers", "mujoco"], 2, "compares with pinocchio alone"),
+        (["--scale", "--profile", "paper"], 2, "needs a profile with costs of steps"),
+        (["--scale", "--hosts", "none.toml"], 1, "cannot read the levels"),
+        (["other.urdf", "--scale"], 2, "one MODEL at most"),
     ],
 )
 def test_refusals(
@@ -120,6 +129,26 @@ def test_refusals(
 ) -> None:
     assert main(["bench", str(arm), *words]) == status
     assert complaint in capsys.readouterr().err
+
+
+def test_how_far_chains_scale(
+    arm: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    out = tmp_path / "out"
+    words = ("--joints", "8,16", "--processes", "1,2", "--quick", "--peers", "none")
+    assert main(["bench", "--scale", str(arm), *words, "--out", str(out)]) == 0
+    said = capsys.readouterr().out
+    assert "batches of arm" in said and max(map(len, said.splitlines())) <= 80
+    scale = read_scale(out / "scale.json")
+    assert (scale.joints, scale.processes, scale.robot) == ((8, 16), (1, 2), "arm")
+    assert {row.source for row in scale.batches} == {"clock", "predicted"}
+    assert "Batches of arm" in (out / "scale.md").read_text()
+
+
+def test_a_robot_or_chains_must_be_named(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["bench", "--quick"]) == 2
+    assert "required: MODEL" in capsys.readouterr().err
 
 
 def test_a_robot_that_is_not_there(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

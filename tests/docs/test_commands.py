@@ -105,9 +105,7 @@ def known_options(words: list[str], capsys: pytest.CaptureFixture[str]) -> set[s
     }
 
 
-SHORT = [[verb] for verb in ("info", "verify", "calibrate", "stability", "bench", "completion")] + [
-    ["env"]
-]
+SHORT = [[verb] for verb in ("info", "verify", "calibrate", "stability", "completion")] + [["env"]]
 
 
 def cache_of(factory: pytest.TempPathFactory) -> Path:

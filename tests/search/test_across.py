@@ -14,7 +14,8 @@ from adagen.cost import timeline
 from adagen.emit.predicted import priced_program
 from adagen.schedule import CostProfile, Host, load_profile
 from adagen.schedule.costs import ChannelCosts
-from adagen.search.across import across_hosts, placed
+from adagen.schedule.fabric import between_hosts
+from adagen.search.across import across_hosts, network_of, placed
 from tests.emitted import plan_of
 from tests.golden.make_models import MODELS
 from tests.models import serial_chain
@@ -41,11 +42,13 @@ def test_a_message_between_hosts_has_the_network_s_price() -> None:
     profile = with_network(LAN)
     program = priced_program(plan, profile=profile)
     near = timeline(program, profile)
-    assert timeline(program, profile, [0, 0]) == near == timeline(program, load_profile("default"))
-    far = timeline(program, profile, [0, 1])
+    network = network_of(profile)
+    assert timeline(program, profile, between_hosts([0, 0], network)) == near
+    assert timeline(program, load_profile("default")) == near
+    far = timeline(program, profile, between_hosts([0, 1], network))
     assert far.makespan > near.makespan + 2 * 20  # there and back
     with pytest.raises(ValueError, match="no costs of messages between hosts"):
-        timeline(program, load_profile("default"), [0, 1])
+        network_of(load_profile("default"))
 
 
 def test_one_evaluation_stays_on_one_host_unless_the_network_is_as_memory() -> None:
@@ -92,3 +95,19 @@ def test_it_is_said_in_words_and_as_json(
     for more in (["--procs", "2"], ["--svg", "x.svg"], ["--form", "ada"], ["--reproducible"]):
         assert main([*words, *more]) == 2
         assert f"leave out {more[0]}" in capsys.readouterr().err
+
+
+def test_levels_of_a_cluster_stand_for_hosts(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Nothing is measured for them: the shipped profile does."""
+    levels = tmp_path / "cluster.toml"
+    levels.write_text(
+        '[[level]]\nname = "node"\nsize = 2\n'
+        '[[level]]\nname = "switch"\nsize = 4\nsend = 0.1\nlatency = 1.3\nnumber = 0.001\n'
+    )
+    robot = str(MODELS / "arm7.urdf")
+    assert main(["schedule", robot, "--hosts", str(levels), "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert [one["processes"] for one in told["batch"]["several"]] == [2, 4, 8]
+    assert told["single"]["hosts"] == 1 and told["profile"] == "default"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import cycle, product
 from pathlib import Path
 from typing import Any
@@ -66,12 +66,17 @@ def draw_all(record: Record, folder: Path, endings: Sequence[str] = ("svg",)) ->
             figure = maker(record)
             if figure is None:
                 continue
-            for ending in endings:
-                path = folder / f"bench_{name}.{ending}"
-                metadata = {"Date": None} if ending == "svg" else None
-                figure.savefig(path, metadata=metadata, dpi=110)
-                written.append(path)
+            written += saved(figure, folder / f"bench_{name}", endings)
     return written
+
+
+def saved(figure: Figure, stem: Path, endings: Sequence[str]) -> list[Path]:
+    """Write a figure as files of some endings, the same bytes each time; return them."""
+    paths = [stem.with_name(f"{stem.name}.{ending}") for ending in endings]
+    for path in paths:
+        metadata = {"Date": None} if path.suffix == ".svg" else None
+        figure.savefig(path, metadata=metadata, dpi=110)
+    return paths
 
 
 def rows_of(model: ModelRecord) -> Iterator[tuple[str, Row]]:
@@ -92,17 +97,19 @@ def _is_chain(model: ModelRecord) -> bool:
     return model.name.startswith(CHAIN) and model.name.removeprefix(CHAIN).isdigit()
 
 
-def _figure(record: Record, title: str, width: float, height: float) -> tuple[Figure, Any]:
+def figure_of(
+    machine: Mapping[str, Any], title: str, width: float, height: float
+) -> tuple[Figure, Any]:
     """Return a figure with one axes, headed by a title and the machine."""
     figure = Figure(figsize=(width, height), layout="constrained")
     axes = figure.add_subplot()
     axes.set_title(title, loc="left", fontweight="bold", pad=19)
-    where = f"{record.machine['processor']}, {record.machine['cores']} cores"
+    where = f"{machine['processor']}, {machine['cores']} cores"
     axes.text(0, 1.0, where, transform=axes.transAxes, va="bottom", fontsize=8.5, color="#555555")
     return figure, axes
 
 
-def _microseconds(axis: Any) -> None:
+def microseconds(axis: Any) -> None:
     """Label a logarithmic axis of nanoseconds in plain microseconds."""
     axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     axis.set_major_formatter(FuncFormatter(lambda ns, _: f"{ns / 1e3:g}"))
@@ -115,7 +122,7 @@ def boxes(record: Record) -> Figure | None:
     models = [m for m in timed if not _is_chain(m)] or timed
     if not models:
         return None
-    figure, axes = _figure(record, "Time of one evaluation", 9.5, 2.4 + 0.8 * len(models))
+    figure, axes = figure_of(record.machine, "Time of one evaluation", 9.5, 2.4 + 0.8 * len(models))
     pitch = 1.0 / (len(SERIES) + 1)
     shown: dict[str, list[Row]] = {}
     for place, model in enumerate(models):
@@ -132,7 +139,7 @@ def boxes(record: Record) -> Figure | None:
         axes.axhline(line - 0.5, color="#bbbbbb", linewidth=0.7)
     axes.grid(visible=False, axis="y")
     axes.set_xlabel("µs (boxes: medians of the rounds; whiskers: their range)")
-    _microseconds(axes.xaxis)
+    microseconds(axes.xaxis)
     for key in filter(shown.__contains__, SERIES):
         label = _label(key, shown[key])
         axes.plot([], [], color=SERIES[key][1], linewidth=6, label=label)
@@ -163,7 +170,9 @@ def against_joints(record: Record) -> Figure | None:
     chains = sorted(filter(_is_chain, record.models), key=lambda m: m.joints)
     if len(chains) < 2:
         return None
-    figure, axes = _figure(record, "Serial chains: time of one evaluation against joints", 8, 5.2)
+    figure, axes = figure_of(
+        record.machine, "Serial chains: time of one evaluation against joints", 8, 5.2
+    )
     for key, (_, colour) in SERIES.items():
         rows = [(m.joints, row) for m in chains if (row := dict(rows_of(m)).get(key))]
         if rows:
@@ -175,7 +184,7 @@ def against_joints(record: Record) -> Figure | None:
     joints = [m.joints for m in chains]
     axes.set_xticks(joints, [str(n) for n in joints], minor=False)
     axes.xaxis.set_minor_formatter(NullFormatter())
-    _microseconds(axes.yaxis)
+    microseconds(axes.yaxis)
     axes.set_xlabel("joints")
     axes.set_ylabel("µs")
     axes.legend(frameon=False, fontsize=9)
@@ -184,7 +193,7 @@ def against_joints(record: Record) -> Figure | None:
 
 def _by_robot(record: Record, title: str, models: Sequence[ModelRecord]) -> tuple[Figure, Any]:
     """Return a figure with a line for each robot, the first at the top."""
-    figure, axes = _figure(record, title, 8.5, 2.4 + 0.36 * len(models))
+    figure, axes = figure_of(record.machine, title, 8.5, 2.4 + 0.36 * len(models))
     axes.set_yticks(range(len(models)), [f"{m.name}, {m.dofs} DOF" for m in models])
     axes.set_ylim(len(models) - 0.5, -0.5)
     return figure, axes

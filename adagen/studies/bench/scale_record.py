@@ -1,0 +1,148 @@
+"""How far solvers scale, as plain data: kept in one JSON file, from which pictures come."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from adagen.errors import InputError
+from adagen.studies.bench.contest import Rules
+from adagen.wholefile import write_whole
+
+CLOCK, STRETCHES = "clock", "stretches"
+PREDICTED = "predicted"
+
+
+@dataclass(frozen=True)
+class ScaleRow:
+    """One time of a chain's solver.
+
+    Attributes:
+        team: adagen or pinocchio.
+        name: the contestant.
+        joints: of the chain.
+        processes: P.
+        source: ``clock`` or ``stretches``.
+        median: nanoseconds of an evaluation, median of the turns' medians.
+        least: the fastest evaluation.
+        residual: largest, of inverse dynamics, relative to the torques at work.
+        predicted: nanoseconds by the cost profile; None of others' solvers.
+        meeting: how processes meet; "alone" on one.
+        generated: seconds of the processor to read, search and emit.
+        compiled: seconds of the processor to compile; 0 where the program was in the cache.
+        size: of the source, kB.
+    """
+
+    team: str
+    name: str
+    joints: int
+    processes: int
+    source: str
+    median: float
+    least: float
+    residual: float
+    predicted: float | None = None
+    meeting: str = "alone"
+    generated: float = 0.0
+    compiled: float = 0.0
+    size: float = 0.0
+
+
+@dataclass(frozen=True)
+class BatchRow:
+    """States per second of batches.
+
+    Attributes:
+        hosts: how many.
+        processes: how many in all.
+        source: ``clock`` or ``predicted``.
+        in_place: where each process has its own states.
+        distributed: where process 0 hands them out.
+        limit: what limits handing out, where that is predicted.
+    """
+
+    hosts: int
+    processes: int
+    source: str
+    in_place: float
+    distributed: float
+    limit: str = ""
+
+
+@dataclass(frozen=True)
+class Scale:
+    """A whole run.
+
+    Attributes:
+        machine: processor, cores, compilers, versions.
+        rules: how it was measured.
+        profile: name of the cost profile that predicted.
+        rows: chains, from the shortest; of each its solvers.
+        robot: whose batches they are; "" where there are none.
+        batches: on processes of this machine, and on hosts.
+        absent: contestants that are missing, by chain and name, and why.
+    """
+
+    machine: Mapping[str, Any]
+    rules: Rules
+    profile: str
+    rows: tuple[ScaleRow, ...] = ()
+    robot: str = ""
+    batches: tuple[BatchRow, ...] = ()
+    absent: Mapping[str, str] = dataclasses.field(default_factory=dict)
+
+    def row(self, joints: int, processes: int, *sources: str) -> ScaleRow | None:
+        """Return adagen's row of a chain, by the first of the sources that it has a time of."""
+        for source in sources or (CLOCK, STRETCHES):
+            for row in self.rows:
+                if (row.team, row.joints) == ("adagen", joints) and (
+                    (row.processes, row.source) == (processes, source)
+                ):
+                    return row
+        return None
+
+    def peer(self, joints: int) -> ScaleRow | None:
+        """Return the fastest of the others' rows of a chain."""
+        rows = (row for row in self.rows if row.team != "adagen" and row.joints == joints)
+        return min(rows, key=lambda row: row.least, default=None)
+
+    @property
+    def joints(self) -> tuple[int, ...]:
+        """The chains, ascending."""
+        return tuple(sorted({row.joints for row in self.rows}))
+
+    @property
+    def processes(self) -> tuple[int, ...]:
+        """The numbers of processes, ascending."""
+        return tuple(sorted({row.processes for row in self.rows if row.team == "adagen"}))
+
+
+def write_scale(scale: Scale, path: Path) -> None:
+    """Write the JSON file, whole or not at all.
+
+    Raises:
+        EnvironmentFault: writing failed.
+    """
+    write_whole(path, json.dumps(dataclasses.asdict(scale), indent=1) + "\n")
+
+
+def read_scale(path: Path) -> Scale:
+    """Return what a file holds.
+
+    Raises:
+        InputError: it cannot be read, or is not one of ours.
+    """
+    try:
+        data = json.loads(path.read_text(encoding="utf-8"))
+        rows = tuple(ScaleRow(**row) for row in data.pop("rows"))
+        batches = tuple(BatchRow(**row) for row in data.pop("batches"))
+        rules = Rules(**data.pop("rules"))
+        return Scale(rules=rules, rows=rows, batches=batches, **data)
+    except OSError as error:
+        raise InputError(f"cannot read it: {error.strerror}", str(path)) from None
+    except (ValueError, KeyError, TypeError) as error:
+        raise InputError(f"not a record of scaling: {error}", str(path)) from None

@@ -1,0 +1,131 @@
+"""A record of scaling as tables: for people at a terminal and as Markdown."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from adagen.studies.bench.report import table
+from adagen.studies.bench.scale_record import CLOCK, PREDICTED, STRETCHES, Scale, ScaleRow
+
+TIMES = ("joints", "P", "us", "saved", "ideal", "predicted us", "off", "residual")
+"""Heads of ``times``: what is saved and the ideal are shares of the time on one process."""
+BATCHES = ("hosts", "P", "own states/s", "handed out/s", "limited by")
+NOTE = (
+    "us: the fastest evaluation of all turns; ≈: from stretches of computing. Ideal: P processes "
+    "save all but the P-th part. Off: measured beside predicted."
+)
+_ALONE = ("joints", "generate, s", "compile, s", "source, kB", "us", "ns a joint", "× the shortest")
+_SHARED = ("joints", "P", "meeting", "generate, s", "compile, s", *TIMES[2:7])
+
+
+def times(scale: Scale) -> list[list[str]]:
+    """Return a row for each time, a cell for each of TIMES."""
+    return [_time(scale, row) for row in scale.rows]
+
+
+def _time(scale: Scale, row: ScaleRow) -> list[str]:
+    one = scale.row(row.joints, 1)
+    ours = row.team == "adagen"
+    saved = "" if one is None or one is row else f"{1 - row.least / one.least:.0%}"
+    mark = "≈" if row.source == STRETCHES else ""
+    return [
+        str(row.joints),
+        str(row.processes) if ours else row.team,
+        f"{mark}{row.least / 1e3:.3g}",
+        saved if ours else f"{row.least / one.least:.1f} x" if one is not None else "",
+        f"{1 - 1 / row.processes:.0%}" if row.processes > 1 else "",
+        "" if row.predicted is None else f"{row.predicted / 1e3:.3g}",
+        "" if row.predicted is None else f"{row.least / row.predicted - 1:+.0%}",
+        f"{row.residual:.0e}",
+    ]
+
+
+def batches(scale: Scale) -> list[list[str]]:
+    """Return a row for each number of processes and hosts, a cell for each of BATCHES."""
+    return [
+        [
+            f"{'≈' if row.source == PREDICTED else ''}{row.hosts}",
+            str(row.processes),
+            f"{row.in_place:.3g}",
+            f"{row.distributed:.3g}",
+            row.limit,
+        ]
+        for row in scale.batches
+    ]
+
+
+def markdown(scale: Scale) -> str:
+    """Return the tables as Markdown."""
+    return "\n".join([*_head(scale), *_alone(scale), *_shared(scale), *_batches(scale)])
+
+
+def _head(scale: Scale) -> Iterator[str]:
+    machine, rules = scale.machine, scale.rules
+    compilers = "; ".join(machine["compilers"].values())
+    yield (
+        f"{machine['processor']}, {machine['cores']} cores, {machine['system']}; {compilers}. "
+        f"Load before: {machine['load_before']}. Profile: {scale.profile}."
+    )
+    yield (
+        f"{rules.rounds} rounds by turns, {rules.repeat} evaluations of each of 64 random states "
+        "in a turn; the fastest evaluation. Seconds are of the processor; a program that was in "
+        "the cache took none to compile. ≈: from stretches of computing."
+    )
+    yield ""
+
+
+def _alone(scale: Scale) -> Iterator[str]:
+    rows = [row for n in scale.joints if (row := scale.row(n, 1)) is not None]
+    if not rows:
+        return
+    first = rows[0].least / rows[0].joints
+    cells = []
+    for row in rows:
+        each, peer = row.least / row.joints, scale.peer(row.joints)
+        cells.append(
+            [
+                str(row.joints),
+                f"{row.generated:.1f}",
+                f"{row.compiled:.1f}",
+                f"{row.size:.0f}",
+                f"{row.least / 1e3:.2f}",
+                f"{each:.1f}",
+                f"{each / first:.2f}",
+                "" if peer is None else f"{peer.least / 1e3:.1f}",
+            ]
+        )
+    yield from table((*_ALONE, "pinocchio, us"), cells)
+    yield ""
+
+
+def _shared(scale: Scale) -> Iterator[str]:
+    rows = [row for row in scale.rows if row.team == "adagen" and row.processes > 1]
+    if rows:
+        cells = []
+        for row in rows:
+            joints, processes, *rest = _time(scale, row)
+            made = [row.meeting, f"{row.generated:.1f}", f"{row.compiled:.1f}"]
+            cells.append([joints, processes, *made, *rest[:5]])
+        yield from table(_SHARED, cells)
+        yield ""
+
+
+def _batches(scale: Scale) -> Iterator[str]:
+    if scale.batches:
+        yield f"Batches of {scale.robot}; ≈: predicted."
+        yield ""
+        yield from table(BATCHES, batches(scale))
+        yield ""
+
+
+def off(scale: Scale) -> dict[tuple[int, str], float]:
+    """Return by how much measured times differ from predicted ones, by processes and source.
+
+    The largest share over all chains, its sign that of the time beside the prediction.
+    """
+    found: dict[tuple[int, str], float] = {}
+    for row in scale.rows:
+        if row.predicted and row.source in (CLOCK, STRETCHES):
+            key, share = (row.processes, row.source), row.least / row.predicted - 1
+            found[key] = max(found.get(key, share), share, key=abs)
+    return found
