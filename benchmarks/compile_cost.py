@@ -1,9 +1,17 @@
-"""What generating and compiling costs: time, memory and size, for a robot of 161 DOF or any URDF.
+"""What a solver costs to read, to generate and to compile: ``python -m benchmarks.compile_cost``.
 
-    python -m benchmarks.compile_cost [URDF ...] [--procs 4] [--form segment] [--flags="-O3 ..."]
+    chrt -f 50 python -m benchmarks.compile_cost [--page]
+    python -m benchmarks.compile_cost --large [--procs 4] [--flags="-O3 ..."]
 
-Nothing is asserted: figures of one machine are no test. The aims are generation within 10 s,
-compilation within 60 s and 2 GiB, and an emitted file under 2 MiB.
+For robots of example-robot-data on one process, in each code shape: lines of the source, how many
+of them are the robot's own, and the times to generate the solver and to compile it as `make lib`
+does. A line is the robot's own unless it stands in the sources of all the other robots that are
+made with the same options. --large takes a figure of 161 degrees of freedom on several processes
+instead, as a whole program; its aims are generation within 10 s, compilation within 60 s and 2 GiB,
+and an emitted file under 2 MiB.
+
+Nothing is asserted: figures of one machine are no test. --page writes the tables into
+docs/records/compile_time.md.
 """
 
 from __future__ import annotations
@@ -15,86 +23,153 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+import adagen
 from adagen.build import find_toolchain
+from adagen.build.cache import uses_mpi
 from adagen.emit import emit, stem_of
 from adagen.emit.runtime import joined
-from adagen.model import Model
 from adagen.plan import FORMS, make_plan
 from adagen.schedule import Topology, load_profile
 from adagen.search import find_schedule
-from adagen.urdf import read_robot
+from adagen.studies.bench.machine import machine
+from benchmarks.page import write_between_marks
 from tests.large import human161
+from tests.real import real_robot
+
+ROOT = Path(__file__).resolve().parents[1]
+LIBRARY = ("-DADAGEN_NO_MAIN", "-fPIC", "-c")
+ROBOTS = {
+    "ur5": ("ur_description/urdf/ur5_robot.urdf", False),
+    "z1": ("z1_description/urdf/z1.urdf", False),
+    "panda": ("panda_description/urdf/panda.urdf", False),
+    "solo12": ("solo_description/robots/solo12.urdf", True),
+    "talos": ("talos_data/robots/talos_reduced.urdf", True),
+    "icub": ("icub_description/robots/icub.urdf", True),
+}
+"""Files, and whether they are put on a floating base."""
+
+SHAPES = ("auto", "unrolled", "kernels", "joints")
 
 
-@contextmanager
-def timed(seconds: dict[str, float], stage: str) -> Iterator[None]:
-    """Note how long a stage took."""
-    start = time.perf_counter()
-    yield
-    seconds[stage] = time.perf_counter() - start
+@dataclass(frozen=True)
+class Cost:
+    """Wall and processor seconds, and the largest resident size in MiB, of a compilation."""
+
+    wall: float
+    processor: float
+    memory: float
 
 
-def generate(source: str | None, processes: int, form: str) -> tuple[str, str, dict[str, float]]:
-    """Return the stem, the emitted source and the seconds of each stage."""
-    seconds: dict[str, float] = {}
-    with timed(seconds, "read"):
-        model: Model = human161() if source is None else read_robot(source).model
-    with timed(seconds, "schedule"):
-        topology = Topology.of(model)
-        schedule = find_schedule(topology, processes, profile=load_profile("default"))
-    with timed(seconds, "plan"):
-        plan = make_plan(model, schedule, form=form)
-    with timed(seconds, "emit"):
-        stem = stem_of(plan)
-        text = joined(emit(plan)[f"{stem}.cpp"])
-    return stem, text, seconds
+def compiled_in(stem: str, text: str, flags: Sequence[str], words: Sequence[str] = ()) -> Cost:
+    """Return what it costs to compile a source.
 
-
-def compile_cost(stem: str, text: str, flags: Sequence[str]) -> tuple[float, float, float]:
-    """Return wall and processor seconds and the largest resident size (MiB) of a compilation."""
+    Args:
+        stem: name of the file.
+        text: its text.
+        flags: instead of the default options; none for those.
+        words: further options; none for a whole program.
+    """
     toolchain = find_toolchain()
     if flags:
         toolchain = replace(toolchain, flags=("-std=c++17", *flags))
+    text = joined(text)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, f"{stem}.cpp")
         path.write_text(text, encoding="utf-8")
-        command = toolchain.compile_command(path, path.with_suffix(""))
+        command = toolchain.compile_command(path, path.with_suffix(".o"), uses_mpi(text))
         start = time.perf_counter()
-        child = subprocess.Popen(command, env=toolchain.variables(os.environ))
+        child = subprocess.Popen([*command, *words], env=toolchain.variables(os.environ))
         _, status, used = os.wait4(child.pid, 0)
         wall = time.perf_counter() - start
         child.returncode = os.waitstatus_to_exitcode(status)
     if child.returncode != 0:
         raise SystemExit(f"{stem} does not compile")
     unit = 1 if sys.platform == "darwin" else 1024
-    return wall, used.ru_utime + used.ru_stime, used.ru_maxrss * unit / 2**20
+    return Cost(wall, used.ru_utime + used.ru_stime, used.ru_maxrss * unit / 2**20)
+
+
+def own_lines(name: str, sources: Mapping[str, str]) -> float:
+    """Return the share of a source's lines that do not stand in all others; blank ones apart."""
+    lines = [line for line in sources[name].splitlines() if line.strip()]
+    others = [set(text.splitlines()) for other, text in sources.items() if other != name]
+    return sum(not all(line in text for text in others) for line in lines) / len(lines)
+
+
+def solvers() -> list[str]:
+    """Return the rows of the table of solvers, shape by shape."""
+    robots = {
+        name: adagen.read(real_robot(file), floating=floating)
+        for name, (file, floating) in ROBOTS.items()
+    }
+    rows = []
+    for shape in SHAPES:
+        sources, chosen, seconds = {}, {}, {}
+        for name, robot in robots.items():
+            start = time.perf_counter()
+            made = adagen.compile(robot, procs=1, shape=shape)
+            sources[name], seconds[name] = made.source, time.perf_counter() - start
+            chosen[name] = made.program.shape
+        for name, text in sources.items():
+            alike = {n: other for n, other in sources.items() if chosen[n] == chosen[name]}
+            share = f"{own_lines(name, alike):.0%}" if len(alike) > 1 else "-"
+            cost = compiled_in(name, text, (), LIBRARY)
+            told = f"auto: `{chosen[name]}`" if shape == "auto" else f"`{shape}`"
+            rows.append(
+                f"| {name} | {len(robots[name].model.joints)} | {told} | {len(text.splitlines())} "
+                f"| {share} | {seconds[name]:.1f} | {cost.wall:.2f} | {cost.memory:.0f} |"
+            )
+            print(rows[-1], file=sys.stderr)
+    return rows
+
+
+def large(processes: int, flags: Sequence[str]) -> list[str]:
+    """Return the rows of the table of a large robot, form by form."""
+    model, rows = human161(), []
+    for form in FORMS:
+        start = time.perf_counter()
+        schedule = find_schedule(Topology.of(model), processes, profile=load_profile("default"))
+        plan = make_plan(model, schedule, form=form)
+        stem = stem_of(plan)
+        text = joined(emit(plan)[f"{stem}.cpp"])
+        generated = time.perf_counter() - start
+        cost = compiled_in(stem, text, flags)
+        rows.append(
+            f"| {stem} | {form} | {generated:.1f} | {cost.wall:.1f} | {cost.processor:.1f} "
+            f"| {cost.memory:.0f} | {len(text.encode()) / 1024:.0f} |"
+        )
+    return rows
 
 
 def main() -> None:
-    """Measure what the command line names and print a table."""
+    """Measure what the command line names and print a table, or write it."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("urdf", nargs="*", help="robots; a figure of 161 DOF if none")
-    parser.add_argument("--procs", type=int, default=4)
-    parser.add_argument("--form", choices=(*FORMS,), action="append", help="default: all")
-    parser.add_argument("--flags", type=shlex.split, default=[], help="instead of the default ones")
+    parser.add_argument("--large", action="store_true", help="a figure of 161 degrees of freedom")
+    parser.add_argument("--procs", type=int, default=4, help="processes of --large (default: 4)")
+    parser.add_argument("--flags", type=shlex.split, default=[], help="of --large: its options")
+    parser.add_argument("--page", action="store_true", help="write docs/records/compile_time.md")
     options = parser.parse_args()
-    print(
-        "file                    form     generate s (schedule)   compile s (cpu)    MiB  file KiB"
-    )
-    for source in options.urdf or [None]:
-        for form in options.form or FORMS:
-            stem, text, seconds = generate(source, options.procs, form)
-            wall, processor, memory = compile_cost(stem, text, options.flags)
-            total = sum(seconds.values())
-            print(
-                f"{stem:23.23s} {form:8s} {total:10.2f} ({seconds['schedule']:.2f})"
-                f" {wall:15.1f} ({processor:.1f}) {memory:8.0f} {len(text.encode()) / 1024:8.0f}"
-            )
+    if options.large:
+        head = "file | form | generate, s | compile, s | processor s | MiB | KiB of text"
+        rows = large(options.procs, options.flags)
+    else:
+        head = "robot | joints | shape | lines | own | generate, s | compile, s | compiler, MiB"
+        rows = solvers()
+    about = machine()
+    compiler = about["compilers"]
+    assert isinstance(compiler, dict)
+    priority = "real-time" if os.sched_getscheduler(0) else "ordinary"
+    said = f"Machine: virtual, cores of an {about['processor']}, "
+    said += f"{compiler.get('g++', 'another compiler')}, {priority} priority."
+    rule = "|---" * (head.count("|") + 1) + "|"
+    text = "\n".join([said, "", f"| {head} |", rule, *rows])
+    print(text)
+    if options.page:
+        mark = "compile_cost --large" if options.large else "compile_cost"
+        write_between_marks(ROOT / "docs" / "records" / "compile_time.md", mark, text)
 
 
 if __name__ == "__main__":

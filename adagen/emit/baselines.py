@@ -24,5 +24,5 @@ def why_not(plan: Plan) -> str | None:
 
 def values(_: Words) -> dict[str, object]:
     """Return what the templates of baselines are told: their runtime headers."""
-    runtime = ["spatial.hpp", "status.hpp", "failures.hpp", "joins.hpp"]
+    runtime = ["spatial.hpp", "failures.hpp", "joins.hpp"]
     return {"runtime": [*runtime, "inertia.hpp", "articulated.hpp"]}

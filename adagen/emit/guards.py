@@ -6,7 +6,7 @@ spoilt; before, it looks at what none of them depends on. One that sends must no
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from adagen.emit.entries import entries_of, given_entries, ranges, read_joints
 from adagen.emit.words import Words
@@ -39,7 +39,8 @@ def results(words: Words, process: Process) -> list[str]:
     if talks(process) or not gives:
         return [*overflow, *gives]
     amiss = " || ".join(f"!went_well(w, {first}, {count})" for first, count in ranges(entries))
-    return [*in_hindsight(amiss, _state(words, process), overflow), *gives]
+    looked_at = ", ".join(map(_braced, (*_read(words, process), entries)))
+    return [f"if ({amiss}) find_fault(w, {looked_at});", *gives]
 
 
 def corrections(words: Words, process: Process) -> list[str]:
@@ -49,32 +50,24 @@ def corrections(words: Words, process: Process) -> list[str]:
     return [*overflow, *(f"give(w, {first}, {count});" for first, count in ranges(entries))]
 
 
-def in_hindsight(amiss: str, state: Sequence[str], overflow: Sequence[str]) -> list[str]:
-    """Return lines that find out what was amiss: the state at first, then what failed.
-
-    Args:
-        amiss: whether a failure was noted, or an acceleration is not finite.
-        state: lines that refuse a state.
-        overflow: lines that refuse accelerations.
-    """
-    return [
-        f"if ({amiss}) {{",
-        "  // The state's own faults are named before all others.",
-        "  const int found = std::exchange(w.status, kFine);",
-        *(f"  {line}" for line in state),
-        "  Channel::fail(w.status, found);",
-        *(f"  {line}" for line in overflow),
-        "}",
-    ]
-
-
 def _state(words: Words, process: Process) -> list[str]:
-    read = read_joints(words, process)
+    q, v, tau = _read(words, process)
     return [
-        *_finite("w.q", entries_of(words, "q", read), "q", "kNotFinite"),
-        *_finite("w.v", entries_of(words, "v", read), "v", "kNotFinite"),
-        *_finite("w.tau", entries_of(words, "v", process.treated), "v", "kNotFinite"),
+        *_finite("w.q", q, "q", "kNotFinite"),
+        *_finite("w.v", v, "v", "kNotFinite"),
+        *_finite("w.tau", tau, "v", "kNotFinite"),
     ]
+
+
+def _read(words: Words, process: Process) -> tuple[list[int], list[int], list[int]]:
+    """Entries of q, v and tau that a process reads."""
+    read = read_joints(words, process)
+    tau = entries_of(words, "v", process.treated)
+    return entries_of(words, "q", read), entries_of(words, "v", read), tau
+
+
+def _braced(entries: Iterable[int]) -> str:
+    return f"{{{', '.join(f'{{{first}, {count}}}' for first, count in ranges(entries))}}}"
 
 
 def _finite(array: str, entries: Iterable[int], place: str, failure: str) -> list[str]:

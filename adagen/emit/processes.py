@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from adagen.emit import effects
 from adagen.emit.entries import Range, entries_of, given_entries, ranges, read_joints
-from adagen.emit.stages import stage_rows
+from adagen.emit.stages import stage_lines
 from adagen.emit.words import Words
 from adagen.executor import simulate
+from adagen.plan.stages import stages
 from adagen.plan.steps import LinkBias, StartLink
 from adagen.plan.types import Message, Process
 
@@ -19,13 +18,12 @@ def process_rows(words: Words) -> list[dict[str, object]]:
     """Return what the template says of each process."""
     return [
         {
+            "index": p,
             "summary": _summary(words, process),
-            "stages": stage_rows(process),
-            "tables": _tables(words, p, process),
-            "info": ", ".join(
-                f"{{{table.count}, {table.name}.data()}}" if table.ranges else "{0, nullptr}"
-                for table in _tables(words, p, process)
-            ),
+            "stages": stage_lines(process),
+            "stage_count": len(stages(process)),
+            "ranges": [own for table in _tables(words, process) for own in table],
+            "info": _info(p, _tables(words, process)),
         }
         for p, process in enumerate(words.plan.processes)
     ]
@@ -70,37 +68,31 @@ def message_size(words: Words, message: Message) -> int:
     return message.numbers(words.plan.right_hand_sides if whole else words.columns)
 
 
-@dataclass(frozen=True)
-class _Table:
-    """Entries of a vector that a process needs, as ranges (first, count)."""
+def _tables(words: Words, process: Process) -> list[list[Range]]:
+    """What a process reads of q and v (a slaved joint's from its source), its own entries, and tau.
 
-    name: str
-    ranges: list[Range]
-
-    @property
-    def count(self) -> int:
-        return len(self.ranges)
-
-    @property
-    def entries(self) -> int:
-        return sum(count for _, count in self.ranges)
-
-
-def _tables(words: Words, p: int, process: Process) -> list[_Table]:
-    """What a process reads of q and v (a slaved joint's from its source), and its own entries."""
+    Each as ranges (first, count).
+    """
     read = read_joints(words, process)
     q, v = entries_of(words, "q", read), entries_of(words, "v", read)
     own = [*given_entries(words, process), *words.plan.force_entries(process)]
     torques = entries_of(words, "v", (*process.owns, *process.shares, *process.spares))
     links = {step.link for step in process.steps if isinstance(step, LinkBias | StartLink)}
     torques += effects.pushed_entries(words, links)
-    return [
-        _Table(f"{name}_{p}", ranges(entries))
-        for name, entries in (("kReadQ", q), ("kReadV", v), ("kOwn", own), ("kTorque", torques))
-    ]
+    return [ranges(entries) for entries in (q, v, own, torques)]
+
+
+def _info(p: int, tables: list[list[Range]]) -> str:
+    """Where the ranges of each table are among all those of a process."""
+    first, parts = 0, []
+    for table in tables:
+        place = f"kRanges_{p}.data(){f' + {first}' * (first > 0)}" if table else "nullptr"
+        parts.append(f"{{{len(table)}, {place}}}")
+        first += len(table)
+    return ", ".join(parts)
 
 
 def table_sizes(words: Words, process: Process) -> tuple[int, int]:
     """Return the numbers that process 0 sends it of the state, and that it sends back."""
-    q, v, own, torques = (table.entries for table in _tables(words, 0, process))
+    q, v, own, torques = (sum(n for _, n in table) for table in _tables(words, process))
     return q + v + torques, own

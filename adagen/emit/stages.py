@@ -8,17 +8,19 @@ from adagen.plan.stages import stages
 from adagen.plan.types import Process
 from adagen.program import Operation
 
+_WIDTH = 100  # of lines of stages
 
-def stage_rows(process: Process) -> list[dict[str, object]]:
-    """Return what the template says of each stage; -1 stands for none."""
-    return [
-        {
-            "what": stage.what,
-            "joint": -1 if stage.joint is None else stage.joint,
-            "message": -1 if stage.message is None else stage.message,
-        }
-        for stage in stages(process)
-    ]
+
+def stage_lines(process: Process) -> list[str]:
+    """Return the stages as the template has them, a few on a line; -1 stands for none."""
+    lines = [""]
+    for stage in stages(process):
+        numbers = (-1 if number is None else number for number in (stage.joint, stage.message))
+        told = f'{{"{stage.what}", {", ".join(map(str, numbers))}}}, '
+        if len(lines[-1]) + len(told) > _WIDTH:
+            lines.append("")
+        lines[-1] += told
+    return [line.rstrip() for line in lines if line]
 
 
 def stamped(

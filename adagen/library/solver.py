@@ -22,6 +22,9 @@ from adagen.library.compiled import Compiled
 
 Part = Literal["q", "v", "tau"]
 
+_EXTENSION = ("objects", "arrays", "states", "call", "module")
+"""Parts of the extension behind a solver's source (templates/python), in order."""
+
 
 class Solver:
     """Forward dynamics of one robot: from positions, velocities and torques to accelerations.
@@ -314,7 +317,8 @@ def built(compiled: Compiled, toolchain: Toolchain | None = None) -> Solver:
             f"{compiled.stem} is for {compiled.request.procs} processes, a Python program is one:"
             ' compile with procs=1, or channel="threads"'
         )
-    source = f"#define ADAGEN_NO_MAIN\n{compiled.source}\n{verbatim('python.hpp')}\n"
+    behind = "\n\n".join(verbatim(f"python/{part}.hpp") for part in _EXTENSION)
+    source = f"#define ADAGEN_NO_MAIN\n{compiled.source}\n{behind}\n"
     toolchain = _with_python(find_toolchain() if toolchain is None else toolchain)
     name = f"{compiled.stem}.so"
     solver = _type_of(build_executable(source, name, toolchain))()

@@ -6,7 +6,7 @@
 #include "constants.hpp"
 #include "inertia.hpp"
 #include "joins.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "spatial.hpp"
 #include "status.hpp"
 

@@ -11,8 +11,8 @@
 #include "memory.hpp"
 #include "sample/channel.hpp"
 #include "sample/robot.hpp"
-#include "sample/sizes.hpp"
 #include "sample/textbook.hpp"
+#include "sizes.hpp"
 #include "spatial.hpp"
 #include "status.hpp"
 

@@ -14,7 +14,7 @@
 #include "memory.hpp"
 #include "sample/full_matrices.hpp"
 #include "sample/robot.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "spatial.hpp"
 
 namespace {

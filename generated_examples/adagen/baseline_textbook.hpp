@@ -6,7 +6,7 @@
 
 #include "baseline.hpp"
 #include "joins.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "spatial.hpp"
 
 namespace {

@@ -1,7 +1,7 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <limits>
 
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 
 namespace {
 

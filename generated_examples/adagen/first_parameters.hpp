@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "sample/robot.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 
 namespace {
 

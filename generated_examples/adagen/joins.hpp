@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "common.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "spatial.hpp"
 
 namespace {

@@ -13,8 +13,8 @@
 #include "description.hpp"
 #include "open.hpp"
 #include "relax.hpp"
-#include "sample/sizes.hpp"
 #include "sample/solver.hpp"
+#include "sizes.hpp"
 #include "status.hpp"
 
 namespace {

@@ -8,7 +8,7 @@
 #include "gravity.hpp"
 #include "sample/channel.hpp"
 #include "sample/joints.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "spatial.hpp"
 #include "status.hpp"
 

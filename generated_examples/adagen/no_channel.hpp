@@ -1,12 +1,17 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
-#include "sample/sizes.hpp"
+#include <array>
+
+#include "constants.hpp"
+#include "sizes.hpp"
 #include "status.hpp"
 
 #define ADAGEN_CHANNEL  // there is one
 
 namespace {
+
+[[maybe_unused]] constexpr std::array<MessageInfo, 0> kMessages{};
 
 // One process exchanges with none: what the code around it asks of a channel, without MPI.
 class Take;

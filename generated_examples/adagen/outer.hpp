@@ -8,7 +8,7 @@
 #include "memory.hpp"
 #include "sample/joints.hpp"
 #include "sample/robot.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "spatial.hpp"
 
 namespace {

@@ -7,7 +7,7 @@
 
 #include "constants.hpp"
 #include "sample/robot.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "spatial.hpp"
 #include "wide.hpp"
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "joins.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "spatial.hpp"
 
 namespace {

@@ -3,7 +3,7 @@
 
 #include "articulated.hpp"
 #include "joins.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "spatial.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 
 #include "constants.hpp"
 #include "description.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 
 namespace {
 

@@ -26,7 +26,7 @@
 #include "sample/channel.hpp"
 #include "sample/parameters.hpp"
 #include "sample/processes.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "status.hpp"
 
 namespace {
@@ -109,9 +109,9 @@ class Solver : public InPlace {
     std::thread thread;
   };
 
-  // How long a thread looks for the next evaluation before it sleeps: a loop of 1 kHz then leaves
-  // its core to others for nearly all of the time.
-  static constexpr std::chrono::microseconds kAwake{20};
+  // How long a thread looks for the next evaluation before it sleeps. It only glances where the
+  // last one came after a rest, as the next will: a loop of 1 kHz leaves its core to others.
+  static constexpr std::chrono::microseconds kAwake{20}, kRest{100};
 
   static constexpr std::size_t at(int p) { return static_cast<std::size_t>(p); }
   static bool has_part(int p) { return !kAlone && kProcess[at(p)].own.count > 0; }
@@ -151,20 +151,22 @@ class Solver : public InPlace {
     return number;
   }
 
-  // Waits for an evaluation of this number.
-  void await(std::uint64_t number) {
+  // Waits for an evaluation of this number. Returns whether it came after a rest, and is told that
+  // of the last one.
+  bool await(std::uint64_t number, bool rested) {
     const auto called = [&] { return called_.load(std::memory_order_acquire) >= number; };
-    const auto end = std::chrono::steady_clock::now() + kAwake;
+    const auto start = std::chrono::steady_clock::now();
     do {
       for (int k = 0; k < 64; ++k) {
-        if (called()) return;
+        if (called()) return false;
         relax();
       }
-    } while (std::chrono::steady_clock::now() < end);
+    } while (!rested && std::chrono::steady_clock::now() < start + kAwake);
     std::unique_lock<std::mutex> held(mutex_);
     ++asleep_;
     bell_.wait(held, [&] { return called_.load() >= number; });
     --asleep_;
+    return std::chrono::steady_clock::now() > start + kRest;
   }
 
   // What the thread of process p does. Its memory is its own: touched here first.
@@ -175,8 +177,9 @@ class Solver : public InPlace {
     member.done.store(1, std::memory_order_release);
     if (!member.ready) return;
     own->channel.open(p, slots_, limit);
+    bool rested = false;
     for (std::uint64_t number = 2;; ++number) {
-      await(number);
+      rested = await(number, rested);
       if (ending_) return;
       copy_parameters(w, own->w);
       member.status = own->solve(q_.data(), v_.data(), tau_.data(), qdd_.data());

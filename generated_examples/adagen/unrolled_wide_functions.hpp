@@ -4,7 +4,7 @@
 #include <type_traits>
 
 #include "common.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "unrolled_wide.hpp"
 
 namespace {

@@ -18,13 +18,9 @@
 // (3)-(7), and its force follows from Eq. (8)-(10). Spatial vectors are [angular; linear], in the axes of
 // the base, about each link's origin.
 //
-// Contents:
-//   1. interface   the C functions for a program that links this file
-//   2. model       the robot's constants
-//   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      memory of each joint, and the functions that compute its steps
-//   5. processes   the work of each process, in order
-//   6. program     description for the program around it (adagen_program.cpp), and main
+// Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
+// 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
+// order; 6 program, what the program around it (adagen_program.cpp) is told, and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // arm7_mixed_p2.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
@@ -37,14 +33,8 @@
 #define ADAGEN_CALL(word) arm7_mixed_p2_##word
 #define ADAGEN_NAMED(WORD) ARM7_MIXED_P2_##WORD
 
-#include <mpi.h>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
 
+#include <mpi.h>
 #include <Eigen/Core>
 
 // ---- 2. model -----------------------------------------------------------------------------------
@@ -58,26 +48,20 @@
 #error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
+#include "adagen/settings.hpp"
+
 namespace {
 
-using Number = double;  // type of states, results and messages
-using Real = float;    // type of all other values
-constexpr int kProcesses = 2;
-[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all the work
-constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
-[[maybe_unused]] constexpr int kNq = 9, kNv = 9;
-[[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
-[[maybe_unused]] constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
-[[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
-[[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
-[[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
-[[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
-[[maybe_unused]] constexpr int kRefine = 3;  // steps of iterative refinement
-[[maybe_unused]] constexpr bool kWide = true;  // whether their residuals are found in wider numbers
-[[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
-[[maybe_unused]] constexpr bool kWeighed = kCertified || (kRefine > 0 && !kWide);  // whether residuals are swept inwards
-[[maybe_unused]] constexpr int kPlanMessages = 2;
-[[maybe_unused]] constexpr double kTolerance = 1e-09;
+// What is not as in PlainSettings.
+struct Settings : PlainSettings {
+  static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
+  using Real = float;
+  static constexpr int kProcesses = 2;
+  static constexpr bool kAlone = false;
+  static constexpr int kRefine = 3;
+  static constexpr bool kWide = true;
+  static constexpr int kPlanMessages = 2;
+};
 
 }  // namespace
 
@@ -86,40 +70,29 @@ constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
 namespace {
 
 [[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
-// What can be set at run time, and what it is until then.
-[[maybe_unused]] constexpr int kParameterCount = 0;
+[[maybe_unused]] constexpr int kParameterCount = 0;  // of what can be set at run time
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"pedestal", 0.0, {0.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
-     {}},
+     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {}},
     {"turret", 3.6, {0.0, 0.0, 0.1},
-     {0.01641, 0.0, 0.0, 0.0, 0.01641, 0.0, 0.0, 0.0, 0.00882},
-     {}},
+     {0.01641, 0.0, 0.0, 0.0, 0.01641, 0.0, 0.0, 0.0, 0.00882}, {}},
     {"upper_arm", 3.1, {0.0, -0.1, 0.0},
-     {0.01767, 0.0, 0.0, 0.0, 0.00558, 0.0, 0.0, 0.0, 0.01767},
-     {}},
+     {0.01767, 0.0, 0.0, 0.0, 0.00558, 0.0, 0.0, 0.0, 0.01767}, {}},
     {"elbow_housing", 2.6, {0.0, 0.0, -0.03},
-     {0.00898625, 0.0, 0.0, 0.0, 0.00898625, 0.0, 0.0, 0.0, 0.0039325},
-     {}},
+     {0.00898625, 0.0, 0.0, 0.0, 0.00898625, 0.0, 0.0, 0.0, 0.0039325}, {}},
     {"forearm", 2.2, {-0.05, 0.1, 0.0},
-     {0.0102483, 0.0, 0.0, 0.0, 0.00275, 0.0, 0.0, 0.0, 0.0102483},
-     {}},
+     {0.0102483, 0.0, 0.0, 0.0, 0.00275, 0.0, 0.0, 0.0, 0.0102483}, {}},
     {"wrist_housing", 1.7, {0.0, 0.01, -0.08},
-     {0.00448729, 0.0, 0.0, 0.0, 0.00448729, 0.0, 0.0, 0.0, 0.00172125},
-     {}},
+     {0.00448729, 0.0, 0.0, 0.0, 0.00448729, 0.0, 0.0, 0.0, 0.00172125}, {}},
     {"wrist", 1.3, {0.04, 0.01, 0.0},
-     {0.0013, 0.0, 0.0, 0.0, 0.0013, 0.0, 0.0, 0.0, 0.0013},
-     {}},
+     {0.0013, 0.0, 0.0, 0.0, 0.0013, 0.0, 0.0, 0.0, 0.0013}, {}},
     {"hand", 0.85, {0.008470588235294117, 0.0, 0.08870588235294118},
-     {0.0034019064705882356, 0.0, 0.0004946823529411765, 0.0, 0.0014865882352941176, 0.0, 0.0004946823529411765, 0.0, 0.0031133417647058823},
-     {}},
+     {0.0034019064705882356, 0.0, 0.0004946823529411765, 0.0, 0.0014865882352941176, 0.0, 0.0004946823529411765, 0.0, 0.0031133417647058823}, {}},
     {"left_finger", 0.05, {0.03, 0.0, 0.01},
-     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05},
-     {}},
+     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}, {}},
     {"right_finger", 0.05, {0.03, 0.0, 0.01},
-     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05},
-     {}},
+     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}, {}},
 } };
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
@@ -190,12 +163,11 @@ namespace {
 // each link's own origin. omega, alpha, a: motion of links for zero joint accelerations; the joint
 // accelerations that are solved for come on top.
 
-#include "adagen/kernels/tables.hpp"
+#include "adagen/kernels/plain_layout.hpp"
 
 namespace {
 
-// Type of values.
-using Value = Real;
+using Value = Real;  // what is computed with
 
 // Mass, mass times centre of mass, and pseudo-inertia of each link.
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
@@ -219,36 +191,16 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
      {6.0000035e-05f, 0.0f, 1.5e-05f, 1.666665e-06f, 0.0f, 6.666665e-06f}},
 } };
 
-// Memory slot of each joint and its child link; limbs that share lanes, and segments of long runs,
-// are interleaved.
-constexpr int kSlotCount = 9;
-constexpr int kTile = 0;  // joints whose memory is in use at the same time; 0: all
-constexpr bool kInLanes = false;  // whether limbs share lanes
-constexpr bool kPrescribedInLanes = false;  // with prescribed motions
-constexpr bool kReordered = false;  // whether slots are in another order than joints
-constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8 };
-// Blocks of slots with equal constants: number of kinds (0: not compared), kind of each block, and
-// first block of each kind.
-constexpr int kBlockKindCount = 0;
-[[maybe_unused]] constexpr int kBlockKinds[]{ 0 };
-[[maybe_unused]] constexpr int kFirstOfKind[]{ 0 };
-constexpr bool kByColumns = true;  // whether runs are computed by columns
-// Joints that are eliminated in their own axes: always, or only if the axes of the base lose digits.
-constexpr bool kAnyTurned = false;
-constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0 };
-constexpr bool kAnyTurnedIfLost = false;
-constexpr bool kTurnedIfLost[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0 };
-constexpr double kLosing = 256.0;  // they do if trace > kLosing * D
-// Whether sweeps are repeated with other forces.
-constexpr bool kPassesFree = false;  // whether mobilities pass floating joints
-constexpr bool kAgain = kWide || kSlavedCount > 0;
+// What is not as in PlainLayout.
+struct Layout : PlainLayout {
+  static constexpr bool kByColumns = true;
+};
 
 // Role of each process at each link: gathers, adds_own, parts, oriented.
 constexpr LinkRole kRoles[2][kLinkCount]{
     {{1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
 };
-
 
 }  // namespace
 
@@ -282,24 +234,11 @@ struct Cuts {
 
 }  // namespace
 
-#include "adagen/kernels/blocks.hpp"
 #include "adagen/kernels/inertias.hpp"
-#include "adagen/kernels/memory.hpp"
-#include "adagen/gravity.hpp"
-#include "adagen/kernels/guards.hpp"
-#include "adagen/kernels/kinds.hpp"
-#include "adagen/kernels/links.hpp"
-#include "adagen/kernels/outward.hpp"
 #include "adagen/kernels/keep.hpp"
-#include "adagen/kernels/factors.hpp"
-#include "adagen/kernels/spherical.hpp"
-#include "adagen/kernels/turned.hpp"
-#include "adagen/kernels/inward.hpp"
-#include "adagen/kernels/shuffles.hpp"
-#include "adagen/kernels/columns.hpp"
-#include "adagen/kernels/inward_columns.hpp"
 #include "adagen/kernels/reach_nothing.hpp"
-#include "adagen/kernels/accelerate.hpp"
+#include "adagen/kernels/sweeps.hpp"
+#include "adagen/kernels/inward_columns.hpp"
 #include "adagen/kernels/mobility.hpp"
 #include "adagen/kernels/wrenches.hpp"
 #include "adagen/kernels/carry.hpp"
@@ -527,17 +466,11 @@ namespace {
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<Range, 1> kReadQ_0{ {{0, 5}} };
-constexpr std::array<Range, 1> kReadV_0{ {{0, 5}} };
-constexpr std::array<Range, 1> kOwn_0{ {{0, 5}} };
-constexpr std::array<Range, 1> kTorque_0{ {{0, 5}} };
-constexpr std::array<Range, 1> kReadQ_1{ {{0, 9}} };
-constexpr std::array<Range, 1> kReadV_1{ {{0, 9}} };
-constexpr std::array<Range, 1> kOwn_1{ {{5, 4}} };
-constexpr std::array<Range, 1> kTorque_1{ {{5, 4}} };
+constexpr std::array<Range, 4> kRanges_0{ {{0, 5}, {0, 5}, {0, 5}, {0, 5}} };
+constexpr std::array<Range, 4> kRanges_1{ {{0, 9}, {0, 9}, {5, 4}, {5, 4}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
-    {{1, kReadQ_1.data()}, {1, kReadV_1.data()}, {1, kOwn_1.data()}, {1, kTorque_1.data()}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
+    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}},
 } };
 
 }  // namespace
@@ -561,19 +494,11 @@ namespace {
 
 // The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 7> kStages_0{ {
-    {"kinematics", 4, -1},
-    {"assembly", 3, -1},
-    {"receive", -1, 0},
-    {"assembly", 4, -1},
-    {"disassembly", 4, -1},
-    {"send", -1, 1},
-    {"disassembly", 3, -1},
+    {"kinematics", 4, -1}, {"assembly", 3, -1}, {"receive", -1, 0}, {"assembly", 4, -1},
+    {"disassembly", 4, -1}, {"send", -1, 1}, {"disassembly", 3, -1},
 } };
 constexpr std::array<adagen::Stage, 5> kStages_1{ {
-    {"kinematics", 8, -1},
-    {"assembly", 5, -1},
-    {"send", -1, 0},
-    {"receive", -1, 1},
+    {"kinematics", 8, -1}, {"assembly", 5, -1}, {"send", -1, 0}, {"receive", -1, 1},
     {"disassembly", 5, -1},
 } };
 constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {

@@ -12,13 +12,9 @@
 // from the ends to the base, then the accelerations from the base outwards. Spatial vectors are [angular;
 // linear], in link frames turned so that every joint axis is z.
 //
-// Contents:
-//   1. interface   the C functions for a program that links this file
-//   2. model       the robot's constants
-//   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      memory of each joint, and the functions that compute its steps
-//   5. processes   the work of each process, in order
-//   6. program     description for the program around it (adagen_program.cpp), and main
+// Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
+// 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
+// order; 6 program, what the program around it (adagen_program.cpp) is told, and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // arm7_p1.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
@@ -31,12 +27,6 @@
 #define ADAGEN_CALL(word) arm7_p1_##word
 #define ADAGEN_NAMED(WORD) ARM7_P1_##WORD
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
 
 #include <Eigen/Core>
 
@@ -49,26 +39,14 @@
 #error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
+#include "adagen/settings.hpp"
+
 namespace {
 
-using Number = double;  // type of states, results and messages
-using Real = double;    // type of all other values
-constexpr int kProcesses = 1;
-[[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all the work
-constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
-[[maybe_unused]] constexpr int kNq = 9, kNv = 9;
-[[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
-[[maybe_unused]] constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
-[[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
-[[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
-[[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
-[[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
-[[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
-[[maybe_unused]] constexpr bool kWide = false;  // whether their residuals are found in wider numbers
-[[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
-[[maybe_unused]] constexpr bool kWeighed = kCertified || (kRefine > 0 && !kWide);  // whether residuals are swept inwards
-[[maybe_unused]] constexpr int kPlanMessages = 0;
-[[maybe_unused]] constexpr double kTolerance = 1e-09;
+// What is not as in PlainSettings.
+struct Settings : PlainSettings {
+  static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
+};
 
 }  // namespace
 
@@ -77,40 +55,29 @@ constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
 namespace {
 
 [[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
-// What can be set at run time, and what it is until then.
-[[maybe_unused]] constexpr int kParameterCount = 0;
+[[maybe_unused]] constexpr int kParameterCount = 0;  // of what can be set at run time
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"pedestal", 0.0, {0.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
-     {}},
+     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {}},
     {"turret", 3.6, {0.0, 0.0, 0.1},
-     {0.01641, 0.0, 0.0, 0.0, 0.01641, 0.0, 0.0, 0.0, 0.00882},
-     {}},
+     {0.01641, 0.0, 0.0, 0.0, 0.01641, 0.0, 0.0, 0.0, 0.00882}, {}},
     {"upper_arm", 3.1, {0.0, -0.1, 0.0},
-     {0.01767, 0.0, 0.0, 0.0, 0.00558, 0.0, 0.0, 0.0, 0.01767},
-     {}},
+     {0.01767, 0.0, 0.0, 0.0, 0.00558, 0.0, 0.0, 0.0, 0.01767}, {}},
     {"elbow_housing", 2.6, {0.0, 0.0, -0.03},
-     {0.00898625, 0.0, 0.0, 0.0, 0.00898625, 0.0, 0.0, 0.0, 0.0039325},
-     {}},
+     {0.00898625, 0.0, 0.0, 0.0, 0.00898625, 0.0, 0.0, 0.0, 0.0039325}, {}},
     {"forearm", 2.2, {-0.05, 0.1, 0.0},
-     {0.0102483, 0.0, 0.0, 0.0, 0.00275, 0.0, 0.0, 0.0, 0.0102483},
-     {}},
+     {0.0102483, 0.0, 0.0, 0.0, 0.00275, 0.0, 0.0, 0.0, 0.0102483}, {}},
     {"wrist_housing", 1.7, {0.0, 0.01, -0.08},
-     {0.00448729, 0.0, 0.0, 0.0, 0.00448729, 0.0, 0.0, 0.0, 0.00172125},
-     {}},
+     {0.00448729, 0.0, 0.0, 0.0, 0.00448729, 0.0, 0.0, 0.0, 0.00172125}, {}},
     {"wrist", 1.3, {0.04, 0.01, 0.0},
-     {0.0013, 0.0, 0.0, 0.0, 0.0013, 0.0, 0.0, 0.0, 0.0013},
-     {}},
+     {0.0013, 0.0, 0.0, 0.0, 0.0013, 0.0, 0.0, 0.0, 0.0013}, {}},
     {"hand", 0.85, {0.008470588235294117, 0.0, 0.08870588235294118},
-     {0.0034019064705882356, 0.0, 0.0004946823529411765, 0.0, 0.0014865882352941176, 0.0, 0.0004946823529411765, 0.0, 0.0031133417647058823},
-     {}},
+     {0.0034019064705882356, 0.0, 0.0004946823529411765, 0.0, 0.0014865882352941176, 0.0, 0.0004946823529411765, 0.0, 0.0031133417647058823}, {}},
     {"left_finger", 0.05, {0.03, 0.0, 0.01},
-     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05},
-     {}},
+     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}, {}},
     {"right_finger", 0.05, {0.03, 0.0, 0.01},
-     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05},
-     {}},
+     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}, {}},
 } };
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
@@ -150,18 +117,10 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
 #include "adagen/spatial.hpp"
-#include "adagen/status.hpp"
 #include "adagen/failures.hpp"
 #include "adagen/joins.hpp"
 #include "adagen/inertia.hpp"
 #include "adagen/articulated.hpp"
-
-namespace {
-
-[[maybe_unused]] constexpr std::array<MessageInfo, 0> kMessages{ {
-} };
-
-}  // namespace
 
 #include "adagen/no_channel.hpp"
 #include "adagen/stamp.hpp"
@@ -674,12 +633,9 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<Range, 1> kReadQ_0{ {{0, 9}} };
-constexpr std::array<Range, 1> kReadV_0{ {{0, 9}} };
-constexpr std::array<Range, 1> kOwn_0{ {{0, 9}} };
-constexpr std::array<Range, 1> kTorque_0{ {{0, 9}} };
+constexpr std::array<Range, 4> kRanges_0{ {{0, 9}, {0, 9}, {0, 9}, {0, 9}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
 } };
 
 }  // namespace
@@ -703,23 +659,17 @@ namespace {
 
 // The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 3> kStages_0{ {
-    {"kinematics", 8, -1},
-    {"assembly", 0, -1},
-    {"disassembly", 0, -1},
+    {"kinematics", 8, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1},
 } };
 constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
     {kStages_0.data(), 3},
 } };
 
-// From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 159, 0.437};
-constexpr adagen::Hop kMessageHop{26, 228, 0.644};
-
 adagen::Description<Number> description() {
   return {
       "arm7", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
       false, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop, kMessageHop};
+      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), {}, {}};
 }
 
 }  // namespace

@@ -15,13 +15,9 @@
 // to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
 // vectors are [angular; linear], in link frames turned so that every joint axis is z.
 //
-// Contents:
-//   1. interface   the C functions for a program that links this file
-//   2. model       the robot's constants
-//   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      memory of each joint, and the functions that compute its steps
-//   5. processes   the work of each process, in order
-//   6. program     description for the program around it (adagen_program.cpp), and main
+// Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
+// 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
+// order; 6 program, what the program around it (adagen_program.cpp) is told, and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // arm7_slaved_p2.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
@@ -34,14 +30,8 @@
 #define ADAGEN_CALL(word) arm7_slaved_p2_##word
 #define ADAGEN_NAMED(WORD) ARM7_SLAVED_P2_##WORD
 
-#include <mpi.h>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
 
+#include <mpi.h>
 #include <Eigen/Core>
 
 // ---- 2. model -----------------------------------------------------------------------------------
@@ -54,26 +44,19 @@
 #error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
+#include "adagen/settings.hpp"
+
 namespace {
 
-using Number = double;  // type of states, results and messages
-using Real = double;    // type of all other values
-constexpr int kProcesses = 2;
-[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all the work
-constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
-[[maybe_unused]] constexpr int kNq = 9, kNv = 9;
-[[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
-[[maybe_unused]] constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
-[[maybe_unused]] constexpr int kColumns = 2;  // right-hand sides: the motion, and one per slaved joint
-[[maybe_unused]] constexpr std::size_t kSlavedCount = 1;  // joints that follow others
-[[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
-[[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
-[[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
-[[maybe_unused]] constexpr bool kWide = false;  // whether their residuals are found in wider numbers
-[[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
-[[maybe_unused]] constexpr bool kWeighed = kCertified || (kRefine > 0 && !kWide);  // whether residuals are swept inwards
-[[maybe_unused]] constexpr int kPlanMessages = 4;
-[[maybe_unused]] constexpr double kTolerance = 1e-09;
+// What is not as in PlainSettings.
+struct Settings : PlainSettings {
+  static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
+  static constexpr int kProcesses = 2;
+  static constexpr bool kAlone = false;
+  static constexpr int kColumns = 2;
+  static constexpr std::size_t kSlavedCount = 1;
+  static constexpr int kPlanMessages = 4;
+};
 
 }  // namespace
 
@@ -82,13 +65,11 @@ constexpr int kJointCount = 9, kLinkCount = kJointCount + 1;
 namespace {
 
 [[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
-// What can be set at run time, and what it is until then.
-[[maybe_unused]] constexpr int kParameterCount = 0;
+[[maybe_unused]] constexpr int kParameterCount = 0;  // of what can be set at run time
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"pedestal", 0.0, {0.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
-     {}},
+     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {}},
     {"turret", 3.6, {0.0, 0.0, 0.1},
      {0.01641, 0.0, 0.0, 0.0, 0.01641, 0.0, 0.0, 0.0, 0.00882},
      {60.93845216331505, 0.0, 0.0, 0.0, 60.93845216331505, 0.0, 0.0, 0.0, 113.37868480725623}},
@@ -155,7 +136,6 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
 #include "adagen/spatial.hpp"
-#include "adagen/status.hpp"
 #include "adagen/failures.hpp"
 #include "adagen/joins.hpp"
 
@@ -843,17 +823,11 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<Range, 1> kReadQ_0{ {{0, 6}} };
-constexpr std::array<Range, 1> kReadV_0{ {{0, 6}} };
-constexpr std::array<Range, 1> kOwn_0{ {{0, 6}} };
-constexpr std::array<Range, 1> kTorque_0{ {{0, 6}} };
-constexpr std::array<Range, 1> kReadQ_1{ {{0, 8}} };
-constexpr std::array<Range, 1> kReadV_1{ {{0, 8}} };
-constexpr std::array<Range, 1> kOwn_1{ {{6, 3}} };
-constexpr std::array<Range, 1> kTorque_1{ {{6, 3}} };
+constexpr std::array<Range, 4> kRanges_0{ {{0, 6}, {0, 6}, {0, 6}, {0, 6}} };
+constexpr std::array<Range, 4> kRanges_1{ {{0, 8}, {0, 8}, {6, 3}, {6, 3}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
-    {{1, kReadQ_1.data()}, {1, kReadV_1.data()}, {1, kOwn_1.data()}, {1, kTorque_1.data()}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
+    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}},
 } };
 
 }  // namespace
@@ -877,27 +851,13 @@ namespace {
 
 // The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 11> kStages_0{ {
-    {"kinematics", 5, -1},
-    {"assembly", 4, -1},
-    {"receive", -1, 0},
-    {"assembly", 5, -1},
-    {"disassembly", 5, -1},
-    {"send", -1, 1},
-    {"disassembly", 4, -1},
-    {"receive", -1, 2},
-    {"slaved", -1, -1},
-    {"send", -1, 3},
-    {"slaved", -1, -1},
+    {"kinematics", 5, -1}, {"assembly", 4, -1}, {"receive", -1, 0}, {"assembly", 5, -1},
+    {"disassembly", 5, -1}, {"send", -1, 1}, {"disassembly", 4, -1}, {"receive", -1, 2},
+    {"slaved", -1, -1}, {"send", -1, 3}, {"slaved", -1, -1},
 } };
 constexpr std::array<adagen::Stage, 8> kStages_1{ {
-    {"kinematics", 8, -1},
-    {"assembly", 6, -1},
-    {"send", -1, 0},
-    {"receive", -1, 1},
-    {"disassembly", 6, -1},
-    {"send", -1, 2},
-    {"receive", -1, 3},
-    {"slaved", -1, -1},
+    {"kinematics", 8, -1}, {"assembly", 6, -1}, {"send", -1, 0}, {"receive", -1, 1},
+    {"disassembly", 6, -1}, {"send", -1, 2}, {"receive", -1, 3}, {"slaved", -1, -1},
 } };
 constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
     {kStages_0.data(), 11},

@@ -19,13 +19,9 @@
 // (3)-(7), and its force follows from Eq. (8)-(10). Spatial vectors are [angular; linear], in the axes of
 // the base, about each link's origin.
 //
-// Contents:
-//   1. interface   the C functions for a program that links this file
-//   2. model       the robot's constants
-//   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      memory of each joint, and the functions that compute its steps
-//   5. processes   the work of each process, in order
-//   6. program     description for the program around it (adagen_program.cpp), and main
+// Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
+// 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
+// order; 6 program, what the program around it (adagen_program.cpp) is told, and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // chain16_p3.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
@@ -38,14 +34,8 @@
 #define ADAGEN_CALL(word) chain16_p3_##word
 #define ADAGEN_NAMED(WORD) CHAIN16_P3_##WORD
 
-#include <mpi.h>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
 
+#include <mpi.h>
 #include <Eigen/Core>
 
 // ---- 2. model -----------------------------------------------------------------------------------
@@ -58,26 +48,17 @@
 #error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
+#include "adagen/settings.hpp"
+
 namespace {
 
-using Number = double;  // type of states, results and messages
-using Real = double;    // type of all other values
-constexpr int kProcesses = 3;
-[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all the work
-constexpr int kJointCount = 16, kLinkCount = kJointCount + 1;
-[[maybe_unused]] constexpr int kNq = 16, kNv = 16;
-[[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
-[[maybe_unused]] constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
-[[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
-[[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
-[[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
-[[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
-[[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
-[[maybe_unused]] constexpr bool kWide = false;  // whether their residuals are found in wider numbers
-[[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
-[[maybe_unused]] constexpr bool kWeighed = kCertified || (kRefine > 0 && !kWide);  // whether residuals are swept inwards
-[[maybe_unused]] constexpr int kPlanMessages = 4;
-[[maybe_unused]] constexpr double kTolerance = 1e-09;
+// What is not as in PlainSettings.
+struct Settings : PlainSettings {
+  static constexpr int kJointCount = 16, kNq = 16, kNv = 16;
+  static constexpr int kProcesses = 3;
+  static constexpr bool kAlone = false;
+  static constexpr int kPlanMessages = 4;
+};
 
 }  // namespace
 
@@ -86,61 +67,43 @@ constexpr int kJointCount = 16, kLinkCount = kJointCount + 1;
 namespace {
 
 [[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
-// What can be set at run time, and what it is until then.
-[[maybe_unused]] constexpr int kParameterCount = 0;
+[[maybe_unused]] constexpr int kParameterCount = 0;  // of what can be set at run time
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"ceiling", 0.0, {0.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
-     {}},
+     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {}},
     {"rod01", 1.0, {0.0, -0.2, 0.0},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333},
-     {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333}, {}},
     {"rod02", 1.0, {-0.2, 0.0, 0.0},
-     {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333},
-     {}},
+     {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333}, {}},
     {"rod03", 1.0, {0.0, 0.0, -0.2},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002},
-     {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002}, {}},
     {"rod04", 1.0, {0.0, -0.2, 0.0},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333},
-     {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333}, {}},
     {"rod05", 1.0, {-0.2, 0.0, 0.0},
-     {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333},
-     {}},
+     {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333}, {}},
     {"rod06", 1.0, {0.0, 0.0, -0.2},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002},
-     {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002}, {}},
     {"rod07", 1.0, {0.0, -0.2, 0.0},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333},
-     {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333}, {}},
     {"rod08", 1.0, {-0.2, 0.0, 0.0},
-     {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333},
-     {}},
+     {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333}, {}},
     {"rod09", 1.0, {0.0, 0.0, -0.2},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002},
-     {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002}, {}},
     {"rod10", 1.0, {0.0, -0.2, 0.0},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333},
-     {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333}, {}},
     {"rod11", 1.0, {-0.2, 0.0, 0.0},
-     {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333},
-     {}},
+     {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333}, {}},
     {"rod12", 1.0, {0.0, 0.0, -0.2},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002},
-     {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002}, {}},
     {"rod13", 1.0, {0.0, -0.2, 0.0},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333},
-     {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333}, {}},
     {"rod14", 1.0, {-0.2, 0.0, 0.0},
-     {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333},
-     {}},
+     {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333}, {}},
     {"rod15", 1.0, {0.0, 0.0, -0.2},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002},
-     {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002}, {}},
     {"rod16", 1.0, {0.0, -0.2, 0.0},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333},
-     {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333}, {}},
 } };
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
@@ -231,12 +194,11 @@ namespace {
 // each link's own origin. omega, alpha, a: motion of links for zero joint accelerations; the joint
 // accelerations that are solved for come on top.
 
-#include "adagen/kernels/tables.hpp"
+#include "adagen/kernels/plain_layout.hpp"
 
 namespace {
 
-// Type of values.
-using Value = Real;
+using Value = Real;  // what is computed with
 
 // Mass, mass times centre of mass, and pseudo-inertia of each link.
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
@@ -274,29 +236,10 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
      {0.0001, 0.0, 0.0, 0.05333330000000001, 0.0, 0.0001}},
 } };
 
-// Memory slot of each joint and its child link; limbs that share lanes, and segments of long runs,
-// are interleaved.
-constexpr int kSlotCount = 16;
-constexpr int kTile = 0;  // joints whose memory is in use at the same time; 0: all
-constexpr bool kInLanes = false;  // whether limbs share lanes
-constexpr bool kPrescribedInLanes = false;  // with prescribed motions
-constexpr bool kReordered = false;  // whether slots are in another order than joints
-constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15 };
-// Blocks of slots with equal constants: number of kinds (0: not compared), kind of each block, and
-// first block of each kind.
-constexpr int kBlockKindCount = 0;
-[[maybe_unused]] constexpr int kBlockKinds[]{ 0 };
-[[maybe_unused]] constexpr int kFirstOfKind[]{ 0 };
-constexpr bool kByColumns = true;  // whether runs are computed by columns
-// Joints that are eliminated in their own axes: always, or only if the axes of the base lose digits.
-constexpr bool kAnyTurned = false;
-constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
-constexpr bool kAnyTurnedIfLost = false;
-constexpr bool kTurnedIfLost[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
-constexpr double kLosing = 256.0;  // they do if trace > kLosing * D
-// Whether sweeps are repeated with other forces.
-constexpr bool kPassesFree = false;  // whether mobilities pass floating joints
-constexpr bool kAgain = kWide || kSlavedCount > 0;
+// What is not as in PlainLayout.
+struct Layout : PlainLayout {
+  static constexpr bool kByColumns = true;
+};
 
 // Role of each process at each link: gathers, adds_own, parts, oriented.
 constexpr LinkRole kRoles[3][kLinkCount]{
@@ -304,7 +247,6 @@ constexpr LinkRole kRoles[3][kLinkCount]{
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
 };
-
 
 }  // namespace
 
@@ -355,24 +297,11 @@ struct Cuts {
 
 }  // namespace
 
-#include "adagen/kernels/blocks.hpp"
 #include "adagen/kernels/inertias.hpp"
-#include "adagen/kernels/memory.hpp"
-#include "adagen/gravity.hpp"
-#include "adagen/kernels/guards.hpp"
-#include "adagen/kernels/kinds.hpp"
-#include "adagen/kernels/links.hpp"
-#include "adagen/kernels/outward.hpp"
 #include "adagen/kernels/keep_nothing.hpp"
-#include "adagen/kernels/factors.hpp"
-#include "adagen/kernels/spherical.hpp"
-#include "adagen/kernels/turned.hpp"
-#include "adagen/kernels/inward.hpp"
-#include "adagen/kernels/shuffles.hpp"
-#include "adagen/kernels/columns.hpp"
-#include "adagen/kernels/inward_columns.hpp"
 #include "adagen/kernels/reach_nothing.hpp"
-#include "adagen/kernels/accelerate.hpp"
+#include "adagen/kernels/sweeps.hpp"
+#include "adagen/kernels/inward_columns.hpp"
 #include "adagen/kernels/mobility.hpp"
 #include "adagen/kernels/wrenches.hpp"
 #include "adagen/kernels/carry.hpp"
@@ -561,22 +490,13 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<Range, 1> kReadQ_0{ {{0, 8}} };
-constexpr std::array<Range, 1> kReadV_0{ {{0, 8}} };
-constexpr std::array<Range, 1> kOwn_0{ {{0, 8}} };
-constexpr std::array<Range, 1> kTorque_0{ {{0, 8}} };
-constexpr std::array<Range, 1> kReadQ_1{ {{0, 12}} };
-constexpr std::array<Range, 1> kReadV_1{ {{0, 12}} };
-constexpr std::array<Range, 1> kOwn_1{ {{8, 4}} };
-constexpr std::array<Range, 1> kTorque_1{ {{8, 4}} };
-constexpr std::array<Range, 1> kReadQ_2{ {{0, 16}} };
-constexpr std::array<Range, 1> kReadV_2{ {{0, 16}} };
-constexpr std::array<Range, 1> kOwn_2{ {{12, 4}} };
-constexpr std::array<Range, 1> kTorque_2{ {{12, 4}} };
+constexpr std::array<Range, 4> kRanges_0{ {{0, 8}, {0, 8}, {0, 8}, {0, 8}} };
+constexpr std::array<Range, 4> kRanges_1{ {{0, 12}, {0, 12}, {8, 4}, {8, 4}} };
+constexpr std::array<Range, 4> kRanges_2{ {{0, 16}, {0, 16}, {12, 4}, {12, 4}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
-    {{1, kReadQ_1.data()}, {1, kReadV_1.data()}, {1, kOwn_1.data()}, {1, kTorque_1.data()}},
-    {{1, kReadQ_2.data()}, {1, kReadV_2.data()}, {1, kOwn_2.data()}, {1, kTorque_2.data()}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
+    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}},
+    {{1, kRanges_2.data()}, {1, kRanges_2.data() + 1}, {1, kRanges_2.data() + 2}, {1, kRanges_2.data() + 3}},
 } };
 
 }  // namespace
@@ -600,30 +520,16 @@ namespace {
 
 // The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 7> kStages_0{ {
-    {"kinematics", 7, -1},
-    {"assembly", 6, -1},
-    {"receive", -1, 1},
-    {"assembly", 7, -1},
-    {"disassembly", 7, -1},
-    {"send", -1, 2},
-    {"disassembly", 6, -1},
+    {"kinematics", 7, -1}, {"assembly", 6, -1}, {"receive", -1, 1}, {"assembly", 7, -1},
+    {"disassembly", 7, -1}, {"send", -1, 2}, {"disassembly", 6, -1},
 } };
 constexpr std::array<adagen::Stage, 9> kStages_1{ {
-    {"kinematics", 11, -1},
-    {"assembly", 10, -1},
-    {"receive", -1, 0},
-    {"assembly", 11, -1},
-    {"send", -1, 1},
-    {"receive", -1, 2},
-    {"disassembly", 11, -1},
-    {"send", -1, 3},
+    {"kinematics", 11, -1}, {"assembly", 10, -1}, {"receive", -1, 0}, {"assembly", 11, -1},
+    {"send", -1, 1}, {"receive", -1, 2}, {"disassembly", 11, -1}, {"send", -1, 3},
     {"disassembly", 10, -1},
 } };
 constexpr std::array<adagen::Stage, 5> kStages_2{ {
-    {"kinematics", 15, -1},
-    {"assembly", 12, -1},
-    {"send", -1, 0},
-    {"receive", -1, 3},
+    {"kinematics", 15, -1}, {"assembly", 12, -1}, {"send", -1, 0}, {"receive", -1, 3},
     {"disassembly", 12, -1},
 } };
 constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {

@@ -17,13 +17,9 @@
 // to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
 // vectors are [angular; linear], in link frames turned so that every joint axis is z.
 //
-// Contents:
-//   1. interface   the C functions for a program that links this file
-//   2. model       the robot's constants
-//   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      memory of each joint, and the functions that compute its steps
-//   5. processes   the work of each process, in order
-//   6. program     description for the program around it (adagen_program.cpp), and main
+// Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
+// 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
+// order; 6 program, what the program around it (adagen_program.cpp) is told, and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // chain16_p4.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
@@ -36,14 +32,8 @@
 #define ADAGEN_CALL(word) chain16_p4_##word
 #define ADAGEN_NAMED(WORD) CHAIN16_P4_##WORD
 
-#include <mpi.h>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
 
+#include <mpi.h>
 #include <Eigen/Core>
 
 // ---- 2. model -----------------------------------------------------------------------------------
@@ -56,26 +46,17 @@
 #error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
+#include "adagen/settings.hpp"
+
 namespace {
 
-using Number = double;  // type of states, results and messages
-using Real = double;    // type of all other values
-constexpr int kProcesses = 4;
-[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all the work
-constexpr int kJointCount = 16, kLinkCount = kJointCount + 1;
-[[maybe_unused]] constexpr int kNq = 16, kNv = 16;
-[[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
-[[maybe_unused]] constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
-[[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
-[[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
-[[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
-[[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
-[[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
-[[maybe_unused]] constexpr bool kWide = false;  // whether their residuals are found in wider numbers
-[[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
-[[maybe_unused]] constexpr bool kWeighed = kCertified || (kRefine > 0 && !kWide);  // whether residuals are swept inwards
-[[maybe_unused]] constexpr int kPlanMessages = 6;
-[[maybe_unused]] constexpr double kTolerance = 1e-09;
+// What is not as in PlainSettings.
+struct Settings : PlainSettings {
+  static constexpr int kJointCount = 16, kNq = 16, kNv = 16;
+  static constexpr int kProcesses = 4;
+  static constexpr bool kAlone = false;
+  static constexpr int kPlanMessages = 6;
+};
 
 }  // namespace
 
@@ -84,13 +65,11 @@ constexpr int kJointCount = 16, kLinkCount = kJointCount + 1;
 namespace {
 
 [[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
-// What can be set at run time, and what it is until then.
-[[maybe_unused]] constexpr int kParameterCount = 0;
+[[maybe_unused]] constexpr int kParameterCount = 0;  // of what can be set at run time
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"ceiling", 0.0, {0.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
-     {}},
+     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {}},
     {"rod01", 1.0, {0.0, -0.2, 0.0},
      {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333},
      {74.44187206419866, 0.0, 0.0, 0.0, 5000.0, 0.0, 0.0, 0.0, 74.44187206419866}},
@@ -199,7 +178,6 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
 #include "adagen/spatial.hpp"
-#include "adagen/status.hpp"
 #include "adagen/failures.hpp"
 #include "adagen/joins.hpp"
 
@@ -1418,27 +1396,15 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<Range, 1> kReadQ_0{ {{0, 10}} };
-constexpr std::array<Range, 1> kReadV_0{ {{0, 10}} };
-constexpr std::array<Range, 2> kOwn_0{ {{0, 6}, {9, 1}} };
-constexpr std::array<Range, 2> kTorque_0{ {{0, 6}, {9, 1}} };
-constexpr std::array<Range, 1> kReadQ_1{ {{0, 9}} };
-constexpr std::array<Range, 1> kReadV_1{ {{0, 9}} };
-constexpr std::array<Range, 1> kOwn_1{ {{6, 3}} };
-constexpr std::array<Range, 1> kTorque_1{ {{6, 3}} };
-constexpr std::array<Range, 1> kReadQ_2{ {{0, 14}} };
-constexpr std::array<Range, 1> kReadV_2{ {{0, 14}} };
-constexpr std::array<Range, 1> kOwn_2{ {{10, 4}} };
-constexpr std::array<Range, 1> kTorque_2{ {{10, 4}} };
-constexpr std::array<Range, 1> kReadQ_3{ {{0, 16}} };
-constexpr std::array<Range, 1> kReadV_3{ {{0, 16}} };
-constexpr std::array<Range, 1> kOwn_3{ {{14, 2}} };
-constexpr std::array<Range, 1> kTorque_3{ {{14, 2}} };
+constexpr std::array<Range, 6> kRanges_0{ {{0, 10}, {0, 10}, {0, 6}, {9, 1}, {0, 6}, {9, 1}} };
+constexpr std::array<Range, 4> kRanges_1{ {{0, 9}, {0, 9}, {6, 3}, {6, 3}} };
+constexpr std::array<Range, 4> kRanges_2{ {{0, 14}, {0, 14}, {10, 4}, {10, 4}} };
+constexpr std::array<Range, 4> kRanges_3{ {{0, 16}, {0, 16}, {14, 2}, {14, 2}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {2, kOwn_0.data()}, {2, kTorque_0.data()}},
-    {{1, kReadQ_1.data()}, {1, kReadV_1.data()}, {1, kOwn_1.data()}, {1, kTorque_1.data()}},
-    {{1, kReadQ_2.data()}, {1, kReadV_2.data()}, {1, kOwn_2.data()}, {1, kTorque_2.data()}},
-    {{1, kReadQ_3.data()}, {1, kReadV_3.data()}, {1, kOwn_3.data()}, {1, kTorque_3.data()}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {2, kRanges_0.data() + 2}, {2, kRanges_0.data() + 4}},
+    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}},
+    {{1, kRanges_2.data()}, {1, kRanges_2.data() + 1}, {1, kRanges_2.data() + 2}, {1, kRanges_2.data() + 3}},
+    {{1, kRanges_3.data()}, {1, kRanges_3.data() + 1}, {1, kRanges_3.data() + 2}, {1, kRanges_3.data() + 3}},
 } };
 
 }  // namespace
@@ -1462,41 +1428,21 @@ namespace {
 
 // The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 11> kStages_0{ {
-    {"kinematics", 9, -1},
-    {"assembly", 4, -1},
-    {"receive", -1, 0},
-    {"assembly", 5, -1},
-    {"receive", -1, 2},
-    {"assembly", 9, -1},
-    {"disassembly", 9, -1},
-    {"send", -1, 3},
-    {"disassembly", 5, -1},
-    {"send", -1, 4},
-    {"disassembly", 4, -1},
+    {"kinematics", 9, -1}, {"assembly", 4, -1}, {"receive", -1, 0}, {"assembly", 5, -1},
+    {"receive", -1, 2}, {"assembly", 9, -1}, {"disassembly", 9, -1}, {"send", -1, 3},
+    {"disassembly", 5, -1}, {"send", -1, 4}, {"disassembly", 4, -1},
 } };
 constexpr std::array<adagen::Stage, 5> kStages_1{ {
-    {"kinematics", 8, -1},
-    {"assembly", 6, -1},
-    {"send", -1, 0},
-    {"receive", -1, 4},
+    {"kinematics", 8, -1}, {"assembly", 6, -1}, {"send", -1, 0}, {"receive", -1, 4},
     {"disassembly", 6, -1},
 } };
 constexpr std::array<adagen::Stage, 9> kStages_2{ {
-    {"kinematics", 13, -1},
-    {"assembly", 10, -1},
-    {"receive", -1, 1},
-    {"assembly", 13, -1},
-    {"send", -1, 2},
-    {"receive", -1, 3},
-    {"disassembly", 13, -1},
-    {"send", -1, 5},
+    {"kinematics", 13, -1}, {"assembly", 10, -1}, {"receive", -1, 1}, {"assembly", 13, -1},
+    {"send", -1, 2}, {"receive", -1, 3}, {"disassembly", 13, -1}, {"send", -1, 5},
     {"disassembly", 10, -1},
 } };
 constexpr std::array<adagen::Stage, 5> kStages_3{ {
-    {"kinematics", 15, -1},
-    {"assembly", 14, -1},
-    {"send", -1, 1},
-    {"receive", -1, 5},
+    {"kinematics", 15, -1}, {"assembly", 14, -1}, {"send", -1, 1}, {"receive", -1, 5},
     {"disassembly", 14, -1},
 } };
 constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {

@@ -20,13 +20,9 @@
 // (3)-(7), and its force follows from Eq. (8)-(10). Spatial vectors are [angular; linear], in the axes of
 // the base, about each link's origin.
 //
-// Contents:
-//   1. interface   the C functions for a program that links this file
-//   2. model       the robot's constants
-//   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      memory of each joint, and the functions that compute its steps
-//   5. processes   the work of each process, in order
-//   6. program     description for the program around it (adagen_program.cpp), and main
+// Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
+// 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
+// order; 6 program, what the program around it (adagen_program.cpp) is told, and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // human40_p4.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
@@ -39,14 +35,8 @@
 #define ADAGEN_CALL(word) human40_p4_##word
 #define ADAGEN_NAMED(WORD) HUMAN40_P4_##WORD
 
-#include <mpi.h>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
 
+#include <mpi.h>
 #include <Eigen/Core>
 
 // ---- 2. model -----------------------------------------------------------------------------------
@@ -59,26 +49,17 @@
 #error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
+#include "adagen/settings.hpp"
+
 namespace {
 
-using Number = double;  // type of states, results and messages
-using Real = double;    // type of all other values
-constexpr int kProcesses = 4;
-[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all the work
-constexpr int kJointCount = 15, kLinkCount = kJointCount + 1;
-[[maybe_unused]] constexpr int kNq = 51, kNv = 40;
-[[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
-[[maybe_unused]] constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
-[[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
-[[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
-[[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
-[[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
-[[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
-[[maybe_unused]] constexpr bool kWide = false;  // whether their residuals are found in wider numbers
-[[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
-[[maybe_unused]] constexpr bool kWeighed = kCertified || (kRefine > 0 && !kWide);  // whether residuals are swept inwards
-[[maybe_unused]] constexpr int kPlanMessages = 6;
-[[maybe_unused]] constexpr double kTolerance = 1e-09;
+// What is not as in PlainSettings.
+struct Settings : PlainSettings {
+  static constexpr int kJointCount = 15, kNq = 51, kNv = 40;
+  static constexpr int kProcesses = 4;
+  static constexpr bool kAlone = false;
+  static constexpr int kPlanMessages = 6;
+};
 
 }  // namespace
 
@@ -87,58 +68,41 @@ constexpr int kJointCount = 15, kLinkCount = kJointCount + 1;
 namespace {
 
 [[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
-// What can be set at run time, and what it is until then.
-[[maybe_unused]] constexpr int kParameterCount = 0;
+[[maybe_unused]] constexpr int kParameterCount = 0;  // of what can be set at run time
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"world", 0.0, {0.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
-     {}},
+     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {}},
     {"pelvis", 9.6, {0.0, 0.0, 0.03},
-     {0.104, 0.0, 0.0, 0.0, 0.05248, 0.0, 0.0, 0.0, 0.09248},
-     {}},
+     {0.104, 0.0, 0.0, 0.0, 0.05248, 0.0, 0.0, 0.0, 0.09248}, {}},
     {"left_thigh", 8.4, {0.0, 0.0, -0.19},
-     {0.12544, 0.0, 0.0, 0.0, 0.12544, 0.0, 0.0, 0.0, 0.02688},
-     {}},
+     {0.12544, 0.0, 0.0, 0.0, 0.12544, 0.0, 0.0, 0.0, 0.02688}, {}},
     {"left_shank", 3.2, {-0.18, 0.0, 0.0},
-     {0.004, 0.0, 0.0, 0.0, 0.0446667, 0.0, 0.0, 0.0, 0.0446667},
-     {}},
+     {0.004, 0.0, 0.0, 0.0, 0.0446667, 0.0, 0.0, 0.0, 0.0446667}, {}},
     {"left_foot", 1.0, {0.06, 0.0, -0.04},
-     {0.00108333, 0.0, 0.0, 0.0, 0.00561667, 0.0, 0.0, 0.0, 0.00588333},
-     {}},
+     {0.00108333, 0.0, 0.0, 0.0, 0.00561667, 0.0, 0.0, 0.0, 0.00588333}, {}},
     {"right_thigh", 8.4, {0.0, 0.0, -0.19},
-     {0.12544, 0.0, 0.0, 0.0, 0.12544, 0.0, 0.0, 0.0, 0.02688},
-     {}},
+     {0.12544, 0.0, 0.0, 0.0, 0.12544, 0.0, 0.0, 0.0, 0.02688}, {}},
     {"right_shank", 3.2, {-0.18, 0.0, 0.0},
-     {0.004, 0.0, 0.0, 0.0, 0.0446667, 0.0, 0.0, 0.0, 0.0446667},
-     {}},
+     {0.004, 0.0, 0.0, 0.0, 0.0446667, 0.0, 0.0, 0.0, 0.0446667}, {}},
     {"right_foot", 1.0, {0.06, 0.0, -0.04},
-     {0.00108333, 0.0, 0.0, 0.0, 0.00561667, 0.0, 0.0, 0.0, 0.00588333},
-     {}},
+     {0.00108333, 0.0, 0.0, 0.0, 0.00561667, 0.0, 0.0, 0.0, 0.00588333}, {}},
     {"trunk", 23.0, {0.0, 0.0, 0.23},
-     {0.601833, 0.0, 0.0, 0.0, 0.467667, 0.0, 0.0, 0.0, 0.258367},
-     {}},
+     {0.601833, 0.0, 0.0, 0.0, 0.467667, 0.0, 0.0, 0.0, 0.258367}, {}},
     {"left_upper_arm", 1.9, {0.0, 0.0, -0.14},
-     {0.0133752, 0.0, 0.0, 0.0, 0.0133752, 0.0, 0.0, 0.0, 0.00192375},
-     {}},
+     {0.0133752, 0.0, 0.0, 0.0, 0.0133752, 0.0, 0.0, 0.0, 0.00192375}, {}},
     {"left_forearm", 1.1, {-0.12, 0.0, 0.0},
-     {0.00067375, 0.0, 0.0, 0.0, 0.00606604, 0.0, 0.0, 0.0, 0.00606604},
-     {}},
+     {0.00067375, 0.0, 0.0, 0.0, 0.00606604, 0.0, 0.0, 0.0, 0.00606604}, {}},
     {"left_hand", 0.42, {0.0, 0.0, -0.08},
-     {0.0012355, 0.0, 0.0, 0.0, 0.001043, 0.0, 0.0, 0.0, 0.0002555},
-     {}},
+     {0.0012355, 0.0, 0.0, 0.0, 0.001043, 0.0, 0.0, 0.0, 0.0002555}, {}},
     {"head", 4.9, {0.01, 0.0, 0.14},
-     {0.0196, 0.0, 0.0, 0.0, 0.0196, 0.0, 0.0, 0.0, 0.0196},
-     {}},
+     {0.0196, 0.0, 0.0, 0.0, 0.0196, 0.0, 0.0, 0.0, 0.0196}, {}},
     {"right_upper_arm", 1.9, {0.0, 0.0, -0.14},
-     {0.0133752, 0.0, 0.0, 0.0, 0.0133752, 0.0, 0.0, 0.0, 0.00192375},
-     {}},
+     {0.0133752, 0.0, 0.0, 0.0, 0.0133752, 0.0, 0.0, 0.0, 0.00192375}, {}},
     {"right_forearm", 1.1, {-0.12, 0.0, 0.0},
-     {0.00067375, 0.0, 0.0, 0.0, 0.00606604, 0.0, 0.0, 0.0, 0.00606604},
-     {}},
+     {0.00067375, 0.0, 0.0, 0.0, 0.00606604, 0.0, 0.0, 0.0, 0.00606604}, {}},
     {"right_hand", 0.42, {0.0, 0.0, -0.08},
-     {0.0012355, 0.0, 0.0, 0.0, 0.001043, 0.0, 0.0, 0.0, 0.0002555},
-     {}},
+     {0.0012355, 0.0, 0.0, 0.0, 0.001043, 0.0, 0.0, 0.0, 0.0002555}, {}},
 } };
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
@@ -230,12 +194,11 @@ namespace {
 // each link's own origin. omega, alpha, a: motion of links for zero joint accelerations; the joint
 // accelerations that are solved for come on top.
 
-#include "adagen/kernels/tables.hpp"
+#include "adagen/kernels/plain_layout.hpp"
 
 namespace {
 
-// Type of values.
-using Value = Real;
+using Value = Real;  // what is computed with
 
 // Mass, mass times centre of mass, and pseudo-inertia of each link.
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
@@ -271,29 +234,13 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
      {3.150000000000001e-05, 0.0, 0.0, 0.00022399999999999997, 0.0, 0.0036995}},
 } };
 
-// Memory slot of each joint and its child link; limbs that share lanes, and segments of long runs,
-// are interleaved.
-constexpr int kSlotCount = 26;
-constexpr int kTile = 0;  // joints whose memory is in use at the same time; 0: all
-constexpr bool kInLanes = true;  // whether limbs share lanes
-constexpr bool kPrescribedInLanes = false;  // with prescribed motions
-constexpr bool kReordered = true;  // whether slots are in another order than joints
-constexpr int kSlots[kJointCount]{ 0, 1, 8, 9, 2, 3, 4, 5, 18, 24, 25, 16, 19, 20, 17 };
-// Blocks of slots with equal constants: number of kinds (0: not compared), kind of each block, and
-// first block of each kind.
-constexpr int kBlockKindCount = 0;
-[[maybe_unused]] constexpr int kBlockKinds[]{ 0 };
-[[maybe_unused]] constexpr int kFirstOfKind[]{ 0 };
-constexpr bool kByColumns = false;  // whether runs are computed by columns
-// Joints that are eliminated in their own axes: always, or only if the axes of the base lose digits.
-constexpr bool kAnyTurned = false;
-constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
-constexpr bool kAnyTurnedIfLost = false;
-constexpr bool kTurnedIfLost[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
-constexpr double kLosing = 256.0;  // they do if trace > kLosing * D
-// Whether sweeps are repeated with other forces.
-constexpr bool kPassesFree = false;  // whether mobilities pass floating joints
-constexpr bool kAgain = kWide || kSlavedCount > 0;
+// What is not as in PlainLayout.
+struct Layout : PlainLayout {
+  static constexpr int kSlotCount = 26;
+  static constexpr bool kReordered = true;
+  static constexpr int kSlots[kJointCount] = {0, 1, 8, 9, 2, 3, 4, 5, 18, 24, 25, 16, 19, 20, 17};
+  static constexpr bool kInLanes = true;
+};
 
 // Role of each process at each link: gathers, adds_own, parts, oriented.
 constexpr LinkRole kRoles[4][kLinkCount]{
@@ -302,7 +249,6 @@ constexpr LinkRole kRoles[4][kLinkCount]{
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 1}, {0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 1, 0, 1}, {0, 1, 0, 1}, {1, 1, 1, 0}, {0, 1, 0, 1}},
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 1}, {1, 1, 1, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
 };
-
 
 }  // namespace
 
@@ -365,22 +311,11 @@ struct Cuts {
 
 }  // namespace
 
-#include "adagen/kernels/blocks.hpp"
 #include "adagen/kernels/inertias.hpp"
-#include "adagen/kernels/memory.hpp"
-#include "adagen/gravity.hpp"
-#include "adagen/kernels/guards.hpp"
-#include "adagen/kernels/kinds.hpp"
-#include "adagen/kernels/links.hpp"
-#include "adagen/kernels/quaternions.hpp"
-#include "adagen/kernels/outward.hpp"
 #include "adagen/kernels/keep_nothing.hpp"
-#include "adagen/kernels/factors.hpp"
-#include "adagen/kernels/spherical.hpp"
-#include "adagen/kernels/turned.hpp"
-#include "adagen/kernels/inward.hpp"
 #include "adagen/kernels/reach_nothing.hpp"
-#include "adagen/kernels/accelerate.hpp"
+#include "adagen/kernels/sweeps.hpp"
+#include "adagen/kernels/quaternions.hpp"
 #include "adagen/kernels/groups.hpp"
 #include "adagen/kernels/mobility.hpp"
 #include "adagen/kernels/wrenches.hpp"
@@ -669,27 +604,15 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<Range, 2> kReadQ_0{ {{0, 11}, {16, 13}} };
-constexpr std::array<Range, 2> kReadV_0{ {{0, 9}, {13, 10}} };
-constexpr std::array<Range, 2> kOwn_0{ {{0, 9}, {13, 10}} };
-constexpr std::array<Range, 2> kTorque_0{ {{0, 9}, {13, 10}} };
-constexpr std::array<Range, 1> kReadQ_1{ {{0, 16}} };
-constexpr std::array<Range, 1> kReadV_1{ {{0, 13}} };
-constexpr std::array<Range, 1> kOwn_1{ {{9, 4}} };
-constexpr std::array<Range, 1> kTorque_1{ {{9, 4}} };
-constexpr std::array<Range, 3> kReadQ_2{ {{0, 7}, {25, 8}, {38, 13}} };
-constexpr std::array<Range, 3> kReadV_2{ {{0, 6}, {20, 6}, {30, 10}} };
-constexpr std::array<Range, 2> kOwn_2{ {{23, 3}, {30, 10}} };
-constexpr std::array<Range, 2> kTorque_2{ {{23, 3}, {30, 10}} };
-constexpr std::array<Range, 2> kReadQ_3{ {{0, 7}, {25, 13}} };
-constexpr std::array<Range, 2> kReadV_3{ {{0, 6}, {20, 10}} };
-constexpr std::array<Range, 1> kOwn_3{ {{26, 4}} };
-constexpr std::array<Range, 1> kTorque_3{ {{26, 4}} };
+constexpr std::array<Range, 8> kRanges_0{ {{0, 11}, {16, 13}, {0, 9}, {13, 10}, {0, 9}, {13, 10}, {0, 9}, {13, 10}} };
+constexpr std::array<Range, 4> kRanges_1{ {{0, 16}, {0, 13}, {9, 4}, {9, 4}} };
+constexpr std::array<Range, 10> kRanges_2{ {{0, 7}, {25, 8}, {38, 13}, {0, 6}, {20, 6}, {30, 10}, {23, 3}, {30, 10}, {23, 3}, {30, 10}} };
+constexpr std::array<Range, 6> kRanges_3{ {{0, 7}, {25, 13}, {0, 6}, {20, 10}, {26, 4}, {26, 4}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{2, kReadQ_0.data()}, {2, kReadV_0.data()}, {2, kOwn_0.data()}, {2, kTorque_0.data()}},
-    {{1, kReadQ_1.data()}, {1, kReadV_1.data()}, {1, kOwn_1.data()}, {1, kTorque_1.data()}},
-    {{3, kReadQ_2.data()}, {3, kReadV_2.data()}, {2, kOwn_2.data()}, {2, kTorque_2.data()}},
-    {{2, kReadQ_3.data()}, {2, kReadV_3.data()}, {1, kOwn_3.data()}, {1, kTorque_3.data()}},
+    {{2, kRanges_0.data()}, {2, kRanges_0.data() + 2}, {2, kRanges_0.data() + 4}, {2, kRanges_0.data() + 6}},
+    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}},
+    {{3, kRanges_2.data()}, {3, kRanges_2.data() + 3}, {2, kRanges_2.data() + 6}, {2, kRanges_2.data() + 8}},
+    {{2, kRanges_3.data()}, {2, kRanges_3.data() + 2}, {1, kRanges_3.data() + 4}, {1, kRanges_3.data() + 5}},
 } };
 
 }  // namespace
@@ -713,41 +636,21 @@ namespace {
 
 // The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 11> kStages_0{ {
-    {"kinematics", 7, -1},
-    {"assembly", 4, -1},
-    {"receive", -1, 0},
-    {"assembly", 1, -1},
-    {"receive", -1, 2},
-    {"assembly", 7, -1},
-    {"disassembly", 7, -1},
-    {"send", -1, 3},
-    {"disassembly", 1, -1},
-    {"send", -1, 4},
-    {"disassembly", 4, -1},
+    {"kinematics", 7, -1}, {"assembly", 4, -1}, {"receive", -1, 0}, {"assembly", 1, -1},
+    {"receive", -1, 2}, {"assembly", 7, -1}, {"disassembly", 7, -1}, {"send", -1, 3},
+    {"disassembly", 1, -1}, {"send", -1, 4}, {"disassembly", 4, -1},
 } };
 constexpr std::array<adagen::Stage, 5> kStages_1{ {
-    {"kinematics", 3, -1},
-    {"assembly", 2, -1},
-    {"send", -1, 0},
-    {"receive", -1, 4},
+    {"kinematics", 3, -1}, {"assembly", 2, -1}, {"send", -1, 0}, {"receive", -1, 4},
     {"disassembly", 2, -1},
 } };
 constexpr std::array<adagen::Stage, 9> kStages_2{ {
-    {"kinematics", 14, -1},
-    {"assembly", 11, -1},
-    {"receive", -1, 1},
-    {"assembly", 8, -1},
-    {"send", -1, 2},
-    {"receive", -1, 3},
-    {"disassembly", 8, -1},
-    {"send", -1, 5},
+    {"kinematics", 14, -1}, {"assembly", 11, -1}, {"receive", -1, 1}, {"assembly", 8, -1},
+    {"send", -1, 2}, {"receive", -1, 3}, {"disassembly", 8, -1}, {"send", -1, 5},
     {"disassembly", 11, -1},
 } };
 constexpr std::array<adagen::Stage, 5> kStages_3{ {
-    {"kinematics", 10, -1},
-    {"assembly", 9, -1},
-    {"send", -1, 1},
-    {"receive", -1, 5},
+    {"kinematics", 10, -1}, {"assembly", 9, -1}, {"send", -1, 1}, {"receive", -1, 5},
     {"disassembly", 9, -1},
 } };
 constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {

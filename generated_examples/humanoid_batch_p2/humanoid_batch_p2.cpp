@@ -13,13 +13,9 @@
 // linear], in the axes of the base, about each link's origin. Each SIMD lane holds a state; the processes
 // share the states of a batch, not the robot.
 //
-// Contents:
-//   1. interface   the C functions for a program that links this file
-//   2. model       the robot's constants
-//   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      memory of each joint, and the functions that compute its steps
-//   5. processes   the work of each process, in order
-//   6. program     description for the program around it (adagen_program.cpp), and main
+// Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
+// 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
+// order; 6 program, what the program around it (adagen_program.cpp) is told, and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // humanoid_batch_p2.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
@@ -32,13 +28,8 @@
 #define ADAGEN_CALL(word) humanoid_batch_p2_##word
 #define ADAGEN_NAMED(WORD) HUMANOID_BATCH_P2_##WORD
 
+
 #include <mpi.h>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
@@ -51,26 +42,17 @@
 #error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
+#include "adagen/settings.hpp"
+
 namespace {
 
-using Number = double;  // type of states, results and messages
-using Real = double;    // type of all other values
-constexpr int kProcesses = 2;
-[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all the work
-constexpr int kJointCount = 30, kLinkCount = kJointCount + 1;
-[[maybe_unused]] constexpr int kNq = 36, kNv = 35;
-[[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
-[[maybe_unused]] constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
-[[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
-[[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
-[[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
-[[maybe_unused]] constexpr bool kBatch = true;  // whether many states are solved at once
-[[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
-[[maybe_unused]] constexpr bool kWide = false;  // whether their residuals are found in wider numbers
-[[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
-[[maybe_unused]] constexpr bool kWeighed = kCertified || (kRefine > 0 && !kWide);  // whether residuals are swept inwards
-[[maybe_unused]] constexpr int kPlanMessages = 0;
-[[maybe_unused]] constexpr double kTolerance = 1e-09;
+// What is not as in PlainSettings.
+struct Settings : PlainSettings {
+  static constexpr int kJointCount = 30, kNq = 36, kNv = 35;
+  static constexpr int kProcesses = 2;
+  static constexpr bool kAlone = false;
+  static constexpr bool kBatch = true;
+};
 
 }  // namespace
 
@@ -79,103 +61,71 @@ constexpr int kJointCount = 30, kLinkCount = kJointCount + 1;
 namespace {
 
 [[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
-// What can be set at run time, and what it is until then.
-[[maybe_unused]] constexpr int kParameterCount = 0;
+[[maybe_unused]] constexpr int kParameterCount = 0;  // of what can be set at run time
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"__world__", 0.0, {0.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
-     {}},
+     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {}},
     {"pelvis", 6.2, {0.0, 0.0, 0.02},
-     {0.0324467, 0.0, 0.0, 0.0, 0.0175667, 0.0, 0.0, 0.0, 0.0351333},
-     {}},
+     {0.0324467, 0.0, 0.0, 0.0, 0.0175667, 0.0, 0.0, 0.0, 0.0351333}, {}},
     {"left_hip", 1.4, {0.0, 0.0, 0.03},
-     {0.00182, 0.0, 0.0, 0.0, 0.00182, 0.0, 0.0, 0.0, 0.00175},
-     {}},
+     {0.00182, 0.0, 0.0, 0.0, 0.00182, 0.0, 0.0, 0.0, 0.00175}, {}},
     {"left_groin", 1.2, {0.0, -0.04, 0.02},
-     {0.00139, 0.0, 0.0, 0.0, 0.00139, 0.0, 0.0, 0.0, 0.0015},
-     {}},
+     {0.00139, 0.0, 0.0, 0.0, 0.00139, 0.0, 0.0, 0.0, 0.0015}, {}},
     {"left_thigh", 2.6, {0.0, 0.0, -0.1},
-     {0.0169867, 0.0, 0.0, 0.0, 0.0169867, 0.0, 0.0, 0.0, 0.00468},
-     {}},
+     {0.0169867, 0.0, 0.0, 0.0, 0.0169867, 0.0, 0.0, 0.0, 0.00468}, {}},
     {"left_shank", 1.8, {-0.13, 0.01, 0.0},
-     {0.0018225, 0.0, 0.0, 0.0, 0.0126713, 0.0, 0.0, 0.0, 0.0126713},
-     {}},
+     {0.0018225, 0.0, 0.0, 0.0, 0.0126713, 0.0, 0.0, 0.0, 0.0126713}, {}},
     {"left_ankle", 0.2, {0.0, 0.0, 0.0},
-     {7.2e-05, 0.0, 0.0, 0.0, 7.2e-05, 0.0, 0.0, 0.0, 7.2e-05},
-     {}},
+     {7.2e-05, 0.0, 0.0, 0.0, 7.2e-05, 0.0, 0.0, 0.0, 7.2e-05}, {}},
     {"left_foot", 0.8, {0.0, -0.03, 0.03},
-     {0.00272667, 0.0, 0.0, 0.0, 0.00309333, 0.0, 0.0, 0.0, 0.000486667},
-     {}},
+     {0.00272667, 0.0, 0.0, 0.0, 0.00309333, 0.0, 0.0, 0.0, 0.000486667}, {}},
     {"right_hip", 1.4, {0.0, 0.0, -0.03},
-     {0.00182, 0.0, 0.0, 0.0, 0.00182, 0.0, 0.0, 0.0, 0.00175},
-     {}},
+     {0.00182, 0.0, 0.0, 0.0, 0.00182, 0.0, 0.0, 0.0, 0.00175}, {}},
     {"right_groin", 1.2, {0.0, -0.04, 0.02},
-     {0.00139, 0.0, 0.0, 0.0, 0.00139, 0.0, 0.0, 0.0, 0.0015},
-     {}},
+     {0.00139, 0.0, 0.0, 0.0, 0.00139, 0.0, 0.0, 0.0, 0.0015}, {}},
     {"right_thigh", 2.6, {0.0, 0.0, -0.1},
-     {0.0169867, 0.0, 0.0, 0.0, 0.0169867, 0.0, 0.0, 0.0, 0.00468},
-     {}},
+     {0.0169867, 0.0, 0.0, 0.0, 0.0169867, 0.0, 0.0, 0.0, 0.00468}, {}},
     {"right_shank", 1.8, {-0.13, 0.01, 0.0},
-     {0.0018225, 0.0, 0.0, 0.0, 0.0126713, 0.0, 0.0, 0.0, 0.0126713},
-     {}},
+     {0.0018225, 0.0, 0.0, 0.0, 0.0126713, 0.0, 0.0, 0.0, 0.0126713}, {}},
     {"right_ankle", 0.2, {0.0, 0.0, 0.0},
-     {7.2e-05, 0.0, 0.0, 0.0, 7.2e-05, 0.0, 0.0, 0.0, 7.2e-05},
-     {}},
+     {7.2e-05, 0.0, 0.0, 0.0, 7.2e-05, 0.0, 0.0, 0.0, 7.2e-05}, {}},
     {"right_foot", 0.8, {0.0, -0.03, 0.03},
-     {0.00272667, 0.0, 0.0, 0.0, 0.00309333, 0.0, 0.0, 0.0, 0.000486667},
-     {}},
+     {0.00272667, 0.0, 0.0, 0.0, 0.00309333, 0.0, 0.0, 0.0, 0.000486667}, {}},
     {"waist_link", 0.8, {0.0, 0.0, 0.02},
-     {0.00074, 0.0, 0.0, 0.0, 0.00074, 0.0, 0.0, 0.0, 0.001},
-     {}},
+     {0.00074, 0.0, 0.0, 0.0, 0.00074, 0.0, 0.0, 0.0, 0.001}, {}},
     {"abdomen", 0.9, {0.0, 0.02, 0.0},
-     {0.0010425, 0.0, 0.0, 0.0, 0.001125, 0.0, 0.0, 0.0, 0.0010425},
-     {}},
+     {0.0010425, 0.0, 0.0, 0.0, 0.001125, 0.0, 0.0, 0.0, 0.0010425}, {}},
     {"torso", 9.5, {0.17, 0.01, 0.0},
-     {0.0823333, 0.0, 0.0, 0.0, 0.153583, 0.0, 0.0, 0.0, 0.111783},
-     {}},
+     {0.0823333, 0.0, 0.0, 0.0, 0.153583, 0.0, 0.0, 0.0, 0.111783}, {}},
     {"left_shoulder", 0.8, {0.0, 0.0, 0.03},
-     {0.000646667, 0.0, 0.0, 0.0, 0.000646667, 0.0, 0.0, 0.0, 0.00064},
-     {}},
+     {0.000646667, 0.0, 0.0, 0.0, 0.000646667, 0.0, 0.0, 0.0, 0.00064}, {}},
     {"left_shoulder_cap", 0.7, {0.01, -0.03, 0.0},
-     {0.0007, 0.0, 0.0, 0.0, 0.0007, 0.0, 0.0, 0.0, 0.0007},
-     {}},
+     {0.0007, 0.0, 0.0, 0.0, 0.0007, 0.0, 0.0, 0.0, 0.0007}, {}},
     {"left_upper_arm", 0.8, {0.0, 0.0, -0.05},
-     {0.00162667, 0.0, 0.0, 0.0, 0.00162667, 0.0, 0.0, 0.0, 0.00064},
-     {}},
+     {0.00162667, 0.0, 0.0, 0.0, 0.00162667, 0.0, 0.0, 0.0, 0.00064}, {}},
     {"left_forearm", 0.7, {-0.07, 0.02, 0.0},
-     {0.00042875, 0.0, 0.0, 0.0, 0.00170771, 0.0, 0.0, 0.0, 0.00170771},
-     {}},
+     {0.00042875, 0.0, 0.0, 0.0, 0.00170771, 0.0, 0.0, 0.0, 0.00170771}, {}},
     {"left_wrist", 0.2, {0.0, 0.0, -0.01},
-     {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05},
-     {}},
+     {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05}, {}},
     {"left_hand", 0.4, {-0.06, 0.0, 0.0},
-     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333},
-     {}},
+     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333}, {}},
     {"neck", 0.4, {0.0, 0.0, 0.02},
-     {0.00021, 0.0, 0.0, 0.0, 0.00021, 0.0, 0.0, 0.0, 0.00018},
-     {}},
+     {0.00021, 0.0, 0.0, 0.0, 0.00021, 0.0, 0.0, 0.0, 0.00018}, {}},
     {"head", 2.4, {0.09, 0.02, 0.0},
-     {0.007776, 0.0, 0.0, 0.0, 0.007776, 0.0, 0.0, 0.0, 0.007776},
-     {}},
+     {0.007776, 0.0, 0.0, 0.0, 0.007776, 0.0, 0.0, 0.0, 0.007776}, {}},
     {"right_shoulder", 0.8, {0.0, 0.0, -0.03},
-     {0.000646667, 0.0, 0.0, 0.0, 0.000646667, 0.0, 0.0, 0.0, 0.00064},
-     {}},
+     {0.000646667, 0.0, 0.0, 0.0, 0.000646667, 0.0, 0.0, 0.0, 0.00064}, {}},
     {"right_shoulder_cap", 0.7, {-0.01, -0.03, 0.0},
-     {0.0007, 0.0, 0.0, 0.0, 0.0007, 0.0, 0.0, 0.0, 0.0007},
-     {}},
+     {0.0007, 0.0, 0.0, 0.0, 0.0007, 0.0, 0.0, 0.0, 0.0007}, {}},
     {"right_upper_arm", 0.8, {0.0, 0.0, -0.05},
-     {0.00162667, 0.0, 0.0, 0.0, 0.00162667, 0.0, 0.0, 0.0, 0.00064},
-     {}},
+     {0.00162667, 0.0, 0.0, 0.0, 0.00162667, 0.0, 0.0, 0.0, 0.00064}, {}},
     {"right_forearm", 0.7, {-0.07, 0.02, 0.0},
-     {0.00042875, 0.0, 0.0, 0.0, 0.00170771, 0.0, 0.0, 0.0, 0.00170771},
-     {}},
+     {0.00042875, 0.0, 0.0, 0.0, 0.00170771, 0.0, 0.0, 0.0, 0.00170771}, {}},
     {"right_wrist", 0.2, {0.0, 0.0, -0.01},
-     {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05},
-     {}},
+     {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05}, {}},
     {"right_hand", 0.4, {-0.06, 0.0, 0.0},
-     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333},
-     {}},
+     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333}, {}},
 } };
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
@@ -298,12 +248,11 @@ namespace {
 // each link's own origin. omega, alpha, a: motion of links for zero joint accelerations; the joint
 // accelerations that are solved for come on top.
 
-#include "adagen/kernels/tables.hpp"
+#include "adagen/kernels/plain_layout.hpp"
 
 namespace {
 
-// Type of values: one state in each lane.
-using Value = Lanes;
+using Value = Lanes;  // what is computed with: one state in each lane
 
 // Mass, mass times centre of mass, and pseudo-inertia of each link.
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
@@ -369,63 +318,22 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
      {0.0019199994999999999, 0.0, 0.0, 8.33335e-05, 0.0, 0.00021333350000000002}},
 } };
 
-// Memory slot of each joint and its child link; limbs that share lanes, and segments of long runs,
-// are interleaved.
-constexpr int kSlotCount = 30;
-constexpr int kTile = 0;  // joints whose memory is in use at the same time; 0: all
-constexpr bool kInLanes = false;  // whether limbs share lanes
-constexpr bool kPrescribedInLanes = false;  // with prescribed motions
-constexpr bool kReordered = false;  // whether slots are in another order than joints
-constexpr int kSlots[kJointCount]{ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29 };
-// Blocks of slots with equal constants: number of kinds (0: not compared), kind of each block, and
-// first block of each kind.
-constexpr int kBlockKindCount = 0;
-[[maybe_unused]] constexpr int kBlockKinds[]{ 0 };
-[[maybe_unused]] constexpr int kFirstOfKind[]{ 0 };
-constexpr bool kByColumns = false;  // whether runs are computed by columns
-// Joints that are eliminated in their own axes: always, or only if the axes of the base lose digits.
-constexpr bool kAnyTurned = false;
-constexpr bool kTurned[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
-constexpr bool kAnyTurnedIfLost = false;
-constexpr bool kTurnedIfLost[kJointCount]{ 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
-constexpr double kLosing = 256.0;  // they do if trace > kLosing * D
-// Whether sweeps are repeated with other forces.
-constexpr bool kPassesFree = false;  // whether mobilities pass floating joints
-constexpr bool kAgain = kWide || kSlavedCount > 0;
+struct Layout : PlainLayout {};
 
 // Role of each process at each link: gathers, adds_own, parts, oriented.
 constexpr LinkRole kRoles[1][kLinkCount]{
     {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
 };
-
+struct Cuts {};  // nothing is kept where segments meet
 
 }  // namespace
 
 #include "adagen/kernels/state.hpp"
 
-namespace {
-
-// Memory where segments meet, by joint.
-struct Cuts {
-};
-
-}  // namespace
-
-#include "adagen/kernels/blocks.hpp"
 #include "adagen/kernels/inertias.hpp"
-#include "adagen/kernels/memory.hpp"
-#include "adagen/gravity.hpp"
-#include "adagen/kernels/guards.hpp"
-#include "adagen/kernels/kinds.hpp"
-#include "adagen/kernels/links.hpp"
-#include "adagen/kernels/outward.hpp"
 #include "adagen/kernels/keep_nothing.hpp"
-#include "adagen/kernels/factors.hpp"
-#include "adagen/kernels/spherical.hpp"
-#include "adagen/kernels/turned.hpp"
-#include "adagen/kernels/inward.hpp"
 #include "adagen/kernels/reach_nothing.hpp"
-#include "adagen/kernels/accelerate.hpp"
+#include "adagen/kernels/sweeps.hpp"
 
 namespace {
 
@@ -460,15 +368,7 @@ void run_0([[maybe_unused]] Workspace& w) {
   accelerate<0, 24, 29>(w);  // "right_shoulder_pitch" .. "right_wrist_pitch"
   free_acceleration<0>(w);
   stamp(3);
-  if (!went_well(w, 0, 35)) {
-    // The state's own faults are named before all others.
-    const int found = std::exchange(w.status, kFine);
-    require_finite(w, w.q, 0, 36, &JointConstants::q, kNotFinite);
-    require_finite(w, w.v, 0, 35, &JointConstants::v, kNotFinite);
-    require_finite(w, w.tau, 0, 35, &JointConstants::v, kNotFinite);
-    Channel::fail(w.status, found);
-    require_finite(w, w.answer.data(), 0, 35, &JointConstants::v, kOverflow);
-  }
+  if (!went_well(w, 0, 35)) find_fault(w, {{0, 36}}, {{0, 35}}, {{0, 35}}, {{0, 35}});
   give(w, 0, 35);
 }
 
@@ -476,13 +376,10 @@ constexpr std::array kParts{run_0};  // what is done for a group of states, in o
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<Range, 1> kReadQ_0{ {{0, 36}} };
-constexpr std::array<Range, 1> kReadV_0{ {{0, 35}} };
-constexpr std::array<Range, 1> kOwn_0{ {{0, 35}} };
-constexpr std::array<Range, 1> kTorque_0{ {{0, 35}} };
+constexpr std::array<Range, 4> kRanges_0{ {{0, 36}, {0, 35}, {0, 35}, {0, 35}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
-    {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
 } };
 
 }  // namespace
@@ -507,14 +404,10 @@ namespace {
 
 // The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 3> kStages_0{ {
-    {"kinematics", 29, -1},
-    {"assembly", 1, -1},
-    {"disassembly", 1, -1},
+    {"kinematics", 29, -1}, {"assembly", 1, -1}, {"disassembly", 1, -1},
 } };
 constexpr std::array<adagen::Stage, 3> kStages_1{ {
-    {"kinematics", 29, -1},
-    {"assembly", 1, -1},
-    {"disassembly", 1, -1},
+    {"kinematics", 29, -1}, {"assembly", 1, -1}, {"disassembly", 1, -1},
 } };
 constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
     {kStages_0.data(), 3},

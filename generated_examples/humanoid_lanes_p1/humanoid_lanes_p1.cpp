@@ -14,13 +14,9 @@
 // from the ends to the base, then the accelerations from the base outwards. Spatial vectors are [angular;
 // linear], in link frames turned so that every joint axis is z.
 //
-// Contents:
-//   1. interface   the C functions for a program that links this file
-//   2. model       the robot's constants
-//   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      memory of each joint, and the functions that compute its steps
-//   5. processes   the work of each process, in order
-//   6. program     description for the program around it (adagen_program.cpp), and main
+// Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
+// 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
+// order; 6 program, what the program around it (adagen_program.cpp) is told, and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // humanoid_lanes_p1.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
@@ -33,12 +29,6 @@
 #define ADAGEN_CALL(word) humanoid_lanes_p1_##word
 #define ADAGEN_NAMED(WORD) HUMANOID_LANES_P1_##WORD
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
@@ -49,26 +39,14 @@
 #error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
+#include "adagen/settings.hpp"
+
 namespace {
 
-using Number = double;  // type of states, results and messages
-using Real = double;    // type of all other values
-constexpr int kProcesses = 1;
-[[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all the work
-constexpr int kJointCount = 30, kLinkCount = kJointCount + 1;
-[[maybe_unused]] constexpr int kNq = 36, kNv = 35;
-[[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
-[[maybe_unused]] constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
-[[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
-[[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
-[[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
-[[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
-[[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
-[[maybe_unused]] constexpr bool kWide = false;  // whether their residuals are found in wider numbers
-[[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
-[[maybe_unused]] constexpr bool kWeighed = kCertified || (kRefine > 0 && !kWide);  // whether residuals are swept inwards
-[[maybe_unused]] constexpr int kPlanMessages = 0;
-[[maybe_unused]] constexpr double kTolerance = 1e-09;
+// What is not as in PlainSettings.
+struct Settings : PlainSettings {
+  static constexpr int kJointCount = 30, kNq = 36, kNv = 35;
+};
 
 }  // namespace
 
@@ -77,103 +55,71 @@ constexpr int kJointCount = 30, kLinkCount = kJointCount + 1;
 namespace {
 
 [[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
-// What can be set at run time, and what it is until then.
-[[maybe_unused]] constexpr int kParameterCount = 0;
+[[maybe_unused]] constexpr int kParameterCount = 0;  // of what can be set at run time
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"__world__", 0.0, {0.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
-     {}},
+     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {}},
     {"pelvis", 6.2, {0.0, 0.0, 0.02},
-     {0.0324467, 0.0, 0.0, 0.0, 0.0175667, 0.0, 0.0, 0.0, 0.0351333},
-     {}},
+     {0.0324467, 0.0, 0.0, 0.0, 0.0175667, 0.0, 0.0, 0.0, 0.0351333}, {}},
     {"left_hip", 1.4, {0.0, 0.0, 0.03},
-     {0.00182, 0.0, 0.0, 0.0, 0.00182, 0.0, 0.0, 0.0, 0.00175},
-     {}},
+     {0.00182, 0.0, 0.0, 0.0, 0.00182, 0.0, 0.0, 0.0, 0.00175}, {}},
     {"left_groin", 1.2, {0.0, -0.04, 0.02},
-     {0.00139, 0.0, 0.0, 0.0, 0.00139, 0.0, 0.0, 0.0, 0.0015},
-     {}},
+     {0.00139, 0.0, 0.0, 0.0, 0.00139, 0.0, 0.0, 0.0, 0.0015}, {}},
     {"left_thigh", 2.6, {0.0, 0.0, -0.1},
-     {0.0169867, 0.0, 0.0, 0.0, 0.0169867, 0.0, 0.0, 0.0, 0.00468},
-     {}},
+     {0.0169867, 0.0, 0.0, 0.0, 0.0169867, 0.0, 0.0, 0.0, 0.00468}, {}},
     {"left_shank", 1.8, {-0.13, 0.01, 0.0},
-     {0.0018225, 0.0, 0.0, 0.0, 0.0126713, 0.0, 0.0, 0.0, 0.0126713},
-     {}},
+     {0.0018225, 0.0, 0.0, 0.0, 0.0126713, 0.0, 0.0, 0.0, 0.0126713}, {}},
     {"left_ankle", 0.2, {0.0, 0.0, 0.0},
-     {7.2e-05, 0.0, 0.0, 0.0, 7.2e-05, 0.0, 0.0, 0.0, 7.2e-05},
-     {}},
+     {7.2e-05, 0.0, 0.0, 0.0, 7.2e-05, 0.0, 0.0, 0.0, 7.2e-05}, {}},
     {"left_foot", 0.8, {0.0, -0.03, 0.03},
-     {0.00272667, 0.0, 0.0, 0.0, 0.00309333, 0.0, 0.0, 0.0, 0.000486667},
-     {}},
+     {0.00272667, 0.0, 0.0, 0.0, 0.00309333, 0.0, 0.0, 0.0, 0.000486667}, {}},
     {"right_hip", 1.4, {0.0, 0.0, -0.03},
-     {0.00182, 0.0, 0.0, 0.0, 0.00182, 0.0, 0.0, 0.0, 0.00175},
-     {}},
+     {0.00182, 0.0, 0.0, 0.0, 0.00182, 0.0, 0.0, 0.0, 0.00175}, {}},
     {"right_groin", 1.2, {0.0, -0.04, 0.02},
-     {0.00139, 0.0, 0.0, 0.0, 0.00139, 0.0, 0.0, 0.0, 0.0015},
-     {}},
+     {0.00139, 0.0, 0.0, 0.0, 0.00139, 0.0, 0.0, 0.0, 0.0015}, {}},
     {"right_thigh", 2.6, {0.0, 0.0, -0.1},
-     {0.0169867, 0.0, 0.0, 0.0, 0.0169867, 0.0, 0.0, 0.0, 0.00468},
-     {}},
+     {0.0169867, 0.0, 0.0, 0.0, 0.0169867, 0.0, 0.0, 0.0, 0.00468}, {}},
     {"right_shank", 1.8, {-0.13, 0.01, 0.0},
-     {0.0018225, 0.0, 0.0, 0.0, 0.0126713, 0.0, 0.0, 0.0, 0.0126713},
-     {}},
+     {0.0018225, 0.0, 0.0, 0.0, 0.0126713, 0.0, 0.0, 0.0, 0.0126713}, {}},
     {"right_ankle", 0.2, {0.0, 0.0, 0.0},
-     {7.2e-05, 0.0, 0.0, 0.0, 7.2e-05, 0.0, 0.0, 0.0, 7.2e-05},
-     {}},
+     {7.2e-05, 0.0, 0.0, 0.0, 7.2e-05, 0.0, 0.0, 0.0, 7.2e-05}, {}},
     {"right_foot", 0.8, {0.0, -0.03, 0.03},
-     {0.00272667, 0.0, 0.0, 0.0, 0.00309333, 0.0, 0.0, 0.0, 0.000486667},
-     {}},
+     {0.00272667, 0.0, 0.0, 0.0, 0.00309333, 0.0, 0.0, 0.0, 0.000486667}, {}},
     {"waist_link", 0.8, {0.0, 0.0, 0.02},
-     {0.00074, 0.0, 0.0, 0.0, 0.00074, 0.0, 0.0, 0.0, 0.001},
-     {}},
+     {0.00074, 0.0, 0.0, 0.0, 0.00074, 0.0, 0.0, 0.0, 0.001}, {}},
     {"abdomen", 0.9, {0.0, 0.02, 0.0},
-     {0.0010425, 0.0, 0.0, 0.0, 0.001125, 0.0, 0.0, 0.0, 0.0010425},
-     {}},
+     {0.0010425, 0.0, 0.0, 0.0, 0.001125, 0.0, 0.0, 0.0, 0.0010425}, {}},
     {"torso", 9.5, {0.17, 0.01, 0.0},
-     {0.0823333, 0.0, 0.0, 0.0, 0.153583, 0.0, 0.0, 0.0, 0.111783},
-     {}},
+     {0.0823333, 0.0, 0.0, 0.0, 0.153583, 0.0, 0.0, 0.0, 0.111783}, {}},
     {"left_shoulder", 0.8, {0.0, 0.0, 0.03},
-     {0.000646667, 0.0, 0.0, 0.0, 0.000646667, 0.0, 0.0, 0.0, 0.00064},
-     {}},
+     {0.000646667, 0.0, 0.0, 0.0, 0.000646667, 0.0, 0.0, 0.0, 0.00064}, {}},
     {"left_shoulder_cap", 0.7, {0.01, -0.03, 0.0},
-     {0.0007, 0.0, 0.0, 0.0, 0.0007, 0.0, 0.0, 0.0, 0.0007},
-     {}},
+     {0.0007, 0.0, 0.0, 0.0, 0.0007, 0.0, 0.0, 0.0, 0.0007}, {}},
     {"left_upper_arm", 0.8, {0.0, 0.0, -0.05},
-     {0.00162667, 0.0, 0.0, 0.0, 0.00162667, 0.0, 0.0, 0.0, 0.00064},
-     {}},
+     {0.00162667, 0.0, 0.0, 0.0, 0.00162667, 0.0, 0.0, 0.0, 0.00064}, {}},
     {"left_forearm", 0.7, {-0.07, 0.02, 0.0},
-     {0.00042875, 0.0, 0.0, 0.0, 0.00170771, 0.0, 0.0, 0.0, 0.00170771},
-     {}},
+     {0.00042875, 0.0, 0.0, 0.0, 0.00170771, 0.0, 0.0, 0.0, 0.00170771}, {}},
     {"left_wrist", 0.2, {0.0, 0.0, -0.01},
-     {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05},
-     {}},
+     {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05}, {}},
     {"left_hand", 0.4, {-0.06, 0.0, 0.0},
-     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333},
-     {}},
+     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333}, {}},
     {"neck", 0.4, {0.0, 0.0, 0.02},
-     {0.00021, 0.0, 0.0, 0.0, 0.00021, 0.0, 0.0, 0.0, 0.00018},
-     {}},
+     {0.00021, 0.0, 0.0, 0.0, 0.00021, 0.0, 0.0, 0.0, 0.00018}, {}},
     {"head", 2.4, {0.09, 0.02, 0.0},
-     {0.007776, 0.0, 0.0, 0.0, 0.007776, 0.0, 0.0, 0.0, 0.007776},
-     {}},
+     {0.007776, 0.0, 0.0, 0.0, 0.007776, 0.0, 0.0, 0.0, 0.007776}, {}},
     {"right_shoulder", 0.8, {0.0, 0.0, -0.03},
-     {0.000646667, 0.0, 0.0, 0.0, 0.000646667, 0.0, 0.0, 0.0, 0.00064},
-     {}},
+     {0.000646667, 0.0, 0.0, 0.0, 0.000646667, 0.0, 0.0, 0.0, 0.00064}, {}},
     {"right_shoulder_cap", 0.7, {-0.01, -0.03, 0.0},
-     {0.0007, 0.0, 0.0, 0.0, 0.0007, 0.0, 0.0, 0.0, 0.0007},
-     {}},
+     {0.0007, 0.0, 0.0, 0.0, 0.0007, 0.0, 0.0, 0.0, 0.0007}, {}},
     {"right_upper_arm", 0.8, {0.0, 0.0, -0.05},
-     {0.00162667, 0.0, 0.0, 0.0, 0.00162667, 0.0, 0.0, 0.0, 0.00064},
-     {}},
+     {0.00162667, 0.0, 0.0, 0.0, 0.00162667, 0.0, 0.0, 0.0, 0.00064}, {}},
     {"right_forearm", 0.7, {-0.07, 0.02, 0.0},
-     {0.00042875, 0.0, 0.0, 0.0, 0.00170771, 0.0, 0.0, 0.0, 0.00170771},
-     {}},
+     {0.00042875, 0.0, 0.0, 0.0, 0.00170771, 0.0, 0.0, 0.0, 0.00170771}, {}},
     {"right_wrist", 0.2, {0.0, 0.0, -0.01},
-     {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05},
-     {}},
+     {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05}, {}},
     {"right_hand", 0.4, {-0.06, 0.0, 0.0},
-     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333},
-     {}},
+     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333}, {}},
 } };
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
@@ -275,17 +221,9 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
-#include "adagen/status.hpp"
 #include "adagen/failures.hpp"
 #include "adagen/far_angles.hpp"
 #include "adagen/kernels/lanes.hpp"
-
-namespace {
-
-[[maybe_unused]] constexpr std::array<MessageInfo, 0> kMessages{ {
-} };
-
-}  // namespace
 
 #include "adagen/no_channel.hpp"
 #include "adagen/stamp.hpp"
@@ -294,24 +232,15 @@ namespace {
 
 namespace {
 
-// Type of values.
-using Value = Real;
+using Value = Real;  // what is computed with
 
-// The memory of a process: the state, angles with sine and cosine, what messages hold, and values
-// that one function leaves to another.
-struct Workspace {
-  const Value* q = nullptr;
-  const Value* v = nullptr;
-  const Value* tau = nullptr;
-  Value* qdd = nullptr;
-  int status = kFine;
-  alignas(kCacheLine) std::array<Value, 32> angle{}, sine{}, cosine{};
-  std::array<Value, kNqdd> result{};
-  alignas(kCacheLine) std::array<Value, 24> lanes{};  // results of rows
-  std::array<Real*, kPlanMessages> to{};          // messages to be sent
-  std::array<const Real*, kPlanMessages> from{};  // messages received
-  alignas(kCacheLine) std::array<Value, 0> x{};
-};
+}  // namespace
+
+#include "adagen/unrolled_memory.hpp"
+
+namespace {
+
+struct Workspace : StraightMemory<32, 24, 0> {};
 
 }  // namespace
 
@@ -1868,10 +1797,6 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(2);
   stamp(3);
   if (__builtin_expect(w.status != kFine || !all(unlike_zero(w.result.data() + 0, 6) + unlike_zero(w.result.data() + 18, 3) + unlike_zero(w.result.data() + 27, 2) + unlike_zero<Four, 6>(w.lanes.data() + 0) == 0), 0)) {
-    // The state's own faults are named before all others.
-    const int found = std::exchange(w.status, kFine);
-    name_what_is_not_finite(w, kRead_0, kOwned_0);
-    Channel::fail(w.status, found);
     w.result[6] = w.lanes[0];
     w.result[7] = w.lanes[4];
     w.result[8] = w.lanes[8];
@@ -1896,7 +1821,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     w.result[32] = w.lanes[15];
     w.result[33] = w.lanes[19];
     w.result[34] = w.lanes[23];
-    name_what_overflows(w, kOwned_0);
+    find_fault(w, kRead_0, kOwned_0);
   }
   if (w.status != kFine) return;
   std::copy_n(w.result.data() + 0, 6, w.qdd + 0);
@@ -1932,12 +1857,9 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<Range, 1> kReadQ_0{ {{0, 36}} };
-constexpr std::array<Range, 1> kReadV_0{ {{0, 35}} };
-constexpr std::array<Range, 1> kOwn_0{ {{0, 35}} };
-constexpr std::array<Range, 1> kTorque_0{ {{0, 35}} };
+constexpr std::array<Range, 4> kRanges_0{ {{0, 36}, {0, 35}, {0, 35}, {0, 35}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
 } };
 
 }  // namespace
@@ -1961,23 +1883,17 @@ namespace {
 
 // The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 3> kStages_0{ {
-    {"kinematics", 29, -1},
-    {"assembly", 1, -1},
-    {"disassembly", 1, -1},
+    {"kinematics", 29, -1}, {"assembly", 1, -1}, {"disassembly", 1, -1},
 } };
 constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
     {kStages_0.data(), 3},
 } };
 
-// From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 159, 0.437};
-constexpr adagen::Hop kMessageHop{26, 228, 0.644};
-
 adagen::Description<Number> description() {
   return {
       "humanoid", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
       true, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop, kMessageHop};
+      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), {}, {}};
 }
 
 }  // namespace

@@ -12,13 +12,9 @@
 // from the ends to the base, then the accelerations from the base outwards. Spatial vectors are [angular;
 // linear], in link frames turned so that every joint axis is z.
 //
-// Contents:
-//   1. interface   the C functions for a program that links this file
-//   2. model       the robot's constants
-//   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      memory of each joint, and the functions that compute its steps
-//   5. processes   the work of each process, in order
-//   6. program     description for the program around it (adagen_program.cpp), and main
+// Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
+// 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
+// order; 6 program, what the program around it (adagen_program.cpp) is told, and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // mobile_p1.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
@@ -31,12 +27,6 @@
 #define ADAGEN_CALL(word) mobile_p1_##word
 #define ADAGEN_NAMED(WORD) MOBILE_P1_##WORD
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
@@ -47,26 +37,14 @@
 #error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
+#include "adagen/settings.hpp"
+
 namespace {
 
-using Number = double;  // type of states, results and messages
-using Real = double;    // type of all other values
-constexpr int kProcesses = 1;
-[[maybe_unused]] constexpr bool kAlone = true;  // whether process 0 does all the work
-constexpr int kJointCount = 6, kLinkCount = kJointCount + 1;
-[[maybe_unused]] constexpr int kNq = 14, kNv = 13;
-[[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
-[[maybe_unused]] constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
-[[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
-[[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
-[[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
-[[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
-[[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
-[[maybe_unused]] constexpr bool kWide = false;  // whether their residuals are found in wider numbers
-[[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
-[[maybe_unused]] constexpr bool kWeighed = kCertified || (kRefine > 0 && !kWide);  // whether residuals are swept inwards
-[[maybe_unused]] constexpr int kPlanMessages = 0;
-[[maybe_unused]] constexpr double kTolerance = 1e-09;
+// What is not as in PlainSettings.
+struct Settings : PlainSettings {
+  static constexpr int kJointCount = 6, kNq = 14, kNv = 13;
+};
 
 }  // namespace
 
@@ -75,31 +53,23 @@ constexpr int kJointCount = 6, kLinkCount = kJointCount + 1;
 namespace {
 
 [[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
-// What can be set at run time, and what it is until then.
-[[maybe_unused]] constexpr int kParameterCount = 0;
+[[maybe_unused]] constexpr int kParameterCount = 0;  // of what can be set at run time
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"floor", 0.0, {0.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
-     {}},
+     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {}},
     {"cart", 35.5, {-0.02799449804688646, 0.0, 0.21497801221230384},
-     {2.082900209661478, 0.0, 0.33755007267889864, 0.0, 2.5480080181799307, 0.0, 0.33755007267889864, 0.0, 1.442107808518453},
-     {}},
+     {2.082900209661478, 0.0, 0.33755007267889864, 0.0, 2.5480080181799307, 0.0, 0.33755007267889864, 0.0, 1.442107808518453}, {}},
     {"laser", 0.35, {0.0, 0.0, -0.04},
-     {0.000245, 0.0, 0.0, 0.0, 0.000245, 0.0, 0.0, 0.0, 0.00028},
-     {}},
+     {0.000245, 0.0, 0.0, 0.0, 0.000245, 0.0, 0.0, 0.0, 0.00028}, {}},
     {"carriage", 4.2, {0.08, 0.0, 0.0},
-     {0.02086, 0.0, 0.0, 0.0, 0.01372, 0.0, 0.0, 0.0, 0.02086},
-     {}},
+     {0.02086, 0.0, 0.0, 0.0, 0.01372, 0.0, 0.0, 0.0, 0.02086}, {}},
     {"boom", 2.4, {0.17560487334233152, 0.02197563328834232, 0.03286335345030997},
-     {0.0031240337753782573, -0.002972881060907817, -0.0044457804600413296, -0.002972881060907817, 0.026507966224621746, -0.0005563560920082658, -0.0044457804600413296, -0.0005563560920082658, 0.026048},
-     {}},
+     {0.0031240337753782573, -0.002972881060907817, -0.0044457804600413296, -0.002972881060907817, 0.026507966224621746, -0.0005563560920082658, -0.0044457804600413296, -0.0005563560920082658, 0.026048}, {}},
     {"bowl", 0.9, {0.0, 0.0, 0.1},
-     {0.0021075, 0.0, 0.0, 0.0, 0.00384, 0.0, 0.0, 0.0, 0.0021075},
-     {}},
+     {0.0021075, 0.0, 0.0, 0.0, 0.00384, 0.0, 0.0, 0.0, 0.0021075}, {}},
     {"load", 0.6, {0.01, -0.02, 0.015},
-     {0.0006, 0.0, 0.0, 0.0, 0.0006, 0.0, 0.0, 0.0, 0.0006},
-     {}},
+     {0.0006, 0.0, 0.0, 0.0, 0.0006, 0.0, 0.0, 0.0, 0.0006}, {}},
 } };
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
@@ -129,15 +99,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
-#include "adagen/status.hpp"
 #include "adagen/failures.hpp"
-
-namespace {
-
-[[maybe_unused]] constexpr std::array<MessageInfo, 0> kMessages{ {
-} };
-
-}  // namespace
 
 #include "adagen/no_channel.hpp"
 #include "adagen/stamp.hpp"
@@ -146,23 +108,15 @@ namespace {
 
 namespace {
 
-// Type of values.
-using Value = Real;
+using Value = Real;  // what is computed with
 
-// The memory of a process: the state, angles with sine and cosine, what messages hold, and values
-// that one function leaves to another.
-struct Workspace {
-  const Value* q = nullptr;
-  const Value* v = nullptr;
-  const Value* tau = nullptr;
-  Value* qdd = nullptr;
-  int status = kFine;
-  alignas(kCacheLine) std::array<Value, 4> angle{}, sine{}, cosine{};
-  std::array<Value, kNqdd> result{};
-  std::array<Real*, kPlanMessages> to{};          // messages to be sent
-  std::array<const Real*, kPlanMessages> from{};  // messages received
-  alignas(kCacheLine) std::array<Value, 0> x{};
-};
+}  // namespace
+
+#include "adagen/unrolled_memory.hpp"
+
+namespace {
+
+struct Workspace : StraightMemory<4, 0, 0> {};
 
 }  // namespace
 
@@ -712,11 +666,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(2);
   stamp(3);
   if (__builtin_expect(w.status != kFine || !all(unlike_zero(w.result.data() + 0, 13) == 0), 0)) {
-    // The state's own faults are named before all others.
-    const int found = std::exchange(w.status, kFine);
-    name_what_is_not_finite(w, kRead_0, kOwned_0);
-    Channel::fail(w.status, found);
-    name_what_overflows(w, kOwned_0);
+    find_fault(w, kRead_0, kOwned_0);
   }
   if (w.status != kFine) return;
   std::copy_n(w.result.data() + 0, 13, w.qdd + 0);
@@ -726,12 +676,9 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<Range, 1> kReadQ_0{ {{0, 14}} };
-constexpr std::array<Range, 1> kReadV_0{ {{0, 13}} };
-constexpr std::array<Range, 1> kOwn_0{ {{0, 13}} };
-constexpr std::array<Range, 1> kTorque_0{ {{0, 13}} };
+constexpr std::array<Range, 4> kRanges_0{ {{0, 14}, {0, 13}, {0, 13}, {0, 13}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
 } };
 
 }  // namespace
@@ -755,23 +702,17 @@ namespace {
 
 // The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 3> kStages_0{ {
-    {"kinematics", 5, -1},
-    {"assembly", 0, -1},
-    {"disassembly", 0, -1},
+    {"kinematics", 5, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1},
 } };
 constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
     {kStages_0.data(), 3},
 } };
 
-// From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 159, 0.437};
-constexpr adagen::Hop kMessageHop{26, 228, 0.644};
-
 adagen::Description<Number> description() {
   return {
       "mobile", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
       false, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop, kMessageHop};
+      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), {}, {}};
 }
 
 }  // namespace

@@ -16,13 +16,9 @@
 // to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
 // vectors are [angular; linear], in link frames turned so that every joint axis is z.
 //
-// Contents:
-//   1. interface   the C functions for a program that links this file
-//   2. model       the robot's constants
-//   3. runtime     spatial algebra, joints, exchange between processes
-//   4. joints      memory of each joint, and the functions that compute its steps
-//   5. processes   the work of each process, in order
-//   6. program     description for the program around it (adagen_program.cpp), and main
+// Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
+// 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
+// order; 6 program, what the program around it (adagen_program.cpp) is told, and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // mobile_p3.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
@@ -35,14 +31,8 @@
 #define ADAGEN_CALL(word) mobile_p3_##word
 #define ADAGEN_NAMED(WORD) MOBILE_P3_##WORD
 
-#include <mpi.h>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
 
+#include <mpi.h>
 #include <Eigen/Core>
 
 // ---- 2. model -----------------------------------------------------------------------------------
@@ -55,26 +45,17 @@
 #error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
 #endif
 
+#include "adagen/settings.hpp"
+
 namespace {
 
-using Number = double;  // type of states, results and messages
-using Real = double;    // type of all other values
-constexpr int kProcesses = 3;
-[[maybe_unused]] constexpr bool kAlone = false;  // whether process 0 does all the work
-constexpr int kJointCount = 6, kLinkCount = kJointCount + 1;
-[[maybe_unused]] constexpr int kNq = 14, kNv = 13;
-[[maybe_unused]] constexpr int kNqdd = kNv;  // numbers in qdd
-[[maybe_unused]] constexpr int kOuterCount = 0, kNtau = kNv + 6 * kOuterCount;
-[[maybe_unused]] constexpr int kColumns = 1;  // right-hand sides: the motion, and one per slaved joint
-[[maybe_unused]] constexpr std::size_t kSlavedCount = 0;  // joints that follow others
-[[maybe_unused]] constexpr bool kGivesAll = true;  // whether accelerations of all joints are found
-[[maybe_unused]] constexpr bool kBatch = false;  // whether many states are solved at once
-[[maybe_unused]] constexpr int kRefine = 0;  // steps of iterative refinement
-[[maybe_unused]] constexpr bool kWide = false;  // whether their residuals are found in wider numbers
-[[maybe_unused]] constexpr bool kCertified = false;  // whether the error of each answer is bounded
-[[maybe_unused]] constexpr bool kWeighed = kCertified || (kRefine > 0 && !kWide);  // whether residuals are swept inwards
-[[maybe_unused]] constexpr int kPlanMessages = 2;
-[[maybe_unused]] constexpr double kTolerance = 1e-09;
+// What is not as in PlainSettings.
+struct Settings : PlainSettings {
+  static constexpr int kJointCount = 6, kNq = 14, kNv = 13;
+  static constexpr int kProcesses = 3;
+  static constexpr bool kAlone = false;
+  static constexpr int kPlanMessages = 2;
+};
 
 }  // namespace
 
@@ -83,13 +64,11 @@ constexpr int kJointCount = 6, kLinkCount = kJointCount + 1;
 namespace {
 
 [[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
-// What can be set at run time, and what it is until then.
-[[maybe_unused]] constexpr int kParameterCount = 0;
+[[maybe_unused]] constexpr int kParameterCount = 0;  // of what can be set at run time
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"floor", 0.0, {0.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
-     {}},
+     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {}},
     {"cart", 35.5, {-0.02799449804688646, 0.0, 0.21497801221230384},
      {2.082900209661478, 0.0, 0.33755007267889864, 0.0, 2.5480080181799307, 0.0, 0.33755007267889864, 0.0, 1.442107808518453},
      {0.49902918256322004, 0.0, -0.11680634127913112, 0.0, 0.3924634431544335, 0.0, -0.11680634127913112, 0.0, 0.7207699610585852}},
@@ -138,7 +117,6 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
 #include "adagen/spatial.hpp"
-#include "adagen/status.hpp"
 #include "adagen/failures.hpp"
 #include "adagen/joins.hpp"
 
@@ -594,17 +572,11 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
 // reads.
-constexpr std::array<Range, 1> kReadQ_0{ {{0, 6}} };
-constexpr std::array<Range, 1> kReadV_0{ {{0, 6}} };
-constexpr std::array<Range, 1> kOwn_0{ {{0, 6}} };
-constexpr std::array<Range, 1> kTorque_0{ {{0, 6}} };
-constexpr std::array<Range, 2> kReadQ_1{ {{0, 3}, {4, 10}} };
-constexpr std::array<Range, 2> kReadV_1{ {{0, 3}, {4, 9}} };
-constexpr std::array<Range, 1> kOwn_1{ {{6, 7}} };
-constexpr std::array<Range, 1> kTorque_1{ {{6, 7}} };
+constexpr std::array<Range, 4> kRanges_0{ {{0, 6}, {0, 6}, {0, 6}, {0, 6}} };
+constexpr std::array<Range, 6> kRanges_1{ {{0, 3}, {4, 10}, {0, 3}, {4, 9}, {6, 7}, {6, 7}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kReadQ_0.data()}, {1, kReadV_0.data()}, {1, kOwn_0.data()}, {1, kTorque_0.data()}},
-    {{2, kReadQ_1.data()}, {2, kReadV_1.data()}, {1, kOwn_1.data()}, {1, kTorque_1.data()}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
+    {{2, kRanges_1.data()}, {2, kRanges_1.data() + 2}, {1, kRanges_1.data() + 4}, {1, kRanges_1.data() + 5}},
     {{0, nullptr}, {0, nullptr}, {0, nullptr}, {0, nullptr}},
 } };
 
@@ -629,19 +601,11 @@ namespace {
 
 // The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 7> kStages_0{ {
-    {"kinematics", 3, -1},
-    {"assembly", 2, -1},
-    {"receive", -1, 0},
-    {"assembly", 3, -1},
-    {"disassembly", 3, -1},
-    {"send", -1, 1},
-    {"disassembly", 2, -1},
+    {"kinematics", 3, -1}, {"assembly", 2, -1}, {"receive", -1, 0}, {"assembly", 3, -1},
+    {"disassembly", 3, -1}, {"send", -1, 1}, {"disassembly", 2, -1},
 } };
 constexpr std::array<adagen::Stage, 5> kStages_1{ {
-    {"kinematics", 5, -1},
-    {"assembly", 4, -1},
-    {"send", -1, 0},
-    {"receive", -1, 1},
+    {"kinematics", 5, -1}, {"assembly", 4, -1}, {"send", -1, 0}, {"receive", -1, 1},
     {"disassembly", 4, -1},
 } };
 constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {

@@ -8,12 +8,14 @@ lane of a register (templates/include/adagen/kernels/).
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 
 from adagen.emit.kernels import mobility
 from adagen.emit.kernels.lines import KernelLines
 from adagen.emit.refine import refinement_values
+from adagen.emit.settings import overridden
 from adagen.emit.words import Words
 from adagen.plan import Plan
 from adagen.plan.certificate import ROUNDING
@@ -22,7 +24,7 @@ from adagen.plan.edges import is_base
 from adagen.plan.gather import why_not_gather
 from adagen.plan.robot import PlanLink
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.turned import ENOUGH
+from adagen.plan.turned import ENOUGH, Turned
 from adagen.plan.types import FACTORS
 from adagen.program.segments import LANES
 from adagen.program.slots import Slots
@@ -82,6 +84,7 @@ def values(words: Words) -> dict[str, object]:
             for p, (process, own) in enumerate(again, start=len(plan.processes))
         ]
     lines = [writer.all_lines() for writer in writers]
+    by_columns = any(writer.columns for writer in writers)
     runtime = [*RUNTIME, *(mobility.runtime(plan) if cuts else ())]
     if plan.slaved:
         runtime += [part for part in ("spatial.hpp", "joins.hpp") if part not in runtime]
@@ -98,10 +101,7 @@ def values(words: Words) -> dict[str, object]:
         "responses": [writer.responses() for writer in writers] if plan.slaved else [],
         **refined,
         "cuts": cuts,
-        "floating_bases": any(map(is_base, plan.joints)),
-        "unit": words.printer.number(ROUNDING * EPSILON[FACTORS[plan.scalar]]),
         "fused": mobility.has_fused(plan),
-        "passes_free": mobility.passes_free(plan),
         "holds": mobility.holds_ground(plan),
         "carries": mobility.carries(program),
         "passages": [words.span(run.first, run.last) for run in words.passages],
@@ -109,28 +109,58 @@ def values(words: Words) -> dict[str, object]:
             {"type": f"Joint_{words.joints[j]}", "id": f"j_{words.joints[j]}", "members": lines}
             for j, lines in mobility.members(words).items()
         ],
-        "turned": bool(turned.always),
-        "turned_joints": [int(j in turned.always) for j in range(len(plan.joints))],
-        "turned_if_lost": bool(turned.if_lost),
-        "turned_if_lost_joints": [int(j in turned.if_lost) for j in range(len(plan.joints))],
-        "enough": ENOUGH,
+        "turned": bool(turned.always or turned.if_lost),
+        "layout": _layout(words, turned, by_columns),
         "inertias": [_inertia(words, link) for link in plan.links[1:]],
         "roles": [writer.roles() for writer in writers],
         "steps": lines[: len(plan.processes)],
         "recovery": lines[len(plan.processes) :],
-        "slots": slots.slots,
         "tile": slots.tile,
-        "block_kinds": _block_kinds(words),
-        "reordered": not slots.plain,
-        "slot_count": slots.count,
         "in_segments": bool(slots.segments),
         "quaternions": any(writer.oriented for writer in writers),
-        "by_columns": any(writer.columns for writer in writers),
+        "by_columns": by_columns,
         "limbs": [_limbs(words, slots, limbs) for limbs in slots.numbers],
-        "prescribed_group": any(
-            plan.joints[j].prescribed for limbs in slots.numbers for j in limbs.members()
-        ),
     }
+
+
+def _layout(words: Words, turned: Turned, by_columns: bool) -> list[str]:
+    """What a solver's Layout overrides: how its loops lie in memory, and what they do."""
+    plan, slots = words.plan, words.program.slots
+    block_kinds = _block_kinds(words)
+    joints = range(len(plan.joints))
+    grouped = [j for limbs in slots.numbers for j in limbs.members()]
+    lines = overridden(
+        [
+            ("int", "kSlotCount", slots.count, len(joints)),
+            ("bool", "kReordered", not slots.plain, False),
+            ("int", "kSlots[kJointCount]", _braced(slots.slots), _braced(joints)),
+            ("int", "kTile", slots.tile, 0),
+            ("bool", "kInLanes", bool(slots.numbers), False),
+            ("bool", "kPrescribedInLanes", any(plan.joints[j].prescribed for j in grouped), False),
+            ("bool", "kByColumns", by_columns, False),
+            ("int", "kBlockKindCount", len(block_kinds["first"]), 0),
+            ("int", "kBlockKinds[]", _braced(block_kinds["kinds"]), "{}"),
+            ("int", "kFirstOfKind[]", _braced(block_kinds["first"]), "{}"),
+            ("bool", "kAnyTurned", bool(turned.always), False),
+            ("bool", "kAnyTurnedIfLost", bool(turned.if_lost), False),
+            *(
+                ("bool", f"{name}[kJointCount]", _braced(int(j in own) for j in joints), none)
+                for name, own in (("kTurned", turned.always), ("kTurnedIfLost", turned.if_lost))
+                for none in (_braced(0 for _ in joints),)
+            ),
+            ("double", "kLosing", ENOUGH if turned.if_lost else 1, 1),
+            ("bool", "kPassesFree", mobility.passes_free(plan), False),
+        ]
+    )
+    if plan.weighed:
+        unit = words.printer.number(ROUNDING * EPSILON[FACTORS[plan.scalar]])
+        floats = ("bool", "kFloats", any(map(is_base, plan.joints)), False)
+        lines += overridden([floats, ("Real", "kUnit", unit, "")])
+    return lines
+
+
+def _braced(numbers: Iterable[object]) -> str:
+    return f"{{{', '.join(map(str, numbers))}}}"
 
 
 def pseudo_inertia(link: PlanLink) -> tuple[Fraction, ...]:

@@ -89,7 +89,8 @@ class Results:
             lines = lines if wide else [f"if ({amiss}) {overflow[0]}"]
         else:
             amiss = f"__builtin_expect(w.status != kFine || {amiss}, 0)"
-            lines = guards.in_hindsight(amiss, [names_state(self.owner)], overflow)
+            lines = [f"if ({amiss}) {{", *(f"  {line}" for line in overflow[:-1])]
+            lines += [f"  find_fault(w, kRead_{self.owner}, kOwned_{self.owner});", "}"]
         return [
             *lines,
             "if (w.status != kFine) return;",

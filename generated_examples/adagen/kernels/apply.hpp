@@ -5,7 +5,7 @@
 
 #include "../constants.hpp"
 #include "../sample/robot.hpp"
-#include "../sample/sizes.hpp"
+#include "../sizes.hpp"
 #include "memory.hpp"
 
 namespace {

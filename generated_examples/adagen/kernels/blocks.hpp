@@ -5,12 +5,12 @@
 #include <cstddef>
 
 #include "../constants.hpp"
-#include "../sample/layout.hpp"
 #include "../sample/robot.hpp"
-#include "../sample/sizes.hpp"
 #include "../sample/value.hpp"
+#include "../sizes.hpp"
 #include "algebra.hpp"
 #include "lanes.hpp"
+#include "layout.hpp"
 #include "tables.hpp"
 
 namespace {

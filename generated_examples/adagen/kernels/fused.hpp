@@ -8,8 +8,8 @@
 
 #include "../constants.hpp"
 #include "../sample/robot.hpp"
-#include "../sample/sizes.hpp"
 #include "../sample/value.hpp"
+#include "../sizes.hpp"
 #include "../spatial.hpp"
 #include "algebra.hpp"
 #include "inward_turned.hpp"

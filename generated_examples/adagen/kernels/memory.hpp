@@ -12,15 +12,15 @@
 #include "../constants.hpp"
 #include "../sample/cuts.hpp"
 #include "../sample/inertias.hpp"
-#include "../sample/layout.hpp"
 #include "../sample/robot.hpp"
-#include "../sample/sizes.hpp"
 #include "../sample/state.hpp"
 #include "../sample/value.hpp"
+#include "../sizes.hpp"
 #include "../status.hpp"
 #include "algebra.hpp"
 #include "blocks.hpp"
 #include "lanes.hpp"
+#include "layout.hpp"
 
 namespace {
 

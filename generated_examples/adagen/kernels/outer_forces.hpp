@@ -5,8 +5,8 @@
 
 #include "../constants.hpp"
 #include "../sample/robot.hpp"
-#include "../sample/sizes.hpp"
 #include "../sample/value.hpp"
+#include "../sizes.hpp"
 #include "../status.hpp"
 #include "algebra.hpp"
 #include "guards.hpp"

@@ -4,12 +4,12 @@
 #include <cstddef>
 
 #include "../gravity.hpp"
-#include "../sample/layout.hpp"
 #include "../sample/robot.hpp"
-#include "../sample/sizes.hpp"
 #include "../sample/value.hpp"
+#include "../sizes.hpp"
 #include "algebra.hpp"
 #include "lanes.hpp"
+#include "layout.hpp"
 #include "memory.hpp"
 #include "outward.hpp"
 #include "weights.hpp"

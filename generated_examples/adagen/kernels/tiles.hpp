@@ -6,7 +6,6 @@
 #include <type_traits>
 
 #include "../constants.hpp"
-#include "../sample/layout.hpp"
 #include "../sample/robot.hpp"
 #include "../sample/value.hpp"
 #include "algebra.hpp"
@@ -14,6 +13,7 @@
 #include "columns.hpp"
 #include "inward.hpp"
 #include "inward_columns.hpp"
+#include "layout.hpp"
 #include "links.hpp"
 #include "memory.hpp"
 #include "outward.hpp"
@@ -30,7 +30,7 @@ template <int first, int last>
 struct Tiles {
   static constexpr int kCount = (last - first + kTile) / kTile;
   static constexpr int kEnd = first + kTile - 1, kLastFirst = first + (kCount - 1) * kTile;
-  static_assert(kTile % kPerBlock == 0 && kSlots[first] == 0 && kCount > 1);
+  static_assert(kTile % kPerBlock == 0 && slot_of(first) == 0 && kCount > 1);
 
   // Calls todo for a tile: with the joints of one that is alike, and how many lie before it.
   template <class ToDo>

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "../constants.hpp"
-#include "sizes.hpp"
+#include "../sizes.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #if defined(ADAGEN_SAMPLE_BATCH)
 #include "../kernels/lanes.hpp"
 #else
-#include "sizes.hpp"
+#include "../sizes.hpp"
 #endif
 
 namespace {

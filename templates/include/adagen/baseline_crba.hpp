@@ -13,7 +13,7 @@
 #include "memory.hpp"
 #include "sample/channel.hpp"
 #include "sample/robot.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "spatial.hpp"
 #include "status.hpp"
 

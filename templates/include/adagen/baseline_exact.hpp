@@ -7,7 +7,7 @@
 #include "baseline.hpp"
 #include "inertia.hpp"
 #include "joins.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "spatial.hpp"
 
 namespace {

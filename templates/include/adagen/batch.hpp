@@ -17,9 +17,9 @@
 #include "sample/handout.hpp"
 #include "sample/parameters.hpp"
 #include "sample/processes.hpp"
-#include "sample/sizes.hpp"
 #include "sample/value.hpp"
 #include "sample/workspace.hpp"
+#include "sizes.hpp"
 #include "status.hpp"
 
 namespace {

@@ -18,7 +18,7 @@
 #include "constants.hpp"
 #include "relax.hpp"
 #include "sample/messages.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "status.hpp"
 #include "take.hpp"
 

@@ -13,7 +13,7 @@
 #include "constants.hpp"
 #include "relax.hpp"
 #include "sample/messages.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "status.hpp"
 
 #define ADAGEN_CHANNEL  // there is one

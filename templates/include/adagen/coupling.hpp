@@ -5,8 +5,8 @@
 #include <cstddef>
 
 #include "joins.hpp"
-#include "sample/sizes.hpp"
 #include "sample/workspace.hpp"
+#include "sizes.hpp"
 #include "status.hpp"
 
 namespace {

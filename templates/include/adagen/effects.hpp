@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "joins.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "spatial.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 
 namespace {
 

@@ -10,7 +10,7 @@
 
 #include "common.hpp"
 #include "joins.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "spatial.hpp"
 
 namespace {

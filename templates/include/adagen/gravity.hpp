@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "sample/robot.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 
 namespace {
 

@@ -13,9 +13,9 @@
 #include "kernels/lanes.hpp"
 #include "kernels/shuffles.hpp"
 #include "sample/processes.hpp"
-#include "sample/sizes.hpp"
 #include "sample/value.hpp"
 #include "sample/workspace.hpp"
+#include "sizes.hpp"
 
 namespace {
 

@@ -11,8 +11,8 @@
 #include "kernels/lanes.hpp"
 #include "sample/parameters.hpp"
 #include "sample/robot.hpp"
-#include "sample/sizes.hpp"
 #include "sample/workspace.hpp"
+#include "sizes.hpp"
 #include "status.hpp"
 
 namespace {

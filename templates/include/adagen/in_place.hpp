@@ -6,8 +6,8 @@
 #include "failures.hpp"
 #include "sample/channel.hpp"
 #include "sample/processes.hpp"
-#include "sample/sizes.hpp"
 #include "sample/workspace.hpp"
+#include "sizes.hpp"
 #include "status.hpp"
 
 namespace {

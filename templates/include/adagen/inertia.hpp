@@ -7,7 +7,7 @@
 
 #include "common.hpp"
 #include "constants.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "spatial.hpp"
 
 namespace {

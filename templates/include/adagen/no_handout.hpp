@@ -2,8 +2,8 @@
 #pragma once
 
 #include "sample/channel.hpp"
-#include "sample/sizes.hpp"
 #include "sample/workspace.hpp"
+#include "sizes.hpp"
 
 namespace {
 

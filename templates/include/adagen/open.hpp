@@ -9,7 +9,7 @@
 
 #include "open_failure.hpp"
 #include "relax.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "status.hpp"
 
 namespace {

@@ -7,7 +7,7 @@
 #include "channel_threads.hpp"
 #include "description.hpp"
 #include "measured_alone.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "status.hpp"
 #include "threads.hpp"
 

@@ -8,8 +8,8 @@
 #include "failures.hpp"
 #include "sample/apply.hpp"
 #include "sample/robot.hpp"
-#include "sample/sizes.hpp"
 #include "sample/workspace.hpp"
+#include "sizes.hpp"
 #include "status.hpp"
 
 namespace {

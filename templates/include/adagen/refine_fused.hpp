@@ -5,7 +5,7 @@
 
 #include "fused.hpp"
 #include "joins.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "spatial.hpp"
 
 namespace {

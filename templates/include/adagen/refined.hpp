@@ -14,8 +14,8 @@
 #include "sample/channel.hpp"
 #include "sample/correct.hpp"
 #include "sample/refinement.hpp"
-#include "sample/sizes.hpp"
 #include "sample/workspace.hpp"
+#include "sizes.hpp"
 #include "status.hpp"
 #include "wide.hpp"
 

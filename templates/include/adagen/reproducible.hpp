@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "common.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include "failures.hpp"
 #include "sample/parameters.hpp"
 #include "sample/robot.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "status.hpp"
 
 namespace {

@@ -10,7 +10,7 @@
 #include "in_place.hpp"
 #include "sample/parameters.hpp"
 #include "sample/processes.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "status.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "in_place.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 #include "status.hpp"
 
 namespace {

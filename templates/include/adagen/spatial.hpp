@@ -9,7 +9,7 @@
 
 #include "common.hpp"
 #include "constants.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include "common.hpp"
 #include "sample/messages.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 
 namespace {
 

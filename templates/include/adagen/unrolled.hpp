@@ -4,14 +4,15 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "common.hpp"
 #include "constants.hpp"
 #include "sample/channel.hpp"
 #include "sample/robot.hpp"
-#include "sample/sizes.hpp"
 #include "sample/unrolled.hpp"
 #include "sample/value.hpp"
+#include "sizes.hpp"
 #include "status.hpp"
 
 namespace {
@@ -65,6 +66,16 @@ template <std::size_t owns>
     const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
     if (!all(unlike_zero(w.result.data() + joint.v, joint.nv) == 0)) fail(w, kOverflow, j);
   }
+}
+
+// Something was found amiss at the end: the state's own faults are named before all others.
+template <std::size_t reads, std::size_t owns>
+[[gnu::cold]] ADAGEN_NOINLINE void find_fault(Workspace& w, const std::array<int, reads>& read,
+                                              const std::array<int, owns>& owned) {
+  const int found = std::exchange(w.status, kFine);
+  name_what_is_not_finite(w, read, owned);
+  Channel::fail(w.status, found);
+  name_what_overflows(w, owned);
 }
 
 }  // namespace

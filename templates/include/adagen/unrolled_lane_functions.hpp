@@ -5,8 +5,8 @@
 #endif
 
 #include "kernels/lanes.hpp"
-#include "sample/sizes.hpp"
 #include "sample/tanh.hpp"
+#include "sizes.hpp"
 #include "unrolled_functions.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 
 namespace {
 

@@ -11,8 +11,8 @@
 
 #include "common.hpp"
 #include "kernels/lanes.hpp"
-#include "sample/sizes.hpp"
 #include "sample/unrolled.hpp"
+#include "sizes.hpp"
 #include "status.hpp"
 #include "unrolled.hpp"
 

@@ -8,7 +8,7 @@
 #include "constants.hpp"
 #include "joins.hpp"
 #include "sample/robot.hpp"
-#include "sample/sizes.hpp"
+#include "sizes.hpp"
 
 namespace {
 

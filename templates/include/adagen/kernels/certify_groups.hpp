@@ -5,13 +5,13 @@
 #include <type_traits>
 
 #include "../common.hpp"
-#include "../sample/layout.hpp"
-#include "../sample/sizes.hpp"
 #include "../sample/value.hpp"
+#include "../sizes.hpp"
 #include "certify.hpp"
 #include "groups.hpp"
 #include "kinds.hpp"
 #include "lanes.hpp"
+#include "layout.hpp"
 #include "memory.hpp"
 #include "weights.hpp"
 

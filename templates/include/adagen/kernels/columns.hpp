@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "../common.hpp"
-#include "../sample/sizes.hpp"
+#include "../sizes.hpp"
 #include "algebra.hpp"
 #include "lanes.hpp"
 #include "shuffles.hpp"

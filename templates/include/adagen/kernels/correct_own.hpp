@@ -6,11 +6,11 @@
 #include <limits>
 
 #include "../sample/cuts.hpp"
-#include "../sample/layout.hpp"
-#include "../sample/sizes.hpp"
 #include "../sample/value.hpp"
+#include "../sizes.hpp"
 #include "../status.hpp"
 #include "guards.hpp"
+#include "layout.hpp"
 #include "memory.hpp"
 
 namespace {

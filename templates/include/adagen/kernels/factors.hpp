@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "../sample/sizes.hpp"
+#include "../sizes.hpp"
 #include "algebra.hpp"
 #include "lanes.hpp"
 

@@ -2,17 +2,19 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
+#include <utility>
 
 #include "../constants.hpp"
 #include "../sample/channel.hpp"
-#include "../sample/layout.hpp"
 #include "../sample/robot.hpp"
-#include "../sample/sizes.hpp"
 #include "../sample/value.hpp"
+#include "../sizes.hpp"
 #include "../status.hpp"
 #include "blocks.hpp"
 #include "lanes.hpp"
+#include "layout.hpp"
 #include "memory.hpp"
 
 namespace {
@@ -67,6 +69,23 @@ inline void require_finite(Workspace& w, const Value* x, int first, int count,
 ADAGEN_INLINE bool went_well(const Workspace& w, int first, int count) {
   return __builtin_expect(
       w.status == kFine && finite(&w.answer[static_cast<std::size_t>(first)], count), 1);
+}
+
+// Something was found amiss at the end: the state's own faults are named before all others. What is
+// looked at of q, v, tau and the answer.
+using Entries = std::initializer_list<Range>;
+ADAGEN_COLD inline void find_fault(Workspace& w, Entries q, Entries v, Entries tau,
+                                   Entries answer) {
+  const int found = std::exchange(w.status, kFine);
+  const auto look = [&w](const Value* x, Entries entries, int JointConstants::* place,
+                         Failure kind) {
+    for (const Range& own : entries) require_finite(w, x, own.first, own.count, place, kind);
+  };
+  look(w.q, q, &JointConstants::q, kNotFinite);
+  look(w.v, v, &JointConstants::v, kNotFinite);
+  look(w.tau, tau, &JointConstants::v, kNotFinite);
+  Channel::fail(w.status, found);
+  look(w.answer.data(), answer, &JointConstants::v, kOverflow);
 }
 
 template <class T>

@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "../sample/layout.hpp"
 #include "blocks.hpp"
+#include "layout.hpp"
 #include "tables.hpp"
 
 namespace {

@@ -4,10 +4,10 @@
 #include <array>
 #include <cstddef>
 
-#include "../sample/layout.hpp"
 #include "../sample/robot.hpp"
-#include "../sample/sizes.hpp"
+#include "../sizes.hpp"
 #include "blocks.hpp"
+#include "layout.hpp"
 #include "tables.hpp"
 
 namespace {

@@ -9,7 +9,7 @@
 
 #include "../common.hpp"
 #include "../sample/angles.hpp"
-#include "../sample/sizes.hpp"
+#include "../sizes.hpp"
 
 namespace {
 

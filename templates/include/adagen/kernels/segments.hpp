@@ -7,13 +7,13 @@
 
 #include "../common.hpp"
 #include "../constants.hpp"
-#include "../sample/layout.hpp"
 #include "../sample/robot.hpp"
 #include "../sample/value.hpp"
 #include "algebra.hpp"
 #include "blocks.hpp"
 #include "columns.hpp"
 #include "lanes.hpp"
+#include "layout.hpp"
 #include "links.hpp"
 #include "memory.hpp"
 #include "outward.hpp"
@@ -35,7 +35,7 @@ struct Segments {
   static constexpr int kCount = last - first + 1;
   static constexpr int kRows = (kCount + kPerBlock - 1) / kPerBlock;
   static constexpr int kLonger = kCount - (kRows - 1) * kPerBlock;  // segments of kRows joints
-  static constexpr int kBlock = kSlots[first] / kPerBlock;
+  static constexpr int kBlock = slot_of(first) / kPerBlock;
   static constexpr int kPlace = kBlock % kWindow;  // in memory
   static constexpr const JointConstants& kFirst = kJoints[first];
 

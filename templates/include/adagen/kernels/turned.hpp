@@ -4,14 +4,14 @@
 #include <cstddef>
 
 #include "../constants.hpp"
-#include "../sample/layout.hpp"
 #include "../sample/outer_forces.hpp"
-#include "../sample/sizes.hpp"
 #include "../sample/value.hpp"
+#include "../sizes.hpp"
 #include "algebra.hpp"
 #include "blocks.hpp"
 #include "guards.hpp"
 #include "lanes.hpp"
+#include "layout.hpp"
 #include "links.hpp"
 #include "memory.hpp"
 #include "tables.hpp"

@@ -4,7 +4,7 @@
 #if !defined(ADAGEN_SOLVER)
 
 #include "../description.hpp"
-#include "sizes.hpp"
+#include "../sizes.hpp"
 
 namespace {
 

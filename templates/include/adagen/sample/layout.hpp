@@ -5,22 +5,22 @@
 
 #include <array>
 
+#include "../kernels/plain_layout.hpp"
 #include "../kernels/tables.hpp"
-#include "sizes.hpp"
+#include "../sizes.hpp"
 
 namespace {
 
 constexpr std::array<LinkInertia, kJointCount> kInertias{};
-constexpr int kSlotCount = 4, kTile = 16, kBlockKindCount = 0;
-constexpr int kBlockKinds[]{0}, kFirstOfKind[]{0};
-constexpr bool kInLanes = true, kPrescribedInLanes = false, kReordered = false, kByColumns = true;
-constexpr int kSlots[kJointCount]{0, 1, 2, 3};
-constexpr bool kAnyTurned = true, kAnyTurnedIfLost = true;
-constexpr bool kTurned[kJointCount]{}, kTurnedIfLost[kJointCount]{};
-constexpr double kLosing = 1e6;
-constexpr bool kPassesFree = true, kAgain = true;
-constexpr bool kFloats = true;  // whether a base floats
-constexpr Real kUnit = 1e-15;
+
+struct Layout : PlainLayout {
+  static constexpr int kTile = 16;
+  static constexpr bool kInLanes = true, kByColumns = true;
+  static constexpr bool kAnyTurned = true, kAnyTurnedIfLost = true;
+  static constexpr double kLosing = 1e6;
+  static constexpr bool kPassesFree = true, kFloats = true;
+  static constexpr Real kUnit = 1e-15;
+};
 constexpr LinkRole kRoles[2][kLinkCount]{};
 
 }  // namespace

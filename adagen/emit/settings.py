@@ -1,0 +1,59 @@
+"""What a source tells the runtime's headers of itself, where it is not as they take it to be."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+Setting = tuple[str, str, object, object]
+"""C++ type, name, value, and the value that the runtime has for it."""
+
+
+def overridden(settings: Iterable[Setting]) -> list[str]:
+    """Return the members of a struct that override those of a plain one, none that are alike."""
+    return [
+        f"static constexpr {kind} {name} = {_text(value)};"
+        for kind, name, value, plain in settings
+        if value != plain
+    ]
+
+
+def settings(values: Mapping[str, object], messages: int) -> list[str]:
+    """Return what a solver's Settings override, of what its template is told."""
+    nqdd, nv, refine = values["nqdd"], values["nv"], values["refine"]
+    assert isinstance(nqdd, int)
+    assert isinstance(nv, int)
+    return [
+        *_types(str(values["number"]), str(values["real"])),
+        *overridden(
+            [
+                ("int", "kProcesses", values["process_count"], 1),
+                ("bool", "kAlone", values["alone"], True),
+                ("int", "kOuterCount", _count(values["outer_forces"]), 0),
+                ("int", "kOutputCount", nqdd - nv, 0),
+                ("int", "kColumns", values["columns"], 1),
+                ("std::size_t", "kSlavedCount", values["slaved_count"], 0),
+                ("bool", "kGivesAll", not values["wanted"], True),
+                ("bool", "kBatch", values["batch"], False),
+                ("int", "kRefine", refine, 0),
+                ("bool", "kWide", bool(refine) and not values["own_residual"], False),
+                ("bool", "kCertified", values["certified"], False),
+                ("int", "kPlanMessages", messages, 0),
+                ("double", "kTolerance", values["tolerance"], 1e-9),
+            ]
+        ),
+    ]
+
+
+def _count(items: object) -> int:
+    assert isinstance(items, list)
+    return len(items)
+
+
+def _types(number: str, real: str) -> list[str]:
+    """Return the types of numbers of states and of other values, where they are not double."""
+    both = (("Number", number), ("Real", real))
+    return [f"using {name} = {kind};" for name, kind in both if kind != "double"]
+
+
+def _text(value: object) -> str:
+    return str(value).lower() if isinstance(value, bool) else str(value)

@@ -1,0 +1,182 @@
+"""Threads of one program beside MPI processes with a window: ``python -m benchmarks.threads``.
+
+    chrt -f 50 python -m benchmarks.threads [--rounds 9] [--page]
+
+Each robot is solved on two processes by one plan, as threads and as MPI processes that exchange
+through a window, timed by turns; state and accelerations go through process 0 in both. Then a
+program calls the threads at 1 kHz, and what processor time they take between calls is read from
+the kernel's clock of each thread. Nothing is asserted: figures of one machine are no test.
+--page writes the tables into docs/records/threads.md.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import subprocess
+import sys
+import tempfile
+from dataclasses import replace
+from pathlib import Path
+from statistics import median
+
+from adagen.build import Toolchain, build_executable, find_toolchain
+from adagen.emit import emit, stem_of
+from adagen.model import Model
+from adagen.plan import Plan, make_plan
+from adagen.plan.types import THREADS
+from adagen.schedule import Topology, load_profile
+from adagen.search import named_schedule
+from adagen.studies.bench.contest import Rules, Times, hold
+from adagen.studies.bench.emitted import Emitted
+from adagen.studies.bench.machine import machine
+from adagen.urdf import read_robot
+from benchmarks.page import write_between_marks
+
+ROOT = Path(__file__).resolve().parents[1]
+MODELS = ROOT / "generated_examples" / "models"
+ROBOTS = {"arm7": False, "humanoid": True, "human40": False, "chain16": False}
+"""Shipped robots, and whether they stand on a floating base."""
+
+CALLS = 3000
+_LOOP = """
+#include <time.h>
+#include <cstdio>
+#include <cstdlib>
+#include <dirent.h>
+#include <unistd.h>
+
+namespace {
+
+// Nanoseconds that all threads of this program but the first have run.
+long long of_others() {
+  long long sum = 0;
+  char path[100];
+  DIR* const tasks = opendir("/proc/self/task");
+  while (const dirent* const task = readdir(tasks)) {
+    if (task->d_name[0] == '.' || std::atoi(task->d_name) == getpid()) continue;
+    std::snprintf(path, sizeof path, "/proc/self/task/%s/schedstat", task->d_name);
+    long long own = 0;
+    if (FILE* const file = std::fopen(path, "r")) {
+      if (std::fscanf(file, "%lld", &own) == 1) sum += own;
+      std::fclose(file);
+    }
+  }
+  closedir(tasks);
+  return sum;
+}
+
+}  // namespace
+
+// A loop of 1 kHz: prints the share of a core, in per cent, that each further thread takes.
+int main(int, char** words) {
+  static Number q[kNq], v[kNv], tau[kNtau], qdd[kNqdd];
+  for (const JointConstants& joint : kJoints)
+    if (joint.nq > joint.nv) q[joint.q + joint.nq - 1] = 1;
+  static Solver solver;
+  if (!solver.open(nullptr, 10).empty()) return 1;
+  timespec next;
+  clock_gettime(CLOCK_MONOTONIC, &next);
+  const int calls = std::atoi(words[1]);
+  const long long before = of_others();
+  for (int k = 0; k < calls; ++k) {
+    if (solver.solve(q, v, tau, qdd) != kFine) return 2;
+    next.tv_nsec += 1000000;
+    if (next.tv_nsec >= 1000000000) next.tv_nsec -= 1000000000, ++next.tv_sec;
+    clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &next, nullptr);
+  }
+  std::printf("%.9g\\n", double(of_others() - before) / (kProcesses - 1) / calls / 1e4);
+  return 0;
+}
+"""
+
+
+def plan_of(model: Model) -> Plan:
+    """Return the plan of a robot on two processes, whose work is cut in halves."""
+    schedule = named_schedule("balanced", Topology.of(model), 2, profile=load_profile("default"))
+    return make_plan(model, schedule)
+
+
+def text_of(plan: Plan, name: str) -> tuple[str, str]:
+    """Return the file name and the text of a plan's solver."""
+    file = f"{stem_of(plan, name)}.cpp"
+    return file, emit(plan, name=name)[file]
+
+
+def latency(models: dict[str, Model], rounds: int, toolchain: Toolchain) -> list[str]:
+    """Return the rows of the table of times."""
+    contestants = []
+    for name, model in models.items():
+        plan = plan_of(model)
+        for what, own in (("window", plan), ("threads", replace(plan, channel=THREADS))):
+            file, text = text_of(own, f"{name}_{what}")
+            launched = own.launched
+            emitted = Emitted(f"{name} {what}", model, file, text, "auto", launched, "double", None)
+            contestants.append(emitted.contestant(toolchain))
+    times, gone = hold(contestants, Rules(rounds), lambda text: print(text, file=sys.stderr))
+    for name, reason in gone.items():
+        print(f"{name}: {reason}", file=sys.stderr)
+    rows = []
+    for name in models:
+        window = times[f"{name} window"]["through_root"]
+        threads = times[f"{name} threads"]["in_place"]
+        rows.append(_row(name, window, threads))
+    return rows
+
+
+def _row(name: str, window: Times, threads: Times) -> str:
+    above = median(b - a for a, b in zip(window.turns, threads.turns, strict=True))
+    return (
+        f"| {name} | {window.median / 1e3:.2f} | {threads.median / 1e3:.2f} | {above / 1e3:+.2f} "
+        f"| {window.least / 1e3:.2f} | {threads.least / 1e3:.2f} |"
+    )
+
+
+def idle(model: Model, name: str, toolchain: Toolchain) -> float:
+    """Return the share of a core, in per cent, that a thread takes at 1 kHz."""
+    plan = replace(plan_of(model), channel=THREADS)
+    _, text = text_of(plan, name)
+    source = f"#define ADAGEN_NO_MAIN\n{text}{_LOOP}"
+    threaded = replace(toolchain, flags=(*toolchain.flags, "-pthread"))
+    program = build_executable(source, "idle", threaded)
+    with tempfile.TemporaryDirectory() as folder:
+        done = subprocess.run(
+            [program, str(CALLS)], capture_output=True, text=True, cwd=folder, check=True
+        )
+    return float(done.stdout)
+
+
+def main() -> None:
+    """Measure, and print or write what came of it."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--rounds", type=int, default=9)
+    parser.add_argument("--page", action="store_true", help="write docs/records/threads.md")
+    options = parser.parse_args()
+    toolchain = find_toolchain()
+    models = {
+        name: read_robot(MODELS / f"{name}.urdf", floating=floating).model
+        for name, floating in ROBOTS.items()
+    }
+    rows = latency(models, options.rounds, toolchain)
+    scheduling = "real-time priority" if os.sched_getscheduler(0) else "ordinary priority"
+    shares = {name: idle(model, name, toolchain) for name, model in models.items()}
+    text = "\n".join(
+        [
+            f"Machine: virtual, 2 cores of an {machine()['processor']}, {scheduling}.",
+            "",
+            "| robot | window, us | threads, us | threads above | window, least | threads, least |",
+            "|---|---|---|---|---|---|",
+            *rows,
+            "",
+            "| robot | share of a core at 1 kHz, each further thread |",
+            "|---|---|",
+            *(f"| {name} | {share:.1f} % |" for name, share in shares.items()),
+        ]
+    )
+    print(text)
+    if options.page:
+        write_between_marks(ROOT / "docs" / "records" / "threads.md", "threads", text)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,27 @@
+// adagen's runtime, the same for all robots.
+// What a solver's Layout is called everywhere.
+#pragma once
+
+#include "../sample/layout.hpp"
+#include "../sizes.hpp"
+
+namespace {
+
+constexpr int kSlotCount = Layout::kSlotCount, kTile = Layout::kTile;
+constexpr bool kReordered = Layout::kReordered;
+constexpr const auto& kSlots = Layout::kSlots;
+constexpr bool kInLanes = Layout::kInLanes, kPrescribedInLanes = Layout::kPrescribedInLanes;
+constexpr bool kByColumns = Layout::kByColumns;
+constexpr int kBlockKindCount = Layout::kBlockKindCount;
+[[maybe_unused]] constexpr const auto &kBlockKinds = Layout::kBlockKinds,
+                                      &kFirstOfKind = Layout::kFirstOfKind;
+constexpr bool kAnyTurned = Layout::kAnyTurned, kAnyTurnedIfLost = Layout::kAnyTurnedIfLost;
+constexpr const auto &kTurned = Layout::kTurned, &kTurnedIfLost = Layout::kTurnedIfLost;
+constexpr double kLosing = Layout::kLosing;
+constexpr bool kPassesFree = Layout::kPassesFree;
+[[maybe_unused]] constexpr bool kFloats = Layout::kFloats;
+[[maybe_unused]] constexpr Real kUnit = Layout::kUnit;
+// Whether sweeps are repeated with other forces.
+constexpr bool kAgain = kWide || kSlavedCount > 0;
+
+}  // namespace

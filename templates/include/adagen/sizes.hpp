@@ -1,0 +1,32 @@
+// adagen's runtime, the same for all robots.
+// What a solver's Settings are called everywhere, and what follows from them.
+#pragma once
+
+#include <cstddef>
+
+#include "sample/settings.hpp"
+#include "settings.hpp"
+
+namespace {
+
+using Number = Settings::Number;
+using Real = Settings::Real;
+[[maybe_unused]] constexpr int kProcesses = Settings::kProcesses;
+[[maybe_unused]] constexpr bool kAlone = Settings::kAlone;
+[[maybe_unused]] constexpr int kJointCount = Settings::kJointCount, kLinkCount = kJointCount + 1;
+[[maybe_unused]] constexpr int kNq = Settings::kNq, kNv = Settings::kNv;
+[[maybe_unused]] constexpr int kNqdd = kNv + Settings::kOutputCount;
+[[maybe_unused]] constexpr int kOuterCount = Settings::kOuterCount, kNtau = kNv + 6 * kOuterCount;
+[[maybe_unused]] constexpr int kColumns = Settings::kColumns;
+[[maybe_unused]] constexpr std::size_t kSlavedCount = Settings::kSlavedCount;
+[[maybe_unused]] constexpr bool kGivesAll = Settings::kGivesAll;
+[[maybe_unused]] constexpr bool kBatch = Settings::kBatch;
+[[maybe_unused]] constexpr int kRefine = Settings::kRefine;
+[[maybe_unused]] constexpr bool kWide = Settings::kWide;
+[[maybe_unused]] constexpr bool kCertified = Settings::kCertified;
+// Whether residuals are swept inwards.
+[[maybe_unused]] constexpr bool kWeighed = kCertified || (kRefine > 0 && !kWide);
+[[maybe_unused]] constexpr int kPlanMessages = Settings::kPlanMessages;
+[[maybe_unused]] constexpr double kTolerance = Settings::kTolerance;
+
+}  // namespace
