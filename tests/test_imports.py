@@ -32,3 +32,23 @@ def test_packages_have_an_order() -> None:
     assert order.index("search") < order.index("studies")
     assert order.index("studies") < order.index("report") < order.index("cli")
     assert order.index("urdf") < order.index("mjcf") < order.index("library")
+
+
+def test_nothing_below_the_command_line_knows_its_options() -> None:
+    """Requests are dataclasses there; argparse and its namespaces stay in cli."""
+    for file in ROOT.rglob("*.py"):
+        if file.relative_to(ROOT).parts[0] in ("cli", "__main__.py"):
+            continue
+        names = {
+            name
+            for node in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+            for name in (
+                [alias.name for alias in node.names]
+                if isinstance(node, ast.Import)
+                else [node.module]
+                if isinstance(node, ast.ImportFrom)
+                else []
+            )
+        }
+        assert "argparse" not in names, file
+        assert not any(name and name.startswith("adagen.cli") for name in names), file

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from adagen.emit import effects
 from adagen.emit.entries import Range, entries_of, given_entries, ranges, read_joints
 from adagen.emit.stages import stage_lines
@@ -57,6 +59,11 @@ def describe_message(words: Words, message: Message) -> str:
         return f"how {', '.join(spans)} move their last link"
     what = "assembled" if message.sweep == "assembly" else "forces on"
     return f"{what}: chain of {words.quoted_joint(message.joint)}"
+
+
+def in_a_row(place: str, calls: Sequence[str]) -> list[str]:
+    """Return the lines of calls of which each begins at the place that the one before returned."""
+    return [f"  {place} = {call};" for call in calls[:-1]] + [f"  {call};" for call in calls[-1:]]
 
 
 def message_size(words: Words, message: Message) -> int:

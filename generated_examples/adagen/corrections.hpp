@@ -28,7 +28,7 @@ class Corrections {
     for (const double part : {0.5, 1.0}) {
       text += part < 1 ? ", \"correction_median\": [" : ", \"correction_max\": [";
       for (int k = 0; k < about.refine; ++k) text += (k == 0 ? "" : ", ") + number(at(k, part));
-      text += "]";
+      text += ']';
     }
     return text + "}";
   }
@@ -41,7 +41,7 @@ class Corrections {
       text += s == 0 ? "[" : ", [";
       for (std::size_t k = 0; k < steps(); ++k)
         text += (k == 0 ? "" : ", ") + number(sizes_[s + k]);
-      text += "]";
+      text += ']';
     }
     return text + "]";
   }

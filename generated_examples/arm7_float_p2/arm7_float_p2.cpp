@@ -262,7 +262,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // from process 1: assembled: chain of "flange_roll"
     const Number* from = channel.receive(0, w.status);
     from = get(from, w.j_flange_roll.Phi_wrist_housing);
-    from = get(from, w.j_flange_roll.b_wrist_housing);
+    get(from, w.j_flange_roll.b_wrist_housing);
   }
   stamp(3);
   {
@@ -288,7 +288,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(5);
   {  // to process 1: forces on: chain of "flange_roll"
     Number* to = channel.outgoing(1, w.status);
-    to = put(to, w.j_flange_roll.F_on_wrist_housing);
+    put(to, w.j_flange_roll.F_on_wrist_housing);
     channel.send(1, w.status);
   }
   stamp(6);
@@ -321,13 +321,13 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // to process 0: assembled: chain of "flange_roll"
     Number* to = channel.outgoing(0, w.status);
     to = put(to, w.j_flange_roll.Phi_wrist_housing);
-    to = put(to, w.j_flange_roll.b_wrist_housing);
+    put(to, w.j_flange_roll.b_wrist_housing);
     channel.send(0, w.status);
   }
   stamp(3);
   {  // from process 0: forces on: chain of "flange_roll"
     const Number* from = channel.receive(1, w.status);
-    from = get(from, w.j_flange_roll.F_on_wrist_housing);
+    get(from, w.j_flange_roll.F_on_wrist_housing);
   }
   stamp(4);
   w.loads[5] = in_base(w, 5, w.j_flange_roll.F_on_wrist_housing);

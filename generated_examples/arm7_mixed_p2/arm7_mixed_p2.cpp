@@ -269,7 +269,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // from process 1: assembled: chain of "flange_roll"
     const Number* from = channel.receive(0, w.status);
     from = get(from, w.j_flange_roll.Phi_wrist_housing);
-    from = get(from, w.j_flange_roll.b_wrist_housing);
+    get(from, w.j_flange_roll.b_wrist_housing);
   }
   stamp(3);
   {
@@ -296,7 +296,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(5);
   {  // to process 1: forces on: chain of "flange_roll"
     Number* to = channel.outgoing(1, w.status);
-    to = put(to, w.j_flange_roll.F_on_wrist_housing);
+    put(to, w.j_flange_roll.F_on_wrist_housing);
     channel.send(1, w.status);
   }
   stamp(6);
@@ -329,13 +329,13 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // to process 0: assembled: chain of "flange_roll"
     Number* to = channel.outgoing(0, w.status);
     to = put(to, w.j_flange_roll.Phi_wrist_housing);
-    to = put(to, w.j_flange_roll.b_wrist_housing);
+    put(to, w.j_flange_roll.b_wrist_housing);
     channel.send(0, w.status);
   }
   stamp(3);
   {  // from process 0: forces on: chain of "flange_roll"
     const Number* from = channel.receive(1, w.status);
-    from = get(from, w.j_flange_roll.F_on_wrist_housing);
+    get(from, w.j_flange_roll.F_on_wrist_housing);
   }
   stamp(4);
   w.loads[5] = in_base(w, 5, w.j_flange_roll.F_on_wrist_housing);
@@ -361,7 +361,7 @@ void correct_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel)
   {  // from process 1: assembled: chain of "flange_roll"
     const Number* from = channel.receive(0, w.status);
     from = get(from, w.j_flange_roll.Phi_wrist_housing);
-    from = get(from, w.j_flange_roll.b_wrist_housing);
+    get(from, w.j_flange_roll.b_wrist_housing);
   }
   {
     auto& i = w.j_forearm_roll;
@@ -385,7 +385,7 @@ void correct_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel)
   }
   {  // to process 1: forces on: chain of "flange_roll"
     Number* to = channel.outgoing(1, w.status);
-    to = put(to, w.j_flange_roll.F_on_wrist_housing);
+    put(to, w.j_flange_roll.F_on_wrist_housing);
     channel.send(1, w.status);
   }
   w.loads[4] = in_base(w, 4, w.j_shoulder_pitch.F_on_forearm);
@@ -405,12 +405,12 @@ void correct_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel)
   {  // to process 0: assembled: chain of "flange_roll"
     Number* to = channel.outgoing(0, w.status);
     to = put(to, w.j_flange_roll.Phi_wrist_housing);
-    to = put(to, w.j_flange_roll.b_wrist_housing);
+    put(to, w.j_flange_roll.b_wrist_housing);
     channel.send(0, w.status);
   }
   {  // from process 0: forces on: chain of "flange_roll"
     const Number* from = channel.receive(1, w.status);
-    from = get(from, w.j_flange_roll.F_on_wrist_housing);
+    get(from, w.j_flange_roll.F_on_wrist_housing);
   }
   w.loads[5] = in_base(w, 5, w.j_flange_roll.F_on_wrist_housing);
   accelerate_root<5>(w, w.j_flange_roll.Phi_wrist_housing, w.j_flange_roll.b_wrist_housing);

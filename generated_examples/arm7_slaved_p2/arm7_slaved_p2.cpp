@@ -717,7 +717,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // from process 1: assembled: chain of "flange_roll"
     const Number* from = channel.receive(0, w.status);
     from = get(from, w.j_flange_roll.Phi_wrist);
-    from = get(from, w.j_flange_roll.b_wrist);
+    get(from, w.j_flange_roll.b_wrist);
   }
   stamp(3);
   assemble_wrist_pitch(w);
@@ -726,7 +726,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(5);
   {  // to process 1: forces on: chain of "flange_roll"
     Number* to = channel.outgoing(1, w.status);
-    to = put(to, w.j_flange_roll.F_on_wrist);
+    put(to, w.j_flange_roll.F_on_wrist);
     channel.send(1, w.status);
   }
   stamp(6);
@@ -739,7 +739,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // from process 1: accelerations of slaved joints
     const Number* from = channel.receive(2, w.status);
     from = get(from, w.j_left_finger_slide.qdd[0]);
-    from = get(from, w.j_right_finger_slide.qdd[0]);
+    get(from, w.j_right_finger_slide.qdd[0]);
   }
   stamp(8);
   {
@@ -750,7 +750,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(9);
   {  // to process 1: torques of slaved joints
     Number* to = channel.outgoing(3, w.status);
-    to = put(to, w.coupling);
+    put(to, w.coupling);
     channel.send(3, w.status);
   }
   stamp(10);
@@ -788,13 +788,13 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // to process 0: assembled: chain of "flange_roll"
     Number* to = channel.outgoing(0, w.status);
     to = put(to, w.j_flange_roll.Phi_wrist);
-    to = put(to, w.j_flange_roll.b_wrist);
+    put(to, w.j_flange_roll.b_wrist);
     channel.send(0, w.status);
   }
   stamp(3);
   {  // from process 0: forces on: chain of "flange_roll"
     const Number* from = channel.receive(1, w.status);
-    from = get(from, w.j_flange_roll.F_on_wrist);
+    get(from, w.j_flange_roll.F_on_wrist);
   }
   stamp(4);
   disassemble_flange_roll(w);
@@ -804,13 +804,13 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // to process 0: accelerations of slaved joints
     Number* to = channel.outgoing(2, w.status);
     to = put(to, w.j_left_finger_slide.qdd[0]);
-    to = put(to, w.j_right_finger_slide.qdd[0]);
+    put(to, w.j_right_finger_slide.qdd[0]);
     channel.send(2, w.status);
   }
   stamp(6);
   {  // from process 0: torques of slaved joints
     const Number* from = channel.receive(3, w.status);
-    from = get(from, w.coupling);
+    get(from, w.coupling);
   }
   stamp(7);
   store_coupled(w, 6, 6, w.j_flange_roll.qdd, w.coupling);

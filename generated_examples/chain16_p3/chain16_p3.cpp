@@ -332,7 +332,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // from process 1: assembled: chain of "joint12"
     const Number* from = channel.receive(1, w.status);
     from = get(from, w.j_joint12.Phi_rod08);
-    from = get(from, w.j_joint12.b_rod08);
+    get(from, w.j_joint12.b_rod08);
   }
   stamp(3);
   {
@@ -358,7 +358,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(5);
   {  // to process 1: forces on: chain of "joint12"
     Number* to = channel.outgoing(2, w.status);
-    to = put(to, w.j_joint12.F_on_rod08);
+    put(to, w.j_joint12.F_on_rod08);
     channel.send(2, w.status);
   }
   stamp(6);
@@ -394,7 +394,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // from process 2: assembled: chain of "joint14"
     const Number* from = channel.receive(0, w.status);
     from = get(from, w.j_joint14.Phi_rod12);
-    from = get(from, w.j_joint14.b_rod12);
+    get(from, w.j_joint14.b_rod12);
   }
   stamp(3);
   {
@@ -415,13 +415,13 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // to process 0: assembled: chain of "joint12"
     Number* to = channel.outgoing(1, w.status);
     to = put(to, w.j_joint12.Phi_rod08);
-    to = put(to, w.j_joint12.b_rod08);
+    put(to, w.j_joint12.b_rod08);
     channel.send(1, w.status);
   }
   stamp(5);
   {  // from process 0: forces on: chain of "joint12"
     const Number* from = channel.receive(2, w.status);
-    from = get(from, w.j_joint12.F_on_rod08);
+    get(from, w.j_joint12.F_on_rod08);
   }
   stamp(6);
   {
@@ -436,7 +436,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(7);
   {  // to process 2: forces on: chain of "joint14"
     Number* to = channel.outgoing(3, w.status);
-    to = put(to, w.j_joint14.F_on_rod12);
+    put(to, w.j_joint14.F_on_rod12);
     channel.send(3, w.status);
   }
   stamp(8);
@@ -469,13 +469,13 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // to process 1: assembled: chain of "joint14"
     Number* to = channel.outgoing(0, w.status);
     to = put(to, w.j_joint14.Phi_rod12);
-    to = put(to, w.j_joint14.b_rod12);
+    put(to, w.j_joint14.b_rod12);
     channel.send(0, w.status);
   }
   stamp(3);
   {  // from process 1: forces on: chain of "joint14"
     const Number* from = channel.receive(3, w.status);
-    from = get(from, w.j_joint14.F_on_rod12);
+    get(from, w.j_joint14.F_on_rod12);
   }
   stamp(4);
   w.loads[12] = in_base(w, 12, w.j_joint14.F_on_rod12);

@@ -1205,7 +1205,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     from = get(from, w.j_joint07.Phi_rod06_rod09);
     from = get(from, w.j_joint07.Phi_rod09);
     from = get(from, w.j_joint07.b_rod06);
-    from = get(from, w.j_joint07.b_rod09);
+    get(from, w.j_joint07.b_rod09);
   }
   stamp(3);
   assemble_joint06(w);
@@ -1213,7 +1213,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // from process 2: assembled: chain of "joint14"
     const Number* from = channel.receive(2, w.status);
     from = get(from, w.j_joint14.Phi_rod10);
-    from = get(from, w.j_joint14.b_rod10);
+    get(from, w.j_joint14.b_rod10);
   }
   stamp(5);
   assemble_joint10(w);
@@ -1222,7 +1222,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(7);
   {  // to process 2: forces on: chain of "joint14"
     Number* to = channel.outgoing(3, w.status);
-    to = put(to, w.j_joint14.F_on_rod10);
+    put(to, w.j_joint14.F_on_rod10);
     channel.send(3, w.status);
   }
   stamp(8);
@@ -1231,7 +1231,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // to process 1: forces on: chain of "joint07"
     Number* to = channel.outgoing(4, w.status);
     to = put(to, w.j_joint07.F_on_rod06);
-    to = put(to, w.j_joint06.F_on_rod09);
+    put(to, w.j_joint06.F_on_rod09);
     channel.send(4, w.status);
   }
   stamp(10);
@@ -1271,14 +1271,14 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     to = put(to, w.j_joint07.Phi_rod06_rod09);
     to = put(to, w.j_joint07.Phi_rod09);
     to = put(to, w.j_joint07.b_rod06);
-    to = put(to, w.j_joint07.b_rod09);
+    put(to, w.j_joint07.b_rod09);
     channel.send(0, w.status);
   }
   stamp(3);
   {  // from process 0: forces on: chain of "joint07"
     const Number* from = channel.receive(4, w.status);
     from = get(from, w.j_joint07.F_on_rod06);
-    from = get(from, w.j_joint06.F_on_rod09);
+    get(from, w.j_joint06.F_on_rod09);
   }
   stamp(4);
   disassemble_joint07(w);
@@ -1317,7 +1317,7 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // from process 3: assembled: chain of "joint15"
     const Number* from = channel.receive(1, w.status);
     from = get(from, w.j_joint15.Phi_rod14);
-    from = get(from, w.j_joint15.b_rod14);
+    get(from, w.j_joint15.b_rod14);
   }
   stamp(3);
   assemble_joint14(w);
@@ -1325,20 +1325,20 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // to process 0: assembled: chain of "joint14"
     Number* to = channel.outgoing(2, w.status);
     to = put(to, w.j_joint14.Phi_rod10);
-    to = put(to, w.j_joint14.b_rod10);
+    put(to, w.j_joint14.b_rod10);
     channel.send(2, w.status);
   }
   stamp(5);
   {  // from process 0: forces on: chain of "joint14"
     const Number* from = channel.receive(3, w.status);
-    from = get(from, w.j_joint14.F_on_rod10);
+    get(from, w.j_joint14.F_on_rod10);
   }
   stamp(6);
   disassemble_joint14(w);
   stamp(7);
   {  // to process 3: forces on: chain of "joint15"
     Number* to = channel.outgoing(5, w.status);
-    to = put(to, w.j_joint15.F_on_rod14);
+    put(to, w.j_joint15.F_on_rod14);
     channel.send(5, w.status);
   }
   stamp(8);
@@ -1378,13 +1378,13 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // to process 2: assembled: chain of "joint15"
     Number* to = channel.outgoing(1, w.status);
     to = put(to, w.j_joint15.Phi_rod14);
-    to = put(to, w.j_joint15.b_rod14);
+    put(to, w.j_joint15.b_rod14);
     channel.send(1, w.status);
   }
   stamp(3);
   {  // from process 2: forces on: chain of "joint15"
     const Number* from = channel.receive(5, w.status);
-    from = get(from, w.j_joint15.F_on_rod14);
+    get(from, w.j_joint15.F_on_rod14);
   }
   stamp(4);
   disassemble_joint15(w);

@@ -354,7 +354,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // from process 1: assembled: chain of "left_knee"
     const Number* from = channel.receive(0, w.status);
     from = get(from, w.j_left_knee.Phi_left_thigh);
-    from = get(from, w.j_left_knee.b_left_thigh);
+    get(from, w.j_left_knee.b_left_thigh);
   }
   stamp(3);
   {
@@ -375,7 +375,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // from process 2: assembled: chain of "left_shoulder"
     const Number* from = channel.receive(2, w.status);
     from = get(from, w.j_left_shoulder.Phi_trunk);
-    from = get(from, w.j_left_shoulder.b_trunk);
+    get(from, w.j_left_shoulder.b_trunk);
   }
   stamp(5);
   {
@@ -401,7 +401,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(7);
   {  // to process 2: forces on: chain of "left_shoulder"
     Number* to = channel.outgoing(3, w.status);
-    to = put(to, w.j_left_shoulder.F_on_trunk);
+    put(to, w.j_left_shoulder.F_on_trunk);
     channel.send(3, w.status);
   }
   stamp(8);
@@ -417,7 +417,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(9);
   {  // to process 1: forces on: chain of "left_knee"
     Number* to = channel.outgoing(4, w.status);
-    to = put(to, w.j_left_knee.F_on_left_thigh);
+    put(to, w.j_left_knee.F_on_left_thigh);
     channel.send(4, w.status);
   }
   stamp(10);
@@ -452,13 +452,13 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // to process 0: assembled: chain of "left_knee"
     Number* to = channel.outgoing(0, w.status);
     to = put(to, w.j_left_knee.Phi_left_thigh);
-    to = put(to, w.j_left_knee.b_left_thigh);
+    put(to, w.j_left_knee.b_left_thigh);
     channel.send(0, w.status);
   }
   stamp(3);
   {  // from process 0: forces on: chain of "left_knee"
     const Number* from = channel.receive(4, w.status);
-    from = get(from, w.j_left_knee.F_on_left_thigh);
+    get(from, w.j_left_knee.F_on_left_thigh);
   }
   stamp(4);
   w.loads[2] = in_base(w, 2, w.j_left_knee.F_on_left_thigh);
@@ -503,7 +503,7 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // from process 3: assembled: chain of "left_elbow"
     const Number* from = channel.receive(1, w.status);
     from = get(from, w.j_left_elbow.Phi_left_upper_arm);
-    from = get(from, w.j_left_elbow.b_left_upper_arm);
+    get(from, w.j_left_elbow.b_left_upper_arm);
   }
   stamp(3);
   {
@@ -524,13 +524,13 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // to process 0: assembled: chain of "left_shoulder"
     Number* to = channel.outgoing(2, w.status);
     to = put(to, w.j_left_shoulder.Phi_trunk);
-    to = put(to, w.j_left_shoulder.b_trunk);
+    put(to, w.j_left_shoulder.b_trunk);
     channel.send(2, w.status);
   }
   stamp(5);
   {  // from process 0: forces on: chain of "left_shoulder"
     const Number* from = channel.receive(3, w.status);
-    from = get(from, w.j_left_shoulder.F_on_trunk);
+    get(from, w.j_left_shoulder.F_on_trunk);
   }
   stamp(6);
   {
@@ -545,7 +545,7 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(7);
   {  // to process 3: forces on: chain of "left_elbow"
     Number* to = channel.outgoing(5, w.status);
-    to = put(to, w.j_left_elbow.F_on_left_upper_arm);
+    put(to, w.j_left_elbow.F_on_left_upper_arm);
     channel.send(5, w.status);
   }
   stamp(8);
@@ -583,13 +583,13 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // to process 2: assembled: chain of "left_elbow"
     Number* to = channel.outgoing(1, w.status);
     to = put(to, w.j_left_elbow.Phi_left_upper_arm);
-    to = put(to, w.j_left_elbow.b_left_upper_arm);
+    put(to, w.j_left_elbow.b_left_upper_arm);
     channel.send(1, w.status);
   }
   stamp(3);
   {  // from process 2: forces on: chain of "left_elbow"
     const Number* from = channel.receive(5, w.status);
-    from = get(from, w.j_left_elbow.F_on_left_upper_arm);
+    get(from, w.j_left_elbow.F_on_left_upper_arm);
   }
   stamp(4);
   w.loads[9] = in_base(w, 9, w.j_left_elbow.F_on_left_upper_arm);

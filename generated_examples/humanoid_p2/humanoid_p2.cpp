@@ -385,13 +385,13 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(2);
   {  // to process 1: what hangs on "torso"
     Number* to = channel.outgoing(0, w.status);
-    to = put(to, w.bodies[16]);
+    put(to, w.bodies[16]);
     channel.send(0, w.status);
   }
   stamp(3);
   {  // from process 1: what hangs on "torso"
     const Number* from = channel.receive(1, w.status);
-    from = add(from, w.bodies[16]);
+    add(from, w.bodies[16]);
   }
   stamp(4);
   solve_root<0, 16>(w);
@@ -432,13 +432,13 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(2);
   {  // to process 0: what hangs on "torso"
     Number* to = channel.outgoing(1, w.status);
-    to = put(to, w.bodies[16]);
+    put(to, w.bodies[16]);
     channel.send(1, w.status);
   }
   stamp(3);
   {  // from process 0: what hangs on "torso"
     const Number* from = channel.receive(0, w.status);
-    from = add(from, w.bodies[16]);
+    add(from, w.bodies[16]);
   }
   stamp(4);
   solve_root<1, 16>(w);

@@ -2028,7 +2028,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // from process 1: assembled: chain of "waist_roll"
     const Number* from = channel.receive(1, w.status);
     from = get(from, w.j_waist_roll.Phi_waist_link);
-    from = get(from, w.j_waist_roll.b_waist_link);
+    get(from, w.j_waist_roll.b_waist_link);
   }
   stamp(3);
   assemble_waist_yaw(w);
@@ -2037,7 +2037,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(5);
   {  // to process 1: forces on: chain of "waist_roll"
     Number* to = channel.outgoing(2, w.status);
-    to = put(to, w.j_waist_roll.F_on_waist_link);
+    put(to, w.j_waist_roll.F_on_waist_link);
     channel.send(2, w.status);
   }
   stamp(6);
@@ -2096,7 +2096,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // from process 2: assembled: chain of "left_shoulder_roll"
     const Number* from = channel.receive(0, w.status);
     from = get(from, w.j_left_shoulder_roll.Phi_left_shoulder);
-    from = get(from, w.j_left_shoulder_roll.b_left_shoulder);
+    get(from, w.j_left_shoulder_roll.b_left_shoulder);
   }
   stamp(3);
   assemble_left_shoulder_pitch(w);
@@ -2108,13 +2108,13 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // to process 0: assembled: chain of "waist_roll"
     Number* to = channel.outgoing(1, w.status);
     to = put(to, w.j_waist_roll.Phi_waist_link);
-    to = put(to, w.j_waist_roll.b_waist_link);
+    put(to, w.j_waist_roll.b_waist_link);
     channel.send(1, w.status);
   }
   stamp(5);
   {  // from process 0: forces on: chain of "waist_roll"
     const Number* from = channel.receive(2, w.status);
-    from = get(from, w.j_waist_roll.F_on_waist_link);
+    get(from, w.j_waist_roll.F_on_waist_link);
   }
   stamp(6);
   disassemble_waist_roll(w);
@@ -2123,7 +2123,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(7);
   {  // to process 2: forces on: chain of "left_shoulder_roll"
     Number* to = channel.outgoing(3, w.status);
-    to = put(to, w.j_left_shoulder_roll.F_on_left_shoulder);
+    put(to, w.j_left_shoulder_roll.F_on_left_shoulder);
     channel.send(3, w.status);
   }
   stamp(8);
@@ -2168,13 +2168,13 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // to process 1: assembled: chain of "left_shoulder_roll"
     Number* to = channel.outgoing(0, w.status);
     to = put(to, w.j_left_shoulder_roll.Phi_left_shoulder);
-    to = put(to, w.j_left_shoulder_roll.b_left_shoulder);
+    put(to, w.j_left_shoulder_roll.b_left_shoulder);
     channel.send(0, w.status);
   }
   stamp(3);
   {  // from process 1: forces on: chain of "left_shoulder_roll"
     const Number* from = channel.receive(3, w.status);
-    from = get(from, w.j_left_shoulder_roll.F_on_left_shoulder);
+    get(from, w.j_left_shoulder_roll.F_on_left_shoulder);
   }
   stamp(4);
   disassemble_left_shoulder_roll(w);

@@ -511,7 +511,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // from process 1: assembled: chain of "wrist"
     const Number* from = channel.receive(0, w.status);
     from = get(from, w.j_wrist.Phi_boom);
-    from = get(from, w.j_wrist.b_boom);
+    get(from, w.j_wrist.b_boom);
   }
   stamp(3);
   assemble_shoulder(w);
@@ -520,7 +520,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(5);
   {  // to process 1: forces on: chain of "wrist"
     Number* to = channel.outgoing(1, w.status);
-    to = put(to, w.j_wrist.F_on_boom);
+    put(to, w.j_wrist.F_on_boom);
     channel.send(1, w.status);
   }
   stamp(6);
@@ -549,13 +549,13 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   {  // to process 0: assembled: chain of "wrist"
     Number* to = channel.outgoing(0, w.status);
     to = put(to, w.j_wrist.Phi_boom);
-    to = put(to, w.j_wrist.b_boom);
+    put(to, w.j_wrist.b_boom);
     channel.send(0, w.status);
   }
   stamp(3);
   {  // from process 0: forces on: chain of "wrist"
     const Number* from = channel.receive(1, w.status);
-    from = get(from, w.j_wrist.F_on_boom);
+    get(from, w.j_wrist.F_on_boom);
   }
   stamp(4);
   disassemble_wrist(w);

@@ -6,7 +6,7 @@ from functools import partial
 
 from adagen.emit import effects
 from adagen.emit.joints.rows import function_of
-from adagen.emit.processes import describe_message
+from adagen.emit.processes import describe_message, in_a_row
 from adagen.emit.stages import stamped
 from adagen.emit.words import Words
 from adagen.plan.steps import (
@@ -109,7 +109,7 @@ def _send(words: Words, number: int) -> list[str]:
     return [
         f"{{  // to process {message.target}: {describe_message(words, message)}",
         f"  Number* to = channel.outgoing({number}, w.status);",
-        *(f"  to = put(to, {item});" for item in _contents(words, message)),
+        *in_a_row("to", [f"put(to, {item})" for item in _contents(words, message)]),
         f"  channel.send({number}, w.status);",
         "}",
     ]
@@ -120,7 +120,7 @@ def _receive(words: Words, number: int) -> list[str]:
     return [
         f"{{  // from process {message.source}: {describe_message(words, message)}",
         f"  const Number* from = channel.receive({number}, w.status);",
-        *(f"  from = get(from, {item});" for item in _contents(words, message)),
+        *in_a_row("from", [f"get(from, {item})" for item in _contents(words, message)]),
         "}",
     ]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from adagen.emit.entries import entries_of, ranges
-from adagen.emit.processes import describe_message
+from adagen.emit.processes import describe_message, in_a_row
 from adagen.emit.words import Words
 from adagen.plan.steps import Receive, Send
 from adagen.plan.types import Message, Process
@@ -20,8 +20,13 @@ def sent(words: Words, operation: Operation) -> list[str]:
     return [
         f"{{  // to process {message.target}: {describe_message(words, message)}",
         f"  Number* to = channel.outgoing({step.message}, w.status);",
-        *(f"  to = put(to, {item});" for item in _items(words, message)),
-        *(f"  to = put(to, w.bodies[{link}]);" for link in message.inertias),
+        *in_a_row(
+            "to",
+            [
+                *(f"put(to, {item})" for item in _items(words, message)),
+                *(f"put(to, w.bodies[{link}])" for link in message.inertias),
+            ],
+        ),
         f"  channel.send({step.message}, w.status);",
         "}",
     ]
@@ -36,9 +41,14 @@ def received(words: Words, operation: Operation) -> list[str]:
     return [
         f"{{  // from process {message.source}: {describe_message(words, message)}",
         f"  const Number* from = channel.receive({step.message}, w.status);",
-        *(f"  from = get_responses(from, w, {words.plan.joints[j].v});" for j in message.joints),
-        *(f"  from = get(from, {item});" for item in _items(words, replace(message, joints=()))),
-        *(f"  from = {'get' if one else 'add'}(from, w.bodies[{k}]);" for k, one in taken),
+        *in_a_row(
+            "from",
+            [
+                *(f"get_responses(from, w, {words.plan.joints[j].v})" for j in message.joints),
+                *(f"get(from, {item})" for item in _items(words, replace(message, joints=()))),
+                *(f"{'get' if one else 'add'}(from, w.bodies[{k}])" for k, one in taken),
+            ],
+        ),
         "}",
     ]
 

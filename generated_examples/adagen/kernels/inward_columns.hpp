@@ -48,9 +48,7 @@ template <int first, int last>
 void set_up_columns(Workspace& w, int beyond = 0) {
   if constexpr (!kInColumns) return;
   for (int slot = (first + beyond) * kPerBlock; slot < (last + beyond) * kPerBlock; slot += 8) {
-    const auto row = [&](int entry) {
-      return number_at<Column>(w.at(slot, static_cast<Entry>(entry)));
-    };
+    const auto row = [&](int entry) { return number_at<Column>(w.at(slot, entry)); };
     const auto put = [&](Real(LinkColumns::* place)[8], const Column(&found)[8]) {
       ADAGEN_FOR (k, 0, 8) {
         const std::size_t joint = kJointAt[static_cast<std::size_t>(slot + k)];

@@ -193,7 +193,7 @@ struct Workspace : State, Cuts, Inertias {
   }
 
   Value* of(int joint, Entry entry) { return at(slot_of(joint), entry); }
-  Value* at(int slot, Entry entry) {
+  Value* at(int slot, int entry) {
     const int block = slot / kPerBlock % kWindow;
     return &blocks[static_cast<std::size_t>(block)].entries[entry][slot % kPerBlock];
   }
