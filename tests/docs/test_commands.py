@@ -26,7 +26,7 @@ COMMAND = re.compile(
 NOT_RUN = {
     "installs packages": 2,
     "needs a cluster": 4,
-    "needs a cross compiler": 1,
+    "needs a cross compiler": 2,
     "takes minutes, and wants the machine for itself": 1,
 }
 
