@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -35,6 +36,14 @@ def shared() -> Path:
     if not folder.is_dir():
         pytest.skip("the shared robots are not beside this checkout")
     return folder
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _builds_of_the_tool(request: pytest.FixtureRequest) -> Iterator[None]:
+    """What the tool itself builds is found again by any test or worker, and not in ~/.cache."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_CACHE_HOME", str(request.config.cache.mkdir("adagen-home")))
+        yield
 
 
 @pytest.fixture(scope="session")

@@ -26,7 +26,7 @@ def test_a_single_file_stands_alone(words: tuple[str, ...], arm: Path, tmp_path:
         "-C",
         str(out),
         f"MPICXX={toolchain.mpicxx[0]}",
-        "CXXFLAGS=-O0 -Wall -Wextra",
+        "CXXFLAGS=-O1 -Wall -Wextra",
     ]
     command += [f"MPIEXEC={toolchain.mpiexec[0]}", "check"]
     environment = toolchain.variables(os.environ)

@@ -71,7 +71,6 @@ def test_what_is_not_reproducible_is_refused(
 def test_answers_are_those_of_two_processes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setenv("CXXFLAGS", "-O1 -march=native -ffp-contract=fast")
     assert main(["info", ARM, "--states", "2"]) == 0
     states = json.loads(capsys.readouterr().out)

@@ -14,16 +14,9 @@ from adagen.urdf import read_robot
 from tests.cli.robots import Said
 
 
-@pytest.fixture(scope="module")
-def cache(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A cache of builds: what one test has built serves the others."""
-    return tmp_path_factory.mktemp("cache")
-
-
 class TestSolve:
     @pytest.fixture(autouse=True)
-    def _cache(self, cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        monkeypatch.setenv("XDG_CACHE_HOME", str(cache))
+    def _fast(self, monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setenv("CXXFLAGS", "-O1")  # the compiler's time, not the program's
 
     @pytest.mark.parametrize("processes", ["2", "3", "auto"])

@@ -46,16 +46,14 @@ WITH_SLOW = [page for page in WITH_COMMANDS if any(b.slow for b in blocks(page))
 
 
 @pytest.mark.parametrize("page", WITH_COMMANDS, ids=name)
-def test_commands_run(page: Path, tmp_path: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
-    run_page(page, tmp_path, cache_of(tmp_path_factory), slow=False)
+def test_commands_run(page: Path, tmp_path: Path) -> None:
+    run_page(page, tmp_path, slow=False)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("page", WITH_SLOW, ids=name)
-def test_slow_commands_run(
-    page: Path, tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
-) -> None:
-    run_page(page, tmp_path, cache_of(tmp_path_factory), slow=True)
+def test_slow_commands_run(page: Path, tmp_path: Path) -> None:
+    run_page(page, tmp_path, slow=True)
 
 
 def test_what_is_not_run_is_counted() -> None:
@@ -108,14 +106,7 @@ def known_options(words: list[str], capsys: pytest.CaptureFixture[str]) -> set[s
 SHORT = [[verb] for verb in ("info", "verify", "calibrate", "stability", "completion")] + [["env"]]
 
 
-def cache_of(factory: pytest.TempPathFactory) -> Path:
-    """Return the folder of builds that all pages share."""
-    folder = factory.getbasetemp() / "cache"
-    folder.mkdir(exist_ok=True)
-    return folder
-
-
-def run_page(page: Path, folder: Path, cache: Path, *, slow: bool) -> None:
+def run_page(page: Path, folder: Path, *, slow: bool) -> None:
     """Run the blocks of a page in order in a folder of its own.
 
     Raises:
@@ -130,7 +121,7 @@ def run_page(page: Path, folder: Path, cache: Path, *, slow: bool) -> None:
             (folder / block.title).parent.mkdir(parents=True, exist_ok=True)
             (folder / block.title).write_text(block.text, encoding="utf-8")
         elif block.language in (*RUN, "before") and is_run(block, slow=slow):
-            run_block(page, block, folder, cache)
+            run_block(page, block, folder)
 
 
 def is_run(block: Block, *, slow: bool) -> bool:
@@ -140,8 +131,8 @@ def is_run(block: Block, *, slow: bool) -> bool:
     return not block.not_run and (slow or not block.slow)
 
 
-def run_block(page: Path, block: Block, folder: Path, cache: Path) -> None:
-    """Run one block, compiled without optimisation, since nothing here is timed."""
+def run_block(page: Path, block: Block, folder: Path) -> None:
+    """Run one block, compiled with little optimisation, since nothing here is timed."""
     shell = ["bash", "-eu", "-o", "pipefail", "-c", block.text]
     done = subprocess.run(
         [sys.executable, "-c", block.text] if block.language == "python" else shell,
@@ -153,8 +144,7 @@ def run_block(page: Path, block: Block, folder: Path, cache: Path) -> None:
             **os.environ,
             "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
             "PYTHONPATH": str(ROOT),
-            "CXXFLAGS": "-O0",
-            "XDG_CACHE_HOME": str(cache),
+            "CXXFLAGS": "-O1",
             "XDG_CONFIG_HOME": str(folder / "config"),
         },
     )

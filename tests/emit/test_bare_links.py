@@ -18,7 +18,11 @@ from tests.schedules import random_schedule
 
 @pytest.mark.parametrize(
     ("seed", "joints", "floating", "mimics", "processes"),
-    [(4, 9, True, 0, 2), (5, 12, False, 0, 4), (4, 9, True, 2, 4)],
+    [
+        (4, 9, True, 0, 2),
+        (5, 12, False, 0, 4),
+        pytest.param(4, 9, True, 2, 4, marks=pytest.mark.slow),
+    ],
 )
 def test_trees_with_bare_links_are_solved(
     seed: int,

@@ -84,7 +84,7 @@ def test_chains_of_all_kinds_are_solved(
     assert solver.error(model, states, tmp_path, "--check") < ROUNDING[scalar]
 
 
-@pytest.mark.parametrize("seed", [2, pytest.param(3, marks=pytest.mark.slow), 9])
+@pytest.mark.parametrize("seed", [*(pytest.param(k, marks=pytest.mark.slow) for k in (2, 3)), 9])
 def test_chains_swept_from_both_ends_are_solved(
     seed: int, builder: Builder, tmp_path: Path
 ) -> None:

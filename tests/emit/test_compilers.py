@@ -18,7 +18,13 @@ from tests.golden.examples import EXAMPLES, FOLDER, Example
 from tests.spoilt import SPOILT, spoil
 
 BY_STEM = {example.stem: example for example in EXAMPLES}
-SAMPLE = ("arm7_slaved_p2", "arm7_float_p2", "humanoid_p3", "mobile_p1")
+SAMPLE = {
+    "arm7_slaved_p2": "program",
+    "arm7_float_p2": "linked",
+    "humanoid_p3": "linked",
+    "mobile_p1": "program",
+}
+PARTS: dict[str, tuple[str, ...]] = {"program": (), "linked": ("-DADAGEN_NO_MAIN",)}
 SANITIZED = ("arm7_slaved_p2", "mobile_p1")
 
 clang = pytest.mark.skipif(shutil.which("clang++") is None, reason="clang++ is not installed")
@@ -30,10 +36,14 @@ def text(example: Example) -> str:
 
 @clang
 @pytest.mark.parametrize(
-    "stem",
-    [stem if stem in SAMPLE else pytest.param(stem, marks=pytest.mark.slow) for stem in BY_STEM],
+    ("stem", "part"),
+    [
+        pytest.param(stem, PARTS[part], id=f"{part}-{stem}", marks=marks)
+        for stem in BY_STEM
+        for part in PARTS
+        for marks in [() if SAMPLE.get(stem) == part else pytest.mark.slow]
+    ],
 )
-@pytest.mark.parametrize("part", [(), ("-DADAGEN_NO_MAIN",)], ids=["program", "linked"])
 def test_clang_has_nothing_to_say(stem: str, part: tuple[str, ...], builder: Builder) -> None:
     # Warnings come from the front end; what the linker is told is not used here.
     quiet = ("-Wno-unused-command-line-argument", "-fsyntax-only", *part)
@@ -53,7 +63,10 @@ def test_gcc_has_nothing_to_say_of_the_program(kind: str, builder: Builder) -> N
 
 
 @clang
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize(
+    "kind",
+    [KINDS[0], *(pytest.param(kind, marks=pytest.mark.slow) for kind in KINDS[1:3]), KINDS[3]],
+)
 def test_clang_has_nothing_to_say_of_the_program(kind: str, builder: Builder) -> None:
     flags = ("-Wno-unused-command-line-argument", *kind.split(), *QUICK)
     builder.with_compiler("clang++").check(program_text(), "adagen_program", flags)
@@ -99,16 +112,15 @@ def test_what_clang_builds_is_right(stem: str, builder: Builder, tmp_path: Path)
     assert forward_error(found, truth_of(example.model(), states)) < ROUNDING[scalar]
 
 
-@pytest.mark.parametrize("without", ["-DNDEBUG", "-march=native"])
-def test_gcc_has_nothing_to_say_under_other_flags(without: str, builder: Builder) -> None:
-    flags = [flag for flag in QUICK if flag != without]
+def test_gcc_has_nothing_to_say_under_other_flags(builder: Builder) -> None:
+    flags = [flag for flag in QUICK if flag not in ("-DNDEBUG", "-march=native")]
     builder.check(text(BY_STEM["arm7_slaved_p2"]), "other", ("-fmax-errors=3", *flags))
 
 
 class TestSanitizers:
     """-fsanitize=address,undefined; without NDEBUG, so that Eigen's own checks speak too."""
 
-    FLAGS = ("-O0", "-march=native", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+    FLAGS = ("-O1", "-march=native", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 
     @pytest.fixture(params=SANITIZED)
     def example(self, request: pytest.FixtureRequest) -> Example:

@@ -23,11 +23,11 @@ PROFILE = load_profile("default")
 @pytest.mark.parametrize(
     ("model", "processes", "channel", "scalar"),
     [
-        (serial_chain(160), 8, "auto", "double"),
+        pytest.param(serial_chain(160), 8, "auto", "double", marks=pytest.mark.slow),
         (serial_chain(72), 4, "message", "double"),
         (balls_and_hinges(60, seed=4), 3, "auto", "double"),
         (serial_chain(40), 5, "auto", "float"),
-        (human_figure(), 4, "auto", "double"),
+        pytest.param(human_figure(), 4, "auto", "double", marks=pytest.mark.slow),
     ],
     ids=["eight in a window", "four by messages", "balls", "float", "figure"],
 )

@@ -76,9 +76,9 @@ def wrists(*kinds: JointKind) -> Model:
 @pytest.mark.parametrize(
     ("model", "processes", "scalar", "more"),
     [
-        (three_axis_chain(4), 2, "double", 1),
+        pytest.param(three_axis_chain(4), 2, "double", 1, marks=pytest.mark.slow),
         (three_axis_chain(8), 3, "float", 1),
-        (slaved_chain(), 2, "double", 1),
+        pytest.param(slaved_chain(), 2, "double", 1, marks=pytest.mark.slow),
         (wrists(SPHERICAL, PLANAR), 3, "double", 1),
         (wrists(FLOATING), 3, "double", 10),
     ],

@@ -225,7 +225,12 @@ def test_spherical_joints_have_damping_and_rotors(builder: Builder, tmp_path: Pa
 
 @pytest.mark.parametrize(
     ("processes", "meeting", "floating"),
-    [(1, "join", False), (3, "join", False), (2, "join", True), (2, "gather", True)],
+    [
+        (1, "join", False),
+        (3, "join", False),
+        pytest.param(2, "join", True, marks=pytest.mark.slow),
+        (2, "gather", True),
+    ],
 )
 def test_processes_share_spherical_joints_with_rotors(
     processes: int, meeting: str, floating: bool, builder: Builder, tmp_path: Path

@@ -26,10 +26,12 @@ PROFILE = load_profile("default")
 @pytest.mark.parametrize(
     ("model", "name", "processes", "meeting", "scalar"),
     [
-        (star(4, 3, floating=True), "sequential", 1, "gather", "double"),
+        pytest.param(
+            star(4, 3, floating=True), "sequential", 1, "gather", "double", marks=pytest.mark.slow
+        ),
         (human_figure(), "balanced", 3, "join", "mixed"),
         (serial_chain(12, kind=SPHERICAL), "balanced", 2, "gather", "double"),
-        (two_arms(), "balanced", 2, "gather", "double"),
+        pytest.param(two_arms(), "balanced", 2, "gather", "double", marks=pytest.mark.slow),
         (two_arms(), "sequential", 1, "gather", "double"),
     ],
     ids=["lanes", "three joined", "held by balls", "in own axes", "lanes in own axes"],

@@ -42,11 +42,15 @@ def damped(model: Model) -> Model:
 @pytest.mark.parametrize(
     ("model", "processes"),
     [
-        (slaved(star(4, 3, floating=True), (2, 1, -0.5), (8, 1, 2.0)), 1),
+        pytest.param(
+            slaved(star(4, 3, floating=True), (2, 1, -0.5), (8, 1, 2.0)), 1, marks=pytest.mark.slow
+        ),
         (damped(slaved(serial_chain(9), (3, 1, -0.5), (7, 1, 1.5), (8, 5, 1.0))), 2),
         (slaved(serial_chain(12), (4, 11, 0.7)), 3),
-        (read_robot(FOLDER / "models" / "arm7.urdf", mimic=True).model, 2),
-        (slaved_chain(), 1),
+        pytest.param(
+            read_robot(FOLDER / "models" / "arm7.urdf", mimic=True).model, 2, marks=pytest.mark.slow
+        ),
+        pytest.param(slaved_chain(), 1, marks=pytest.mark.slow),
         (slaved(two_arms(), (7, 1, -0.5), (9, 3, 1.5)), 1),
     ],
     ids=["in lanes", "damped on two", "across three", "arm", "in own axes", "in lanes, own axes"],
@@ -64,10 +68,15 @@ def test_slaved_joints_are_held_in_step(
 @pytest.mark.parametrize(
     ("model", "processes", "scalar"),
     [
-        (slaved(star(4, 3, floating=True), (2, 1, -0.5), (8, 1, 2.0)), 1, "mixed"),
+        pytest.param(
+            slaved(star(4, 3, floating=True), (2, 1, -0.5), (8, 1, 2.0)),
+            1,
+            "mixed",
+            marks=pytest.mark.slow,
+        ),
         pytest.param(slaved(serial_chain(12), (4, 11, 0.7)), 3, "double", marks=pytest.mark.slow),
         (slaved(serial_chain(9), (3, 1, -0.5), (7, 1, 1.5), (8, 5, 1.0)), 2, "mixed"),
-        (slaved_chain(), 1, "double"),
+        pytest.param(slaved_chain(), 1, "double", marks=pytest.mark.slow),
         (slaved(two_arms(), (7, 1, -0.5), (9, 3, 1.5)), 1, "double"),
     ],
     ids=["in lanes", "across three", "mixed on two", "in own axes", "in lanes, own axes"],

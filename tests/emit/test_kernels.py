@@ -44,9 +44,13 @@ def on_the_ground() -> Model:
         (human_figure(), "balanced", 4, "gather"),
         (on_the_ground(), "balanced", 4, "join"),  # a limb that a handle's force goes through
         (serial_chain(24, axes="xy"), "balanced", 2, "gather"),  # the ground as a body
-        (serial_chain(12, kind=SPHERICAL), "balanced", 2, "gather"),  # held by nine freedoms
-        (serial_chain(20, kind=PRISMATIC), "balanced", 2, "gather"),
-        (serial_chain(24, axes="xyz"), "balanced", 3, "join"),
+        pytest.param(
+            serial_chain(12, kind=SPHERICAL), "balanced", 2, "gather", marks=pytest.mark.slow
+        ),  # held by nine freedoms
+        pytest.param(
+            serial_chain(20, kind=PRISMATIC), "balanced", 2, "gather", marks=pytest.mark.slow
+        ),
+        pytest.param(serial_chain(24, axes="xyz"), "balanced", 3, "join", marks=pytest.mark.slow),
     ],
     ids=[
         "base joined",

@@ -107,11 +107,14 @@ def test_so_they_do_in_every_family(
 
 @pytest.mark.parametrize("k", range(20))
 def test_so_they_do_for_random_robots(k: int, builder: Builder, tmp_path: Path) -> None:
-    """Others at each run: the seed is printed where one fails."""
+    """Others at each run: the seed is printed where one fails.
+
+    One in four is joined: what joins takes g++ five times as long.
+    """
     seed, plan = secrets.randbits(32), None
     while plan is None or why_not(plan) is not None:
         seed += 1
-        model, plan = anything(seed, ("gather", "join")[k % 2])
+        model, plan = anything(seed, "gather" if k % 4 else "join")
     print(f"seed {seed}")
     solver = builder.solver(plan, EXACT, name="agree", shape="kernels")
     states = random_states(model, 3, seed=seed % 1000)

@@ -56,7 +56,7 @@ def alone(header: str) -> Any:
 
 
 @pytest.mark.parametrize("header", [alone(header) for header in HEADERS])
-@pytest.mark.parametrize("compiler", ["g++", "clang++"])
+@pytest.mark.parametrize("compiler", [pytest.param("g++", marks=pytest.mark.slow), "clang++"])
 def test_a_header_compiles_alone(header: str, compiler: str, builder: Builder) -> None:
     if shutil.which(compiler) is None:
         pytest.skip(f"{compiler} is not installed")

@@ -115,7 +115,10 @@ def test_hinges_in_order_are_solved(joints: int, builder: Builder, tmp_path: Pat
     assert solver.error(model, states, tmp_path, "--check") < 5 * ROUNDING["double"]
 
 
-@pytest.mark.parametrize(("processes", "meeting"), [(2, "join"), (3, "join"), (2, "gather")])
+@pytest.mark.parametrize(
+    ("processes", "meeting"),
+    [pytest.param(2, "join", marks=pytest.mark.slow), (3, "join"), (2, "gather")],
+)
 def test_segments_on_the_way_to_others_are_solved(
     processes: int, meeting: str, builder: Builder, tmp_path: Path
 ) -> None:

@@ -71,9 +71,19 @@ def test_constants_of_links_that_are_alike_stand_once() -> None:
 
 
 @pytest.mark.usefixtures("soon")
-@pytest.mark.parametrize("flags", [QUICK, NARROW], ids=["widest", "narrow"])
-@pytest.mark.parametrize("joints", [2 * TILE + 1, 3 * TILE])
-@pytest.mark.parametrize("scalar", ["double", "float"])
+@pytest.mark.parametrize(
+    ("scalar", "joints", "flags"),
+    [
+        ("double", 2 * TILE + 1, NARROW),
+        ("double", 3 * TILE, QUICK),
+        ("float", 2 * TILE + 1, QUICK),
+        ("float", 3 * TILE, NARROW),
+        pytest.param("double", 2 * TILE + 1, QUICK, marks=pytest.mark.slow),
+        pytest.param("double", 3 * TILE, NARROW, marks=pytest.mark.slow),
+        pytest.param("float", 2 * TILE + 1, NARROW, marks=pytest.mark.slow),
+        pytest.param("float", 3 * TILE, QUICK, marks=pytest.mark.slow),
+    ],
+)
 def test_tiles_answer_as_other_algorithms_do(
     joints: int, scalar: str, flags: tuple[str, ...], builder: Builder, tmp_path: Path
 ) -> None:

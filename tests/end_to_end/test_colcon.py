@@ -75,6 +75,7 @@ def test_colcon_builds_a_solver_and_what_links_it(workspace: Path) -> None:
     check(workspace / "install" / "controller" / "lib" / "controller" / "controller", workspace)
 
 
+@pytest.mark.slow
 def test_a_project_without_cpp_is_told_what_it_lacks(workspace: Path) -> None:
     """Of a static library, which leaves the C++ library to whoever links it."""
     project = workspace / "src" / "controller" / "CMakeLists.txt"

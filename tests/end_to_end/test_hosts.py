@@ -21,7 +21,7 @@ BY_STEM = {example.stem: example for example in EXAMPLES}
 @pytest.mark.parametrize(
     ("stem", "hosts", "channel"),
     [
-        ("arm7_p2", 1, "window"),
+        pytest.param("arm7_p2", 1, "window", marks=pytest.mark.slow),
         ("arm7_p2", 2, "message"),
         ("arm7_unrolled_p2", 2, "message"),
         ("human40_p4", 1, "window"),

@@ -137,7 +137,9 @@ def _plans() -> dict[str, tuple[Plan, dict[str, object]]]:
 PLANS = _plans()
 
 
-@pytest.mark.parametrize("name", PLANS)
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=[pytest.mark.slow] * (n == "joints")) for n in PLANS]
+)
 def test_nothing_is_taken_from_the_heap_once_a_solver_is_open(name: str, builder: Builder) -> None:
     plan, options = PLANS[name]
     files = emit(plan, name="heap", **options)  # type: ignore[arg-type]

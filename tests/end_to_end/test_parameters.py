@@ -27,10 +27,9 @@ MOON = np.array([0.1, -0.2, -1.62])
 
 
 @pytest.fixture(autouse=True, scope="module")
-def _cache(tmp_path_factory: pytest.TempPathFactory) -> Any:
-    """A cache of builds, for this module alone; compiled fast."""
+def _fast() -> Any:
+    """The compiler's time, not the program's."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
         patch.setenv("CXXFLAGS", "-O1")
         yield
 
@@ -60,7 +59,13 @@ CASES: dict[str, tuple[Path, bool, dict[str, Any]]] = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("case", CASES)
+REFINED = ("joints", "refined joints")
+"""As the paper's form and refined loops: slow."""
+
+
+@pytest.mark.parametrize(
+    "case", [pytest.param(c, marks=[pytest.mark.slow] * (c in REFINED)) for c in CASES]
+)
 def test_gravity_is_set_at_run_time(case: str) -> None:
     path, floating, asked = CASES[case]
     solver = build(path, floating, runtime="gravity", **asked)
@@ -227,8 +232,14 @@ def test_processes_go_by_what_process_0_has_set(batch: bool, builder: Builder) -
     assert forward_error(found, truth) < ROUNDING["double"]
 
 
-@pytest.mark.parametrize("processes", [1, 2])
-@pytest.mark.parametrize("runtime", ["gravity", ""])
+@pytest.mark.parametrize(
+    ("runtime", "processes"),
+    [
+        ("gravity", 2),
+        ("", 1),
+        *(pytest.param(*c, marks=pytest.mark.slow) for c in [("gravity", 1), ("", 2)]),
+    ],
+)
 def test_a_program_goes_by_the_gravity_of_its_states(
     processes: int, runtime: str, builder: Builder, tmp_path: Path
 ) -> None:

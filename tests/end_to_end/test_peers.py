@@ -53,9 +53,19 @@ class TestPeers:
             assert child.stderr is not None
             child.stderr.close()
 
-    @pytest.mark.parametrize("channel", ["window", "message"])
-    @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGSTOP])
-    @pytest.mark.parametrize("rank", [0, 2])
+    @pytest.mark.parametrize(
+        ("rank", "number", "channel"),
+        [
+            (0, signal.SIGKILL, "window"),
+            (2, signal.SIGKILL, "message"),
+            (0, signal.SIGSTOP, "message"),
+            (2, signal.SIGSTOP, "window"),
+            pytest.param(2, signal.SIGKILL, "window", marks=pytest.mark.slow),
+            pytest.param(0, signal.SIGKILL, "message", marks=pytest.mark.slow),
+            pytest.param(2, signal.SIGSTOP, "message", marks=pytest.mark.slow),
+            pytest.param(0, signal.SIGSTOP, "window", marks=pytest.mark.slow),
+        ],
+    )
     def test_a_peer_that_is_gone_ends_the_run(
         self,
         channel: str,

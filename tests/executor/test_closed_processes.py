@@ -47,7 +47,7 @@ def divided(model: Model, processes: int, owners: list[int | None]) -> Plan:
     return make_plan(model, replace(schedule, meeting="gather", gathered=gathered))
 
 
-@pytest.mark.parametrize("processes", [2, 3])
+@pytest.mark.parametrize("processes", [2, pytest.param(3, marks=pytest.mark.slow)])
 def test_feet_on_the_ground_are_shared_out(processes: int) -> None:
     model = figure()
     plan = divided(model, processes, [None, *[0] * 3, *[1] * 3, *[processes - 1] * 8])

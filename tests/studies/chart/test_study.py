@@ -95,7 +95,7 @@ def test_a_study_measures_and_tells_why_it_cannot(
 ) -> None:
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     model = serial_chain(4)
-    toolchain = replace(builder.toolchain, flags=("-std=c++17", "-O0"))
+    toolchain = replace(builder.toolchain, flags=("-std=c++17", "-O1"))
     bad = Variant("ada", "no such one")
     shared = Variant("segment", "balanced", processes=2)
     study = Study([shared, bad], rounds=1, repeat=1)
@@ -121,7 +121,7 @@ def test_identical_programs_and_idle_processes_are_left_out(
     """A straight line that is the default already, and two processes of which one idles."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     model = serial_chain(3)
-    toolchain = replace(builder.toolchain, flags=("-std=c++17", "-O0"))
+    toolchain = replace(builder.toolchain, flags=("-std=c++17", "-O1"))
     same, idle = Variant("segment", shape="unrolled"), Variant("segment", processes=2)
     other, many = (
         Variant("segment", shape="kernels"),
