@@ -1,6 +1,6 @@
 // Messages of several sizes, there and back between two processes: message 2 k goes from process 0
-// to process 1, and message 2 k + 1, as long, is the answer. What a message brings is taken out and
-// put into the next one. Sizes take turns, so that a noisy moment hits all alike.
+// to process 1, and message 2 k + 1, as long, is the answer. The content of a message is read and
+// put into the next one. Sizes alternate, so that a noisy moment affects all equally.
 class ChannelTimes {
  public:
   using Clock = std::chrono::steady_clock;
@@ -32,7 +32,7 @@ class ChannelTimes {
  private:
   static constexpr double kTimeLimit = 30;  // s
 
-  // Nanoseconds from when numbers are about to be put into a message until they have been taken
+  // Nanoseconds from when numbers are about to be put into a message until they have been read
   // out.
   double time_way(int there) {
     const Clock::rep start = now();

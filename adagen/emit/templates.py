@@ -17,7 +17,7 @@ def templates_folder() -> Path:
     for folder in (package / "templates", package.parent / "templates"):
         if (folder / "solver.cpp.j2").is_file():
             return folder
-    raise EnvironmentFault("the templates are missing from this installation; install adagen anew")
+    raise EnvironmentFault("the templates are missing from this installation; install adagen again")
 
 
 @cache

@@ -97,7 +97,7 @@ def title(program: Program) -> str:
         return "1 process"
     match meeting(program):
         case "alone":
-            how = "one of them at work"
+            how = "one of them used"
         case "joined":
             how = "joined at cuts"
         case "exchanged":

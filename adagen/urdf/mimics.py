@@ -58,7 +58,7 @@ def _check_sources(
             if slaved:
                 raise notes.error(f"{nothing}: correct the name or remove its <mimic>", line)
             dangling.append((joint.name, nothing, line))
-    notes.slips(dangling, "taken as independent", "that mimic nothing")
+    notes.slips(dangling, "independent here", "that mimic nothing")
 
 
 def _refuse_circles(
@@ -114,16 +114,14 @@ def _compose(
 
 
 def _warn_independent(mimics: list[JointElement], notes: Notes) -> None:
-    notes.warn_each(
-        [
-            (
-                joint.name,
-                f'joint "{joint.name}" mimics "{joint.mimic.joint}" but is taken as independent: '
-                "--mimic slaves it",
-                joint.mimic.line,
-            )
-            for joint in mimics
-            if joint.mimic is not None and joint.type != "fixed"
-        ],
-        "mimic joints are treated as independent",
-    )
+    """Warn in one line of joints whose <mimic> is not modelled."""
+    free = [joint for joint in mimics if joint.type != "fixed"]
+    for joint in free[:1]:
+        assert joint.mimic is not None
+        text = f'joint "{joint.name}" mimics "{joint.mimic.joint}" but is independent here'
+        if len(free) > 1:
+            names = quoted([joint.name for joint in free], shown=3)
+            text = f"{len(free)} joints mimic others but are independent here ({names})"
+        notes.warn(
+            f"{text}: --mimic makes {'it' if len(free) == 1 else 'them'} follow", joint.mimic.line
+        )

@@ -96,12 +96,17 @@ def _changes(element: Element, nothing: str) -> bool:
 
 
 LIMB = 3
-"""Joints that a limb has at least."""
+"""Joints that a limb has at least, beside few others."""
+
+LEG, LEGS = 2, 4
+"""Joints that a leg of small quadrupeds has, and how many limbs are legs in spite of that."""
 
 
 def warn_held(model: Model, notes: Notes) -> None:
-    """Warn of a root link with mass and several limbs, as humanoids have, that is held fixed."""
-    limbs = sum(_joints_from(model, joint) >= LIMB for joint in model.children[0])
+    """Warn of a root link with mass and limbs, as walking robots have, that is held fixed."""
+    sizes = [_joints_from(model, joint) for joint in model.children[0]]
+    legs = sum(size >= LEG for size in sizes)
+    limbs = legs if legs >= LEGS else sum(size >= LIMB for size in sizes)
     mass = model.links[0].inertia.mass
     if limbs > 1 and mass > 0.0:
         notes.warn(

@@ -27,7 +27,7 @@ namespace {
 // Solves many states at once, one in each lane of a register. Each process solves states of its
 // own; where process 0 has them all, it hands them out (handout.hpp).
 class Solver {
-  // What takes those parameters that come with states.
+  // Reads the parameters that come with states.
   auto take_parameters() {
     return [this](const Number* x) {
       for (Group& group : groups_) unpack_parameters(x, group.w);

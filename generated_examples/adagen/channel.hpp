@@ -30,7 +30,7 @@ const MPI_Datatype kMpiNumber = sizeof(Number) == sizeof(double) ? MPI_DOUBLE : 
 
 // Exchange between processes. Processes on one node meet in a shared window: a message is a slot
 // that its source fills and then numbers (release), and that its target reads once it sees the
-// number (acquire). Other pairs exchange MPI messages. A message has two slots, taken in turn: when
+// number (acquire). Other pairs exchange MPI messages. A message has two slots, used in turn: when
 // one is written again, two evaluations later, its target has answered in the one between.
 class Channel {
  public:
@@ -38,8 +38,8 @@ class Channel {
   Channel(const Channel&) = delete;
   Channel& operator=(const Channel&) = delete;
 
-  // Collective. Returns an empty string, or what is wrong. hosts: if not 0, processes are taken to
-  // be on so many hosts, in equal parts, whatever they share.
+  // Collective. Returns an empty string, or what is wrong. hosts: if not 0, processes are assumed
+  // to be on so many hosts, in equal parts, whatever they share.
   std::string open(MPI_Comm comm, ChannelMode mode, double time_limit, int hosts = 0) {
     MPI_Comm_dup(comm, &comm_);
     MPI_Comm_rank(comm_, &rank_);

@@ -22,7 +22,7 @@ namespace {
 
 // Exchange between threads of one process: a message is a slot that its source fills and then
 // numbers (release), and that its target reads once it sees the number (acquire). A message has two
-// slots, taken in turn: when one is written again, two evaluations later, its target has answered
+// slots, used in turn: when one is written again, two evaluations later, its target has answered
 // in the one between.
 template <std::size_t numbers>
 struct alignas(kCacheLine) Slot {

@@ -47,7 +47,7 @@ struct LinkConstants {
 };
 
 // A link whose mass or centre is set at run time: where those are among all that is, -1 if they are
-// constant, and how the axes in which they are told lie in the link's, row by row.
+// constant, and the rotation from the axes they are given in to the link's, row by row.
 struct SettableLink {
   int link, mass, center;
   double axes[9];

@@ -13,7 +13,7 @@
 namespace {
 
 // A joint with a rotor inside an articulated body: D = S^T I^A S + J. What of the projection does
-// not vanish along S is told by products with J, never as a difference.
+// not vanish along S is computed from products with J, never as a difference.
 template <class Kind>
 struct Geared : Articulated<Kind> {
   using Articulated<Kind>::n;

@@ -66,7 +66,7 @@ class PassiveTerms {
 
     bool rubs() const { return friction > 0; }
 
-    // What is taken at the end of a step that changes the velocity v by u.
+    // The velocity used at the end of a step that changes v by u.
     double torque(double h, double at, double u) const {
       const double linear = (damping + h * stiffness) * u;
       if (!rubs()) return linear;
@@ -87,7 +87,7 @@ class PassiveTerms {
 
   // taken_ <- g(u) by Newton's method. g grows with u and M is positive semi-definite, so that u is
   // where a convex function is least: a step is shortened until that function no longer rises
-  // steeply. What is linear takes one step.
+  // steeply. Linear effects need one step.
   void settle(double h, const State& v) {
     const bool rubs =
         std::any_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.rubs(); });

@@ -156,7 +156,8 @@ void push(const Number* outer, std::vector<Body>& body) {
   }
 }
 
-// What moves a body: its inertia times its acceleration, and what that takes at its joint.
+// What moves a body: its inertia times its acceleration, and the force that this needs at its
+// joint.
 void set_in_motion(const Link& link, Body& b) {
   const Vec c = vec3(link.com);
   const Vec at_com = b.a + cross(b.dw, c) + cross(b.w, cross(b.w, c));

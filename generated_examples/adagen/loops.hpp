@@ -322,7 +322,7 @@ inline void account(const Number* q, const Number* v, const Number* qdd, check::
   for (const auto& joint : about.joints)
     for (std::size_t k = std::size_t(joint.v); k < std::size_t(joint.v + joint.nv); ++k) {
       const Real size = std::max(left.size[k], usual);
-      weights[k] = joint.prescribed ? 0 : 1 / (size * size);  // nobody asks for its torque
+      weights[k] = joint.prescribed ? 0 : 1 / (size * size);  // its torque is not needed
     }
   const auto squares = [&left] {
     Real sum = 0;

@@ -133,7 +133,7 @@ class Program {
                                                        on.acceleration(0)));
   }
 
-  // The same for states that nobody has given: whether all were solved.
+  // The same for generated states: whether all were solved.
   bool solve_quietly() {
     Session& on = session_;
     on.use(std::move(on.states));
@@ -182,7 +182,7 @@ class Program {
     return status;
   }
 
-  // What processes have met that costs digits but is no failure, told once.
+  // Conditions that cost digits but are no failure, each reported once.
   void collect_warnings() {
     int joint = session_.solver.near_lock();
     MPI_Allreduce(MPI_IN_PLACE, &joint, 1, MPI_INT, MPI_MAX, session_.comm());

@@ -7,7 +7,7 @@
 
 namespace {
 
-// States of process 0, and nobody to hand them to.
+// States of process 0 alone; there are no other processes.
 struct Batch {
   int count;
   const Number *q, *v, *tau;

@@ -11,8 +11,8 @@
 namespace adagen {
 namespace {
 
-// What the program asks of MPI, for one process without it: there is nobody else. A launcher's word
-// is taken for how many were started, so that none of several goes on by itself.
+// What the program asks of MPI, for one process without it. The launcher's
+// environment says how many were started, so that none of several goes on by itself.
 using MPI_Comm = OneProcess;
 using MPI_Datatype = std::size_t;  // its size
 using MPI_Request = int;

@@ -41,8 +41,8 @@ struct RefinedProcess {
 // What one process tells another of a step.
 struct ExchangeInfo {
   int source, target;
-  Table entries;  // of the velocity, whose acceleration is told
-  Table forces;   // joints whose force is told
+  Table entries;  // entries of v whose acceleration is sent
+  Table forces;   // joints whose force is sent
 };
 
 // The slaved joint that a right-hand side is of; the first is of none.
@@ -178,7 +178,7 @@ class Refinement {
     }
     for (const int link : own.links)
       left_[link] = -times_inertia(link, joints_[link - 1].a) - joints_[link - 1].gyration;
-    for (const int j : own.at) {  // adds to other processes' links, too, which nobody reads
+    for (const int j : own.at) {  // also adds to links of other processes; these are not read
       const WideJoint& i = joints_[j];
       left_[j + 1] += i.f;
       left_[kJoints[j].parent] -= returned(i.carried, i.f);

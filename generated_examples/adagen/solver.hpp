@@ -47,7 +47,7 @@ class Solver : public InPlace {
     return solve_as_root(q_.data(), v_.data(), tau_.data(), qdd_.data(), failure(kEnded, 0));
   }
 
-  // At the others: takes part in what process 0 evaluates until it ends that.
+  // On other processes: evaluates together with process 0 until that ends.
   int serve() {
     const int rank = channel.rank();
     if (rank == 0) return kFine;
@@ -73,7 +73,7 @@ class Solver : public InPlace {
   }
 
  private:
-  // Whether a process takes part when all goes through process 0.
+  // Whether a process computes when all data goes through process 0.
   static bool has_part(int p) {
     return !kAlone && kProcess[static_cast<std::size_t>(p)].own.count > 0;
   }

@@ -10,8 +10,8 @@
 
 namespace {
 
-// The model as the program takes it.
-adagen::Joint<Number> told(const JointConstants& joint) {
+// The model, in the form that the program reads.
+adagen::Joint<Number> described(const JointConstants& joint) {
   const Passive& own = joint.passive;
   const auto kind = static_cast<adagen::JointKind>(joint.kind);
   return {joint.name,       kind,         joint.parent,   joint.q,           joint.nq,
@@ -19,21 +19,23 @@ adagen::Joint<Number> told(const JointConstants& joint) {
           joint.multiplier, joint.offset, own.damping,    own.friction,      own.friction_speed,
           own.stiffness,    own.rest,     own.rotor,      own.prescribed,    joint.given};
 }
-adagen::Link<Number> told(const LinkConstants& link) { return {link.mass, link.com, link.tensor}; }
-[[maybe_unused]] adagen::OuterForce<Number> told(const OuterForce& outer) {
+adagen::Link<Number> described(const LinkConstants& link) {
+  return {link.mass, link.com, link.tensor};
+}
+[[maybe_unused]] adagen::OuterForce<Number> described(const OuterForce& outer) {
   return {outer.name, outer.link, outer.rotation, outer.translation};
 }
-[[maybe_unused]] adagen::Message told(const MessageInfo& message) {
+[[maybe_unused]] adagen::Message described(const MessageInfo& message) {
   return {message.source, message.target, message.size};
 }
 
 // All of a table, as long as the program runs.
 template <class Own, std::size_t n>
 auto table(const std::array<Own, n>& all) {
-  using Told = decltype(told(all[0]));
-  static std::array<Told, n> items{};
-  for (std::size_t k = 0; k < n; ++k) items[k] = told(all[k]);
-  return adagen::Table<Told>{items.data(), static_cast<int>(n)};
+  using Described = decltype(described(all[0]));
+  static std::array<Described, n> items{};
+  for (std::size_t k = 0; k < n; ++k) items[k] = described(all[k]);
+  return adagen::Table<Described>{items.data(), static_cast<int>(n)};
 }
 
 // Shapes that join no runs of joints as one are never near gimbal lock.

@@ -137,8 +137,8 @@ function showAccuracy() {
 function showRest() {
   const { robot, chart, scene } = data;
   byId("summary").textContent = `${robot.joints.length} joints, ${robot.nv} degrees of freedom, ${robot.floating ? "floating" : "fixed"} base, ${Number(robot.mass.toPrecision(6))} kg, gravity ${robot.gravity.join(" ")} m/s²`;
-  const told = (value) => (value === null ? "–" : typeof value === "number" ? String(Number(value.toPrecision(3))) : value);
-  fillTable(byId("figures-t"), ["", "predicted", "measured", ""], data.figures.map((row) => [row.what, told(row.predicted), told(row.measured), row.unit]));
+  const shown = (value) => (value === null ? "–" : typeof value === "number" ? String(Number(value.toPrecision(3))) : value);
+  fillTable(byId("figures-t"), ["", "predicted", "measured", ""], data.figures.map((row) => [row.what, shown(row.predicted), shown(row.measured), row.unit]));
   if (chart === null) {
     byId("chart-d").append(missing("No record of variants was given. To measure them (minutes), and to show them here:", "chart", "record"));
     byId("chart").querySelector(".command").remove();

@@ -66,7 +66,7 @@ function placed(robot, pose) {
 
 const SVG = "http://www.w3.org/2000/svg";
 
-/** Return a new SVG element with attributes and, where told, text. */
+/** Return a new SVG element with attributes and, if given, text. */
 function shape(tag, attributes, text) {
   const element = document.createElementNS(SVG, tag);
   for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);

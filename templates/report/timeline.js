@@ -26,12 +26,12 @@ const fitting = (name, width) => (name.length * 6.2 <= width ? name : "");
 /** Draw one bar, or one for each lane. */
 function bars(svg, each, x, width, y, height, [fill, ink]) {
   const lanes = each.lanes.length > 1 ? each.lanes : [each.name];
-  const told = `${each.name || each.what}: ${each.start.toFixed(3)} to ${each.end.toFixed(3)} µs`;
+  const shown = `${each.name || each.what}: ${each.start.toFixed(3)} to ${each.end.toFixed(3)} µs`;
   lanes.forEach((name, k) => {
     const top = y + (k * height) / lanes.length, tall = height / lanes.length;
     const kind = each.what === "wait" ? "wait" : ["send", "receive"].includes(each.what) ? "message" : "bar";
     const box = shape("rect", { class: kind, x, y: top, width, height: tall, ...(kind === "bar" ? { fill } : {}) });
-    box.append(shape("title", {}, lanes.length > 1 ? `${told}; lane ${k}: ${name}` : told));
+    box.append(shape("title", {}, lanes.length > 1 ? `${shown}; lane ${k}: ${name}` : shown));
     svg.append(box);
     if (kind !== "bar") return;
     if (each.what === "kinematics") svg.append(shape("rect", { class: "stripe", x: x + 0.5, y: top + 1, width: Math.max(width - 1, 0), height: tall * 0.3, "pointer-events": "none" }));

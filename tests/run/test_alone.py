@@ -46,11 +46,11 @@ def test_process_0_runs_the_text_of_one_process() -> None:
 
 
 def test_its_head_and_its_drawing_say_who_idles() -> None:
-    assert "// program   2 processes, one of them at work" in text_of(plan(2))
+    assert "// program   2 processes, one of them used" in text_of(plan(2))
     assert "process 1: nothing" in text_of(plan(2))
     schedule, program = best_schedule(MODEL, 2, PROFILE), priced_program(plan(2))
     picture = draw(schedule, Topology.of(MODEL), program, PROFILE, "arm")
-    assert "one of them at work" in picture
+    assert "one of them used" in picture
 
 
 def test_answers_do_not_differ_from_one_process(

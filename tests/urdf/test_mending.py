@@ -31,7 +31,7 @@ CASES = {
     "mimics nothing": (
         pair(j=Y + '<mimic joint="jx"/>'),
         5,
-        "does not exist: taken as independent",
+        "does not exist: independent here",
     ),
     "an axis told twice": (pair(j=Y + Y), 5, "has 2 <axis>: read as one, as they agree"),
     "a zero byte at the end": (GOOD + "\0", 7, "ends in a zero byte: left out"),
@@ -62,7 +62,7 @@ def test_many_slips_of_one_kind_take_one_line(read: Read, refusal: Callable[...,
     text = robot(links, *joints)
     axes, mimics = read(text).warnings
     assert 'joint "j0": an <axis> has no rpy: left out, as it is zero; so are 8 more axes' in axes
-    assert '"x0", which does not exist: taken as independent; so are 8 more that' in mimics
+    assert '"x0", which does not exist: independent here; so are 8 more that' in mimics
     assert mimics.endswith('"j1", "j2", "j3", "j4", "j5", "j6" and 2 more')
     assert 'joint "j0": an <axis> has no rpy: correct it' in refusal(text, strict=True)
 

@@ -312,3 +312,10 @@ def test_a_base_with_limbs_that_is_held_is_told(read: Read) -> None:
     assert read(text).warnings == ()
     assert read(text, held=False, floating=True).warnings == ()
     assert read(robot(*links[:4], *legs[:3]), held=False).warnings == ()  # an arm
+    short = [
+        joint(f"{s}{k}", f"{s}{k}" if k else "trunk", f"{s}{k + 1}") for s in "abcd" for k in (0, 1)
+    ]
+    links = [link("trunk"), *(link(f"{s}{k}") for s in "abcd" for k in (1, 2))]
+    (warning,) = read(robot(*links, *short), held=False).warnings
+    assert "(1 kg, 4 limbs) is held fixed" in warning
+    assert read(robot(*links[:5], *short[:4]), held=False).warnings == ()  # a gripper

@@ -60,7 +60,7 @@ def disassembly(words: Words, join: FusedJoin, end: Disassemble) -> list[str]:
     for update in end.updates:
         sign, change = "+", "f"
         if update.side == "A":
-            sign, change = "-", f"to_told(w, {near}, i.run.X.transposed_times(f))"
+            sign, change = "-", f"to_expressed(w, {near}, i.run.X.transposed_times(f))"
         acting = "Columns6::Zero()" if update.source is None else words.force(update.source)
         lines.append(f"{words.force(update.target)} = {acting} {sign} {change};")
     return lines

@@ -35,7 +35,7 @@ ADAGEN_INLINE void operator+=(Left<T>& a, const Left<T>& b) {
   a.moments += b.moments, a.forces += b.forces;
 }
 
-// Whether a slot is filled: what others hold is nobody's.
+// Whether a slot is filled: slots of other processes are empty.
 constexpr std::array<PerJoint, kBlockCount> kFilled = [] {
   std::array<PerJoint, kBlockCount> result{};
   for (int j = 0; j < kJointCount; ++j)
@@ -107,7 +107,7 @@ struct Found {
   T seen, rounded;
 };
 
-// What drives a joint of one freedom, less what its rotor takes.
+// What drives a joint of one freedom, less what its rotor needs.
 template <class T>
 ADAGEN_INLINE T driving(Workspace& w, const Joints<T>& joints) {
   T tau = each(joints, [&w](const JointConstants& own) { return torque(w, own); });
@@ -131,18 +131,21 @@ ADAGEN_INLINE void weigh_freedom(Workspace& w, const Joints<T>& joints, const T&
   X.f += Vector<T>{e[3], e[4], e[5]} * u;
 }
 
-// What a bare link takes along its joint, expressed in its own axes; adds the squares of what that
-// is added up from. See add_own_link in turned.hpp.
+// The force a bare link needs along its joint, expressed in its own axes; adds the squares of what
+// that is added up from. See add_own_link in turned.hpp.
 template <bool along, class T>
 ADAGEN_INLINE T own_share(Workspace& w, const Joints<T>& joints, T& units) {
   const Matrix<T> back = transposed(matrix_at<T>(w.at(joints.slot, kAxes)));
-  const auto told = [&](Entry entry) { return back * vector_at<T>(w.at(joints.slot, entry)); };
+  const auto in_own_axes = [&](Entry entry) {
+    return back * vector_at<T>(w.at(joints.slot, entry));
+  };
   T mass;
   Vector<T> c, n, f;
   Symmetric<T> J;
   own_inertia(w, joints, mass, c, J);
-  bias_force(J, c, mass, told(kOmega), told(kAlpha), told(kAcceleration), n, f);
-  const Vector<T> alpha = told(kGained), a = told(kGainedAlong);
+  bias_force(J, c, mass, in_own_axes(kOmega), in_own_axes(kAlpha), in_own_axes(kAcceleration), n,
+             f);
+  const Vector<T> alpha = in_own_axes(kGained), a = in_own_axes(kGainedAlong);
   const T before = along ? f.z : n.z;
   const T gained =
       along ? a.z * mass + (alpha.x * c.y - alpha.y * c.x)
@@ -151,7 +154,7 @@ ADAGEN_INLINE T own_share(Workspace& w, const Joints<T>& joints, T& units) {
   return before + gained;
 }
 
-// A joint that is swept in its own axes: what its bare link takes along it is exact there.
+// A joint that is swept in its own axes: the force that its bare link needs is exact there.
 template <bool along, class T>
 ADAGEN_INLINE void weigh_turned(Workspace& w, const Joints<T>& joints, Left<T>& X,
                                 Found<T>& found) {
@@ -253,7 +256,7 @@ ADAGEN_INLINE void weigh_free(Workspace& w, const Joints<Value>& joints, Left<Va
   X = {n + cross(memory.r, f), f, dot(n, n), dot(f, f)};
 }
 
-// Whether what the bare link beyond a joint takes is added with the joint.
+// Whether the force that the bare link beyond a joint needs is added with the joint.
 ADAGEN_INLINE constexpr bool weighed_apart(int joint) { return turned<true>(joint); }
 
 // A joint whose far link's share is X, but for the bare link where that is added here.

@@ -52,7 +52,7 @@ struct LimbRows {
   static constexpr JointKind kind(int k) { return limbs.at(k).any().kind; }
 };
 
-constexpr int kMostNumbers = 27;  // of what is taken apart or made one: a Body
+constexpr int kMostNumbers = 27;  // of what is split into lanes or joined: a Body
 
 // One lane of what consists of numbers alone, and all lanes made one.
 template <class T, template <class> class S, std::size_t... k>

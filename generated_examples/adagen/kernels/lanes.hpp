@@ -76,7 +76,7 @@ ADAGEN_INLINE Lanes hyperbolic_tangent(const Lanes& x) {
 
 // Sines and cosines, with an error of about one unit in the last place: the angle less n pi/2 by
 // three parts of pi/2 (Cody and Waite), then polynomials (Cephes). The parts are exact up to
-// kLargestAngle; beyond, each lane is taken by itself.
+// kLargestAngle; beyond, each lane is computed by itself.
 template <class R>
 struct Trigonometry;
 

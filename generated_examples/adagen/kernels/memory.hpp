@@ -119,7 +119,7 @@ ADAGEN_INLINE Vector<T> each_vector(const Joints<T>& joints, const Value* x,
 // Whether the body beyond a floating joint is kept: for mobilities, and for residuals.
 [[maybe_unused]] constexpr bool kKeepsFree =
     kPassesFree || (kWeighed && any_of(JointKind::kFloating));
-// Asked once each, not where templates use it: g++ takes time quadratic in the joints there.
+// Evaluated once each, not at each use in templates: g++ would need time quadratic in the joints.
 [[maybe_unused]] constexpr bool kAnyPrismatic = any_of(JointKind::kPrismatic);
 [[maybe_unused]] constexpr bool kAnySpherical = any_of(JointKind::kSpherical);
 [[maybe_unused]] constexpr bool kAnyPlanar = any_of(JointKind::kPlanar);
@@ -297,7 +297,8 @@ ADAGEN_INLINE Value torque(const Workspace& w, const JointConstants& joint, int 
   return tau;
 }
 
-// A joint of prescribed motion among limbs side by side gives way to nothing and moves as told.
+// A joint of prescribed motion among limbs in lanes: no force moves it, it follows its
+// prescription.
 ADAGEN_INLINE Real immovable(const JointConstants& joint) {
   return joint.passive.prescribed ? std::numeric_limits<Real>::infinity() : 0;
 }

@@ -126,7 +126,7 @@ bool factorize(std::array<std::array<Real, m>, m>& L) {
   return good;
 }
 
-// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has taken away most
+// Whether M = N (Phi_A + Phi_B) N^T keeps digits. Phi - Z^T Z of earlier joins has cancelled most
 // of a light link's mobility, with a rounding error of eps times what the bare link had: least, for
 // each row, is 64 eps times that.
 template <class Kind>

@@ -14,7 +14,7 @@
 namespace {
 
 // Threads of processes 1, 2, .. onto the cores behind that of the program, if there are as many and
-// nobody says otherwise.
+// nothing else is set.
 Text open_solver(Solver& solver, adagen::OneProcess, const adagen::Opening& how) {
   std::array<int, static_cast<std::size_t>(kProcesses)> cores{};
   std::size_t count = 0;

@@ -29,7 +29,7 @@ class Stretches {
  public:
   explicit Stretches(Session& session) : session_(session) {}
 
-  // Collective. Evaluates each state of the session, at the root or in place; turn is told before
+  // Collective. Evaluates each state of the session, at the root or in place; turn is called before
   // each turn. Returns the first failure.
   template <class Turn>
   int measure(bool at_root, Turn turn) {
@@ -58,12 +58,12 @@ class Stretches {
   // Collective. Over the states, at process 0: medians of the stretches played through, and the
   // least of all. Holds one look at the clock, as other times do.
   Statistics played_through() {
-    const std::vector<std::vector<double>> told = bring_together();
+    const std::vector<std::vector<double>> gathered = bring_together();
     if (session_.rank != 0) return {};
     const std::vector<Message> messages(about.messages.begin(), about.messages.end());
     std::vector<const double*> next;
-    next.reserve(told.size());
-    for (const std::vector<double>& one : told) next.push_back(one.data());
+    next.reserve(gathered.size());
+    for (const std::vector<double>& one : gathered) next.push_back(one.data());
     work_.assign(processes(), 0);
     std::vector<double> typical, least;
     for (std::size_t s = 0; s < count(); ++s) {
@@ -119,7 +119,8 @@ class Stretches {
       lengths.push_back(std::max(0.0, nanoseconds(looks[k] - looks[k - 1]) - look_));
   }
 
-  // Waits for the others, asleep: whoever computes is not disturbed.
+  // Waits for the others without using the processor, so that computing processes are not
+  // disturbed.
   void rest() const {
     MPI_Request request;
     MPI_Ibarrier(session_.comm(), &request);

@@ -49,7 +49,7 @@ double error_bound_of(const S&, long) {
   return 0;
 }
 
-// The solver as the program around it takes it.
+// The solver, through the interface that the program uses.
 class ThisSolver final : public adagen::AnySolver<Number, Comm> {
  public:
   const char* open(Comm comm, const adagen::Opening& how) override {
@@ -156,7 +156,7 @@ class ThisSolver final : public adagen::AnySolver<Number, Comm> {
   adagen::Table<int> noted(int k) const override { return takes_.messages(k); }
 
  private:
-  // For all but the clock: once in the code, whoever calls it.
+  // For all callers but the clock: not inlined, so that the code exists once.
   ADAGEN_NOINLINE int in_place(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     return solver_.solve(q, v, tau, qdd);
   }
@@ -169,7 +169,7 @@ class ThisSolver final : public adagen::AnySolver<Number, Comm> {
   }
 
   Solver solver_;
-  std::vector<double> bounds_;  // of the errors of the last batch, where they are told
+  std::vector<double> bounds_;  // error bounds of the last batch, if certified
   Takes takes_;
   Text words_;
 };

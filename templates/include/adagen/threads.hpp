@@ -41,7 +41,7 @@ class Solver : public InPlace {
   ~Solver() { close(); }
 
   // Starts the threads. cores: where those of processes 1, 2, .. are to stay, null for anywhere.
-  // Returns what is wrong, or an empty string. All memory that is ever needed is taken here.
+  // Returns what is wrong, or an empty string. Allocates all memory that is ever needed.
   Text open(const int* cores, double time_limit) {
     if (!(time_limit > 0)) return Text("the time limit must be more than 0 s");
     const auto limit = std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -194,7 +194,7 @@ class Solver : public InPlace {
   std::atomic<bool> ending_{false};
   std::mutex mutex_;
   std::condition_variable bell_;
-  // The state of the evaluation at work: a thread that is late may still read it when the call is
+  // The state of the current evaluation: a thread that is late may still read it when the call is
   // over, and the caller's memory somebody else's.
   alignas(kCacheLine) std::array<Number, kNq> q_{};
   std::array<Number, kNv> v_{};

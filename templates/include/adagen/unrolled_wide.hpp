@@ -18,7 +18,7 @@
 
 namespace {
 
-// Limbs that are alike share code: one is in each lane.
+// Limbs of the same structure share code, one limb in each lane.
 typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
 typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
 typedef Real Eight __attribute__((vector_size(8 * sizeof(Real))));
@@ -28,7 +28,7 @@ template <class T>
 using Half =
     std::conditional_t<kWidth<T> == 8, Four, std::conditional_t<kWidth<T> == 4, Two, Real>>;
 
-// Lanes are for limbs: g++ is told not to look for more to put side by side. Of reproducible
+// Lanes are for limbs: g++ must not vectorise anything else. Of reproducible
 // solvers it is expressed so for the whole file: options of single functions would keep others from
 // being inlined.
 #if defined(__clang__) || defined(ADAGEN_REPRODUCIBLE)

@@ -118,7 +118,7 @@ class Verdict {
     return right_;
   }
 
-  // What is said of the model where a solver refuses: nothing where all its links are real.
+  // What is wrong with the model when a solver refuses; empty if all links are physical.
   static std::string of_model() {
     return check::unreal_link() > 0 ? "; the model is at fault: " + check::unreal() : "";
   }
@@ -164,7 +164,7 @@ class Verdict {
   }
 
  private:
-  static constexpr double kPush = 1024;  // what it does to the answer is told to three digits
+  static constexpr double kPush = 1024;  // its effect on the answer is known to three digits
   static constexpr double kTouch = 64;   // units of rounding: the solver's own are small beside it
   static constexpr double kRounding = std::numeric_limits<Number>::epsilon() / 2;
   // Where fewer than six digits (float: two) are sure, a warning tells it.

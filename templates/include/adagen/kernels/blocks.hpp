@@ -35,7 +35,7 @@ constexpr void fill(PerJoint& numbers, Real x) {
   for (Real& number : numbers) number = x;
 }
 
-// The constants of blocks that are alike stand once: which ones a block has, and a block that does.
+// Equal blocks share their constants: the index of a block's constants, and a block that has them.
 constexpr int constants_at(int block) { return kBlockKindCount > 0 ? kBlockKinds[block] : block; }
 constexpr bool has_own_constants(int block) {
   return kBlockKindCount == 0 || kFirstOfKind[kBlockKinds[block]] == block;

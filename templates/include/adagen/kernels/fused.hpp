@@ -37,8 +37,9 @@ inline Transform own_transform(Workspace& w, int j) {
 }
 
 // From a link's own axes to those that its mobility and forces at it are expressed in, which may be
-// those of the base; and a matrix that takes what is told there instead of what is in its own axes.
-[[maybe_unused]] inline Columns6 to_told(Workspace& w, int link, const Columns6& f) {
+// those of the base; and the matrix for arguments expressed there instead of in the link's own
+// axes.
+[[maybe_unused]] inline Columns6 to_expressed(Workspace& w, int link, const Columns6& f) {
   return turned_link(link) ? f : rotated(mat3_of(matrix_at(w.of(link - 1, kAxes))), f);
 }
 [[maybe_unused]] inline Mat6 of_told(Workspace& w, int link, const Mat6& m) {

@@ -26,9 +26,9 @@
 
 namespace {
 
-// The ground as a body: what joints on it let a link do is taken for that link's inertia.
+// The ground as a body: the mobility that joints on it give a link serves as that link's inertia.
 
-// What holds a link taken for a body: Phi^-1 and -Phi^-1 b. Pivots tell whether Phi is too near to
+// What holds a link, as a body: Phi^-1 and -Phi^-1 b. Pivots tell whether Phi is too near to
 // a singular matrix for that, angular and linear ones beside the largest of their kind.
 template <int link>
 void hold(Workspace& w, const Mat6& Phi, const Columns6& b) {

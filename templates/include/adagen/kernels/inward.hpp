@@ -139,12 +139,12 @@ ADAGEN_INLINE void eliminate_planar(Workspace& w, const Joints<Value>& joints, B
   const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
   const Vector<Value> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y}, z{R.x.z, R.y.z, R.z.z};
   const Vector<Value> none{};
-  const auto told = [](const Value& torque) { return reversed ? -torque : torque; };
+  const auto signed_torque = [](const Value& torque) { return reversed ? -torque : torque; };
   if constexpr (reversed) shift(X, -memory.r);
   const auto nothing = [](const Body<Value>&) {};
-  eliminate<true, false>(w, joints, X, x, none, told(tau[0]), memory.e, nothing);
-  eliminate<true, false>(w, joints, X, y, none, told(tau[1]), memory.e + 8, nothing);
-  eliminate<false, false>(w, joints, X, z, none, told(tau[2]), memory.e + 16, nothing);
+  eliminate<true, false>(w, joints, X, x, none, signed_torque(tau[0]), memory.e, nothing);
+  eliminate<true, false>(w, joints, X, y, none, signed_torque(tau[1]), memory.e + 8, nothing);
+  eliminate<false, false>(w, joints, X, z, none, signed_torque(tau[2]), memory.e + 16, nothing);
   if constexpr (!reversed) shift(X, memory.r);
 }
 
@@ -210,7 +210,7 @@ ADAGEN_INLINE Body<Value> whole(Workspace& w, int link) {
   return X;
 }
 
-// Leaves a body at a link, in the axes in which that is told.
+// Adds a body to a link, in the axes in which the link's body is expressed.
 template <bool starts>
 ADAGEN_INLINE void add_to(Workspace& w, int link, const Body<Value>& X) {
   Body<Value>& body = w.bodies[static_cast<std::size_t>(link)];
@@ -245,7 +245,7 @@ constexpr bool may_lose(int first, int last) {
 template <int p, int first, int last, bool starts, bool reversed>
 void inward_again(Workspace& w);
 
-// Process p takes joints last .. first inwards, each on the link of the one before.
+// Process p sweeps joints last .. first inwards, each on the link of the one before.
 template <int p, int first, int last, bool starts>
 void inward(Workspace& w) {
   Body<Value> X{};

@@ -26,7 +26,7 @@
 namespace {
 
 // Inwards by columns: a joint takes a few instructions for each. For runs of joints that nothing
-// lies beside; where no register holds a column, such runs are taken number by number.
+// lies beside; where no register holds a column, such runs are computed number by number.
 
 // The joint that fills a slot.
 constexpr std::array<std::size_t, kBlockCount * kPerBlock> kJointAt = [] {

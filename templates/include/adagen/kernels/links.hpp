@@ -75,7 +75,7 @@ void take_angles(Workspace& w) {
 }
 
 // Turns the joints of blocks first .. last - 1 by their angles: columns x and y of the rotation.
-// Of tiles beyond the first one blocks lie behind by as many as told.
+// In tiles after the first, blocks are shifted by `beyond`.
 template <int first, int last>
 void turn(Workspace& w, int beyond = 0) {
   for (int b = first; b < last; ++b) {

@@ -228,7 +228,7 @@ ADAGEN_INLINE constexpr int near_link(int j) {
   return reversed ? j + 1 : kJoints[static_cast<std::size_t>(j)].parent;
 }
 
-// L m, m being told with the near link in its rows.
+// L m, where the rows of m belong to the near link.
 template <bool reversed>
 Mat6 passed(Workspace& w, int j, const Mat6& m) {
   const Mat6 near = in_base(w, near_link<reversed>(j), m);

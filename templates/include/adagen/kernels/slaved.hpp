@@ -17,8 +17,8 @@
 
 namespace {
 
-// Slaved joints. Each is coupled by a torque between it and its source. What a unit of that
-// torque does, the same sweeps find once more, for nothing else at work, springs neither.
+// Slaved joints. Each is coupled by a torque between it and its source. The same sweeps
+// find the effect of a unit of that torque, with no other force acting, not even springs.
 inline void pull(Workspace& w, int slaved) {
   const JointConstants& joint = kJoints[static_cast<std::size_t>(slaved)];
   Value *const v = w.v.data(), *const tau = w.tau.data();
@@ -61,7 +61,7 @@ inline Responses responses_of(const Workspace& w, std::size_t v) {
   return from;
 }
 
-// The torques at work, on accelerations first .. first + count - 1.
+// Applies the torques, to accelerations first .. first + count - 1.
 inline void apply_coupling(Workspace& w, std::size_t first, std::size_t count) {
   for (std::size_t c = 0; c < kSlavedCount; ++c)
     for (std::size_t k = first; k < first + count; ++k)

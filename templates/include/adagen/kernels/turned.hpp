@@ -20,8 +20,9 @@ namespace {
 
 // Inwards in the links' own axes, where axes of the base would cost digits: S is a coordinate axis
 // there, D an entry of the body, and what is left along S exactly zero. Links beyond joints of
-// kTurned have their bodies told so, each about its own origin as all are. Joints of kTurnedIfLost
-// are so only where a sweep found too few digits left and is repeated: lost is true then.
+// kTurned express their bodies so, each about its own origin like all bodies. Joints of
+// kTurnedIfLost are so only where a sweep found too few digits left and is repeated: lost is true
+// then.
 template <bool lost = false>
 ADAGEN_INLINE constexpr bool turned(int j) {
   return (kAnyTurned && kTurned[j]) || (lost && kTurnedIfLost[j]);
@@ -86,16 +87,19 @@ ADAGEN_INLINE void own_inertia(const Workspace& w, const Joints<T>& joints, T& m
 template <class T>
 ADAGEN_INLINE void add_own_link(Workspace& w, const Joints<T>& joints, Body<T>& X) {
   const Matrix<T> back = transposed(matrix_at<T>(w.at(joints.slot, kAxes)));
-  const auto told = [&](Entry entry) { return back * vector_at<T>(w.at(joints.slot, entry)); };
+  const auto in_own_axes = [&](Entry entry) {
+    return back * vector_at<T>(w.at(joints.slot, entry));
+  };
   T mass;
   Vector<T> c;
   Symmetric<T> J;
   own_inertia(w, joints, mass, c, J);
   Vector<T> n, f;
   if (kAgain && w.again) {
-    n = told(kTorque), f = told(kForce);
+    n = in_own_axes(kTorque), f = in_own_axes(kForce);
   } else {
-    bias_force(J, c, mass, told(kOmega), told(kAlpha), told(kAcceleration), n, f);
+    bias_force(J, c, mass, in_own_axes(kOmega), in_own_axes(kAlpha), in_own_axes(kAcceleration), n,
+               f);
     if constexpr (kOuterCount > 0) push_own(w, joints, n, f);
   }
   X.A += Symmetric<T>{J.yy + J.zz, -J.xy, -J.xz, J.xx + J.zz, -J.yz, J.xx + J.yy};

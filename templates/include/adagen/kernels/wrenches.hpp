@@ -101,7 +101,7 @@ ADAGEN_INLINE void push_free(Workspace& w, int j, Vector<Value>& n, Vector<Value
   n = f = Vector<Value>{};
 }
 
-// A wrench on the far link: the joint is told, and what the near link feels is left.
+// A wrench on the far link: gives the joint its part, and leaves what reaches the near link.
 template <bool reversed>
 ADAGEN_INLINE void deliver(Workspace& w, int j, Vector<Value>& n, Vector<Value>& f) {
   Value* const e = w.joints[static_cast<std::size_t>(j)].e;
