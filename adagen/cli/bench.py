@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from adagen.cli.console import note, wrote
+from adagen.cli.console import long_note, note, wrote
 from adagen.cli.parser import Parser, make_parser, parse, whole
 from adagen.cli.scale import add_scale, check_scale, run_scale
 from adagen.cli.tables import table_of
@@ -133,7 +133,7 @@ def _show(record: Record) -> None:
         title = f"{model.name}, {model.dofs} degrees of freedom; ns an evaluation"
         console.print(table_of(_HEADS, details(model), title=title, whole=True))
         for name, reason in model.absent.items():
-            note(f"{model.name}: without {name}: {reason}")
+            long_note(f"{model.name}: without {name}: {reason}")
 
 
 def publish(record: Record, folder: Path) -> None:

@@ -57,13 +57,17 @@ def note(message: str) -> None:
         say(message)
 
 
+def long_note(message: str) -> None:
+    """Print a note in lines that fit the terminal."""
+    for line in wrapped(printable(message), indent=2).splitlines():
+        note(line)
+
+
 def wrote(paths: Sequence[Path]) -> None:
     """Say which files were written: each folder once, in lines that fit the terminal."""
     for folder in dict.fromkeys(path.parent for path in paths):
         names = ", ".join(path.name for path in paths if path.parent == folder)
-        text = f"wrote {names if folder == Path() else f'{folder}: {names}'}"
-        for line in wrapped(printable(text), indent=2).splitlines():
-            note(line)
+        long_note(f"wrote {names if folder == Path() else f'{folder}: {names}'}")
 
 
 def say(message: str) -> None:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from adagen.cli.console import Stages, note, warned, wrote
+from adagen.cli.console import Stages, long_note, note, warned, wrote
 from adagen.cli.options import add_emission, add_model, add_out, add_schedule, check_emission
 from adagen.cli.parser import Parser, make_parser, parse
 
@@ -117,7 +117,7 @@ def run(argv: Sequence[str]) -> int:
             written = made.write(options.out)
     finally:
         if options.verbose:
-            note(str(stages))
+            long_note(str(stages))
     if options.json:
         print(json.dumps(_report(made, written), indent=1))
     else:

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from adagen.cli.console import Stages, note, progress, speaking, warned, wrote
+from adagen.cli.console import Stages, long_note, progress, speaking, warned, wrote
 from adagen.cli.options import add_emission, add_model, add_out, add_schedule, check_emission
 from adagen.cli.parser import Parser, make_parser, parse
 from adagen.errors import EnvironmentFault, InputError, printable
@@ -87,7 +87,7 @@ def run(argv: Sequence[str]) -> int:
             write_files(options.out, {name: page(told)})
     finally:
         if options.verbose:
-            note(str(stages))
+            long_note(str(stages))
     wrote([options.out / name])
     return 0 if measured is None or measured.right else 1
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from adagen.cli.across import show_hosts
-from adagen.cli.console import Stages, note
+from adagen.cli.console import Stages, long_note
 from adagen.cli.options import AUTO, add_model, add_schedule, check_search
 from adagen.cli.parser import Parser, make_parser, parse
 from adagen.cli.predicted import (
@@ -94,7 +94,7 @@ def run(argv: Sequence[str]) -> int:
                 write_file(options.svg, _drawing(found, options))
     finally:
         if options.verbose:
-            note(str(stages))
+            long_note(str(stages))
     digits = predicted_accuracy(model, schedule, found.program, options)
     if options.json:
         document = schedule_document(schedule, Topology.of(model), found.program, found.timeline)

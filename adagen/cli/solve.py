@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from adagen.cli.console import Stages, note, progress, say, warn
+from adagen.cli.console import Stages, long_note, note, progress, say, warn
 from adagen.cli.options import add_emission, add_model, add_schedule, check_emission
 from adagen.cli.parser import Parser, make_parser, parse, seconds
 from adagen.errors import EnvironmentFault
@@ -65,7 +65,7 @@ def run(argv: Sequence[str]) -> int:
         return _solve(options, stages)
     finally:
         if options.verbose:
-            note(str(stages))
+            long_note(str(stages))
 
 
 CHECKED = 4096
