@@ -18,7 +18,7 @@ from pathlib import Path
 from adagen.build.toolchain import Toolchain
 from adagen.errors import EnvironmentFault, printable
 
-Progress = Callable[[str], AbstractContextManager[object]]
+Progress = Callable[[str, int], AbstractContextManager[object]]
 
 KEEP = 256
 """Executables that the cache holds before it drops those unused for longest."""
@@ -56,7 +56,8 @@ def build_executable(
         name: file name of the executable, letters, digits and ``_.+-`` only.
         toolchain: what to compile with.
         cache_dir: where executables are kept, :func:`cache_folder` by default.
-        progress: makes the context in which a compilation runs, from a line that says what it is.
+        progress: makes the context in which a compilation runs, from a line that says what it is,
+            and the length of the source.
 
     Raises:
         EnvironmentFault: the compiler failed, is missing, or the cache cannot be written.
@@ -66,20 +67,20 @@ def build_executable(
     cache = cache_folder() if cache_dir is None else cache_dir
     from adagen.emit.runtime import joined  # takes its time; few need it
 
-    source_text = joined(source_text)
+    size, source_text = len(source_text), joined(source_text)
     mpi = uses_mpi(source_text)
     around = _around(source_text)
     texts = [source_text, name]
     if around is not None:
         texts += [around.text, *around.options]
-    telling = progress or (lambda _: nullcontext())
+    telling = progress or (lambda *_: nullcontext())
 
     def compile_and_link(work: Path) -> None:
         objects = []
         if around is not None:
             objects = [_program_object(around, mpi, toolchain, cache, telling)]
         source = _written(source_text, work / f"{name}.cpp")
-        with telling(f"compiling {name}"):
+        with telling(f"compiling {name}", size):
             _compile(toolchain.compile_command(source, work / name, mpi, objects), toolchain, work)
 
     return _entry(cache, _key(texts, toolchain, mpi), name, compile_and_link, os.X_OK)
@@ -139,7 +140,7 @@ def _program_object(
     def compile_it(work: Path) -> None:
         source = _written(program.text, work / "adagen_program.cpp")
         command = toolchain.object_command(source, work / name, mpi, program.options)
-        with progress("compiling adagen_program"):
+        with progress("compiling adagen_program", len(program.text)):
             _compile(command, toolchain, work)
 
     key = _key([program.text, name, *program.options], toolchain, mpi)

@@ -7,10 +7,11 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
 
+from adagen.cli.pace import expected, learn, left
 from adagen.cli.tables import wrapped
 from adagen.errors import printable
 
@@ -85,18 +86,47 @@ def tell(reading: Reading, verbose: bool) -> None:
 
 
 @contextmanager
-def progress(doing: str) -> Iterator[None]:
-    """Show that something goes on: a spinner on a terminal, else one line after a second."""
-    if _Said.quiet:
+def progress(doing: str, size: float = 0.0) -> Iterator[None]:
+    """Show that something goes on: a spinner on a terminal, else one line after a second.
+
+    Where work of its kind was done before, about how long it takes follows.
+
+    Args:
+        doing: what; its first word is the kind of work.
+        size: how much work it is, in a unit of its kind; 0 where nobody can say.
+    """
+    kind, begun = doing.split()[0], time.monotonic()
+    with nullcontext() if _Said.quiet else _shown(doing, expected(kind, size)):
         yield
-        return
+    learn(kind, size, time.monotonic() - begun)
+
+
+@contextmanager
+def _shown(doing: str, seconds: float | None) -> Iterator[None]:
     if sys.stderr.isatty():
         from rich.console import Console
 
-        with Console(stderr=True).status(f"{printable(doing)} ..."):
-            yield
+        over, end = threading.Event(), time.monotonic() + (seconds or 0.0)
+
+        def count() -> None:
+            while (rest := end - time.monotonic()) > _WORTH_SECONDS:
+                status.update(f"{printable(doing)} (about {left(rest)} left) ...")
+                if over.wait(1.0):
+                    return
+            status.update(f"{printable(doing)} ...")
+
+        with Console(stderr=True).status(f"{printable(doing)} ...") as status:
+            counting = threading.Thread(target=count, daemon=True)
+            counting.start()
+            try:
+                yield
+            finally:
+                over.set()
+                counting.join()
         return
-    timer = threading.Timer(_PATIENCE_SECONDS, note, [f"{doing} ..."])
+    worth = seconds is not None and seconds >= _WORTH_SECONDS
+    about = f" (about {left(seconds)})" if worth and seconds is not None else ""
+    timer = threading.Timer(_PATIENCE_SECONDS, note, [f"{doing}{about} ..."])
     timer.daemon = True
     timer.start()
     try:
@@ -156,7 +186,7 @@ class _Left:
         rest = (now - self._since) / (part - self._first) * (int(counted[2]) - part + 1)
         if rest < _WORTH_SECONDS:
             return ""
-        return f" (about {rest / 60:.0f} min left)" if rest > 90 else f" (about {rest:.0f} s left)"
+        return f" (about {left(rest)} left)"
 
 
 _COUNTED = re.compile(r"(\d+) of (\d+)")

@@ -43,7 +43,10 @@ def read_whole(
     Raises:
         InputError: the robot description or the scene is refused.
     """
-    with stages.stage("read"), progress(f"reading {Path(options.model).name}"):
+    with (
+        stages.stage("read"),
+        progress(f"reading {Path(options.model).name}", _length(Path(options.model))),
+    ):
         from adagen.cli.scenes import in_scene
         from adagen.library.robot import read_whole
 
@@ -102,6 +105,13 @@ _ASKED = (
 """Members of a request that are options of the same name."""
 
 
+def _length(path: Path) -> int:
+    try:
+        return path.stat().st_size
+    except OSError:
+        return 0
+
+
 def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) -> Schedule:
     """Return the schedule of a robot under the options.
 
@@ -109,7 +119,10 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
         InputError: the profile or the schedule file is refused.
         UsageError: there is no such profile or schedule.
     """
-    with stages.stage("schedule"), progress(f"scheduling {len(model.joints)} joints"):
+    with (
+        stages.stage("schedule"),
+        progress(f"scheduling {len(model.joints)} joints", len(model.joints)),
+    ):
         from adagen.library.scheduling import KNOWN, given_schedule, schedule_of, searched
         from adagen.plan import as_gathered
 
@@ -151,7 +164,7 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Compi
     with _about(options.model):
         schedule = schedule_model(model, options, stages)
     request = replace(request_of(options), procs=processes or options.procs)
-    with stages.stage("plan"), progress("planning"), _about(options.model):
+    with stages.stage("plan"), progress("planning", len(model.joints)), _about(options.model):
         from adagen.library.compiled import planned
         from adagen.library.robot import source_hash
 
@@ -162,14 +175,14 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Compi
 
         with stages.stage("compare"):
             tell_savings(plan, schedule, options)
-    with stages.stage("assess"):
+    with stages.stage("assess"), progress("assessing accuracy", len(model.joints)):
         _warn_of_lost_digits(plan, model, request, options)
     if options.tune:
         from adagen.cli.tuning import tuned
 
         best = tuned(plan, options, stages)
         request = replace(request, shape=best.shape, chunk=best.chunk, compiler=best.compiler)
-    with stages.stage("emit"), progress("emitting"):
+    with stages.stage("emit"), progress("emitting", len(model.joints)):
         from adagen.library.compiled import emitted
 
         origin = origin_of(options, getattr(options, "gravity", None))

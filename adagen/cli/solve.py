@@ -115,7 +115,7 @@ def _run(
 
     with (
         tempfile.TemporaryDirectory(prefix="adagen-") as folder,
-        progress(f"running on {processes} process{'es' if processes > 1 else ''}"),
+        progress(f"running on {processes} process{'es' if processes > 1 else ''}", states.count),
     ):
         given, result = Path(folder, "states.json"), Path(folder, "result.json")
         write_states(states, model, given)  # complete: slaved joints may be left out in a file

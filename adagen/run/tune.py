@@ -99,7 +99,7 @@ def tune(
     Raises:
         EnvironmentFault: not one could be built and run.
     """
-    show = progress or (lambda _: nullcontext())
+    show = progress or (lambda *_: nullcontext())
     seen: set[tuple[str, str]] = set()
     trials: list[Trial] = []
     built = []
@@ -111,7 +111,7 @@ def tune(
         tools = with_compiler(toolchain, candidate.compiler)
         start = time.perf_counter()
         try:
-            with show(f"building candidate {k} of {len(tried)}: {candidate}"):
+            with show(f"building candidate {k} of {len(tried)}: {candidate}", len(text)):
                 executable = build_executable(text, name, tools)
             built.append((candidate, executable, time.perf_counter() - start))
         except EnvironmentFault as fault:
@@ -119,7 +119,7 @@ def tune(
     least: dict[Candidate, float] = {}
     source = "clock"
     for turn in range(1, _ROUNDS + 1):
-        with show(f"timing {len(built)} candidates, round {turn} of {_ROUNDS}"):
+        with show(f"timing {len(built)} candidates, round {turn} of {_ROUNDS}", len(built)):
             for candidate, executable, _ in built:
                 found, source = _median(executable, processes, toolchain)
                 least[candidate] = min(found, least.get(candidate, found))

@@ -148,7 +148,8 @@ def test_progress_is_shown_for_a_compilation_only(fake: Toolchain, tmp_path: Pat
     shown: list[str] = []
 
     @contextmanager
-    def progress(doing: str) -> Iterator[None]:
+    def progress(doing: str, size: int) -> Iterator[None]:
+        assert size == len("hello")
         shown.append(doing)
         yield
         shown.append("done")

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import time
 from pathlib import Path
 
 import pytest
 
+from adagen.cli import pace
 from adagen.cli.console import Stages, note, progress, speaking, start, warn, warned, wrote
 
 Captured = pytest.CaptureFixture[str]
@@ -32,6 +34,34 @@ def test_what_is_quick_is_silent_and_what_is_slow_is_told(
     with progress("compiling"):
         time.sleep(0.2)
     assert tuple(capsys.readouterr()) == ("", "compiling ...\n")
+
+
+def test_work_done_before_says_about_how_long_it_takes(
+    capsys: Captured, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr("adagen.cli.console._PATIENCE_SECONDS", 0.0)
+    assert pace.expected("compiling", 1000) is None
+    pace.learn("compiling", 1000, 30.0)
+    pace.learn("compiling", 100_000, 500.0)
+    pace.learn("compiling", 10, 0.1)  # too short to teach anything
+    assert pace.expected("compiling", 10) == 0.3
+    for size in (2000, 200_000, 10, 0):
+        with progress("compiling arm", size):
+            time.sleep(0.2)
+    assert capsys.readouterr().err.splitlines() == [
+        "compiling arm (about 60 s) ...",
+        "compiling arm (about 17 min) ...",
+        "compiling arm ...",
+        "compiling arm ...",
+    ]
+    (tmp_path / "adagen" / "pace.json").write_text("no JSON")
+    assert pace.expected("compiling", 1000) is None
+    for k in range(30):
+        pace.learn("compiling", 1000 + k, 30.0)
+    assert len(json.loads((tmp_path / "adagen" / "pace.json").read_text())["compiling"]) == 20
+    (tmp_path / "adagen").chmod(0o500)
+    pace.learn("compiling", 1000, 30.0)
 
 
 def test_stages_are_told_in_their_order_also_after_a_failure() -> None:

@@ -1,0 +1,71 @@
+"""How long work takes, from how long work of its kind has taken on this machine before."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import tempfile
+from contextlib import suppress
+from pathlib import Path
+
+KEPT = 20
+"""Times that are kept of each kind of work."""
+
+WORTH = 1.0
+"""Seconds; shorter work teaches nothing."""
+
+Times = list[tuple[float, float]]
+
+
+def expected(kind: str, size: float) -> float | None:
+    """Return about how many seconds work takes, None where nothing like it was done before.
+
+    The work nearest in size tells it, in proportion.
+
+    Args:
+        kind: what is done, in a word.
+        size: how much of it, in any unit that suits the kind.
+    """
+    found = _read().get(kind, [])
+    if not found or size <= 0:
+        return None
+    known, seconds = min(reversed(found), key=lambda one: abs(math.log(one[0] / size)))
+    return seconds * size / known
+
+
+def learn(kind: str, size: float, seconds: float) -> None:
+    """Keep how long work took; a cache that cannot be written is passed over."""
+    if size <= 0 or seconds < WORTH:
+        return
+    known = _read()
+    known[kind] = [*known.get(kind, []), (size, round(seconds, 3))][-KEPT:]
+    with suppress(OSError):
+        file = _file()
+        file.parent.mkdir(parents=True, exist_ok=True)
+        handle, name = tempfile.mkstemp(prefix="pace-", dir=file.parent)
+        with os.fdopen(handle, "w", encoding="utf-8") as stream:
+            json.dump(known, stream)
+        Path(name).replace(file)
+
+
+def left(seconds: float) -> str:
+    """Return words for what is left of work."""
+    return f"{seconds / 60:.0f} min" if seconds > 90 else f"{seconds:.0f} s"
+
+
+def _file() -> Path:
+    from adagen.build.cache import cache_folder
+
+    return cache_folder() / "pace.json"
+
+
+def _read() -> dict[str, Times]:
+    """Return all times that are kept; none where the file is missing or damaged."""
+    with suppress(OSError, ValueError, TypeError, AttributeError):
+        said = json.loads(_file().read_text(encoding="utf-8"))
+        return {
+            str(kind): [(float(size), float(took)) for size, took in rows if size > 0 < took]
+            for kind, rows in said.items()
+        }
+    return {}
