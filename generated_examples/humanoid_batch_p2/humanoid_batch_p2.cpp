@@ -15,7 +15,7 @@
 //
 // Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
 // 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
-// order; 6 program, what the program around it (adagen_program.cpp) is told, and main.
+// order; 6 program, description for the program around it (adagen_program.cpp), and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // humanoid_batch_p2.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
