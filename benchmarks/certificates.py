@@ -11,8 +11,6 @@ certificates by turns.
 from __future__ import annotations
 
 import argparse
-import json
-import platform
 import sys
 from collections.abc import Iterable
 from pathlib import Path
@@ -20,12 +18,10 @@ from pathlib import Path
 import numpy as np
 
 import adagen
-from adagen.build import Toolchain, build_executable, find_toolchain
+from adagen.build import Toolchain, build_executable
 from adagen.errors import AdagenError
-from adagen.run import launch
-from adagen.studies.stability.adversary import FAMILIES, hard_states, robots
 from adagen.studies.stability.bounds import FACTOR, Bounded, Certified, bounded
-from benchmarks.page import write_between_marks
+from benchmarks.hard import MODELS, NAMES, fastest, hard_robots, study
 
 WAYS = [
     Certified("unrolled"),
@@ -35,10 +31,8 @@ WAYS = [
     Certified("unrolled", scalar="float"),
     Certified("kernels", scalar="float"),
 ]
-MODELS = Path(__file__).resolve().parents[1] / "generated_examples" / "models"
 ROBOTS = [MODELS / f"{name}.urdf" for name in ("arm7", "chain16", "humanoid", "human40")]
 SHAPES = [(shape, batch) for batch in (False, True) for shape in ("unrolled", "kernels")]
-ROUNDS = 5
 
 
 def errors_table(found: dict[tuple[str, str], list[Bounded]]) -> list[str]:
@@ -69,25 +63,12 @@ def errors_table(found: dict[tuple[str, str], list[Bounded]]) -> list[str]:
 def measured_errors(count: int, states: int, seed: int, toolchain: Toolchain) -> list[str]:
     """Return the table of random robots."""
     found: dict[tuple[str, str], list[Bounded]] = {
-        (str(way), family.__name__.replace("_", " ")): [] for way in WAYS for family in FAMILIES
+        (str(way), family): [] for way in WAYS for family in NAMES
     }
-    for k, model in enumerate(robots(count, seed)):
-        family = FAMILIES[k % len(FAMILIES)].__name__.replace("_", " ")
-        for way, one in bounded(model, hard_states(model, states, seed), WAYS, toolchain).items():
+    for family, model, hard in hard_robots(count, states, seed):
+        for way, one in bounded(model, hard, WAYS, toolchain).items():
             found[str(way), family].append(one)
-        print(f"{k + 1} of {count} robots", end="\r", file=sys.stderr)
     return errors_table({key: parts for key, parts in found.items() if parts})
-
-
-def fastest(programs: list[Path], toolchain: Toolchain) -> list[float]:
-    """Least nanoseconds of an evaluation of each program, run by turns."""
-    least = [np.inf] * len(programs)
-    for _ in range(ROUNDS):
-        for k, program in enumerate(programs):
-            ran = launch(program, 1, ["--time", "--json"], toolchain, timeout=120)
-            told = json.loads(ran.stdout)["time"]["in_place"]["min_ns"]
-            least[k] = min(least[k], told)
-    return least
 
 
 def measured_times(paths: Iterable[Path], toolchain: Toolchain) -> list[str]:
@@ -123,30 +104,8 @@ def measured_times(paths: Iterable[Path], toolchain: Toolchain) -> list[str]:
 
 def main() -> int:
     """Print a table, or put it into a document."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
-    )
-    parser.add_argument("what", choices=("errors", "times"))
-    parser.add_argument("urdf", nargs="*", type=Path, default=ROBOTS)
-    parser.add_argument("--robots", type=int, default=24)
-    parser.add_argument("--states", type=int, default=400)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--write", type=Path)
-    options = parser.parse_args()
-    toolchain = find_toolchain()
-    if options.what == "errors":
-        asked = f"--robots {options.robots} --states {options.states} --seed {options.seed}"
-        lines = measured_errors(options.robots, options.states, options.seed, toolchain)
-    else:
-        asked = " ".join(path.name for path in options.urdf)
-        lines = measured_times(options.urdf, toolchain)
-    command = f"`python -m benchmarks.certificates {options.what} {asked}`"
-    text = "\n".join([f"{platform.machine()}, {command}", "", *lines])
-    if options.write is None:
-        print(text)
-    else:
-        write_between_marks(options.write, f"certificates.{options.what}", text)
-    return 0
+    usual = argparse.Namespace(robots=24, states=400, seed=1, urdf=ROBOTS)
+    return study("certificates", __doc__, usual, measured_errors, measured_times)
 
 
 if __name__ == "__main__":

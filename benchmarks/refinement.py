@@ -11,7 +11,6 @@ in their own numbers. Times are minima of runs by turns, those of wider residual
 from __future__ import annotations
 
 import argparse
-import platform
 import sys
 from collections.abc import Iterable
 from pathlib import Path
@@ -19,17 +18,16 @@ from pathlib import Path
 import numpy as np
 
 import adagen
-from adagen.build import Toolchain, build_executable, find_toolchain
+from adagen.build import Toolchain, build_executable
 from adagen.emit import emit
 from adagen.errors import AdagenError
 from adagen.model import Model
 from adagen.plan import Plan
 from adagen.reference import energy_norm_error, joint_space_inertia
 from adagen.states import States
-from adagen.studies.stability.adversary import FAMILIES, hard_states, robots
 from adagen.studies.stability.audit import Way, planned, solved, truths
-from benchmarks.certificates import ROBOTS, fastest
-from benchmarks.page import write_between_marks
+from benchmarks.certificates import ROBOTS
+from benchmarks.hard import MODELS, NAMES, fastest, hard_robots, study
 
 RESIDUALS = ("", "own", "wide")
 """How answers are refined: not at all, or by residuals in these numbers."""
@@ -60,13 +58,11 @@ def _errors(model: Model, plan: Plan, states: States, toolchain: Toolchain) -> l
 
 def errors_table(count: int, states: int, seed: int, toolchain: Toolchain) -> list[str]:
     """Return the table of random robots."""
-    found: dict[str, list[list[float]]] = {each.__name__: [] for each in FAMILIES}
-    for k, model in enumerate(robots(count, seed)):
+    found: dict[str, list[list[float]]] = {family: [] for family in NAMES}
+    for family, model, hard in hard_robots(count, states, seed):
         plan = planned(model, Way("kernels"))
         assert plan is not None  # one process has all
-        own = _errors(model, plan, hard_states(model, states, seed), toolchain)
-        found[FAMILIES[k % len(FAMILIES)].__name__] += own
-        print(f"{k + 1} of {count} robots", end="\r", file=sys.stderr)
+        found[family] += _errors(model, plan, hard, toolchain)
     lines = [
         "| robots | states | plain, largest | median | refined, largest | median |",
         "|---|--:|--:|--:|--:|--:|",
@@ -76,7 +72,7 @@ def errors_table(count: int, states: int, seed: int, toolchain: Toolchain) -> li
             continue
         every = np.array(rows)
         cells = [f"{x:.0e}" for one in every.T for x in (one.max(), np.median(one))]
-        lines.append(f"| {' | '.join([name.replace('_', ' '), str(len(rows)), *cells])} |")
+        lines.append(f"| {' | '.join([name, str(len(rows)), *cells])} |")
     return lines
 
 
@@ -102,31 +98,9 @@ def times_table(paths: Iterable[Path], toolchain: Toolchain) -> list[str]:
 
 def main() -> int:
     """Print a table, or put it into a document."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
-    )
-    parser.add_argument("what", choices=("errors", "times"))
-    parser.add_argument("urdf", nargs="*", type=Path)
-    parser.add_argument("--robots", type=int, default=24)
-    parser.add_argument("--states", type=int, default=100)
-    parser.add_argument("--seed", type=int, default=2)
-    parser.add_argument("--write", type=Path)
-    options = parser.parse_args()
-    toolchain = find_toolchain()
-    if options.what == "errors":
-        asked = f"--robots {options.robots} --states {options.states} --seed {options.seed}"
-        lines = errors_table(options.robots, options.states, options.seed, toolchain)
-    else:
-        paths = options.urdf or [*ROBOTS, ROBOTS[0].with_name("mobile.urdf")]
-        asked = " ".join(path.name for path in paths)
-        lines = times_table(paths, toolchain)
-    command = f"`python -m benchmarks.refinement {options.what} {asked}`"
-    text = "\n".join([f"{platform.machine()}, {command}", "", *lines])
-    if options.write is None:
-        print(text)
-    else:
-        write_between_marks(options.write, f"refinement.{options.what}", text)
-    return 0
+    timed = [*ROBOTS, MODELS / "mobile.urdf"]
+    usual = argparse.Namespace(robots=24, states=100, seed=2, urdf=timed)
+    return study("refinement", __doc__, usual, errors_table, times_table)
 
 
 if __name__ == "__main__":
