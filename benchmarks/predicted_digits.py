@@ -1,6 +1,6 @@
 """Predicted digits beside what emitted solvers lose, over a corpus of robots.
 
-    python -m benchmarks.predicted_digits [--states 64] [--only WORD]
+    python -m benchmarks.predicted_digits [--states 64] [--only WORD] [--again PAGE]
                                           [--write docs/records/digits.md]
 
 Each robot as loops and as a straight line on one process, as loops in float, and on two processes
@@ -8,7 +8,8 @@ as scheduled by default. Measured is the forward error in the energy norm, sqrt(
 against certified digits in the worst of the suite's state and random ones, which a sweep in more
 digits than the solver's finds; predicted is what `adagen schedule` says of plan and shape.
 The ratio is measured over predicted: above 1 the
-prediction was too optimistic.
+prediction was too optimistic. With --again, nothing is built: what a page's table says was measured
+stands beside what is predicted now.
 """
 
 from __future__ import annotations
@@ -149,8 +150,7 @@ def rows_of(name: str, model: Model, count: int) -> Iterator[Row]:
         if shape == "unrolled" and model.nv > MOST_UNROLLED:
             continue
         try:
-            schedule = best_schedule(model, processes, load_profile("default"), "segment", scalar)
-            plan = make_plan(model, schedule, form="segment", scalar=scalar)
+            plan = _planned(model, processes, scalar)
             predicted = predicted_digits("both", model, plan, shape).error
             states = states_of(model, count)
             found = answers(plan, model, states, shape=shape).qdd
@@ -158,6 +158,25 @@ def rows_of(name: str, model: Model, count: int) -> Iterator[Row]:
             print(f"{name}, {processes}, {shape}, {scalar}: {error}", file=sys.stderr)
             continue
         yield Row(name, processes, shape, scalar, predicted, largest(model, plan, states, found))
+
+
+def predicted_again(page: Path, word: str) -> Iterator[Row]:
+    """Yield the rows of a page's table with what is predicted now; measured is as it was."""
+    makers, models = dict(corpus()), dict[str, Model]()
+    for line in page.read_text(encoding="utf-8").splitlines():
+        cells = [cell.strip() for cell in line.strip("| ").split("|")]
+        if len(cells) != 7 or cells[0] not in makers or word not in cells[0]:
+            continue
+        name, processes, shape, scalar = cells[0], int(cells[1]), cells[2], cells[3]
+        model = models[name] if name in models else models.setdefault(name, makers[name]())
+        plan = _planned(model, processes, scalar)
+        predicted = predicted_digits("both", model, plan, shape).error
+        yield Row(name, processes, shape, scalar, predicted, float(cells[5]))
+
+
+def _planned(model: Model, processes: int, scalar: str) -> Plan:
+    schedule = best_schedule(model, processes, load_profile("default"), "segment", scalar)
+    return make_plan(model, schedule, form="segment", scalar=scalar)
 
 
 def largest(model: Model, plan: Plan, states: States, found: Array) -> float:
@@ -195,6 +214,15 @@ def page(rows: list[Row], count: int) -> str:
     return "\n".join(lines)
 
 
+def _rows(options: argparse.Namespace) -> Iterator[Row]:
+    if options.again is not None:
+        yield from predicted_again(options.again, options.only)
+        return
+    for name, make in corpus():
+        if options.only in name:
+            yield from rows_of(name, make(), options.states)
+
+
 def main() -> int:
     """Print the table, or put it into a document."""
     parser = argparse.ArgumentParser(
@@ -202,15 +230,13 @@ def main() -> int:
     )
     parser.add_argument("--states", type=int, default=64)
     parser.add_argument("--only", default="", metavar="WORD", help="robots whose name has it")
+    parser.add_argument("--again", type=Path, metavar="PAGE", help="only predict, see above")
     parser.add_argument("--write", type=Path)
     options = parser.parse_args()
     rows = []
-    for name, make in corpus():
-        if options.only not in name:
-            continue
-        for row in rows_of(name, make(), options.states):
-            print(row, f"{row.ratio:.2f}", file=sys.stderr, flush=True)
-            rows.append(row)
+    for row in _rows(options):
+        print(row, f"{row.ratio:.2f}", file=sys.stderr, flush=True)
+        rows.append(row)
     if options.write is None:
         print(page(rows, options.states))
     else:

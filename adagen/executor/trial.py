@@ -1,9 +1,10 @@
 """How many digits a way of sweeping keeps on a robot, found by a trial in a few random states.
 
 Articulated bodies are swept in numpy as emitted code sweeps them: in straight lines each body is
-told in its link's axes, in which a joint's projection is exact; in loops in axes of the base, but
-for joints that are swept in their own (adagen/plan/turned.py). The same is done in more digits than
-the scalar has; what differs is the rounding error of that way. Joining is no part of it.
+told in its link's axes, in which a joint's projection is exact, and turned by as few operations
+(frames.py); in loops in axes of the base, but for joints that are swept in their own
+(adagen/plan/turned.py). The same is done in more digits than the scalar has; what differs is the
+rounding error of that way. Joining is no part of it.
 """
 
 from __future__ import annotations
@@ -15,13 +16,26 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from adagen.executor.stacked import (
+    about_z,
+    cross,
+    is_turn,
+    rotation,
+    shifted_body,
+    solved,
+    spatial_body,
+    turned_body,
+)
 from adagen.model.kinds import KINDS
 from adagen.plan.robot import PlanJoint
-from adagen.plan.turned import ENOUGH, Turned
+from adagen.plan.turned import ENOUGH, Turned, losing_joints
 from adagen.plan.types import FACTORS, Plan
 
 Array = NDArray[Any]
-STATES = {"few joints": 32, "many joints": 4}
+STATES = {"few joints": 64, "many joints": 4}
+HARDEST, TIMES = 8, 8
+"""How many of the states that lose most are tried again, and how often: what is lost there differs
+from one rounding to the next by more than a decade."""
 MANY = 200
 """Joints beyond which fewer states are tried: what many joints lose varies less."""
 _MORE: dict[str, tuple[Any, Any]] = {
@@ -52,8 +66,20 @@ def tried(plan: Plan, turned: Turned | None) -> Trial:
         turned: joints that are swept in their own axes, always or where digits are lost, all others
             in those of the base; None: every body is told in its link's axes.
     """
-    own, more = _MORE[FACTORS[plan.scalar]]
     states = _states(plan)
+    shares, errors = _lost(plan, turned, states)
+    hardest = np.argsort(errors)[-HARDEST:]
+    again, repeated = _lost(plan, turned, _rounded_anew(states, hardest))
+    shares, errors = np.vstack([shares, again]), np.hstack([errors, repeated])
+    worst = int(np.argmax(errors))
+    return Trial(float(np.sqrt(errors[worst])), int(np.argmax(np.nan_to_num(shares[worst]))))
+
+
+def _lost(
+    plan: Plan, turned: Turned | None, states: tuple[Array, Array, Array]
+) -> tuple[Array, Array]:
+    """The squares of errors in states, and what joints share in them, shape (states, joints)."""
+    own, more = _MORE[FACTORS[plan.scalar]]
     with np.errstate(all="ignore"):
         truth = _Sweep(plan, more, None, states).solved()
         found = _swept(plan, own, turned, states).astype(more)
@@ -61,8 +87,14 @@ def tried(plan: Plan, turned: Turned | None) -> Trial:
         shares = size.energy((found - truth).astype(np.float64))
         errors = shares.sum(axis=1) / size.energy(truth.astype(np.float64)).sum(axis=1)
     errors[~np.isfinite(errors)] = np.inf
-    worst = int(np.argmax(errors))
-    return Trial(float(np.sqrt(errors[worst])), int(np.argmax(np.nan_to_num(shares[worst]))))
+    return shares, errors
+
+
+def _rounded_anew(states: tuple[Array, Array, Array], which: Array) -> tuple[Array, Array, Array]:
+    """States with angles so little off that only rounding differs, each several times."""
+    rng = np.random.default_rng(3)
+    q, v, tau = (np.repeat(x[which], TIMES, axis=0) for x in states)
+    return q * (1 + rng.uniform(-1e-8, 1e-8, q.shape)), v, tau
 
 
 def _swept(
@@ -129,6 +161,7 @@ class _Sweep:
         self.lost = np.zeros(self.count, dtype=bool)  # whether a watched joint lost digits
         eye = np.broadcast_to(np.eye(3, dtype=number), (self.count, 3, 3))
         self.axes, self.place, self.local = [eye], [np.zeros((self.count, 3), number)], [eye]
+        self.exact = losing_joints(plan)
         self.own = [True] + [turned is None or j in turned for j in range(len(plan.joints))]
         self._place()
 
@@ -183,7 +216,7 @@ class _Sweep:
         turn = np.zeros((self.count, 3, 3), self.number) + np.eye(3, dtype=self.number)
         shift = np.zeros((self.count, 3), self.number)
         if kind.quaternion is not None:
-            turn = _rotation(q[:, kind.quaternion :])
+            turn = rotation(q[:, kind.quaternion :])
             shift[:, : kind.quaternion] = q[:, : kind.quaternion]
         elif joint.kind == "prismatic":
             shift[:, 2] = q[:, 0]
@@ -244,11 +277,11 @@ class _Sweep:
                 axes = self.axes[j + 1]
                 tensor, com = axes @ tensor @ axes.transpose(0, 2, 1), self._told(j + 1, com)
             mass = self.number(link.mass)
-            bodies.append(self._as_rounded(_body(mass, com, tensor)))
-            force = mass * (rise + _cross(rate, com) + _cross(spin, _cross(spin, com)))
+            bodies.append(self._as_rounded(spatial_body(mass, com, tensor)))
+            force = mass * (rise + cross(rate, com) + cross(spin, cross(spin, com)))
             turning = np.einsum("sik,sk->si", tensor, spin)
-            moment = np.einsum("sik,sk->si", tensor, rate) + _cross(spin, turning)
-            forces.append(np.hstack([moment + _cross(com, force), force]))
+            moment = np.einsum("sik,sk->si", tensor, rate) + cross(spin, turning)
+            forces.append(np.hstack([moment + cross(com, force), force]))
         return bodies, forces
 
     def _as_rounded(self, body: Array) -> Array:
@@ -270,7 +303,7 @@ class _Sweep:
         joint = self.plan.joints[j]
         turn, way = self._between(j)
         spin, rate, rise = (x[joint.parent] for x in (spins, rates, rises))
-        rise = rise + _cross(rate, way) + _cross(spin, _cross(spin, way))
+        rise = rise + cross(rate, way) + cross(spin, cross(spin, way))
         if turn is not None:
             spin, rate, rise = (np.einsum("ski,sk->si", turn, x) for x in (spin, rate, rise))
         axes = self._freedoms(j)
@@ -280,8 +313,8 @@ class _Sweep:
         if joint.prescribed:
             extra = np.einsum("smk,sk->sm", axes, self.tau[:, joint.v : joint.v + count])
         turning, sliding = speed[:, :3], speed[:, 3:]
-        rate = rate + _cross(spin, turning) + extra[:, :3]
-        rise = rise + 2 * _cross(spin, sliding) + _cross(turning, sliding) + extra[:, 3:]
+        rate = rate + cross(spin, turning) + extra[:, :3]
+        rise = rise + 2 * cross(spin, sliding) + cross(turning, sliding) + extra[:, 3:]
         return spin + turning, rate, rise
 
     def _eliminate(self, j: int, bodies: list[Array], forces: list[Array]) -> Any:
@@ -299,7 +332,7 @@ class _Sweep:
                 trace = np.trace(body[:, half, half], axis1=1, axis2=2)
                 self.lost |= ~(d[:, 0, 0] * ENOUGH > trace)
             pull = self.tau[:, joint.v : joint.v + count] - np.einsum("skf,sk->sf", axes, force)
-            u, over = _solved(d, pull[:, :, None])[:, :, 0], _solved(d, wide.transpose(0, 2, 1))
+            u, over = solved(d, pull[:, :, None])[:, :, 0], solved(d, wide.transpose(0, 2, 1))
             body = body - wide @ over
             force = force + np.einsum("smf,sf->sm", wide, u)
             exact = self.own[j + 1] or count in (3, 6)
@@ -312,82 +345,36 @@ class _Sweep:
             kept = (axes, u, over)
         if joint.parent > 0:
             turn, way = self._between(j)
-            if turn is not None:
-                body, force = _turned(turn, body, force)
-            body, force = _shifted(body, force, way)
+            if self._turns_quickly(j):
+                body, force = self._turned_quickly(j, body, force)
+            elif turn is not None:
+                body, force = turned_body(turn, body, force)
+            body, force = shifted_body(body, force, way)
             bodies[joint.parent] = bodies[joint.parent] + body
             forces[joint.parent] = forces[joint.parent] + force
         return kept
 
+    def _turns_quickly(self, j: int) -> bool:
+        """Whether a joint turns bodies by as few operations as in straight lines (frames.py)."""
+        joint = self.plan.joints[j]
+        told = self.own[j + 1] and self.own[joint.parent]
+        turns = joint.kind in ("revolute", "planar") and is_turn(np.array(joint.rotation))
+        return told and turns and self.rounded is not None and j not in self.exact
+
+    def _turned_quickly(self, j: int, body: Array, force: Array) -> tuple[Array, Array]:
+        """A body turned about its joint's axis, and on into its parent's axes."""
+        base = np.array(self.plan.joints[j].rotation, dtype=self.number)
+        turn = base.T @ self.local[j + 1]
+        if base[2, 2] == 1:
+            turn, base = self.local[j + 1], np.eye(3, dtype=self.number)
+        return turned_body(
+            np.broadcast_to(base, turn.shape), *turned_body(turn, body, force, about_z)
+        )
+
     def _outwards(self, j: int, a: Array) -> Array:
         """An acceleration of the parent's, at the child and as the child's body is told."""
         turn, way = self._between(j)
-        turning, sliding = a[:, :3], a[:, 3:] + _cross(a[:, :3], way)
+        turning, sliding = a[:, :3], a[:, 3:] + cross(a[:, :3], way)
         if turn is not None:
             turning, sliding = (np.einsum("ski,sk->si", turn, x) for x in (turning, sliding))
         return np.hstack([turning, sliding])
-
-
-def _cross(a: Array, b: Array) -> Array:
-    (a0, a1, a2), (b0, b1, b2) = a.T, b.T
-    return np.stack([a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0], axis=1)
-
-
-def _skew(c: Array) -> Array:
-    found = np.zeros((len(c), 3, 3), c.dtype)
-    found[:, 0, 1], found[:, 0, 2], found[:, 1, 2] = -c[:, 2], c[:, 1], -c[:, 0]
-    return found - found.transpose(0, 2, 1)
-
-
-def _body(mass: Any, com: Array, tensor: Array) -> Array:
-    """Spatial inertia about a link's origin, shape (states, 6, 6), [angular; linear]."""
-    found = np.zeros((len(com), 6, 6), com.dtype)
-    moments = _skew(mass * com)
-    found[:, :3, :3] = tensor - moments @ _skew(com)
-    found[:, :3, 3:], found[:, 3:, :3] = moments, moments.transpose(0, 2, 1)
-    found[:, 3:, 3:] = mass * np.eye(3, dtype=com.dtype)
-    return found
-
-
-def _turned(turn: Array, body: Array, force: Array) -> tuple[Array, Array]:
-    found, back = np.empty_like(body), turn.transpose(0, 2, 1)
-    for i in (slice(0, 3), slice(3, 6)):
-        for k in (slice(0, 3), slice(3, 6)):
-            found[:, i, k] = turn @ body[:, i, k] @ back
-    return found, np.hstack(
-        [np.einsum("sik,sk->si", turn, x) for x in (force[:, :3], force[:, 3:])]
-    )
-
-
-def _shifted(body: Array, force: Array, way: Array) -> tuple[Array, Array]:
-    found, cross = body.copy(), _skew(way)
-    found[:, :3, 3:] += cross @ body[:, 3:, 3:]
-    found[:, :3, :3] += cross @ body[:, 3:, :3] - found[:, :3, 3:] @ cross
-    found[:, 3:, :3] = found[:, :3, 3:].transpose(0, 2, 1)
-    return found, np.hstack([force[:, :3] + _cross(way, force[:, 3:]), force[:, 3:]])
-
-
-def _rotation(p: Array) -> Array:
-    x, y, z, w = (p / np.sqrt((p * p).sum(axis=1, keepdims=True))).T
-    rows = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-    ]
-    return np.array(rows, dtype=p.dtype).transpose(2, 0, 1)
-
-
-def _solved(d: Array, right: Array) -> Array:
-    """Return d^-1 right by Cholesky's factorization, of any number; NaN where that fails."""
-    n = d.shape[1]
-    lower, found = np.zeros_like(d), right.copy()
-    for k in range(n):
-        column = d[:, k:, k] - np.einsum("sik,sk->si", lower[:, k:, :k], lower[:, k, :k])
-        lower[:, k:, k] = column / np.sqrt(column[:, :1])
-    for k in range(n):
-        found[:, k] -= np.einsum("si,sic->sc", lower[:, k, :k], found[:, :k])
-        found[:, k] /= lower[:, k, k][:, None]
-    for k in reversed(range(n)):
-        found[:, k] -= np.einsum("si,sic->sc", lower[:, k + 1 :, k], found[:, k + 1 :])
-        found[:, k] /= lower[:, k, k][:, None]
-    return found

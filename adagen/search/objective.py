@@ -46,9 +46,6 @@ that (a chain of far masses, cut in two: 3e-7 predicted, 2e-6 found)."""
 _TRIALS = 6
 _WORSE = 3.0
 """How much more than in the worst of so many generic states joins may lose in others."""
-_MARGIN = 1.5
-"""How much more than in the worst state of a trial sweeps may lose in others
-(docs/records/digits.md)."""
 _BETTER = 0.5  # of the predicted error, for a slower schedule to be taken
 
 
@@ -159,7 +156,7 @@ def predicted_digits(objective: str, model: Model, plan: Plan, shape: str = "ker
         trial = Trial(max(trial.error, _tried(plan) * _WORSE), growth.joint)
     if plan.form == "segment":
         swept = tried(plan, turned_joints(plan) if shape == "kernels" else None)
-        trial = max(trial, Trial(_MARGIN * swept.error, swept.joint), key=lambda each: each.error)
+        trial = max(trial, swept, key=lambda each: each.error)
     worst = model.joints[trial.joint].name
     return Digits(objective, min(1.0, trial.error), growth.largest, name, worst)
 
