@@ -16,13 +16,15 @@ from pathlib import Path
 from time import process_time
 
 from adagen.build import Toolchain, build_executable, find_toolchain
+from adagen.cost import timeline
 from adagen.errors import AdagenError, EnvironmentFault
 from adagen.library import compile as compiled
 from adagen.library import read
 from adagen.model import Model
+from adagen.program import Program
 from adagen.reference import residual
 from adagen.run import launch
-from adagen.schedule import Fabric, load_profile
+from adagen.schedule import CostProfile, Fabric, load_profile
 from adagen.schedule.costs import StepCosts
 from adagen.search.across import batches_on
 from adagen.states import random_states
@@ -67,13 +69,17 @@ class Wanted:
 
 @dataclass(frozen=True)
 class Made:
-    """A chain's solver, built, and what that took; as ``ScaleRow`` has it."""
+    """A chain's solver, built, and what that took; as ``ScaleRow`` has it.
+
+    Others' solvers have no program, and nothing is known of how they were made.
+    """
 
     contestant: Contestant
-    meeting: str
-    generated: float
-    compiled: float
-    size: float
+    program: Program | None = None
+    meeting: str = "alone"
+    generated: float = 0.0
+    compiled: float = 0.0
+    size: float = 0.0
 
 
 def measure_chains(
@@ -124,16 +130,18 @@ def _chain(
         with at_priority(wanted.priority):
             times, gone = hold(held, wanted.rules, lambda text: said(f"chain of {joints}: {text}"))
         absent |= gone
+        profile = load_profile(wanted.profile)
+        speed = _at_speed(solvers[0].contestant, times, profile, max(processes))
         rows: list[ScaleRow] = []
         for solver in solvers:
-            rows += _rows(model, solver, times)
+            rows += _rows(model, solver, times, speed)
         best = min(
             (other for other in others if other.name in times),
             key=lambda other: times[other.name]["in_place"].least,
             default=None,
         )
         if best is not None:
-            rows += _rows(model, Made(best, "alone", 0.0, 0.0, 0.0), times)
+            rows += _rows(model, Made(best), times)
     return tuple(rows), {f"chain of {joints}, {name}": why for name, why in absent.items()}
 
 
@@ -160,13 +168,23 @@ def made(file: Path, processes: int, profile: str, toolchain: Toolchain) -> Made
     contestant = emitted.contestant(toolchain, stretches=True)
     meeting = found.schedule.meeting if processes > 1 else "alone"
     size = len(found.source) / 1000
-    return Made(contestant, meeting, generated, _compiling() - begin, size)
+    return Made(contestant, found.program, meeting, generated, _compiling() - begin, size)
 
 
 def _compiling() -> float:
     """Return the seconds of the processor that programs started here have taken."""
     spent = os.times()
     return spent.children_user + spent.children_system
+
+
+def _at_speed(
+    one: Contestant, times: Mapping[str, Mapping[str, Times]], profile: CostProfile, most: int
+) -> CostProfile | None:
+    """Return a profile with cores as fast as the one that a solver on one process was timed on."""
+    if one.name not in times or one.predicted is None or profile.steps is None:
+        return None
+    speed = one.predicted / times[one.name]["in_place"].least
+    return replace(profile, steps=replace(profile.steps, cores=(speed,) * most))
 
 
 def _others(model: Model, folder: Path, absent: dict[str, str]) -> list[Contestant]:
@@ -183,7 +201,10 @@ def _others(model: Model, folder: Path, absent: dict[str, str]) -> list[Contesta
 
 
 def _rows(
-    model: Model, solver: Made, times: Mapping[str, Mapping[str, Times]]
+    model: Model,
+    solver: Made,
+    times: Mapping[str, Mapping[str, Times]],
+    speed: CostProfile | None = None,
 ) -> Iterator[ScaleRow]:
     """Yield a row for each way in which a solver was timed in place."""
     one = solver.contestant
@@ -193,6 +214,9 @@ def _rows(
     states = random_states(model, 1, 1)
     found = one.solve(states)[0]
     off = residual(model, states.q[0], states.v[0], states.tau[0], found)
+    scaled = None
+    if solver.program is not None and speed is not None:
+        scaled = 1e3 * timeline(solver.program, speed).makespan
     for source, time in kept.items():
         if time is not None:
             yield ScaleRow(
@@ -205,6 +229,7 @@ def _rows(
                 least=time.least,
                 residual=off,
                 predicted=one.predicted,
+                scaled=scaled,
                 meeting=solver.meeting,
                 generated=round(solver.generated, 2),
                 compiled=round(solver.compiled, 2),

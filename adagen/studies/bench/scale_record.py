@@ -31,6 +31,8 @@ class ScaleRow:
         least: the fastest evaluation.
         residual: largest, of inverse dynamics, relative to the torques at work.
         predicted: nanoseconds by the cost profile; None of others' solvers.
+        scaled: the same with cores that are as fast as the one on which the chain was timed on one
+            process: what is left of its error does not come from the machine's speed.
         meeting: how processes meet; "alone" on one.
         generated: seconds of the processor to read, search and emit.
         compiled: seconds of the processor to compile; 0 where the program was in the cache.
@@ -46,6 +48,7 @@ class ScaleRow:
     least: float
     residual: float
     predicted: float | None = None
+    scaled: float | None = None
     meeting: str = "alone"
     generated: float = 0.0
     compiled: float = 0.0

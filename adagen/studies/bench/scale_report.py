@@ -5,17 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from adagen.studies.bench.report import table
-from adagen.studies.bench.scale_record import CLOCK, PREDICTED, STRETCHES, Scale, ScaleRow
+from adagen.studies.bench.scale_record import PREDICTED, STRETCHES, Scale, ScaleRow
 
-TIMES = ("joints", "P", "us", "saved", "ideal", "predicted us", "off", "residual")
+TIMES = ("joints", "P", "us", "saved", "ideal", "predicted", "off", "at speed", "residual")
 """Heads of ``times``: what is saved and the ideal are shares of the time on one process."""
 BATCHES = ("hosts", "P", "own states/s", "handed out/s", "limited by")
 NOTE = (
     "us: the fastest evaluation of all turns; ≈: from stretches of computing. Ideal: P processes "
-    "save all but the P-th part. Off: measured beside predicted."
+    "save all but the P-th part. Off: measured beside predicted; at speed: beside what is predicted "
+    "for cores as fast as the one on which the chain was timed on one process."
 )
 _ALONE = ("joints", "generate, s", "compile, s", "source, kB", "us", "ns a joint", "× the shortest")
-_SHARED = ("joints", "P", "meeting", "generate, s", "compile, s", *TIMES[2:7])
+_SHARED = ("joints", "P", "meeting", "generate, s", "compile, s", *TIMES[2:8])
 
 
 def times(scale: Scale) -> list[list[str]]:
@@ -35,9 +36,14 @@ def _time(scale: Scale, row: ScaleRow) -> list[str]:
         saved if ours else f"{row.least / one.least:.1f} x" if one is not None else "",
         f"{1 - 1 / row.processes:.0%}" if row.processes > 1 else "",
         "" if row.predicted is None else f"{row.predicted / 1e3:.3g}",
-        "" if row.predicted is None else f"{row.least / row.predicted - 1:+.0%}",
+        _beside(row.least, row.predicted),
+        _beside(row.least, row.scaled) if row.processes > 1 else "",
         f"{row.residual:.0e}",
     ]
+
+
+def _beside(time: float, predicted: float | None) -> str:
+    return "" if not predicted else f"{time / predicted - 1:+.0%}"
 
 
 def batches(scale: Scale) -> list[list[str]]:
@@ -69,7 +75,9 @@ def _head(scale: Scale) -> Iterator[str]:
     yield (
         f"{rules.rounds} rounds by turns, {rules.repeat} evaluations of each of 64 random states "
         "in a turn; the fastest evaluation. Seconds are of the processor; a program that was in "
-        "the cache took none to compile. ≈: from stretches of computing."
+        "the cache took none to compile. ≈: from stretches of computing. Off: measured beside "
+        "predicted; at speed: beside what is predicted for cores as fast as the one on which the "
+        "chain was timed on one process."
     )
     yield ""
 
@@ -105,7 +113,7 @@ def _shared(scale: Scale) -> Iterator[str]:
         for row in rows:
             joints, processes, *rest = _time(scale, row)
             made = [row.meeting, f"{row.generated:.1f}", f"{row.compiled:.1f}"]
-            cells.append([joints, processes, *made, *rest[:5]])
+            cells.append([joints, processes, *made, *rest[:6]])
         yield from table(_SHARED, cells)
         yield ""
 
@@ -116,16 +124,3 @@ def _batches(scale: Scale) -> Iterator[str]:
         yield ""
         yield from table(BATCHES, batches(scale))
         yield ""
-
-
-def off(scale: Scale) -> dict[tuple[int, str], float]:
-    """Return by how much measured times differ from predicted ones, by processes and source.
-
-    The largest share over all chains, its sign that of the time beside the prediction.
-    """
-    found: dict[tuple[int, str], float] = {}
-    for row in scale.rows:
-        if row.predicted and row.source in (CLOCK, STRETCHES):
-            key, share = (row.processes, row.source), row.least / row.predicted - 1
-            found[key] = max(found.get(key, share), share, key=abs)
-    return found
