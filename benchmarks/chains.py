@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from adagen.cli.console import speaking
+from adagen.cli.scale import draw
 from adagen.errors import AdagenError
 from adagen.studies.bench.contest import Rules
 from adagen.studies.bench.scale import Wanted, measure_chains
@@ -41,7 +42,7 @@ def main(words: Sequence[str] | None = None) -> int:
     parser.add_argument("--priority", type=int, default=0, help="real-time, of what is timed")
     parser.add_argument("--peer", action="store_true", help="beside pinocchio")
     parser.add_argument("--resume", action="store_true", help="keep chains measured before")
-    parser.add_argument("--write", type=Path, metavar="PAGE", help="put the tables there")
+    parser.add_argument("--write", type=Path, metavar="PAGE", help="put tables and picture there")
     options = parser.parse_args(words)
     chains = [
         (joints, options.processes if joints <= MOST_SHARED else (1,)) for joints in options.joints
@@ -59,7 +60,9 @@ def main(words: Sequence[str] | None = None) -> int:
     text = markdown(scale)
     print(text)
     if options.write is not None:
-        write_between_marks(options.write, "chains", text)
+        pictures = draw(scale, options.write.parent / "pictures")
+        shown = "".join(f"![{path.stem}](pictures/{path.name})\n\n" for path in pictures)
+        write_between_marks(options.write, "chains", f"{shown}{text}")
     return 0
 
 

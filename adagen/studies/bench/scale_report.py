@@ -12,8 +12,8 @@ TIMES = ("joints", "P", "us", "saved", "ideal", "predicted", "off", "at speed", 
 BATCHES = ("hosts", "P", "own states/s", "handed out/s", "limited by")
 NOTE = (
     "us: the fastest evaluation of all turns; ≈: from stretches of computing. Ideal: P processes "
-    "save all but the P-th part. Off: measured beside predicted; at speed: beside what is predicted "
-    "for cores as fast as the one on which the chain was timed on one process."
+    "save all but the P-th part. Off: measured beside predicted; at speed: beside what is "
+    "predicted for cores as fast as the one on which the chain was timed on one process."
 )
 _ALONE = ("joints", "generate, s", "compile, s", "source, kB", "us", "ns a joint", "× the shortest")
 _SHARED = ("joints", "P", "meeting", "generate, s", "compile, s", *TIMES[2:8])
