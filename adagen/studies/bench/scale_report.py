@@ -87,6 +87,7 @@ def _alone(scale: Scale) -> Iterator[str]:
     if not rows:
         return
     first = rows[0].least / rows[0].joints
+    peers = any(scale.peer(row.joints) for row in rows)
     cells = []
     for row in rows:
         each, peer = row.least / row.joints, scale.peer(row.joints)
@@ -99,10 +100,10 @@ def _alone(scale: Scale) -> Iterator[str]:
                 f"{row.least / 1e3:.2f}",
                 f"{each:.1f}",
                 f"{each / first:.2f}",
-                "" if peer is None else f"{peer.least / 1e3:.1f}",
+                *(["" if peer is None else f"{peer.least / 1e3:.1f}"] if peers else []),
             ]
         )
-    yield from table((*_ALONE, "pinocchio, us"), cells)
+    yield from table((*_ALONE, *(["pinocchio, us"] if peers else [])), cells)
     yield ""
 
 
