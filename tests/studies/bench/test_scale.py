@@ -6,11 +6,17 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from adagen.errors import InputError
+from adagen.model import Model
+from adagen.reference import forward_dynamics
 from adagen.schedule import load_profile, shipped_fabric
-from adagen.studies.bench.contest import Rules
+from adagen.states import States
+from adagen.studies.bench import scale as study
+from adagen.studies.bench.contest import Contestant, Rules, Turn
 from adagen.studies.bench.scale import Wanted, measure_chains, predicted_batches
 from adagen.studies.bench.scale_record import (
     BatchRow,
@@ -22,6 +28,8 @@ from adagen.studies.bench.scale_record import (
 from adagen.studies.bench.scale_report import BATCHES, TIMES, batches, markdown, times
 from tests.models import serial_chain
 from tests.studies.bench.test_record import MACHINE
+
+Array = NDArray[np.float64]
 
 
 def row(joints: int, processes: int, least: float, **more: object) -> ScaleRow:
@@ -139,6 +147,39 @@ def test_small_chains_are_built_timed_and_right() -> None:
         Wanted([(8, (1,))], Rules(rounds=1), peer=False), said.append, before=found
     )
     assert again.rows == found.rows  # what was measured is kept
+
+
+def test_the_fastest_peer_stands_beside_and_long_chains_go_without(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def peers(_name: str, model: Model, _states: States, _folder: Path) -> list[Contestant]:
+        def solve(states: States) -> Array:
+            each = zip(states.q, states.v, states.tau, strict=True)
+            return np.array([forward_dynamics(model, *state) for state in each])
+
+        return [
+            Contestant(
+                name=f"pinocchio {ns}",
+                team="pinocchio",
+                build="",
+                processes=1,
+                scalar="double",
+                solve=solve,
+                turn=lambda _repeat, ns=ns: {"in_place": Turn(1.1 * ns, ns)},  # type: ignore[misc]
+            )
+            for ns in (900.0, 800.0)
+        ]
+
+    monkeypatch.setattr(study, "missing", lambda _name: None)
+    monkeypatch.setattr(study, "contestants", peers)
+    monkeypatch.setattr(study, "MOST_OF_PEER", 8)
+    wanted = Wanted([(8, (1,)), (16, (1,))], Rules(rounds=1, repeat=1))
+    found = measure_chains(wanted, lambda _text: None)
+    best = found.peer(8)
+    assert best is not None and (best.name, best.least) == ("pinocchio 800.0", 800.0)
+    assert best.residual < 1e-12 and best.predicted is None
+    assert found.peer(16) is None
+    assert "16^3" in found.absent["chain of 16, pinocchio"]
 
 
 def test_batches_on_hosts_grow_until_handing_out_limits() -> None:
