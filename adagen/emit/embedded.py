@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from adagen.emit.kernels.mobility import passes_free
 from adagen.emit.words import Words
 from adagen.errors import UsageError
 from adagen.plan import Plan
@@ -82,14 +83,14 @@ def _in_loops(words: Words, values: dict[str, object], size: int) -> int:
     plan, count = words.plan, len(words.plan.joints)
     kinds = {joint.kind for joint in plan.joints}
     factors = 24 if "planar" in kinds else 18 if "spherical" in kinds else 8
-    per_block, slots = _LANES // size, _number(values["slot_count"])
+    per_block, slots = _LANES // size, words.program.slots.count
     blocks = -(-slots // per_block)
     of_joint = (8 + factors) * size + _LINE  # what is kept from sweep to sweep
     whole = blocks * per_block * _BLOCK * size + count * of_joint
     whole += 2 * slots * (3 + factors) * size if values["limbs"] else 0
     whole += (count + 1) * _COLUMNS * size if values["by_columns"] else 0
     whole += (count + 1) * (_BODY + _MOTION) * size
-    whole += count * _BODY * size if values["passes_free"] else 0
+    whole += count * _BODY * size if passes_free(plan) else 0
     if plan.sets_inertias:
         whole += count * 10 * size + blocks * (per_block * 19 * size + _LINE)
     return whole + 8 * _LINE

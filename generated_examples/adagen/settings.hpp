@@ -16,19 +16,30 @@ namespace {
 struct PlainSettings {
   using Number = double;  // type of states, results and messages
   using Real = double;    // type of all other values
-  static constexpr int kProcesses = 1;
-  static constexpr bool kAlone = true;    // whether process 0 does all the work
-  static constexpr int kOuterCount = 0;   // outer forces that are inputs
-  static constexpr int kOutputCount = 0;  // numbers in qdd behind accelerations
-  static constexpr int kColumns = 1;      // right-hand sides: the motion, and one per slaved joint
-  static constexpr std::size_t kSlavedCount = 0;  // joints that follow others
-  static constexpr bool kGivesAll = true;         // whether accelerations of all joints are found
-  static constexpr bool kBatch = false;           // whether many states are solved at once
-  static constexpr int kRefine = 0;               // steps of iterative refinement
-  static constexpr bool kWide = false;       // whether their residuals are found in wider numbers
-  static constexpr bool kCertified = false;  // whether the error of each answer is bounded
-  static constexpr int kPlanMessages = 0;
-  static constexpr double kTolerance = 1e-9;  // backward error that a check lets pass
+  [[maybe_unused]] static constexpr int kProcesses = 1;
+  // Whether process 0 does all the work.
+  [[maybe_unused]] static constexpr bool kAlone = true;
+  // Outer forces that are inputs.
+  [[maybe_unused]] static constexpr int kOuterCount = 0;
+  // Numbers in qdd behind accelerations.
+  [[maybe_unused]] static constexpr int kOutputCount = 0;
+  // Right-hand sides: the motion, and one per slaved joint.
+  [[maybe_unused]] static constexpr int kColumns = 1;
+  // Joints that follow others.
+  [[maybe_unused]] static constexpr std::size_t kSlavedCount = 0;
+  // Whether accelerations of all joints are found.
+  [[maybe_unused]] static constexpr bool kGivesAll = true;
+  // Whether many states are solved at once.
+  [[maybe_unused]] static constexpr bool kBatch = false;
+  // Steps of iterative refinement.
+  [[maybe_unused]] static constexpr int kRefine = 0;
+  // Whether their residuals are found in wider numbers.
+  [[maybe_unused]] static constexpr bool kWide = false;
+  // Whether the error of each answer is bounded.
+  [[maybe_unused]] static constexpr bool kCertified = false;
+  [[maybe_unused]] static constexpr int kPlanMessages = 0;
+  // Backward error that a check lets pass.
+  [[maybe_unused]] static constexpr double kTolerance = 1e-9;
 };
 
 }  // namespace

@@ -228,7 +228,10 @@ _FUNCTIONS = r"""
 #include <cstring>
 #include <limits>
 #define ADAGEN_SOLVER
-using Real = double;
+#include "adagen/settings.hpp"
+struct Settings : PlainSettings {
+  static constexpr int kJointCount = 1, kNq = 1, kNv = 1;
+};
 #include "adagen/far_angles_reduced.hpp"
 #include "adagen/tanh_own.hpp"
 extern "C" void circular(double x, double* found) { far_sine_and_cosine(x, found[0], found[1]); }

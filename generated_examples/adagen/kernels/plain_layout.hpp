@@ -11,26 +11,32 @@ namespace {
 struct PlainLayout {
   // Memory slot of each joint and its child link, where they are reordered: limbs that share lanes,
   // and segments of long runs, are interleaved.
-  static constexpr int kSlotCount = kJointCount;
-  static constexpr bool kReordered = false;
-  static constexpr int kSlots[kJointCount]{};
-  static constexpr int kTile = 0;          // joints whose memory is in use at a time; 0: all
-  static constexpr bool kInLanes = false;  // whether limbs share lanes
-  static constexpr bool kPrescribedInLanes = false;  // with prescribed motions
-  static constexpr bool kByColumns = false;          // whether runs are computed by columns
+  [[maybe_unused]] static constexpr int kSlotCount = kJointCount;
+  [[maybe_unused]] static constexpr bool kReordered = false;
+  [[maybe_unused]] static constexpr int kSlots[kJointCount]{};
+  // Joints whose memory is in use at a time; 0: all.
+  [[maybe_unused]] static constexpr int kTile = 0;
+  // Whether limbs share lanes.
+  [[maybe_unused]] static constexpr bool kInLanes = false;
+  // Whether they do with prescribed motions.
+  [[maybe_unused]] static constexpr bool kPrescribedInLanes = false;
+  // Whether runs are computed by columns.
+  [[maybe_unused]] static constexpr bool kByColumns = false;
   // Blocks of slots with equal constants: number of kinds (0: not compared), kind of each block,
   // and first block of each kind.
-  static constexpr int kBlockKindCount = 0;
-  static constexpr int kBlockKinds[]{0}, kFirstOfKind[]{0};
+  [[maybe_unused]] static constexpr int kBlockKindCount = 0;
+  [[maybe_unused]] static constexpr int kBlockKinds[]{0}, kFirstOfKind[]{0};
   // Joints that are eliminated in their own axes: always, or only if the axes of the base lose
   // digits, which they do if trace > kLosing * D.
-  static constexpr bool kAnyTurned = false, kAnyTurnedIfLost = false;
-  static constexpr bool kTurned[kJointCount]{}, kTurnedIfLost[kJointCount]{};
-  static constexpr double kLosing = 1;
-  static constexpr bool kPassesFree = false;  // whether mobilities pass floating joints
-  // Of solvers that sweep residuals inwards.
-  static constexpr bool kFloats = false;  // whether a base floats
-  static constexpr Real kUnit = 0;        // relative uncertainty of summands
+  [[maybe_unused]] static constexpr bool kAnyTurned = false, kAnyTurnedIfLost = false;
+  [[maybe_unused]] static constexpr bool kTurned[kJointCount]{}, kTurnedIfLost[kJointCount]{};
+  [[maybe_unused]] static constexpr double kLosing = 1;
+  // Whether mobilities pass floating joints.
+  [[maybe_unused]] static constexpr bool kPassesFree = false;
+  // Of solvers that sweep residuals inwards: whether a base floats, and ..
+  [[maybe_unused]] static constexpr bool kFloats = false;
+  // .. the relative uncertainty of summands.
+  [[maybe_unused]] static constexpr Real kUnit = 0;
 };
 
 }  // namespace
