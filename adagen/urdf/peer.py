@@ -27,6 +27,7 @@ from adagen.urdf.description import (
 )
 from adagen.urdf.elements import Element
 from adagen.urdf.notes import Notes
+from adagen.urdf.yourdfpy_alone import urdf_class
 
 ROTATION_TOLERANCE = 1e-12
 """yourdfpy's rotations go through the C library; ours are exact."""
@@ -71,16 +72,18 @@ def _cut_down(root: Element, description: Description) -> bytes:
 
 
 def _load(document: bytes, notes: Notes) -> Any:
-    from yourdfpy import URDF  # costs a second: not before it is needed
-
     try:
-        return URDF.load(
-            io.BytesIO(document),
-            build_scene_graph=False,
-            build_collision_scene_graph=False,
-            load_meshes=False,
-            load_collision_meshes=False,
-        ).robot
+        return (
+            urdf_class()
+            .load(
+                io.BytesIO(document),
+                build_scene_graph=False,
+                build_collision_scene_graph=False,
+                load_meshes=False,
+                load_collision_meshes=False,
+            )
+            .robot
+        )
     except Exception as fault:  # any: the document is valid, so that this is a defect, not a slip
         raise notes.error(
             f"yourdfpy cannot read this file ({type(fault).__name__}: {fault}): please report this"
