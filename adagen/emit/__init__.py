@@ -16,7 +16,7 @@ from adagen.emit.names import file_stem, prefix_of, quoted
 from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
 from adagen.emit.refine import checked_shape, refinement_messages, refinement_steps
 from adagen.emit.runtime import runtime_files, version_number
-from adagen.emit.settings import settings
+from adagen.emit.settings import description, settings
 from adagen.emit.shapes import KNOWN, chosen_shape, shape_to_refine, to_be_refined
 from adagen.emit.templates import render, template, templates_folder
 from adagen.emit.words import Words
@@ -247,7 +247,15 @@ def _texts(
         **of_shape,
         **(embedded_values(words, of_shape) if embedded else {}),
     }
-    own = {"macros": _macros(plan, values), "settings": settings(values, len(plan.messages))}
+    own = {
+        "plain_solver": not any(
+            values[name] for name in ("parameters", "batch", "mpi", "threads", "embedded")
+        )
+        and not plan.certified,
+        "macros": _macros(plan, values),
+        "settings": settings(values, len(plan.messages)),
+        "description": description(values),
+    }
     return render("interface.h.j2", **values), render("solver.cpp.j2", **own, **values)
 
 

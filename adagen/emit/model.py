@@ -8,6 +8,7 @@ from adagen.emit.words import Words
 from adagen.model.kinds import KINDS
 from adagen.model.loops import LOOP_KINDS
 from adagen.plan import Plan
+from adagen.plan.robot import PlanLink
 from adagen.plan.steps import LinkBias, StartLink
 
 
@@ -16,7 +17,7 @@ def model_values(words: Words) -> dict[str, object]:
     plan = words.plan
     nv = sum(KINDS[joint.kind].nv for joint in plan.joints)
     return {
-        "gravity": ", ".join(repr(g) for g in plan.gravity),
+        "gravity": ", ".join(repr(g) for g in plan.gravity),  # m/s^2
         "parameters": [repr(x) for x in plan.parameter_values],
         "gravity_entry": plan.entry_of_parameter("gravity"),
         "settable_links": _settable_links(words),
@@ -56,14 +57,21 @@ def _links(words: Words) -> list[dict[str, object]]:
             "quoted": quoted(link.name),
             "mass": number(link.mass),
             "com": numbers(link.com),
-            "tensor": numbers(x for row in link.tensor for x in row),
-            "tensor_inverse": numbers(x for row in link.tensor_inverse for x in row),
+            "tensors": [numbers(tensor) for tensor in _tensors(link)],
             "phi_upper": words.printer.numbers(
                 x for i, row in enumerate(link.phi) for x in row[i:]
             ),
         }
         for k, link in enumerate(plan.links)
     ]
+
+
+def _tensors(link: PlanLink) -> list[list[float]]:
+    """Return a link's tensor and its inverse, row by row; the last ones left out where all zero."""
+    tensors = [[x for row in rows for x in row] for rows in (link.tensor, link.tensor_inverse)]
+    while tensors and not any(tensors[-1]):
+        tensors.pop()
+    return tensors
 
 
 def _settable_links(words: Words) -> list[dict[str, object]]:
@@ -90,7 +98,6 @@ def _joints(words: Words) -> list[dict[str, object]]:
     numbers = words.constants.numbers
     rows = []
     for j, joint in enumerate(words.plan.joints):
-        source, multiplier, offset = joint.mimic or (-1, 0.0, 0.0)
         rows.append(
             {
                 "word": words.joints[j],
@@ -103,14 +110,27 @@ def _joints(words: Words) -> list[dict[str, object]]:
                 "nv": words.kind(j).nv,
                 "rotation": numbers(x for row in joint.rotation for x in row),
                 "translation": numbers(joint.translation),
-                "source": source,
-                "multiplier": repr(multiplier),
-                "offset": repr(offset),
-                "effects": effects.constants(words, j),
-                "given": words.plan.wants(j),
+                "rest": _rest_of_joint(words, j),
             }
         )
     return rows
+
+
+def _rest_of_joint(words: Words, j: int) -> str:
+    """Return the last members of JointConstants, up to the last that is not as most joints have it.
+
+    They are: the joint that it is slaved to, with multiplier and offset; its effects; whether its
+    acceleration is wanted.
+    """
+    source, multiplier, offset = words.plan.joints[j].mimic or (-1, 0.0, 0.0)
+    members = [
+        (f", {source}, {multiplier!r}, {offset!r}", source >= 0),
+        (effects.constants(words, j) or ", {}", bool(effects.constants(words, j))),
+        (", false", not words.plan.wants(j)),
+    ]
+    while members and not members[-1][1]:
+        members.pop()
+    return "".join(text for text, _ in members)
 
 
 def _outer_forces(words: Words) -> list[dict[str, object]]:

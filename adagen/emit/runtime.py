@@ -17,7 +17,9 @@ FOLDER = "adagen"
 _OWN = re.compile(r'#include "([^"]+)"')
 _SYSTEM = re.compile(r"#include <[^>]+>")
 _SAMPLE = f"{FOLDER}/sample/"
-_READ_ALONE = re.compile(r"^#if !defined\(ADAGEN_SOLVER\)\n#define ADAGEN_SAMPLE.*\n#endif\n", re.M)
+_READ_ALONE = re.compile(
+    r"^#if !defined\(ADAGEN_SOLVER\)\n#define ADAGEN_(?:SAMPLE|BATCH).*\n#endif\n", re.M
+)
 
 
 def include_folder() -> Path:

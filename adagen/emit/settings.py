@@ -28,6 +28,13 @@ def settings(values: Mapping[str, object], messages: int) -> list[str]:
             [
                 ("int", "kProcesses", values["process_count"], 1),
                 ("bool", "kAlone", values["alone"], True),
+                (
+                    "std::array<double, 3>",
+                    "kGravity",
+                    f"{{{values['gravity']}}}",
+                    "{0.0, 0.0, -9.81}",
+                ),
+                ("int", "kParameterCount", _count(values["parameters"]), 0),
                 ("int", "kOuterCount", _count(values["outer_forces"]), 0),
                 ("int", "kOutputCount", nqdd - nv, 0),
                 ("int", "kColumns", values["columns"], 1),
@@ -42,6 +49,25 @@ def settings(values: Mapping[str, object], messages: int) -> list[str]:
             ]
         ),
     ]
+
+
+def description(values: Mapping[str, object]) -> list[str]:
+    """Return the lines by which a solver's description differs from a plain one."""
+    channel, loops, couplings = values["channel"], values["loops"], values["couplings"]
+    outputs = values["outputs"]
+    lines = {
+        f'about.channel = "{channel}";': channel != "auto",
+        "about.floating = true;": values["floating"],
+        "about.at_rest = true;": values["at_rest"],
+        "about.outer_forces = table(kOuterForces);": values["outer_forces"],
+        "about.loops = {kLoops.data(), kLoopCount};": loops,
+        f"about.couplings = {{kCouplings.data(), {_count(couplings)}}};": couplings,
+        f"about.outputs = {{kOutputs.data(), {_count(outputs)}}};": outputs,
+        "about.window_hop = kWindowHop, about.message_hop = kMessageHop;": (
+            values["mpi"] or values["threads"]
+        ),
+    }
+    return [line for line, own in lines.items() if own]
 
 
 def _count(items: object) -> int:

@@ -82,7 +82,7 @@ struct Message {
   int source, target, size;  // size in numbers, the status not counted
 };
 
-// Between two time stamps of a process.
+// Between two time stamps of a process's work (--trace).
 struct Stage {
   const char* what;
   int joint;    // that it ends or begins with; -1 for none

@@ -2,6 +2,7 @@
 // What a solver's Settings are called everywhere, and what follows from them.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "sample/settings.hpp"
@@ -16,6 +17,8 @@ using Real = Settings::Real;
 [[maybe_unused]] constexpr int kJointCount = Settings::kJointCount, kLinkCount = kJointCount + 1;
 [[maybe_unused]] constexpr int kNq = Settings::kNq, kNv = Settings::kNv;
 [[maybe_unused]] constexpr int kNqdd = kNv + Settings::kOutputCount;
+[[maybe_unused]] constexpr std::array<double, 3> kGravity = Settings::kGravity;  // m/s^2
+[[maybe_unused]] constexpr int kParameterCount = Settings::kParameterCount;
 [[maybe_unused]] constexpr int kOuterCount = Settings::kOuterCount, kNtau = kNv + 6 * kOuterCount;
 [[maybe_unused]] constexpr int kColumns = Settings::kColumns;
 [[maybe_unused]] constexpr std::size_t kSlavedCount = Settings::kSlavedCount;

@@ -6,6 +6,8 @@
 
 #include "constants.hpp"
 #include "description.hpp"
+#include "sample/messages.hpp"
+#include "sample/robot.hpp"
 #include "sizes.hpp"
 
 namespace {
@@ -36,6 +38,28 @@ auto table(const std::array<Own, n>& all) {
   static std::array<Described, n> items{};
   for (std::size_t k = 0; k < n; ++k) items[k] = described(all[k]);
   return adagen::Table<Described>{items.data(), static_cast<int>(n)};
+}
+
+// What a solver's description has from its settings and tables, and otherwise: a robot on a fixed
+// base, in motion, without loops, and a channel chosen when it is opened.
+adagen::Description<Number> plain_description(const char* robot,
+                                              const adagen::Table<adagen::Stage>* stages) {
+  adagen::Description<Number> about{};
+  about.robot = robot, about.channel = "auto";
+#if defined(ADAGEN_THREADS)
+  about.processes = 1, about.threads = kAlone ? 1 : kProcesses;
+#else
+  about.processes = kProcesses, about.threads = 1;
+#endif
+#if defined(ADAGEN_SETS_GRAVITY)
+  about.sets_gravity = true;
+#endif
+  about.nq = kNq, about.nv = kNv, about.ntau = kNtau, about.nqdd = kNqdd;
+  about.refine = kRefine, about.alone = kAlone, about.batch = kBatch, about.certified = kCertified;
+  about.tolerance = kTolerance, about.gravity = kGravity.data();
+  about.joints = table(kJoints), about.links = table(kLinks), about.messages = table(kMessages);
+  about.stages = stages;
+  return about;
 }
 
 // Shapes that join no runs of joints as one are never near gimbal lock.

@@ -11,9 +11,9 @@
 #include "sample/channel.hpp"
 #include "sample/robot.hpp"
 #include "sample/unrolled.hpp"
-#include "sample/value.hpp"
 #include "sizes.hpp"
 #include "status.hpp"
+#include "value.hpp"
 
 namespace {
 

@@ -13,14 +13,9 @@
 // of their joints and constraint forces stay unknown until the last link that these joints have in
 // common, where they are eliminated (docs/explanation/loops.md). Spatial vectors are [angular; linear],
 // in link frames turned so that every joint axis is z.
-//
-// Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
-// 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
-// order; 6 program, description for the program around it (adagen_program.cpp), and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// ankle_p1.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
-// and link it.
+// ankle_p1.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
 
 #if __has_include("ankle_p1.h")
 #include "ankle_p1.h"
@@ -32,20 +27,13 @@
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// Configuration of the runtime headers (adagen/).
-#define ADAGEN_SOLVER
+#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_LOOPS
 #define ADAGEN_RECOVERS
-#include "adagen/version.hpp"
-#if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
-#endif
-
 #include "adagen/settings.hpp"
 
 namespace {
 
-// What is not as in PlainSettings.
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 8, kNq = 14, kNv = 12;
 };
@@ -56,58 +44,45 @@ struct Settings : PlainSettings {
 
 namespace {
 
-[[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
-[[maybe_unused]] constexpr int kParameterCount = 0;  // of what can be set at run time
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
-    {"pelvis", 0.0, {0.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {}},
+    {"pelvis", 0.0, {0.0, 0.0, 0.0}},
     {"thigh", 6.0, {-0.2, 0.0, 0.0},
-     {0.0147, 0.0, 0.0, 0.0, 0.08735, 0.0, 0.0, 0.0, 0.08735}, {}},
+     {0.0147, 0.0, 0.0, 0.0, 0.08735, 0.0, 0.0, 0.0, 0.08735}},
     {"shank", 3.5, {-0.2, 0.0, 0.0},
-     {0.004375, 0.0, 0.0, 0.0, 0.0488542, 0.0, 0.0, 0.0, 0.0488542}, {}},
+     {0.004375, 0.0, 0.0, 0.0, 0.0488542, 0.0, 0.0, 0.0, 0.0488542}},
     {"ankle_cross", 0.15, {0.0, 0.0, 0.0},
-     {2.4e-05, 0.0, 0.0, 0.0, 2.4e-05, 0.0, 0.0, 0.0, 2.4e-05}, {}},
+     {2.4e-05, 0.0, 0.0, 0.0, 2.4e-05, 0.0, 0.0, 0.0, 2.4e-05}},
     {"foot", 1.0, {0.0, -0.05, 0.04},
-     {0.00416667, 0.0, 0.0, 0.0, 0.00470833, 0.0, 0.0, 0.0, 0.000808333}, {}},
+     {0.00416667, 0.0, 0.0, 0.0, 0.00470833, 0.0, 0.0, 0.0, 0.000808333}},
     {"left_crank", 0.2, {0.0, -0.03, 0.0},
-     {6.16667e-05, 0.0, 0.0, 0.0, 8.33333e-06, 0.0, 0.0, 0.0, 6.66667e-05}, {}},
+     {6.16667e-05, 0.0, 0.0, 0.0, 8.33333e-06, 0.0, 0.0, 0.0, 6.66667e-05}},
     {"left_rod", 0.15, {0.0, 0.0, -0.075},
-     {0.0002826, 0.0, 0.0, 0.0, 0.0002826, 0.0, 0.0, 0.0, 2.7e-06}, {}},
+     {0.0002826, 0.0, 0.0, 0.0, 0.0002826, 0.0, 0.0, 0.0, 2.7e-06}},
     {"right_crank", 0.2, {0.0, -0.03, 0.0},
-     {6.16667e-05, 0.0, 0.0, 0.0, 8.33333e-06, 0.0, 0.0, 0.0, 6.66667e-05}, {}},
+     {6.16667e-05, 0.0, 0.0, 0.0, 8.33333e-06, 0.0, 0.0, 0.0, 6.66667e-05}},
     {"right_rod", 0.15, {0.0, 0.0, -0.115},
-     {0.0006626, 0.0, 0.0, 0.0, 0.0006626, 0.0, 0.0, 0.0, 2.7e-06}, {}},
+     {0.0006626, 0.0, 0.0, 0.0, 0.0006626, 0.0, 0.0, 0.0, 2.7e-06}},
 } };
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"hip", JointKind::kRevolute, 0, 0, 1, 0, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}},
     {"knee", JointKind::kRevolute, 1, 1, 1, 1, 1,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {-0.4, 0.0, 0.0}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {-0.4, 0.0, 0.0}},
     {"ankle_pitch", JointKind::kRevolute, 2, 2, 1, 2, 1,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {-0.4, 0.0, 0.0}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {-0.4, 0.0, 0.0}},
     {"ankle_roll", JointKind::kRevolute, 3, 3, 1, 3, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}},
     {"left_motor", JointKind::kRevolute, 2, 4, 1, 4, 1,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {-0.25, 0.0, 0.05}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {-0.25, 0.0, 0.05}},
     {"left_ball", JointKind::kSpherical, 5, 5, 4, 5, 3,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, -0.06, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, -0.06, 0.0}},
     {"right_motor", JointKind::kRevolute, 2, 9, 1, 8, 1,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {-0.17, 0.0, -0.05}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {-0.17, 0.0, -0.05}},
     {"right_ball", JointKind::kSpherical, 7, 10, 4, 9, 3,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, -0.06, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, -0.06, 0.0}},
 } };
-
-[[maybe_unused]] constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
 
 // Loops, then couplings: what statuses name them by.
 constexpr int kLoopCount = 2;
@@ -120,18 +95,11 @@ constexpr std::array<const char*, 2> kLoopNames{ {
 
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
-#include "adagen/failures.hpp"
 
 #include "adagen/no_channel.hpp"
 #include "adagen/stamp.hpp"
 
 // ---- 4. joints ----------------------------------------------------------------------------------
-
-namespace {
-
-using Value = Real;  // what is computed with
-
-}  // namespace
 
 #include "adagen/unrolled_memory.hpp"
 
@@ -1911,39 +1879,25 @@ void recover_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel)
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
 constexpr std::array<void (*)(Workspace&, Channel&), 1> kRecover{recover_0};
 
-// What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
-// reads.
-constexpr std::array<Range, 4> kRanges_0{ {{0, 14}, {0, 12}, {0, 12}, {0, 12}} };
-[[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
-} };
-
 }  // namespace
 
-#include "adagen/no_parameters.hpp"
-#include "adagen/solver_alone.hpp"
-#include "adagen/open_alone.hpp"
+#include "adagen/alone.hpp"
 struct ankle_p1_solver : Solver {};
 #include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// Description of this solver for the program around it, which is the same for all robots: it reads
-// states, writes accelerations, checks, times, traces and simulates.
+// Description of this solver for the program around it (adagen_program.cpp), the same for all robots.
 
 #ifndef ADAGEN_NO_MAIN
-#include "adagen/description.hpp"
 #include "adagen/measured_alone.hpp"
 #include "adagen/tell.hpp"
 
 namespace {
 
-// The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 3> kStages_0{ {
     {"kinematics", 7, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1},
 } };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
-    {kStages_0.data(), 3},
-} };
+constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 3}} };
 
 // Loop joints, each between a frame on its first link and a frame on its second one, with axis z;
 // then couplings of joint coordinates.
@@ -1957,10 +1911,9 @@ constexpr std::array<adagen::Loop<Number>, 2> kLoops{ {
 } };
 
 adagen::Description<Number> description() {
-  return {
-      "ankle", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
-      false, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {kLoops.data(), kLoopCount}, {}, {}, table(kMessages), kStages.data(), {}, {}};
+  auto about = plain_description("ankle", kStages.data());
+  about.loops = {kLoops.data(), kLoopCount};
+  return about;
 }
 
 }  // namespace

@@ -17,14 +17,9 @@
 // a cut; joint i joins chain A (on its parent link's side) and chain B (on its child link's side), Eq.
 // (3)-(7), and its force follows from Eq. (8)-(10). Spatial vectors are [angular; linear], in the axes of
 // the base, about each link's origin.
-//
-// Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
-// 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
-// order; 6 program, description for the program around it (adagen_program.cpp), and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// arm7_mixed_p2.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
-// and link it.
+// arm7_mixed_p2.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
 
 #if __has_include("arm7_mixed_p2.h")
 #include "arm7_mixed_p2.h"
@@ -39,20 +34,13 @@
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// Configuration of the runtime headers (adagen/).
-#define ADAGEN_SOLVER
+#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
 #define ADAGEN_REFINES
-#include "adagen/version.hpp"
-#if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
-#endif
-
 #include "adagen/settings.hpp"
 
 namespace {
 
-// What is not as in PlainSettings.
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
   using Real = float;
@@ -69,73 +57,55 @@ struct Settings : PlainSettings {
 
 namespace {
 
-[[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
-[[maybe_unused]] constexpr int kParameterCount = 0;  // of what can be set at run time
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
-    {"pedestal", 0.0, {0.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {}},
+    {"pedestal", 0.0, {0.0, 0.0, 0.0}},
     {"turret", 3.6, {0.0, 0.0, 0.1},
-     {0.01641, 0.0, 0.0, 0.0, 0.01641, 0.0, 0.0, 0.0, 0.00882}, {}},
+     {0.01641, 0.0, 0.0, 0.0, 0.01641, 0.0, 0.0, 0.0, 0.00882}},
     {"upper_arm", 3.1, {0.0, -0.1, 0.0},
-     {0.01767, 0.0, 0.0, 0.0, 0.00558, 0.0, 0.0, 0.0, 0.01767}, {}},
+     {0.01767, 0.0, 0.0, 0.0, 0.00558, 0.0, 0.0, 0.0, 0.01767}},
     {"elbow_housing", 2.6, {0.0, 0.0, -0.03},
-     {0.00898625, 0.0, 0.0, 0.0, 0.00898625, 0.0, 0.0, 0.0, 0.0039325}, {}},
+     {0.00898625, 0.0, 0.0, 0.0, 0.00898625, 0.0, 0.0, 0.0, 0.0039325}},
     {"forearm", 2.2, {-0.05, 0.1, 0.0},
-     {0.0102483, 0.0, 0.0, 0.0, 0.00275, 0.0, 0.0, 0.0, 0.0102483}, {}},
+     {0.0102483, 0.0, 0.0, 0.0, 0.00275, 0.0, 0.0, 0.0, 0.0102483}},
     {"wrist_housing", 1.7, {0.0, 0.01, -0.08},
-     {0.00448729, 0.0, 0.0, 0.0, 0.00448729, 0.0, 0.0, 0.0, 0.00172125}, {}},
+     {0.00448729, 0.0, 0.0, 0.0, 0.00448729, 0.0, 0.0, 0.0, 0.00172125}},
     {"wrist", 1.3, {0.04, 0.01, 0.0},
-     {0.0013, 0.0, 0.0, 0.0, 0.0013, 0.0, 0.0, 0.0, 0.0013}, {}},
+     {0.0013, 0.0, 0.0, 0.0, 0.0013, 0.0, 0.0, 0.0, 0.0013}},
     {"hand", 0.85, {0.008470588235294117, 0.0, 0.08870588235294118},
-     {0.0034019064705882356, 0.0, 0.0004946823529411765, 0.0, 0.0014865882352941176, 0.0, 0.0004946823529411765, 0.0, 0.0031133417647058823}, {}},
+     {0.0034019064705882356, 0.0, 0.0004946823529411765, 0.0, 0.0014865882352941176, 0.0, 0.0004946823529411765, 0.0, 0.0031133417647058823}},
     {"left_finger", 0.05, {0.03, 0.0, 0.01},
-     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}, {}},
+     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}},
     {"right_finger", 0.05, {0.03, 0.0, 0.01},
-     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}, {}},
+     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}},
 } };
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"base_yaw", JointKind::kRevolute, 0, 0, 1, 0, 1,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {0.0, 0.0, 0.16}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 0.16}},
     {"shoulder_pitch", JointKind::kRevolute, 1, 1, 1, 1, 1,
-     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, 0.9999999999932537, 0.0, -0.9999999999932537, -3.673205103346574e-06},
-     {0.0, 0.0, 0.18}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, 0.9999999999932537, 0.0, -0.9999999999932537, -3.673205103346574e-06}, {0.0, 0.0, 0.18}},
     {"upper_arm_roll", JointKind::kRevolute, 2, 2, 1, 2, 1,
-     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, -0.9999999999932537, 0.0, 0.9999999999932537, -3.673205103346574e-06},
-     {0.0, -0.3, 0.0}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, -0.9999999999932537, 0.0, 0.9999999999932537, -3.673205103346574e-06}, {0.0, -0.3, 0.0}},
     {"elbow_pitch", JointKind::kRevolute, 3, 3, 1, 3, 1,
-     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, -0.9999999999932537, 0.0, 0.9999999999932537, -3.673205103346574e-06},
-     {0.08, 0.0, 0.0}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, -0.9999999999932537, 0.0, 0.9999999999932537, -3.673205103346574e-06}, {0.08, 0.0, 0.0}},
     {"forearm_roll", JointKind::kRevolute, 4, 4, 1, 4, 1,
-     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, 0.9999999999932537, 0.0, -0.9999999999932537, -3.673205103346574e-06},
-     {-0.08, 0.38, 0.0}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, 0.9999999999932537, 0.0, -0.9999999999932537, -3.673205103346574e-06}, {-0.08, 0.38, 0.0}},
     {"wrist_pitch", JointKind::kRevolute, 5, 5, 1, 5, 1,
-     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, -0.9999999999932537, 0.0, 0.9999999999932537, -3.673205103346574e-06},
-     {0.0, 0.0, 0.0}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, -0.9999999999932537, 0.0, 0.9999999999932537, -3.673205103346574e-06}, {0.0, 0.0, 0.0}},
     {"flange_roll", JointKind::kRevolute, 6, 6, 1, 6, 1,
-     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, -0.9999999999932537, 0.0, 0.9999999999932537, -3.673205103346574e-06},
-     {0.09, 0.0, 0.0}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, -0.9999999999932537, 0.0, 0.9999999999932537, -3.673205103346574e-06}, {0.09, 0.0, 0.0}},
     {"left_finger_slide", JointKind::kPrismatic, 7, 7, 1, 7, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, 0.13}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}},
     {"right_finger_slide", JointKind::kPrismatic, 7, 8, 1, 8, 1,
-     {0.0, -0.9999999999964793, -2.65358979335273e-06, 0.0, 2.65358979335273e-06, -0.9999999999964793, 1.0, 0.0, 0.0},
-     {0.0, 0.0, 0.13}, -1, 0.0, 0.0},
+     {0.0, -0.9999999999964793, -2.65358979335273e-06, 0.0, 2.65358979335273e-06, -0.9999999999964793, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}},
 } };
-
-[[maybe_unused]] constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
 
 }  // namespace
 
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
-#include "adagen/status.hpp"
-#include "adagen/failures.hpp"
 #include "adagen/far_angles.hpp"
-#include "adagen/kernels/lanes.hpp"
-#include "adagen/kernels/algebra.hpp"
 #include "adagen/spatial.hpp"
 #include "adagen/joins.hpp"
 #include "adagen/wide.hpp"
@@ -159,17 +129,11 @@ namespace {
 #include "adagen/stamp.hpp"
 
 // ---- 4. kernels ---------------------------------------------------------------------------------
-// Vectors are expressed in the axes of the base (of the ground, or of a floating base's link), about
-// each link's own origin. omega, alpha, a: motion of links for zero joint accelerations; the joint
-// accelerations that are solved for come on top.
 
 #include "adagen/kernels/plain_layout.hpp"
 
 namespace {
 
-using Value = Real;  // what is computed with
-
-// Mass, mass times centre of mass, and pseudo-inertia of each link.
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {3.6f, {0.0f, 0.0f, 0.36000000000000004f},
      {0.00441f, 0.0f, 0.0f, 0.00441f, 0.0f, 0.04800000000000001f}},
@@ -191,12 +155,10 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
      {6.0000035e-05f, 0.0f, 1.5e-05f, 1.666665e-06f, 0.0f, 6.666665e-06f}},
 } };
 
-// What is not as in PlainLayout.
 struct Layout : PlainLayout {
   static constexpr bool kByColumns = true;
 };
 
-// Role of each process at each link: gathers, adds_own, parts, oriented.
 constexpr LinkRole kRoles[2][kLinkCount]{
     {{1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
@@ -464,8 +426,7 @@ namespace {
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{refined, refined};
 
-// What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
-// reads.
+// What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
 constexpr std::array<Range, 4> kRanges_0{ {{0, 5}, {0, 5}, {0, 5}, {0, 5}} };
 constexpr std::array<Range, 4> kRanges_1{ {{0, 9}, {0, 9}, {5, 4}, {5, 4}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
@@ -482,17 +443,14 @@ struct arm7_mixed_p2_solver : Solver {};
 #include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// Description of this solver for the program around it, which is the same for all robots: it reads
-// states, writes accelerations, checks, times, traces and simulates.
+// Description of this solver for the program around it (adagen_program.cpp), the same for all robots.
 
 #ifndef ADAGEN_NO_MAIN
-#include "adagen/description.hpp"
 #include "adagen/measured.hpp"
 #include "adagen/tell.hpp"
 
 namespace {
 
-// The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 7> kStages_0{ {
     {"kinematics", 4, -1}, {"assembly", 3, -1}, {"receive", -1, 0}, {"assembly", 4, -1},
     {"disassembly", 4, -1}, {"send", -1, 1}, {"disassembly", 3, -1},
@@ -501,20 +459,16 @@ constexpr std::array<adagen::Stage, 5> kStages_1{ {
     {"kinematics", 8, -1}, {"assembly", 5, -1}, {"send", -1, 0}, {"receive", -1, 1},
     {"disassembly", 5, -1},
 } };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
-    {kStages_0.data(), 7},
-    {kStages_1.data(), 5},
-} };
+constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 7}, {kStages_1.data(), 5}} };
 
 // From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
 adagen::Description<Number> description() {
-  return {
-      "arm7", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
-      false, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop, kMessageHop};
+  auto about = plain_description("arm7", kStages.data());
+  about.window_hop = kWindowHop, about.message_hop = kMessageHop;
+  return about;
 }
 
 }  // namespace

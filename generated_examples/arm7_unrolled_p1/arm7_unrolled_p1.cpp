@@ -11,14 +11,9 @@
 // Articulated-body algorithm: the articulated-body inertias I^A and bias forces p^A (IA, pA) are computed
 // from the ends to the base, then the accelerations from the base outwards. Spatial vectors are [angular;
 // linear], in link frames turned so that every joint axis is z.
-//
-// Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
-// 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
-// order; 6 program, description for the program around it (adagen_program.cpp), and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// arm7_unrolled_p1.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
-// and link it.
+// arm7_unrolled_p1.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
 
 #if __has_include("arm7_unrolled_p1.h")
 #include "arm7_unrolled_p1.h"
@@ -30,18 +25,11 @@
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// Configuration of the runtime headers (adagen/).
-#define ADAGEN_SOLVER
-#include "adagen/version.hpp"
-#if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
-#endif
-
+#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #include "adagen/settings.hpp"
 
 namespace {
 
-// What is not as in PlainSettings.
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
 };
@@ -52,69 +40,54 @@ struct Settings : PlainSettings {
 
 namespace {
 
-[[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
-[[maybe_unused]] constexpr int kParameterCount = 0;  // of what can be set at run time
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
-    {"pedestal", 0.0, {0.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {}},
+    {"pedestal", 0.0, {0.0, 0.0, 0.0}},
     {"turret", 3.6, {0.0, 0.0, 0.1},
-     {0.01641, 0.0, 0.0, 0.0, 0.01641, 0.0, 0.0, 0.0, 0.00882}, {}},
+     {0.01641, 0.0, 0.0, 0.0, 0.01641, 0.0, 0.0, 0.0, 0.00882}},
     {"upper_arm", 3.1, {0.0, -0.1, 0.0},
-     {0.01767, 0.0, 0.0, 0.0, 0.00558, 0.0, 0.0, 0.0, 0.01767}, {}},
+     {0.01767, 0.0, 0.0, 0.0, 0.00558, 0.0, 0.0, 0.0, 0.01767}},
     {"elbow_housing", 2.6, {0.0, 0.0, -0.03},
-     {0.00898625, 0.0, 0.0, 0.0, 0.00898625, 0.0, 0.0, 0.0, 0.0039325}, {}},
+     {0.00898625, 0.0, 0.0, 0.0, 0.00898625, 0.0, 0.0, 0.0, 0.0039325}},
     {"forearm", 2.2, {-0.05, 0.1, 0.0},
-     {0.0102483, 0.0, 0.0, 0.0, 0.00275, 0.0, 0.0, 0.0, 0.0102483}, {}},
+     {0.0102483, 0.0, 0.0, 0.0, 0.00275, 0.0, 0.0, 0.0, 0.0102483}},
     {"wrist_housing", 1.7, {0.0, 0.01, -0.08},
-     {0.00448729, 0.0, 0.0, 0.0, 0.00448729, 0.0, 0.0, 0.0, 0.00172125}, {}},
+     {0.00448729, 0.0, 0.0, 0.0, 0.00448729, 0.0, 0.0, 0.0, 0.00172125}},
     {"wrist", 1.3, {0.04, 0.01, 0.0},
-     {0.0013, 0.0, 0.0, 0.0, 0.0013, 0.0, 0.0, 0.0, 0.0013}, {}},
+     {0.0013, 0.0, 0.0, 0.0, 0.0013, 0.0, 0.0, 0.0, 0.0013}},
     {"hand", 0.85, {0.008470588235294117, 0.0, 0.08870588235294118},
-     {0.0034019064705882356, 0.0, 0.0004946823529411765, 0.0, 0.0014865882352941176, 0.0, 0.0004946823529411765, 0.0, 0.0031133417647058823}, {}},
+     {0.0034019064705882356, 0.0, 0.0004946823529411765, 0.0, 0.0014865882352941176, 0.0, 0.0004946823529411765, 0.0, 0.0031133417647058823}},
     {"left_finger", 0.05, {0.03, 0.0, 0.01},
-     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}, {}},
+     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}},
     {"right_finger", 0.05, {0.03, 0.0, 0.01},
-     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}, {}},
+     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}},
 } };
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"base_yaw", JointKind::kRevolute, 0, 0, 1, 0, 1,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {0.0, 0.0, 0.16}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 0.16}},
     {"shoulder_pitch", JointKind::kRevolute, 1, 1, 1, 1, 1,
-     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, 0.9999999999932537, 0.0, -0.9999999999932537, -3.673205103346574e-06},
-     {0.0, 0.0, 0.18}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, 0.9999999999932537, 0.0, -0.9999999999932537, -3.673205103346574e-06}, {0.0, 0.0, 0.18}},
     {"upper_arm_roll", JointKind::kRevolute, 2, 2, 1, 2, 1,
-     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, -0.9999999999932537, 0.0, 0.9999999999932537, -3.673205103346574e-06},
-     {0.0, -0.3, 0.0}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, -0.9999999999932537, 0.0, 0.9999999999932537, -3.673205103346574e-06}, {0.0, -0.3, 0.0}},
     {"elbow_pitch", JointKind::kRevolute, 3, 3, 1, 3, 1,
-     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, -0.9999999999932537, 0.0, 0.9999999999932537, -3.673205103346574e-06},
-     {0.08, 0.0, 0.0}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, -0.9999999999932537, 0.0, 0.9999999999932537, -3.673205103346574e-06}, {0.08, 0.0, 0.0}},
     {"forearm_roll", JointKind::kRevolute, 4, 4, 1, 4, 1,
-     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, 0.9999999999932537, 0.0, -0.9999999999932537, -3.673205103346574e-06},
-     {-0.08, 0.38, 0.0}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, 0.9999999999932537, 0.0, -0.9999999999932537, -3.673205103346574e-06}, {-0.08, 0.38, 0.0}},
     {"wrist_pitch", JointKind::kRevolute, 5, 5, 1, 5, 1,
-     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, -0.9999999999932537, 0.0, 0.9999999999932537, -3.673205103346574e-06},
-     {0.0, 0.0, 0.0}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, -0.9999999999932537, 0.0, 0.9999999999932537, -3.673205103346574e-06}, {0.0, 0.0, 0.0}},
     {"flange_roll", JointKind::kRevolute, 6, 6, 1, 6, 1,
-     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, -0.9999999999932537, 0.0, 0.9999999999932537, -3.673205103346574e-06},
-     {0.09, 0.0, 0.0}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, -3.673205103346574e-06, -0.9999999999932537, 0.0, 0.9999999999932537, -3.673205103346574e-06}, {0.09, 0.0, 0.0}},
     {"left_finger_slide", JointKind::kPrismatic, 7, 7, 1, 7, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, 0.13}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}},
     {"right_finger_slide", JointKind::kPrismatic, 7, 8, 1, 8, 1,
-     {0.0, -0.9999999999964793, -2.65358979335273e-06, 0.0, 2.65358979335273e-06, -0.9999999999964793, 1.0, 0.0, 0.0},
-     {0.0, 0.0, 0.13}, -1, 0.0, 0.0},
+     {0.0, -0.9999999999964793, -2.65358979335273e-06, 0.0, 2.65358979335273e-06, -0.9999999999964793, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}},
 } };
-
-[[maybe_unused]] constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
 
 }  // namespace
 
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
-#include "adagen/failures.hpp"
 #include "adagen/far_angles.hpp"
 #include "adagen/kernels/lanes.hpp"
 
@@ -122,12 +95,6 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 #include "adagen/stamp.hpp"
 
 // ---- 4. joints ----------------------------------------------------------------------------------
-
-namespace {
-
-using Value = Real;  // what is computed with
-
-}  // namespace
 
 #include "adagen/unrolled_memory.hpp"
 
@@ -1023,45 +990,28 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
 
-// What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
-// reads.
-constexpr std::array<Range, 4> kRanges_0{ {{0, 9}, {0, 9}, {0, 9}, {0, 9}} };
-[[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
-} };
-
 }  // namespace
 
-#include "adagen/no_parameters.hpp"
-#include "adagen/solver_alone.hpp"
-#include "adagen/open_alone.hpp"
+#include "adagen/alone.hpp"
 struct arm7_unrolled_p1_solver : Solver {};
 #include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// Description of this solver for the program around it, which is the same for all robots: it reads
-// states, writes accelerations, checks, times, traces and simulates.
+// Description of this solver for the program around it (adagen_program.cpp), the same for all robots.
 
 #ifndef ADAGEN_NO_MAIN
-#include "adagen/description.hpp"
 #include "adagen/measured_alone.hpp"
 #include "adagen/tell.hpp"
 
 namespace {
 
-// The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 3> kStages_0{ {
     {"kinematics", 8, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1},
 } };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
-    {kStages_0.data(), 3},
-} };
+constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 3}} };
 
 adagen::Description<Number> description() {
-  return {
-      "arm7", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
-      false, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), {}, {}};
+  return plain_description("arm7", kStages.data());
 }
 
 }  // namespace

@@ -18,14 +18,9 @@
 // a cut; joint i joins chain A (on its parent link's side) and chain B (on its child link's side), Eq.
 // (3)-(7), and its force follows from Eq. (8)-(10). Spatial vectors are [angular; linear], in the axes of
 // the base, about each link's origin.
-//
-// Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
-// 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
-// order; 6 program, description for the program around it (adagen_program.cpp), and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// chain16_p3.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
-// and link it.
+// chain16_p3.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
 
 #if __has_include("chain16_p3.h")
 #include "chain16_p3.h"
@@ -40,19 +35,12 @@
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// Configuration of the runtime headers (adagen/).
-#define ADAGEN_SOLVER
+#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
-#include "adagen/version.hpp"
-#if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
-#endif
-
 #include "adagen/settings.hpp"
 
 namespace {
 
-// What is not as in PlainSettings.
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 16, kNq = 16, kNv = 16;
   static constexpr int kProcesses = 3;
@@ -66,108 +54,83 @@ struct Settings : PlainSettings {
 
 namespace {
 
-[[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
-[[maybe_unused]] constexpr int kParameterCount = 0;  // of what can be set at run time
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
-    {"ceiling", 0.0, {0.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {}},
+    {"ceiling", 0.0, {0.0, 0.0, 0.0}},
     {"rod01", 1.0, {0.0, -0.2, 0.0},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333}, {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333}},
     {"rod02", 1.0, {-0.2, 0.0, 0.0},
-     {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333}, {}},
+     {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333}},
     {"rod03", 1.0, {0.0, 0.0, -0.2},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002}, {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002}},
     {"rod04", 1.0, {0.0, -0.2, 0.0},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333}, {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333}},
     {"rod05", 1.0, {-0.2, 0.0, 0.0},
-     {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333}, {}},
+     {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333}},
     {"rod06", 1.0, {0.0, 0.0, -0.2},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002}, {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002}},
     {"rod07", 1.0, {0.0, -0.2, 0.0},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333}, {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333}},
     {"rod08", 1.0, {-0.2, 0.0, 0.0},
-     {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333}, {}},
+     {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333}},
     {"rod09", 1.0, {0.0, 0.0, -0.2},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002}, {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002}},
     {"rod10", 1.0, {0.0, -0.2, 0.0},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333}, {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333}},
     {"rod11", 1.0, {-0.2, 0.0, 0.0},
-     {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333}, {}},
+     {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333}},
     {"rod12", 1.0, {0.0, 0.0, -0.2},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002}, {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002}},
     {"rod13", 1.0, {0.0, -0.2, 0.0},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333}, {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333}},
     {"rod14", 1.0, {-0.2, 0.0, 0.0},
-     {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333}, {}},
+     {0.0002, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0134333}},
     {"rod15", 1.0, {0.0, 0.0, -0.2},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002}, {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002}},
     {"rod16", 1.0, {0.0, -0.2, 0.0},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333}, {}},
+     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333}},
 } };
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"joint01", JointKind::kRevolute, 0, 0, 1, 0, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, 0.0}},
     {"joint02", JointKind::kRevolute, 1, 1, 1, 1, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, -0.4, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, -0.4, 0.0}},
     {"joint03", JointKind::kRevolute, 2, 2, 1, 2, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {-0.4, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.4, 0.0, 0.0}},
     {"joint04", JointKind::kRevolute, 3, 3, 1, 3, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, 0.0, -0.4}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, -0.4}},
     {"joint05", JointKind::kRevolute, 4, 4, 1, 4, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, -0.4, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, -0.4, 0.0}},
     {"joint06", JointKind::kRevolute, 5, 5, 1, 5, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {-0.4, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.4, 0.0, 0.0}},
     {"joint07", JointKind::kRevolute, 6, 6, 1, 6, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, 0.0, -0.4}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, -0.4}},
     {"joint08", JointKind::kRevolute, 7, 7, 1, 7, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, -0.4, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, -0.4, 0.0}},
     {"joint09", JointKind::kRevolute, 8, 8, 1, 8, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {-0.4, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.4, 0.0, 0.0}},
     {"joint10", JointKind::kRevolute, 9, 9, 1, 9, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, 0.0, -0.4}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, -0.4}},
     {"joint11", JointKind::kRevolute, 10, 10, 1, 10, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, -0.4, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, -0.4, 0.0}},
     {"joint12", JointKind::kRevolute, 11, 11, 1, 11, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {-0.4, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.4, 0.0, 0.0}},
     {"joint13", JointKind::kRevolute, 12, 12, 1, 12, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, 0.0, -0.4}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, -0.4}},
     {"joint14", JointKind::kRevolute, 13, 13, 1, 13, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, -0.4, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, -0.4, 0.0}},
     {"joint15", JointKind::kRevolute, 14, 14, 1, 14, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {-0.4, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.4, 0.0, 0.0}},
     {"joint16", JointKind::kRevolute, 15, 15, 1, 15, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, 0.0, -0.4}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, -0.4}},
 } };
-
-[[maybe_unused]] constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
 
 }  // namespace
 
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
-#include "adagen/status.hpp"
-#include "adagen/failures.hpp"
 #include "adagen/far_angles.hpp"
-#include "adagen/kernels/lanes.hpp"
-#include "adagen/kernels/algebra.hpp"
 #include "adagen/spatial.hpp"
 #include "adagen/joins.hpp"
 
@@ -190,17 +153,11 @@ namespace {
 #include "adagen/stamp.hpp"
 
 // ---- 4. kernels ---------------------------------------------------------------------------------
-// Vectors are expressed in the axes of the base (of the ground, or of a floating base's link), about
-// each link's own origin. omega, alpha, a: motion of links for zero joint accelerations; the joint
-// accelerations that are solved for come on top.
 
 #include "adagen/kernels/plain_layout.hpp"
 
 namespace {
 
-using Value = Real;  // what is computed with
-
-// Mass, mass times centre of mass, and pseudo-inertia of each link.
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {1.0, {0.0, -0.2, 0.0},
      {0.0001, 0.0, 0.0, 0.05333330000000001, 0.0, 0.0001}},
@@ -236,12 +193,10 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
      {0.0001, 0.0, 0.0, 0.05333330000000001, 0.0, 0.0001}},
 } };
 
-// What is not as in PlainLayout.
 struct Layout : PlainLayout {
   static constexpr bool kByColumns = true;
 };
 
-// Role of each process at each link: gathers, adds_own, parts, oriented.
 constexpr LinkRole kRoles[3][kLinkCount]{
     {{1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
@@ -488,8 +443,7 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2};
 
-// What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
-// reads.
+// What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
 constexpr std::array<Range, 4> kRanges_0{ {{0, 8}, {0, 8}, {0, 8}, {0, 8}} };
 constexpr std::array<Range, 4> kRanges_1{ {{0, 12}, {0, 12}, {8, 4}, {8, 4}} };
 constexpr std::array<Range, 4> kRanges_2{ {{0, 16}, {0, 16}, {12, 4}, {12, 4}} };
@@ -508,17 +462,14 @@ struct chain16_p3_solver : Solver {};
 #include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// Description of this solver for the program around it, which is the same for all robots: it reads
-// states, writes accelerations, checks, times, traces and simulates.
+// Description of this solver for the program around it (adagen_program.cpp), the same for all robots.
 
 #ifndef ADAGEN_NO_MAIN
-#include "adagen/description.hpp"
 #include "adagen/measured.hpp"
 #include "adagen/tell.hpp"
 
 namespace {
 
-// The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 7> kStages_0{ {
     {"kinematics", 7, -1}, {"assembly", 6, -1}, {"receive", -1, 1}, {"assembly", 7, -1},
     {"disassembly", 7, -1}, {"send", -1, 2}, {"disassembly", 6, -1},
@@ -532,21 +483,16 @@ constexpr std::array<adagen::Stage, 5> kStages_2{ {
     {"kinematics", 15, -1}, {"assembly", 12, -1}, {"send", -1, 0}, {"receive", -1, 3},
     {"disassembly", 12, -1},
 } };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
-    {kStages_0.data(), 7},
-    {kStages_1.data(), 9},
-    {kStages_2.data(), 5},
-} };
+constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 7}, {kStages_1.data(), 9}, {kStages_2.data(), 5}} };
 
 // From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
 adagen::Description<Number> description() {
-  return {
-      "chain16", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
-      false, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop, kMessageHop};
+  auto about = plain_description("chain16", kStages.data());
+  about.window_hop = kWindowHop, about.message_hop = kMessageHop;
+  return about;
 }
 
 }  // namespace

@@ -16,14 +16,9 @@
 // bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
 // to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
 // vectors are [angular; linear], in link frames turned so that every joint axis is z.
-//
-// Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
-// 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
-// order; 6 program, description for the program around it (adagen_program.cpp), and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// chain16_p4.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
-// and link it.
+// chain16_p4.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
 
 #if __has_include("chain16_p4.h")
 #include "chain16_p4.h"
@@ -38,19 +33,12 @@
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// Configuration of the runtime headers (adagen/).
-#define ADAGEN_SOLVER
+#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
-#include "adagen/version.hpp"
-#if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
-#endif
-
 #include "adagen/settings.hpp"
 
 namespace {
 
-// What is not as in PlainSettings.
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 16, kNq = 16, kNv = 16;
   static constexpr int kProcesses = 4;
@@ -64,12 +52,9 @@ struct Settings : PlainSettings {
 
 namespace {
 
-[[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
-[[maybe_unused]] constexpr int kParameterCount = 0;  // of what can be set at run time
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
-    {"ceiling", 0.0, {0.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {}},
+    {"ceiling", 0.0, {0.0, 0.0, 0.0}},
     {"rod01", 1.0, {0.0, -0.2, 0.0},
      {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333},
      {74.44187206419866, 0.0, 0.0, 0.0, 5000.0, 0.0, 0.0, 0.0, 74.44187206419866}},
@@ -122,63 +107,44 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"joint01", JointKind::kRevolute, 0, 0, 1, 0, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, 0.0}},
     {"joint02", JointKind::kRevolute, 1, 1, 1, 1, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, -0.4, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, -0.4, 0.0}},
     {"joint03", JointKind::kRevolute, 2, 2, 1, 2, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {-0.4, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.4, 0.0, 0.0}},
     {"joint04", JointKind::kRevolute, 3, 3, 1, 3, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, 0.0, -0.4}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, -0.4}},
     {"joint05", JointKind::kRevolute, 4, 4, 1, 4, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, -0.4, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, -0.4, 0.0}},
     {"joint06", JointKind::kRevolute, 5, 5, 1, 5, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {-0.4, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.4, 0.0, 0.0}},
     {"joint07", JointKind::kRevolute, 6, 6, 1, 6, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, 0.0, -0.4}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, -0.4}},
     {"joint08", JointKind::kRevolute, 7, 7, 1, 7, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, -0.4, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, -0.4, 0.0}},
     {"joint09", JointKind::kRevolute, 8, 8, 1, 8, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {-0.4, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.4, 0.0, 0.0}},
     {"joint10", JointKind::kRevolute, 9, 9, 1, 9, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, 0.0, -0.4}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, -0.4}},
     {"joint11", JointKind::kRevolute, 10, 10, 1, 10, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, -0.4, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, -0.4, 0.0}},
     {"joint12", JointKind::kRevolute, 11, 11, 1, 11, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {-0.4, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.4, 0.0, 0.0}},
     {"joint13", JointKind::kRevolute, 12, 12, 1, 12, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, 0.0, -0.4}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, -0.4}},
     {"joint14", JointKind::kRevolute, 13, 13, 1, 13, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, -0.4, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, -0.4, 0.0}},
     {"joint15", JointKind::kRevolute, 14, 14, 1, 14, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {-0.4, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.4, 0.0, 0.0}},
     {"joint16", JointKind::kRevolute, 15, 15, 1, 15, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, 0.0, -0.4}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, -0.4}},
 } };
-
-[[maybe_unused]] constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
 
 }  // namespace
 
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
 #include "adagen/spatial.hpp"
-#include "adagen/failures.hpp"
 #include "adagen/joins.hpp"
 
 namespace {
@@ -1394,8 +1360,7 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2, run_3};
 
-// What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
-// reads.
+// What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
 constexpr std::array<Range, 6> kRanges_0{ {{0, 10}, {0, 10}, {0, 6}, {9, 1}, {0, 6}, {9, 1}} };
 constexpr std::array<Range, 4> kRanges_1{ {{0, 9}, {0, 9}, {6, 3}, {6, 3}} };
 constexpr std::array<Range, 4> kRanges_2{ {{0, 14}, {0, 14}, {10, 4}, {10, 4}} };
@@ -1416,17 +1381,14 @@ struct chain16_p4_solver : Solver {};
 #include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// Description of this solver for the program around it, which is the same for all robots: it reads
-// states, writes accelerations, checks, times, traces and simulates.
+// Description of this solver for the program around it (adagen_program.cpp), the same for all robots.
 
 #ifndef ADAGEN_NO_MAIN
-#include "adagen/description.hpp"
 #include "adagen/measured.hpp"
 #include "adagen/tell.hpp"
 
 namespace {
 
-// The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 11> kStages_0{ {
     {"kinematics", 9, -1}, {"assembly", 4, -1}, {"receive", -1, 0}, {"assembly", 5, -1},
     {"receive", -1, 2}, {"assembly", 9, -1}, {"disassembly", 9, -1}, {"send", -1, 3},
@@ -1445,22 +1407,17 @@ constexpr std::array<adagen::Stage, 5> kStages_3{ {
     {"kinematics", 15, -1}, {"assembly", 14, -1}, {"send", -1, 1}, {"receive", -1, 5},
     {"disassembly", 14, -1},
 } };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
-    {kStages_0.data(), 11},
-    {kStages_1.data(), 5},
-    {kStages_2.data(), 9},
-    {kStages_3.data(), 5},
-} };
+constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 11}, {kStages_1.data(), 5}, {kStages_2.data(), 9}, {kStages_3.data(), 5}} };
 
 // From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
 adagen::Description<Number> description() {
-  return {
-      "chain16", "message", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
-      false, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop, kMessageHop};
+  auto about = plain_description("chain16", kStages.data());
+  about.channel = "message";
+  about.window_hop = kWindowHop, about.message_hop = kMessageHop;
+  return about;
 }
 
 }  // namespace

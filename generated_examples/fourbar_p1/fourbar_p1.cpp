@@ -13,14 +13,9 @@
 // of their joints and constraint forces stay unknown until the last link that these joints have in
 // common, where they are eliminated (docs/explanation/loops.md). Spatial vectors are [angular; linear],
 // in link frames turned so that every joint axis is z.
-//
-// Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
-// 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
-// order; 6 program, description for the program around it (adagen_program.cpp), and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// fourbar_p1.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
-// and link it.
+// fourbar_p1.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
 
 #if __has_include("fourbar_p1.h")
 #include "fourbar_p1.h"
@@ -32,20 +27,13 @@
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// Configuration of the runtime headers (adagen/).
-#define ADAGEN_SOLVER
+#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_LOOPS
 #define ADAGEN_RECOVERS
-#include "adagen/version.hpp"
-#if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
-#endif
-
 #include "adagen/settings.hpp"
 
 namespace {
 
-// What is not as in PlainSettings.
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 3, kNq = 3, kNv = 3;
 };
@@ -56,33 +44,25 @@ struct Settings : PlainSettings {
 
 namespace {
 
-[[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
-[[maybe_unused]] constexpr int kParameterCount = 0;  // of what can be set at run time
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
-    {"ground", 0.0, {0.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {}},
+    {"ground", 0.0, {0.0, 0.0, 0.0}},
     {"crank", 0.4, {0.0, 0.1, 0.0},
-     {0.00136333, 0.0, 0.0, 0.0, 6e-05, 0.0, 0.0, 0.0, 0.00136333}, {}},
+     {0.00136333, 0.0, 0.0, 0.0, 6e-05, 0.0, 0.0, 0.0, 0.00136333}},
     {"coupler", 1.0, {0.0, 0.25, 0.0},
-     {0.0209083, 0.0, 0.0, 0.0, 0.00015, 0.0, 0.0, 0.0, 0.0209083}, {}},
+     {0.0209083, 0.0, 0.0, 0.0, 0.00015, 0.0, 0.0, 0.0, 0.0209083}},
     {"rocker", 0.8, {0.0, 0.2, 0.0},
-     {0.0107267, 0.0, 0.0, 0.0, 0.00012, 0.0, 0.0, 0.0, 0.0107267}, {}},
+     {0.0107267, 0.0, 0.0, 0.0, 0.00012, 0.0, 0.0, 0.0, 0.0107267}},
 } };
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"crank_pin", JointKind::kRevolute, 0, 0, 1, 0, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.0}},
     {"coupler_pin", JointKind::kRevolute, 1, 1, 1, 1, 1,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {0.0, 0.2, 0.0}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 0.2, 0.0}},
     {"rocker_pin", JointKind::kRevolute, 0, 2, 1, 2, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.45, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.45, 0.0, 0.0}},
 } };
-
-[[maybe_unused]] constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
 
 // Loops, then couplings: what statuses name them by.
 constexpr int kLoopCount = 1;
@@ -94,18 +74,11 @@ constexpr std::array<const char*, 1> kLoopNames{ {
 
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
-#include "adagen/failures.hpp"
 
 #include "adagen/no_channel.hpp"
 #include "adagen/stamp.hpp"
 
 // ---- 4. joints ----------------------------------------------------------------------------------
-
-namespace {
-
-using Value = Real;  // what is computed with
-
-}  // namespace
 
 #include "adagen/unrolled_memory.hpp"
 
@@ -375,39 +348,25 @@ void recover_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel)
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
 constexpr std::array<void (*)(Workspace&, Channel&), 1> kRecover{recover_0};
 
-// What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
-// reads.
-constexpr std::array<Range, 4> kRanges_0{ {{0, 3}, {0, 3}, {0, 3}, {0, 3}} };
-[[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
-} };
-
 }  // namespace
 
-#include "adagen/no_parameters.hpp"
-#include "adagen/solver_alone.hpp"
-#include "adagen/open_alone.hpp"
+#include "adagen/alone.hpp"
 struct fourbar_p1_solver : Solver {};
 #include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// Description of this solver for the program around it, which is the same for all robots: it reads
-// states, writes accelerations, checks, times, traces and simulates.
+// Description of this solver for the program around it (adagen_program.cpp), the same for all robots.
 
 #ifndef ADAGEN_NO_MAIN
-#include "adagen/description.hpp"
 #include "adagen/measured_alone.hpp"
 #include "adagen/tell.hpp"
 
 namespace {
 
-// The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 3> kStages_0{ {
     {"kinematics", 2, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1},
 } };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
-    {kStages_0.data(), 3},
-} };
+constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 3}} };
 
 // Loop joints, each between a frame on its first link and a frame on its second one, with axis z;
 // then couplings of joint coordinates.
@@ -418,10 +377,9 @@ constexpr std::array<adagen::Loop<Number>, 1> kLoops{ {
 } };
 
 adagen::Description<Number> description() {
-  return {
-      "fourbar", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
-      false, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {kLoops.data(), kLoopCount}, {}, {}, table(kMessages), kStages.data(), {}, {}};
+  auto about = plain_description("fourbar", kStages.data());
+  about.loops = {kLoops.data(), kLoopCount};
+  return about;
 }
 
 }  // namespace

@@ -19,14 +19,9 @@
 // a cut; joint i joins chain A (on its parent link's side) and chain B (on its child link's side), Eq.
 // (3)-(7), and its force follows from Eq. (8)-(10). Spatial vectors are [angular; linear], in the axes of
 // the base, about each link's origin.
-//
-// Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
-// 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
-// order; 6 program, description for the program around it (adagen_program.cpp), and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// human40_p4.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
-// and link it.
+// human40_p4.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
 
 #if __has_include("human40_p4.h")
 #include "human40_p4.h"
@@ -41,19 +36,12 @@
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// Configuration of the runtime headers (adagen/).
-#define ADAGEN_SOLVER
+#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
-#include "adagen/version.hpp"
-#if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
-#endif
-
 #include "adagen/settings.hpp"
 
 namespace {
 
-// What is not as in PlainSettings.
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 15, kNq = 51, kNv = 40;
   static constexpr int kProcesses = 4;
@@ -67,103 +55,79 @@ struct Settings : PlainSettings {
 
 namespace {
 
-[[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
-[[maybe_unused]] constexpr int kParameterCount = 0;  // of what can be set at run time
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
-    {"world", 0.0, {0.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {}},
+    {"world", 0.0, {0.0, 0.0, 0.0}},
     {"pelvis", 9.6, {0.0, 0.0, 0.03},
-     {0.104, 0.0, 0.0, 0.0, 0.05248, 0.0, 0.0, 0.0, 0.09248}, {}},
+     {0.104, 0.0, 0.0, 0.0, 0.05248, 0.0, 0.0, 0.0, 0.09248}},
     {"left_thigh", 8.4, {0.0, 0.0, -0.19},
-     {0.12544, 0.0, 0.0, 0.0, 0.12544, 0.0, 0.0, 0.0, 0.02688}, {}},
+     {0.12544, 0.0, 0.0, 0.0, 0.12544, 0.0, 0.0, 0.0, 0.02688}},
     {"left_shank", 3.2, {-0.18, 0.0, 0.0},
-     {0.004, 0.0, 0.0, 0.0, 0.0446667, 0.0, 0.0, 0.0, 0.0446667}, {}},
+     {0.004, 0.0, 0.0, 0.0, 0.0446667, 0.0, 0.0, 0.0, 0.0446667}},
     {"left_foot", 1.0, {0.06, 0.0, -0.04},
-     {0.00108333, 0.0, 0.0, 0.0, 0.00561667, 0.0, 0.0, 0.0, 0.00588333}, {}},
+     {0.00108333, 0.0, 0.0, 0.0, 0.00561667, 0.0, 0.0, 0.0, 0.00588333}},
     {"right_thigh", 8.4, {0.0, 0.0, -0.19},
-     {0.12544, 0.0, 0.0, 0.0, 0.12544, 0.0, 0.0, 0.0, 0.02688}, {}},
+     {0.12544, 0.0, 0.0, 0.0, 0.12544, 0.0, 0.0, 0.0, 0.02688}},
     {"right_shank", 3.2, {-0.18, 0.0, 0.0},
-     {0.004, 0.0, 0.0, 0.0, 0.0446667, 0.0, 0.0, 0.0, 0.0446667}, {}},
+     {0.004, 0.0, 0.0, 0.0, 0.0446667, 0.0, 0.0, 0.0, 0.0446667}},
     {"right_foot", 1.0, {0.06, 0.0, -0.04},
-     {0.00108333, 0.0, 0.0, 0.0, 0.00561667, 0.0, 0.0, 0.0, 0.00588333}, {}},
+     {0.00108333, 0.0, 0.0, 0.0, 0.00561667, 0.0, 0.0, 0.0, 0.00588333}},
     {"trunk", 23.0, {0.0, 0.0, 0.23},
-     {0.601833, 0.0, 0.0, 0.0, 0.467667, 0.0, 0.0, 0.0, 0.258367}, {}},
+     {0.601833, 0.0, 0.0, 0.0, 0.467667, 0.0, 0.0, 0.0, 0.258367}},
     {"left_upper_arm", 1.9, {0.0, 0.0, -0.14},
-     {0.0133752, 0.0, 0.0, 0.0, 0.0133752, 0.0, 0.0, 0.0, 0.00192375}, {}},
+     {0.0133752, 0.0, 0.0, 0.0, 0.0133752, 0.0, 0.0, 0.0, 0.00192375}},
     {"left_forearm", 1.1, {-0.12, 0.0, 0.0},
-     {0.00067375, 0.0, 0.0, 0.0, 0.00606604, 0.0, 0.0, 0.0, 0.00606604}, {}},
+     {0.00067375, 0.0, 0.0, 0.0, 0.00606604, 0.0, 0.0, 0.0, 0.00606604}},
     {"left_hand", 0.42, {0.0, 0.0, -0.08},
-     {0.0012355, 0.0, 0.0, 0.0, 0.001043, 0.0, 0.0, 0.0, 0.0002555}, {}},
+     {0.0012355, 0.0, 0.0, 0.0, 0.001043, 0.0, 0.0, 0.0, 0.0002555}},
     {"head", 4.9, {0.01, 0.0, 0.14},
-     {0.0196, 0.0, 0.0, 0.0, 0.0196, 0.0, 0.0, 0.0, 0.0196}, {}},
+     {0.0196, 0.0, 0.0, 0.0, 0.0196, 0.0, 0.0, 0.0, 0.0196}},
     {"right_upper_arm", 1.9, {0.0, 0.0, -0.14},
-     {0.0133752, 0.0, 0.0, 0.0, 0.0133752, 0.0, 0.0, 0.0, 0.00192375}, {}},
+     {0.0133752, 0.0, 0.0, 0.0, 0.0133752, 0.0, 0.0, 0.0, 0.00192375}},
     {"right_forearm", 1.1, {-0.12, 0.0, 0.0},
-     {0.00067375, 0.0, 0.0, 0.0, 0.00606604, 0.0, 0.0, 0.0, 0.00606604}, {}},
+     {0.00067375, 0.0, 0.0, 0.0, 0.00606604, 0.0, 0.0, 0.0, 0.00606604}},
     {"right_hand", 0.42, {0.0, 0.0, -0.08},
-     {0.0012355, 0.0, 0.0, 0.0, 0.001043, 0.0, 0.0, 0.0, 0.0002555}, {}},
+     {0.0012355, 0.0, 0.0, 0.0, 0.001043, 0.0, 0.0, 0.0, 0.0002555}},
 } };
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"root", JointKind::kFloating, 0, 0, 7, 0, 6,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {0.0, 0.0, 0.95}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 0.95}},
     {"left_hip", JointKind::kSpherical, 1, 7, 4, 6, 3,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {0.0, 0.09, -0.04}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 0.09, -0.04}},
     {"left_knee", JointKind::kRevolute, 2, 11, 1, 9, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, -0.41}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.41}},
     {"left_ankle", JointKind::kSpherical, 3, 12, 4, 10, 3,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {-0.41, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.41, 0.0, 0.0}},
     {"right_hip", JointKind::kSpherical, 1, 16, 4, 13, 3,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {0.0, -0.09, -0.04}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.0, -0.09, -0.04}},
     {"right_knee", JointKind::kRevolute, 5, 20, 1, 16, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, -0.41}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.41}},
     {"right_ankle", JointKind::kSpherical, 6, 21, 4, 17, 3,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {-0.41, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.41, 0.0, 0.0}},
     {"spine", JointKind::kSpherical, 1, 25, 4, 20, 3,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {0.0, 0.0, 0.13}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 0.13}},
     {"left_shoulder", JointKind::kSpherical, 8, 29, 4, 23, 3,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {0.0, 0.2, 0.42}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 0.2, 0.42}},
     {"left_elbow", JointKind::kRevolute, 9, 33, 1, 26, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, -0.29}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.29}},
     {"left_wrist", JointKind::kSpherical, 10, 34, 4, 27, 3,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {-0.26, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.26, 0.0, 0.0}},
     {"neck", JointKind::kSpherical, 8, 38, 4, 30, 3,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {0.0, 0.0, 0.48}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 0.48}},
     {"right_shoulder", JointKind::kSpherical, 8, 42, 4, 33, 3,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {0.0, -0.2, 0.42}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.0, -0.2, 0.42}},
     {"right_elbow", JointKind::kRevolute, 13, 46, 1, 36, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, -0.29}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.29}},
     {"right_wrist", JointKind::kSpherical, 14, 47, 4, 37, 3,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {-0.26, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.26, 0.0, 0.0}},
 } };
-
-[[maybe_unused]] constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
 
 }  // namespace
 
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
-#include "adagen/status.hpp"
-#include "adagen/failures.hpp"
 #include "adagen/far_angles.hpp"
-#include "adagen/kernels/lanes.hpp"
-#include "adagen/kernels/algebra.hpp"
 #include "adagen/spatial.hpp"
 #include "adagen/joins.hpp"
 
@@ -190,17 +154,11 @@ namespace {
 #include "adagen/stamp.hpp"
 
 // ---- 4. kernels ---------------------------------------------------------------------------------
-// Vectors are expressed in the axes of the base (of the ground, or of a floating base's link), about
-// each link's own origin. omega, alpha, a: motion of links for zero joint accelerations; the joint
-// accelerations that are solved for come on top.
 
 #include "adagen/kernels/plain_layout.hpp"
 
 namespace {
 
-using Value = Real;  // what is computed with
-
-// Mass, mass times centre of mass, and pseudo-inertia of each link.
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {9.6, {0.0, 0.0, 0.288},
      {0.020480000000000005, 0.0, 0.0, 0.07200000000000001, 0.0, 0.040639999999999996}},
@@ -234,7 +192,6 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
      {3.150000000000001e-05, 0.0, 0.0, 0.00022399999999999997, 0.0, 0.0036995}},
 } };
 
-// What is not as in PlainLayout.
 struct Layout : PlainLayout {
   static constexpr int kSlotCount = 26;
   static constexpr bool kReordered = true;
@@ -242,7 +199,6 @@ struct Layout : PlainLayout {
   static constexpr bool kInLanes = true;
 };
 
-// Role of each process at each link: gathers, adds_own, parts, oriented.
 constexpr LinkRole kRoles[4][kLinkCount]{
     {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 1, 0, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
@@ -602,8 +558,7 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2, run_3};
 
-// What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
-// reads.
+// What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
 constexpr std::array<Range, 8> kRanges_0{ {{0, 11}, {16, 13}, {0, 9}, {13, 10}, {0, 9}, {13, 10}, {0, 9}, {13, 10}} };
 constexpr std::array<Range, 4> kRanges_1{ {{0, 16}, {0, 13}, {9, 4}, {9, 4}} };
 constexpr std::array<Range, 10> kRanges_2{ {{0, 7}, {25, 8}, {38, 13}, {0, 6}, {20, 6}, {30, 10}, {23, 3}, {30, 10}, {23, 3}, {30, 10}} };
@@ -624,17 +579,14 @@ struct human40_p4_solver : Solver {};
 #include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// Description of this solver for the program around it, which is the same for all robots: it reads
-// states, writes accelerations, checks, times, traces and simulates.
+// Description of this solver for the program around it (adagen_program.cpp), the same for all robots.
 
 #ifndef ADAGEN_NO_MAIN
-#include "adagen/description.hpp"
 #include "adagen/measured.hpp"
 #include "adagen/tell.hpp"
 
 namespace {
 
-// The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 11> kStages_0{ {
     {"kinematics", 7, -1}, {"assembly", 4, -1}, {"receive", -1, 0}, {"assembly", 1, -1},
     {"receive", -1, 2}, {"assembly", 7, -1}, {"disassembly", 7, -1}, {"send", -1, 3},
@@ -653,22 +605,16 @@ constexpr std::array<adagen::Stage, 5> kStages_3{ {
     {"kinematics", 10, -1}, {"assembly", 9, -1}, {"send", -1, 1}, {"receive", -1, 5},
     {"disassembly", 9, -1},
 } };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
-    {kStages_0.data(), 11},
-    {kStages_1.data(), 5},
-    {kStages_2.data(), 9},
-    {kStages_3.data(), 5},
-} };
+constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 11}, {kStages_1.data(), 5}, {kStages_2.data(), 9}, {kStages_3.data(), 5}} };
 
 // From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
 adagen::Description<Number> description() {
-  return {
-      "human40", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
-      false, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop, kMessageHop};
+  auto about = plain_description("human40", kStages.data());
+  about.window_hop = kWindowHop, about.message_hop = kMessageHop;
+  return about;
 }
 
 }  // namespace

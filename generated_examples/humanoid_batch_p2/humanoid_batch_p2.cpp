@@ -12,14 +12,9 @@
 // from the ends to the base, then the accelerations from the base outwards. Spatial vectors are [angular;
 // linear], in the axes of the base, about each link's origin. Each SIMD lane holds a state; the processes
 // share the states of a batch, not the robot.
-//
-// Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
-// 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
-// order; 6 program, description for the program around it (adagen_program.cpp), and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// humanoid_batch_p2.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
-// and link it.
+// humanoid_batch_p2.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
 
 #if __has_include("humanoid_batch_p2.h")
 #include "humanoid_batch_p2.h"
@@ -33,20 +28,13 @@
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// Configuration of the runtime headers (adagen/).
-#define ADAGEN_SOLVER
+#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
 #define ADAGEN_BATCH
-#include "adagen/version.hpp"
-#if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
-#endif
-
 #include "adagen/settings.hpp"
 
 namespace {
 
-// What is not as in PlainSettings.
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 30, kNq = 36, kNv = 35;
   static constexpr int kProcesses = 2;
@@ -60,178 +48,139 @@ struct Settings : PlainSettings {
 
 namespace {
 
-[[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
-[[maybe_unused]] constexpr int kParameterCount = 0;  // of what can be set at run time
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
-    {"__world__", 0.0, {0.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {}},
+    {"__world__", 0.0, {0.0, 0.0, 0.0}},
     {"pelvis", 6.2, {0.0, 0.0, 0.02},
-     {0.0324467, 0.0, 0.0, 0.0, 0.0175667, 0.0, 0.0, 0.0, 0.0351333}, {}},
+     {0.0324467, 0.0, 0.0, 0.0, 0.0175667, 0.0, 0.0, 0.0, 0.0351333}},
     {"left_hip", 1.4, {0.0, 0.0, 0.03},
-     {0.00182, 0.0, 0.0, 0.0, 0.00182, 0.0, 0.0, 0.0, 0.00175}, {}},
+     {0.00182, 0.0, 0.0, 0.0, 0.00182, 0.0, 0.0, 0.0, 0.00175}},
     {"left_groin", 1.2, {0.0, -0.04, 0.02},
-     {0.00139, 0.0, 0.0, 0.0, 0.00139, 0.0, 0.0, 0.0, 0.0015}, {}},
+     {0.00139, 0.0, 0.0, 0.0, 0.00139, 0.0, 0.0, 0.0, 0.0015}},
     {"left_thigh", 2.6, {0.0, 0.0, -0.1},
-     {0.0169867, 0.0, 0.0, 0.0, 0.0169867, 0.0, 0.0, 0.0, 0.00468}, {}},
+     {0.0169867, 0.0, 0.0, 0.0, 0.0169867, 0.0, 0.0, 0.0, 0.00468}},
     {"left_shank", 1.8, {-0.13, 0.01, 0.0},
-     {0.0018225, 0.0, 0.0, 0.0, 0.0126713, 0.0, 0.0, 0.0, 0.0126713}, {}},
+     {0.0018225, 0.0, 0.0, 0.0, 0.0126713, 0.0, 0.0, 0.0, 0.0126713}},
     {"left_ankle", 0.2, {0.0, 0.0, 0.0},
-     {7.2e-05, 0.0, 0.0, 0.0, 7.2e-05, 0.0, 0.0, 0.0, 7.2e-05}, {}},
+     {7.2e-05, 0.0, 0.0, 0.0, 7.2e-05, 0.0, 0.0, 0.0, 7.2e-05}},
     {"left_foot", 0.8, {0.0, -0.03, 0.03},
-     {0.00272667, 0.0, 0.0, 0.0, 0.00309333, 0.0, 0.0, 0.0, 0.000486667}, {}},
+     {0.00272667, 0.0, 0.0, 0.0, 0.00309333, 0.0, 0.0, 0.0, 0.000486667}},
     {"right_hip", 1.4, {0.0, 0.0, -0.03},
-     {0.00182, 0.0, 0.0, 0.0, 0.00182, 0.0, 0.0, 0.0, 0.00175}, {}},
+     {0.00182, 0.0, 0.0, 0.0, 0.00182, 0.0, 0.0, 0.0, 0.00175}},
     {"right_groin", 1.2, {0.0, -0.04, 0.02},
-     {0.00139, 0.0, 0.0, 0.0, 0.00139, 0.0, 0.0, 0.0, 0.0015}, {}},
+     {0.00139, 0.0, 0.0, 0.0, 0.00139, 0.0, 0.0, 0.0, 0.0015}},
     {"right_thigh", 2.6, {0.0, 0.0, -0.1},
-     {0.0169867, 0.0, 0.0, 0.0, 0.0169867, 0.0, 0.0, 0.0, 0.00468}, {}},
+     {0.0169867, 0.0, 0.0, 0.0, 0.0169867, 0.0, 0.0, 0.0, 0.00468}},
     {"right_shank", 1.8, {-0.13, 0.01, 0.0},
-     {0.0018225, 0.0, 0.0, 0.0, 0.0126713, 0.0, 0.0, 0.0, 0.0126713}, {}},
+     {0.0018225, 0.0, 0.0, 0.0, 0.0126713, 0.0, 0.0, 0.0, 0.0126713}},
     {"right_ankle", 0.2, {0.0, 0.0, 0.0},
-     {7.2e-05, 0.0, 0.0, 0.0, 7.2e-05, 0.0, 0.0, 0.0, 7.2e-05}, {}},
+     {7.2e-05, 0.0, 0.0, 0.0, 7.2e-05, 0.0, 0.0, 0.0, 7.2e-05}},
     {"right_foot", 0.8, {0.0, -0.03, 0.03},
-     {0.00272667, 0.0, 0.0, 0.0, 0.00309333, 0.0, 0.0, 0.0, 0.000486667}, {}},
+     {0.00272667, 0.0, 0.0, 0.0, 0.00309333, 0.0, 0.0, 0.0, 0.000486667}},
     {"waist_link", 0.8, {0.0, 0.0, 0.02},
-     {0.00074, 0.0, 0.0, 0.0, 0.00074, 0.0, 0.0, 0.0, 0.001}, {}},
+     {0.00074, 0.0, 0.0, 0.0, 0.00074, 0.0, 0.0, 0.0, 0.001}},
     {"abdomen", 0.9, {0.0, 0.02, 0.0},
-     {0.0010425, 0.0, 0.0, 0.0, 0.001125, 0.0, 0.0, 0.0, 0.0010425}, {}},
+     {0.0010425, 0.0, 0.0, 0.0, 0.001125, 0.0, 0.0, 0.0, 0.0010425}},
     {"torso", 9.5, {0.17, 0.01, 0.0},
-     {0.0823333, 0.0, 0.0, 0.0, 0.153583, 0.0, 0.0, 0.0, 0.111783}, {}},
+     {0.0823333, 0.0, 0.0, 0.0, 0.153583, 0.0, 0.0, 0.0, 0.111783}},
     {"left_shoulder", 0.8, {0.0, 0.0, 0.03},
-     {0.000646667, 0.0, 0.0, 0.0, 0.000646667, 0.0, 0.0, 0.0, 0.00064}, {}},
+     {0.000646667, 0.0, 0.0, 0.0, 0.000646667, 0.0, 0.0, 0.0, 0.00064}},
     {"left_shoulder_cap", 0.7, {0.01, -0.03, 0.0},
-     {0.0007, 0.0, 0.0, 0.0, 0.0007, 0.0, 0.0, 0.0, 0.0007}, {}},
+     {0.0007, 0.0, 0.0, 0.0, 0.0007, 0.0, 0.0, 0.0, 0.0007}},
     {"left_upper_arm", 0.8, {0.0, 0.0, -0.05},
-     {0.00162667, 0.0, 0.0, 0.0, 0.00162667, 0.0, 0.0, 0.0, 0.00064}, {}},
+     {0.00162667, 0.0, 0.0, 0.0, 0.00162667, 0.0, 0.0, 0.0, 0.00064}},
     {"left_forearm", 0.7, {-0.07, 0.02, 0.0},
-     {0.00042875, 0.0, 0.0, 0.0, 0.00170771, 0.0, 0.0, 0.0, 0.00170771}, {}},
+     {0.00042875, 0.0, 0.0, 0.0, 0.00170771, 0.0, 0.0, 0.0, 0.00170771}},
     {"left_wrist", 0.2, {0.0, 0.0, -0.01},
-     {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05}, {}},
+     {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05}},
     {"left_hand", 0.4, {-0.06, 0.0, 0.0},
-     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333}, {}},
+     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333}},
     {"neck", 0.4, {0.0, 0.0, 0.02},
-     {0.00021, 0.0, 0.0, 0.0, 0.00021, 0.0, 0.0, 0.0, 0.00018}, {}},
+     {0.00021, 0.0, 0.0, 0.0, 0.00021, 0.0, 0.0, 0.0, 0.00018}},
     {"head", 2.4, {0.09, 0.02, 0.0},
-     {0.007776, 0.0, 0.0, 0.0, 0.007776, 0.0, 0.0, 0.0, 0.007776}, {}},
+     {0.007776, 0.0, 0.0, 0.0, 0.007776, 0.0, 0.0, 0.0, 0.007776}},
     {"right_shoulder", 0.8, {0.0, 0.0, -0.03},
-     {0.000646667, 0.0, 0.0, 0.0, 0.000646667, 0.0, 0.0, 0.0, 0.00064}, {}},
+     {0.000646667, 0.0, 0.0, 0.0, 0.000646667, 0.0, 0.0, 0.0, 0.00064}},
     {"right_shoulder_cap", 0.7, {-0.01, -0.03, 0.0},
-     {0.0007, 0.0, 0.0, 0.0, 0.0007, 0.0, 0.0, 0.0, 0.0007}, {}},
+     {0.0007, 0.0, 0.0, 0.0, 0.0007, 0.0, 0.0, 0.0, 0.0007}},
     {"right_upper_arm", 0.8, {0.0, 0.0, -0.05},
-     {0.00162667, 0.0, 0.0, 0.0, 0.00162667, 0.0, 0.0, 0.0, 0.00064}, {}},
+     {0.00162667, 0.0, 0.0, 0.0, 0.00162667, 0.0, 0.0, 0.0, 0.00064}},
     {"right_forearm", 0.7, {-0.07, 0.02, 0.0},
-     {0.00042875, 0.0, 0.0, 0.0, 0.00170771, 0.0, 0.0, 0.0, 0.00170771}, {}},
+     {0.00042875, 0.0, 0.0, 0.0, 0.00170771, 0.0, 0.0, 0.0, 0.00170771}},
     {"right_wrist", 0.2, {0.0, 0.0, -0.01},
-     {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05}, {}},
+     {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05}},
     {"right_hand", 0.4, {-0.06, 0.0, 0.0},
-     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333}, {}},
+     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333}},
 } };
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"__base__", JointKind::kFloating, 0, 0, 7, 0, 6,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {0.0, 0.0, 0.0}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 0.0}},
     {"left_hip_pitch", JointKind::kRevolute, 1, 7, 1, 6, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.09, -0.05}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.09, -0.05}},
     {"left_hip_roll", JointKind::kRevolute, 2, 8, 1, 7, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, 0.04}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.04}},
     {"left_hip_yaw", JointKind::kRevolute, 3, 9, 1, 8, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, -0.12, 0.0}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, -0.12, 0.0}},
     {"left_knee", JointKind::kRevolute, 4, 10, 1, 9, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, -0.24}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.24}},
     {"left_ankle_pitch", JointKind::kRevolute, 5, 11, 1, 10, 1,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {-0.3, 0.0, 0.0}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {-0.3, 0.0, 0.0}},
     {"left_ankle_roll", JointKind::kRevolute, 6, 12, 1, 11, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {-0.02, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {-0.02, 0.0, 0.0}},
     {"right_hip_pitch", JointKind::kRevolute, 1, 13, 1, 12, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, -0.09, -0.05}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, -0.09, -0.05}},
     {"right_hip_roll", JointKind::kRevolute, 8, 14, 1, 13, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, -0.04}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}},
     {"right_hip_yaw", JointKind::kRevolute, 9, 15, 1, 14, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, -0.12, 0.0}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, -0.12, 0.0}},
     {"right_knee", JointKind::kRevolute, 10, 16, 1, 15, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, -0.24}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.24}},
     {"right_ankle_pitch", JointKind::kRevolute, 11, 17, 1, 16, 1,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {-0.3, 0.0, 0.0}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {-0.3, 0.0, 0.0}},
     {"right_ankle_roll", JointKind::kRevolute, 12, 18, 1, 17, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {-0.02, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {-0.02, 0.0, 0.0}},
     {"waist_yaw", JointKind::kRevolute, 1, 19, 1, 18, 1,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {0.0, 0.0, 0.09}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 0.09}},
     {"waist_roll", JointKind::kRevolute, 14, 20, 1, 19, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, 0.0, 0.05}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, 0.05}},
     {"waist_pitch", JointKind::kRevolute, 15, 21, 1, 20, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, 0.04, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.04, 0.0}},
     {"left_shoulder_pitch", JointKind::kRevolute, 16, 22, 1, 21, 1,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {0.29, 0.0, 0.15}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.29, 0.0, 0.15}},
     {"left_shoulder_roll", JointKind::kRevolute, 17, 23, 1, 22, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, 0.05}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.05}},
     {"left_shoulder_yaw", JointKind::kRevolute, 18, 24, 1, 23, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, -0.1, 0.0}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, -0.1, 0.0}},
     {"left_elbow", JointKind::kRevolute, 19, 25, 1, 24, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, -0.11}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.11}},
     {"left_wrist_roll", JointKind::kRevolute, 20, 26, 1, 25, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {-0.16, 0.01, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.16, 0.01, 0.0}},
     {"left_wrist_pitch", JointKind::kRevolute, 21, 27, 1, 26, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, -0.04}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}},
     {"neck_yaw", JointKind::kRevolute, 16, 28, 1, 27, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.38, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.38, 0.0, 0.0}},
     {"neck_pitch", JointKind::kRevolute, 23, 29, 1, 28, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, 0.06}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.06}},
     {"right_shoulder_pitch", JointKind::kRevolute, 16, 30, 1, 29, 1,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {0.29, 0.0, -0.15}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.29, 0.0, -0.15}},
     {"right_shoulder_roll", JointKind::kRevolute, 25, 31, 1, 30, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, -0.05}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.05}},
     {"right_shoulder_yaw", JointKind::kRevolute, 26, 32, 1, 31, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, -0.1, 0.0}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, -0.1, 0.0}},
     {"right_elbow", JointKind::kRevolute, 27, 33, 1, 32, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, -0.11}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.11}},
     {"right_wrist_roll", JointKind::kRevolute, 28, 34, 1, 33, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {-0.16, 0.01, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.16, 0.01, 0.0}},
     {"right_wrist_pitch", JointKind::kRevolute, 29, 35, 1, 34, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, -0.04}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}},
 } };
-
-[[maybe_unused]] constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
 
 }  // namespace
 
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
-#include "adagen/status.hpp"
-#include "adagen/failures.hpp"
 #include "adagen/far_angles.hpp"
-#include "adagen/kernels/lanes.hpp"
-#include "adagen/kernels/algebra.hpp"
 
 namespace {
 
@@ -244,17 +193,11 @@ namespace {
 #include "adagen/stamp.hpp"
 
 // ---- 4. kernels ---------------------------------------------------------------------------------
-// Vectors are expressed in the axes of the base (of the ground, or of a floating base's link), about
-// each link's own origin. omega, alpha, a: motion of links for zero joint accelerations; the joint
-// accelerations that are solved for come on top.
 
 #include "adagen/kernels/plain_layout.hpp"
 
 namespace {
 
-using Value = Lanes;  // what is computed with: one state in each lane
-
-// Mass, mass times centre of mass, and pseudo-inertia of each link.
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {6.2, {0.0, 0.0, 0.12400000000000001},
      {0.01012665, 0.0, 0.0, 0.02500665, 0.0, 0.009920050000000001}},
@@ -320,19 +263,13 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
 
 struct Layout : PlainLayout {};
 
-// Role of each process at each link: gathers, adds_own, parts, oriented.
 constexpr LinkRole kRoles[1][kLinkCount]{
     {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
 };
-struct Cuts {};  // nothing is kept where segments meet
 
 }  // namespace
 
-#include "adagen/kernels/state.hpp"
-
-#include "adagen/kernels/inertias.hpp"
-#include "adagen/kernels/keep_nothing.hpp"
-#include "adagen/kernels/reach_nothing.hpp"
+#include "adagen/kernels/plain_state.hpp"
 #include "adagen/kernels/sweeps.hpp"
 
 namespace {
@@ -374,8 +311,7 @@ void run_0([[maybe_unused]] Workspace& w) {
 
 constexpr std::array kParts{run_0};  // what is done for a group of states, in order
 
-// What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
-// reads.
+// What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
 constexpr std::array<Range, 4> kRanges_0{ {{0, 36}, {0, 35}, {0, 35}, {0, 35}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
     {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
@@ -392,37 +328,31 @@ struct humanoid_batch_p2_solver : Solver {};
 #include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// Description of this solver for the program around it, which is the same for all robots: it reads
-// states, writes accelerations, checks, times, traces and simulates.
+// Description of this solver for the program around it (adagen_program.cpp), the same for all robots.
 
 #ifndef ADAGEN_NO_MAIN
-#include "adagen/description.hpp"
 #include "adagen/measured.hpp"
 #include "adagen/tell.hpp"
 
 namespace {
 
-// The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 3> kStages_0{ {
     {"kinematics", 29, -1}, {"assembly", 1, -1}, {"disassembly", 1, -1},
 } };
 constexpr std::array<adagen::Stage, 3> kStages_1{ {
     {"kinematics", 29, -1}, {"assembly", 1, -1}, {"disassembly", 1, -1},
 } };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
-    {kStages_0.data(), 3},
-    {kStages_1.data(), 3},
-} };
+constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 3}, {kStages_1.data(), 3}} };
 
 // From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
 adagen::Description<Number> description() {
-  return {
-      "humanoid", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
-      true, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop, kMessageHop};
+  auto about = plain_description("humanoid", kStages.data());
+  about.floating = true;
+  about.window_hop = kWindowHop, about.message_hop = kMessageHop;
+  return about;
 }
 
 }  // namespace

@@ -15,14 +15,9 @@
 // bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
 // to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
 // vectors are [angular; linear], in link frames turned so that every joint axis is z.
-//
-// Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
-// 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
-// order; 6 program, description for the program around it (adagen_program.cpp), and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// humanoid_p3.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
-// and link it.
+// humanoid_p3.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
 
 #if __has_include("humanoid_p3.h")
 #include "humanoid_p3.h"
@@ -37,19 +32,12 @@
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// Configuration of the runtime headers (adagen/).
-#define ADAGEN_SOLVER
+#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
-#include "adagen/version.hpp"
-#if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
-#endif
-
 #include "adagen/settings.hpp"
 
 namespace {
 
-// What is not as in PlainSettings.
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 30, kNq = 36, kNv = 35;
   static constexpr int kProcesses = 3;
@@ -63,12 +51,9 @@ struct Settings : PlainSettings {
 
 namespace {
 
-[[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
-[[maybe_unused]] constexpr int kParameterCount = 0;  // of what can be set at run time
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
-    {"__world__", 0.0, {0.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {}},
+    {"__world__", 0.0, {0.0, 0.0, 0.0}},
     {"pelvis", 6.2, {0.0, 0.0, 0.02},
      {0.0324467, 0.0, 0.0, 0.0, 0.0175667, 0.0, 0.0, 0.0, 0.0351333},
      {30.819775200559686, 0.0, 0.0, 0.0, 56.92588818617042, 0.0, 0.0, 0.0, 28.463025107234447}},
@@ -163,105 +148,72 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"__base__", JointKind::kFloating, 0, 0, 7, 0, 6,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {0.0, 0.0, 0.0}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 0.0}},
     {"left_hip_pitch", JointKind::kRevolute, 1, 7, 1, 6, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.09, -0.05}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.09, -0.05}},
     {"left_hip_roll", JointKind::kRevolute, 2, 8, 1, 7, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, 0.04}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.04}},
     {"left_hip_yaw", JointKind::kRevolute, 3, 9, 1, 8, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, -0.12, 0.0}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, -0.12, 0.0}},
     {"left_knee", JointKind::kRevolute, 4, 10, 1, 9, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, -0.24}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.24}},
     {"left_ankle_pitch", JointKind::kRevolute, 5, 11, 1, 10, 1,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {-0.3, 0.0, 0.0}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {-0.3, 0.0, 0.0}},
     {"left_ankle_roll", JointKind::kRevolute, 6, 12, 1, 11, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {-0.02, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {-0.02, 0.0, 0.0}},
     {"right_hip_pitch", JointKind::kRevolute, 1, 13, 1, 12, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, -0.09, -0.05}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, -0.09, -0.05}},
     {"right_hip_roll", JointKind::kRevolute, 8, 14, 1, 13, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, -0.04}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}},
     {"right_hip_yaw", JointKind::kRevolute, 9, 15, 1, 14, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, -0.12, 0.0}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, -0.12, 0.0}},
     {"right_knee", JointKind::kRevolute, 10, 16, 1, 15, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, -0.24}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.24}},
     {"right_ankle_pitch", JointKind::kRevolute, 11, 17, 1, 16, 1,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {-0.3, 0.0, 0.0}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {-0.3, 0.0, 0.0}},
     {"right_ankle_roll", JointKind::kRevolute, 12, 18, 1, 17, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {-0.02, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {-0.02, 0.0, 0.0}},
     {"waist_yaw", JointKind::kRevolute, 1, 19, 1, 18, 1,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {0.0, 0.0, 0.09}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 0.09}},
     {"waist_roll", JointKind::kRevolute, 14, 20, 1, 19, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, 0.0, 0.05}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, 0.05}},
     {"waist_pitch", JointKind::kRevolute, 15, 21, 1, 20, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.0, 0.04, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.04, 0.0}},
     {"left_shoulder_pitch", JointKind::kRevolute, 16, 22, 1, 21, 1,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {0.29, 0.0, 0.15}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.29, 0.0, 0.15}},
     {"left_shoulder_roll", JointKind::kRevolute, 17, 23, 1, 22, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, 0.05}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.05}},
     {"left_shoulder_yaw", JointKind::kRevolute, 18, 24, 1, 23, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, -0.1, 0.0}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, -0.1, 0.0}},
     {"left_elbow", JointKind::kRevolute, 19, 25, 1, 24, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, -0.11}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.11}},
     {"left_wrist_roll", JointKind::kRevolute, 20, 26, 1, 25, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {-0.16, 0.01, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.16, 0.01, 0.0}},
     {"left_wrist_pitch", JointKind::kRevolute, 21, 27, 1, 26, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, -0.04}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}},
     {"neck_yaw", JointKind::kRevolute, 16, 28, 1, 27, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {0.38, 0.0, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.38, 0.0, 0.0}},
     {"neck_pitch", JointKind::kRevolute, 23, 29, 1, 28, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, 0.06}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.06}},
     {"right_shoulder_pitch", JointKind::kRevolute, 16, 30, 1, 29, 1,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {0.29, 0.0, -0.15}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.29, 0.0, -0.15}},
     {"right_shoulder_roll", JointKind::kRevolute, 25, 31, 1, 30, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, -0.05}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.05}},
     {"right_shoulder_yaw", JointKind::kRevolute, 26, 32, 1, 31, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, -0.1, 0.0}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, -0.1, 0.0}},
     {"right_elbow", JointKind::kRevolute, 27, 33, 1, 32, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, -0.11}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.11}},
     {"right_wrist_roll", JointKind::kRevolute, 28, 34, 1, 33, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0},
-     {-0.16, 0.01, 0.0}, -1, 0.0, 0.0},
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.16, 0.01, 0.0}},
     {"right_wrist_pitch", JointKind::kRevolute, 29, 35, 1, 34, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0},
-     {0.0, 0.0, -0.04}, -1, 0.0, 0.0},
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}},
 } };
-
-[[maybe_unused]] constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
 
 }  // namespace
 
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
 #include "adagen/spatial.hpp"
-#include "adagen/failures.hpp"
 #include "adagen/joins.hpp"
 
 namespace {
@@ -2187,8 +2139,7 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2};
 
-// What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
-// reads.
+// What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
 constexpr std::array<Range, 4> kRanges_0{ {{0, 20}, {0, 19}, {0, 19}, {0, 19}} };
 constexpr std::array<Range, 10> kRanges_1{ {{0, 7}, {19, 4}, {28, 8}, {0, 6}, {18, 4}, {27, 8}, {19, 3}, {27, 8}, {19, 3}, {27, 8}} };
 constexpr std::array<Range, 6> kRanges_2{ {{0, 7}, {19, 9}, {0, 6}, {18, 9}, {22, 5}, {22, 5}} };
@@ -2207,17 +2158,14 @@ struct humanoid_p3_solver : Solver {};
 #include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// Description of this solver for the program around it, which is the same for all robots: it reads
-// states, writes accelerations, checks, times, traces and simulates.
+// Description of this solver for the program around it (adagen_program.cpp), the same for all robots.
 
 #ifndef ADAGEN_NO_MAIN
-#include "adagen/description.hpp"
 #include "adagen/measured.hpp"
 #include "adagen/tell.hpp"
 
 namespace {
 
-// The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 7> kStages_0{ {
     {"kinematics", 13, -1}, {"assembly", 0, -1}, {"receive", -1, 1}, {"assembly", 13, -1},
     {"disassembly", 13, -1}, {"send", -1, 2}, {"disassembly", 0, -1},
@@ -2231,21 +2179,17 @@ constexpr std::array<adagen::Stage, 5> kStages_2{ {
     {"kinematics", 21, -1}, {"assembly", 17, -1}, {"send", -1, 0}, {"receive", -1, 3},
     {"disassembly", 17, -1},
 } };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
-    {kStages_0.data(), 7},
-    {kStages_1.data(), 9},
-    {kStages_2.data(), 5},
-} };
+constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 7}, {kStages_1.data(), 9}, {kStages_2.data(), 5}} };
 
 // From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
 adagen::Description<Number> description() {
-  return {
-      "humanoid", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
-      true, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), kWindowHop, kMessageHop};
+  auto about = plain_description("humanoid", kStages.data());
+  about.floating = true;
+  about.window_hop = kWindowHop, about.message_hop = kMessageHop;
+  return about;
 }
 
 }  // namespace

@@ -11,14 +11,9 @@
 // Articulated-body algorithm: the articulated-body inertias I^A and bias forces p^A (IA, pA) are computed
 // from the ends to the base, then the accelerations from the base outwards. Spatial vectors are [angular;
 // linear], in link frames turned so that every joint axis is z.
-//
-// Parts: 1 interface, C functions for a program that links this file; 2 model, the robot's constants;
-// 3 runtime, what all robots share; 4 joints, their memory and steps; 5 processes, the work of each in
-// order; 6 program, description for the program around it (adagen_program.cpp), and main.
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// mobile_p1.h declares the functions. To call them from your program, compile this file with -DADAGEN_NO_MAIN
-// and link it.
+// mobile_p1.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
 
 #if __has_include("mobile_p1.h")
 #include "mobile_p1.h"
@@ -30,18 +25,11 @@
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
-// Configuration of the runtime headers (adagen/).
-#define ADAGEN_SOLVER
-#include "adagen/version.hpp"
-#if ADAGEN_VERSION != 100
-#error "the headers in adagen/ are of another version than adagen 0.1.0, which wrote this file"
-#endif
-
+#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #include "adagen/settings.hpp"
 
 namespace {
 
-// What is not as in PlainSettings.
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 6, kNq = 14, kNv = 13;
 };
@@ -52,65 +40,47 @@ struct Settings : PlainSettings {
 
 namespace {
 
-[[maybe_unused]] constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};  // m/s^2
-[[maybe_unused]] constexpr int kParameterCount = 0;  // of what can be set at run time
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
-    {"floor", 0.0, {0.0, 0.0, 0.0},
-     {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, {}},
+    {"floor", 0.0, {0.0, 0.0, 0.0}},
     {"cart", 35.5, {-0.02799449804688646, 0.0, 0.21497801221230384},
-     {2.082900209661478, 0.0, 0.33755007267889864, 0.0, 2.5480080181799307, 0.0, 0.33755007267889864, 0.0, 1.442107808518453}, {}},
+     {2.082900209661478, 0.0, 0.33755007267889864, 0.0, 2.5480080181799307, 0.0, 0.33755007267889864, 0.0, 1.442107808518453}},
     {"laser", 0.35, {0.0, 0.0, -0.04},
-     {0.000245, 0.0, 0.0, 0.0, 0.000245, 0.0, 0.0, 0.0, 0.00028}, {}},
+     {0.000245, 0.0, 0.0, 0.0, 0.000245, 0.0, 0.0, 0.0, 0.00028}},
     {"carriage", 4.2, {0.08, 0.0, 0.0},
-     {0.02086, 0.0, 0.0, 0.0, 0.01372, 0.0, 0.0, 0.0, 0.02086}, {}},
+     {0.02086, 0.0, 0.0, 0.0, 0.01372, 0.0, 0.0, 0.0, 0.02086}},
     {"boom", 2.4, {0.17560487334233152, 0.02197563328834232, 0.03286335345030997},
-     {0.0031240337753782573, -0.002972881060907817, -0.0044457804600413296, -0.002972881060907817, 0.026507966224621746, -0.0005563560920082658, -0.0044457804600413296, -0.0005563560920082658, 0.026048}, {}},
+     {0.0031240337753782573, -0.002972881060907817, -0.0044457804600413296, -0.002972881060907817, 0.026507966224621746, -0.0005563560920082658, -0.0044457804600413296, -0.0005563560920082658, 0.026048}},
     {"bowl", 0.9, {0.0, 0.0, 0.1},
-     {0.0021075, 0.0, 0.0, 0.0, 0.00384, 0.0, 0.0, 0.0, 0.0021075}, {}},
+     {0.0021075, 0.0, 0.0, 0.0, 0.00384, 0.0, 0.0, 0.0, 0.0021075}},
     {"load", 0.6, {0.01, -0.02, 0.015},
-     {0.0006, 0.0, 0.0, 0.0, 0.0006, 0.0, 0.0, 0.0, 0.0006}, {}},
+     {0.0006, 0.0, 0.0, 0.0, 0.0006, 0.0, 0.0, 0.0, 0.0006}},
 } };
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"drive", JointKind::kPlanar, 0, 0, 3, 0, 3,
-     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0},
-     {0.0, 0.0, 0.0}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 0.0, 0.0}},
     {"laser_spin", JointKind::kRevolute, 1, 3, 1, 3, 1,
-     {1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, -1.0},
-     {0.22, 0.0, 0.23}, -1, 0.0, 0.0},
+     {1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, -1.0}, {0.22, 0.0, 0.23}},
     {"lift", JointKind::kPrismatic, 1, 4, 1, 4, 1,
-     {0.9987502603949663, 0.0, 0.04997916927067833, 0.0, 1.0, 0.0, -0.04997916927067833, 0.0, 0.9987502603949663},
-     {-0.08507706744923418, 0.0, 0.31687627588325595}, -1, 0.0, 0.0},
+     {0.9987502603949663, 0.0, 0.04997916927067833, 0.0, 1.0, 0.0, -0.04997916927067833, 0.0, 0.9987502603949663}, {-0.08507706744923418, 0.0, 0.31687627588325595}},
     {"shoulder", JointKind::kRevolute, 3, 5, 1, 5, 1,
-     {0.9755826296796196, 0.12208685160190179, 0.18257418583505539, -0.12208685160190179, -0.3895657419904911, 0.9128709291752769, 0.18257418583505539, -0.9128709291752769, -0.36514837167011077},
-     {0.15, 0.0, 0.02}, -1, 0.0, 0.0},
+     {0.9755826296796196, 0.12208685160190179, 0.18257418583505539, -0.12208685160190179, -0.3895657419904911, 0.9128709291752769, 0.18257418583505539, -0.9128709291752769, -0.36514837167011077}, {0.15, 0.0, 0.02}},
     {"wrist", JointKind::kRevolute, 4, 6, 1, 6, 1,
-     {-0.4028214625008311, 0.04136261787763011, 0.9143434820629502, -0.4955543024180784, -0.8497464879390758, -0.17988007001927067, 0.7695198520529689, -0.5255663993041366, 0.3627935462750979},
-     {0.3707213992782555, 0.04639300360872268, 0.06937819061732105}, -1, 0.0, 0.0},
+     {-0.4028214625008311, 0.04136261787763011, 0.9143434820629502, -0.4955543024180784, -0.8497464879390758, -0.17988007001927067, 0.7695198520529689, -0.5255663993041366, 0.3627935462750979}, {0.3707213992782555, 0.04639300360872268, 0.06937819061732105}},
     {"loose", JointKind::kFloating, 5, 7, 7, 7, 6,
-     {-0.19866933079506122, 0.9362933635841992, -0.28962947762551555, 0.0, 0.29552020666133955, 0.955336489125606, 0.9800665778412416, 0.18979606097868743, -0.058710801693826524},
-     {0.0, 0.08, 0.1}, -1, 0.0, 0.0},
+     {-0.19866933079506122, 0.9362933635841992, -0.28962947762551555, 0.0, 0.29552020666133955, 0.955336489125606, 0.9800665778412416, 0.18979606097868743, -0.058710801693826524}, {0.0, 0.08, 0.1}},
 } };
-
-[[maybe_unused]] constexpr std::array<OuterForce, kOuterCount> kOuterForces{};
 
 }  // namespace
 
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
-#include "adagen/failures.hpp"
 
 #include "adagen/no_channel.hpp"
 #include "adagen/stamp.hpp"
 
 // ---- 4. joints ----------------------------------------------------------------------------------
-
-namespace {
-
-using Value = Real;  // what is computed with
-
-}  // namespace
 
 #include "adagen/unrolled_memory.hpp"
 
@@ -674,45 +644,28 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
 
-// What each process reads of q and v, the velocity entries whose qdd is its own, and whose tau it
-// reads.
-constexpr std::array<Range, 4> kRanges_0{ {{0, 14}, {0, 13}, {0, 13}, {0, 13}} };
-[[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
-} };
-
 }  // namespace
 
-#include "adagen/no_parameters.hpp"
-#include "adagen/solver_alone.hpp"
-#include "adagen/open_alone.hpp"
+#include "adagen/alone.hpp"
 struct mobile_p1_solver : Solver {};
 #include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
-// Description of this solver for the program around it, which is the same for all robots: it reads
-// states, writes accelerations, checks, times, traces and simulates.
+// Description of this solver for the program around it (adagen_program.cpp), the same for all robots.
 
 #ifndef ADAGEN_NO_MAIN
-#include "adagen/description.hpp"
 #include "adagen/measured_alone.hpp"
 #include "adagen/tell.hpp"
 
 namespace {
 
-// The stages of each process's work, for --trace.
 constexpr std::array<adagen::Stage, 3> kStages_0{ {
     {"kinematics", 5, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1},
 } };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {
-    {kStages_0.data(), 3},
-} };
+constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 3}} };
 
 adagen::Description<Number> description() {
-  return {
-      "mobile", "auto", kProcesses, 1, kNq, kNv, kNtau, kNqdd, kRefine,
-      false, kAlone, kBatch, kCertified, false, false, kTolerance, kGravity.data(),
-      table(kJoints), table(kLinks), table(kOuterForces), {}, {}, {}, table(kMessages), kStages.data(), {}, {}};
+  return plain_description("mobile", kStages.data());
 }
 
 }  // namespace

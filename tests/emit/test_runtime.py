@@ -98,7 +98,7 @@ def test_joined_sources_hold_each_header_once_and_no_sample() -> None:
     header = (FOLDER / "humanoid_p2" / "humanoid_p2.h").read_text()
     whole = standalone(source, header=header)
     assert header in whole and '#include "' not in whole
-    assert "6 program, the program around it, and main" in whole
+    assert "// The program around this solver, the same for all robots." in whole
     own = '#if __has_include("humanoid_p2.h")\n#include "humanoid_p2.h"\n'
     for text in (joined(source).replace(own, ""), whole, joined(program_text())):
         assert '#include "' not in text
@@ -131,7 +131,7 @@ def test_headers_that_are_right_are_not_written_again(tmp_path: Path) -> None:
 def test_headers_of_another_version_are_refused(builder: Builder) -> None:
     source = (FOLDER / "mobile_p1" / "mobile_p1.cpp").read_text()
     files = {**HEADERS, "adagen/version.hpp": "#pragma once\n#define ADAGEN_VERSION 99999\n"}
-    with pytest.raises(adagen.EnvironmentFault, match="of another version than adagen"):
+    with pytest.raises(adagen.EnvironmentFault, match="of another version than the adagen"):
         builder.compile(joined(source, files), "other", (*QUICK, "-DADAGEN_NO_MAIN"))
 
 

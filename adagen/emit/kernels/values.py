@@ -30,13 +30,7 @@ from adagen.program.segments import LANES
 from adagen.program.slots import Slots
 from adagen.program.turned import turned_in_loops
 
-RUNTIME = (
-    "status.hpp",
-    "failures.hpp",
-    "far_angles.hpp",
-    "kernels/lanes.hpp",
-    "kernels/algebra.hpp",
-)
+RUNTIME = ("far_angles.hpp",)
 
 
 def why_not(plan: Plan) -> str | None:

@@ -66,7 +66,6 @@ def values(words: Words, chunk: int = 0) -> dict[str, object]:
     return {
         "runtime": [
             *["reproducible.hpp"] * own,
-            "failures.hpp",
             *lanes * (words.batch or sines_in_lanes),
         ],
         "functions": ["tanh_own.hpp" if own else "tanh_library.hpp", "unrolled_functions.hpp"]

@@ -5,8 +5,8 @@
 #include <type_traits>
 
 #include "../common.hpp"
-#include "../sample/value.hpp"
 #include "../sizes.hpp"
+#include "../value.hpp"
 #include "certify.hpp"
 #include "groups.hpp"
 #include "kinds.hpp"

@@ -1,8 +1,8 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
-#include "../sample/value.hpp"
 #include "../sizes.hpp"
+#include "../value.hpp"
 
 namespace {
 

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "../sample/cuts.hpp"
-#include "../sample/value.hpp"
 #include "../sizes.hpp"
 #include "../status.hpp"
+#include "../value.hpp"
 #include "guards.hpp"
 #include "layout.hpp"
 #include "memory.hpp"

@@ -8,9 +8,9 @@
 
 #include "../constants.hpp"
 #include "../sample/robot.hpp"
-#include "../sample/value.hpp"
 #include "../sizes.hpp"
 #include "../spatial.hpp"
+#include "../value.hpp"
 #include "algebra.hpp"
 #include "inward_turned.hpp"
 #include "memory.hpp"

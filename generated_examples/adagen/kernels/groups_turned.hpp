@@ -3,8 +3,8 @@
 
 #include <type_traits>
 
-#include "../sample/value.hpp"
 #include "../sizes.hpp"
+#include "../value.hpp"
 #include "algebra.hpp"
 #include "groups.hpp"
 #include "inward.hpp"

@@ -7,7 +7,7 @@
 #include <cstddef>
 
 #include "../common.hpp"
-#include "../sample/value.hpp"
+#include "../value.hpp"
 #include "algebra.hpp"
 #include "lanes.hpp"
 #include "memory.hpp"

@@ -14,9 +14,9 @@
 #include "../sample/inertias.hpp"
 #include "../sample/robot.hpp"
 #include "../sample/state.hpp"
-#include "../sample/value.hpp"
 #include "../sizes.hpp"
 #include "../status.hpp"
+#include "../value.hpp"
 #include "algebra.hpp"
 #include "blocks.hpp"
 #include "lanes.hpp"
@@ -160,7 +160,8 @@ struct alignas(64) LinkColumns {
   Real tensor[8], moments[8], force[8];
 };
 
-// A link's orientation and how it moves, were all joint accelerations zero.
+// A link's orientation and how it moves, were all joint accelerations zero; in the axes of the base
+// (of the ground, or of a floating base's link), about the link's own origin.
 template <class T>
 struct Frame {
   Matrix<T> R;

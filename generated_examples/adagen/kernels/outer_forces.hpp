@@ -5,9 +5,9 @@
 
 #include "../constants.hpp"
 #include "../sample/robot.hpp"
-#include "../sample/value.hpp"
 #include "../sizes.hpp"
 #include "../status.hpp"
+#include "../value.hpp"
 #include "algebra.hpp"
 #include "guards.hpp"
 #include "lanes.hpp"

@@ -6,7 +6,7 @@
 
 #include "../constants.hpp"
 #include "../sample/robot.hpp"
-#include "../sample/value.hpp"
+#include "../value.hpp"
 #include "algebra.hpp"
 #include "inward.hpp"
 #include "lanes.hpp"

@@ -9,9 +9,9 @@
 #include "../sample/channel.hpp"
 #include "../sample/keep.hpp"
 #include "../sample/robot.hpp"
-#include "../sample/value.hpp"
 #include "../sizes.hpp"
 #include "../slave.hpp"
+#include "../value.hpp"
 #include "blocks.hpp"
 #include "memory.hpp"
 

@@ -5,8 +5,8 @@
 
 #include "../constants.hpp"
 #include "../sample/outer_forces.hpp"
-#include "../sample/value.hpp"
 #include "../sizes.hpp"
+#include "../value.hpp"
 #include "algebra.hpp"
 #include "blocks.hpp"
 #include "guards.hpp"

@@ -7,7 +7,7 @@
 
 #include "../first_parameters.hpp"
 #include "../kernels/weights.hpp"
-#include "value.hpp"
+#include "../value.hpp"
 #if defined(ADAGEN_SAMPLE_CUTS)
 #include "../refine.hpp"
 #include "../spatial.hpp"

@@ -11,6 +11,7 @@ struct Settings : PlainSettings {
   static constexpr int kJointCount = 4, kNq = 13, kNv = 11;
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
+  static constexpr int kParameterCount = 4;
   static constexpr int kOuterCount = 1;
   static constexpr std::size_t kSlavedCount = 1;
   static constexpr int kRefine = 2;

@@ -3,7 +3,7 @@
 #pragma once
 #if !defined(ADAGEN_SOLVER)
 
-#if defined(ADAGEN_SAMPLE_BATCH)
+#if defined(ADAGEN_BATCH)
 #include "../kernels/state.hpp"
 #else
 #include "../kernels/copied_state.hpp"

@@ -24,8 +24,8 @@ struct JointConstants {
   int q, nq, v, nv;       // where its configuration and velocity are
   Number rotation[9];     // joint frame to parent link's frame, row by row
   Number translation[3];  // origin of the joint frame in the parent link's frame, m
-  int source;             // joint that it is slaved to, or -1: q = multiplier q_source + offset
-  double multiplier, offset;
+  int source = -1;        // joint that it is slaved to, or -1: q = multiplier q_source + offset
+  double multiplier = 0, offset = 0;
   Passive passive{};
   bool given = true;  // whether its acceleration is wanted and found
 };
@@ -40,10 +40,10 @@ struct OuterForce {
 
 struct LinkConstants {
   const char* name;
-  Number mass;               // kg
-  Number com[3];             // centre of mass, m
-  Number tensor[9];          // rotational inertia about it, kg m^2
-  Number tensor_inverse[9];  // J, its inverse
+  Number mass;                    // kg
+  Number com[3];                  // centre of mass, m
+  Number tensor[9] = {};          // rotational inertia about it, kg m^2
+  Number tensor_inverse[9] = {};  // J, its inverse
 };
 
 // A link whose mass or centre is set at run time: where those are among all that is, -1 if they are

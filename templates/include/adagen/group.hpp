@@ -1,7 +1,7 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 #if !defined(ADAGEN_SOLVER)
-#define ADAGEN_SAMPLE_BATCH  // read alone, it is of a solver for batches
+#define ADAGEN_BATCH  // read alone, it is of a solver for batches
 #endif
 
 #include <algorithm>
@@ -13,9 +13,9 @@
 #include "kernels/lanes.hpp"
 #include "kernels/shuffles.hpp"
 #include "sample/processes.hpp"
-#include "sample/value.hpp"
 #include "sample/workspace.hpp"
 #include "sizes.hpp"
+#include "value.hpp"
 
 namespace {
 

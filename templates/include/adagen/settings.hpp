@@ -11,6 +11,10 @@
 
 #include "version.hpp"
 
+#if defined(ADAGEN_SOLVER) && ADAGEN_SOLVER != ADAGEN_VERSION
+#error "the headers in adagen/ are of another version than the adagen that wrote this solver"
+#endif
+
 namespace {
 
 struct PlainSettings {
@@ -19,6 +23,10 @@ struct PlainSettings {
   [[maybe_unused]] static constexpr int kProcesses = 1;
   // Whether process 0 does all the work.
   [[maybe_unused]] static constexpr bool kAlone = true;
+  // m/s^2
+  [[maybe_unused]] static constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};
+  // Constants that can be set at run time.
+  [[maybe_unused]] static constexpr int kParameterCount = 0;
   // Outer forces that are inputs.
   [[maybe_unused]] static constexpr int kOuterCount = 0;
   // Numbers in qdd behind accelerations.

@@ -5,9 +5,9 @@
 #include <cstddef>
 
 #include "common.hpp"
-#include "sample/value.hpp"
 #include "sizes.hpp"
 #include "status.hpp"
+#include "value.hpp"
 
 namespace {
 

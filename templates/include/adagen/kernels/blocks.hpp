@@ -6,8 +6,8 @@
 
 #include "../constants.hpp"
 #include "../sample/robot.hpp"
-#include "../sample/value.hpp"
 #include "../sizes.hpp"
+#include "../value.hpp"
 #include "algebra.hpp"
 #include "lanes.hpp"
 #include "layout.hpp"

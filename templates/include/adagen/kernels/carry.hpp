@@ -8,8 +8,8 @@
 
 #include "../constants.hpp"
 #include "../sample/robot.hpp"
-#include "../sample/value.hpp"
 #include "../spatial.hpp"
+#include "../value.hpp"
 #include "algebra.hpp"
 #include "kinds.hpp"
 #include "lanes.hpp"

@@ -7,8 +7,8 @@
 #include <cstddef>
 
 #include "../refine.hpp"
-#include "../sample/value.hpp"
 #include "../spatial.hpp"
+#include "../value.hpp"
 #include "algebra.hpp"
 #include "memory.hpp"
 

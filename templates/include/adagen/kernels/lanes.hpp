@@ -10,12 +10,10 @@
 #include "../common.hpp"
 #include "../sample/angles.hpp"
 #include "../sizes.hpp"
+#include "../value.hpp"
 
 namespace {
 
-// Numbers side by side, as many as the widest registers hold; narrower machines take them in parts.
-constexpr int kLanes = 64 / static_cast<int>(sizeof(Real));
-typedef Real Lanes __attribute__((vector_size(64)));
 typedef std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> Bits;
 typedef Bits LaneBits __attribute__((vector_size(64)));
 

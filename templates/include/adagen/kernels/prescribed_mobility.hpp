@@ -6,8 +6,8 @@
 
 #include <cstddef>
 
-#include "../sample/value.hpp"
 #include "../spatial.hpp"
+#include "../value.hpp"
 #include "algebra.hpp"
 #include "lanes.hpp"
 #include "memory.hpp"

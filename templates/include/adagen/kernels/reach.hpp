@@ -5,8 +5,8 @@
 
 #include "../gravity.hpp"
 #include "../sample/robot.hpp"
-#include "../sample/value.hpp"
 #include "../sizes.hpp"
+#include "../value.hpp"
 #include "algebra.hpp"
 #include "lanes.hpp"
 #include "layout.hpp"

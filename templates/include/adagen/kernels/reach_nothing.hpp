@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "../sample/value.hpp"
+#include "../value.hpp"
 #include "algebra.hpp"
 #include "lanes.hpp"
 #include "memory.hpp"

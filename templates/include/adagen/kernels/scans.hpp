@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "../sample/value.hpp"
+#include "../value.hpp"
 #include "algebra.hpp"
 #include "blocks.hpp"
 #include "lanes.hpp"

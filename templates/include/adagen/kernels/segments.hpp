@@ -8,7 +8,7 @@
 #include "../common.hpp"
 #include "../constants.hpp"
 #include "../sample/robot.hpp"
-#include "../sample/value.hpp"
+#include "../value.hpp"
 #include "algebra.hpp"
 #include "blocks.hpp"
 #include "columns.hpp"

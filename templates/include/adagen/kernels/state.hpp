@@ -1,7 +1,7 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
-#include "../sample/value.hpp"
+#include "../value.hpp"
 
 namespace {
 

@@ -10,8 +10,6 @@
 
 namespace {
 
-constexpr std::array<double, 3> kGravity{0.0, 0.0, -9.81};
-constexpr int kParameterCount = 4;
 constexpr std::array<double, kParameterCount> kParameters{0.0, 0.0, -9.81, 1.0};
 constexpr int kGravityEntry = 0;
 constexpr std::array<SettableLink, 1> kSettableLinks{{{2, 3, -1, {1, 0, 0, 0, 1, 0, 0, 0, 1}}}};

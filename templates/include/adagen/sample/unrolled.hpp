@@ -6,7 +6,7 @@
 
 #include "../unrolled_memory.hpp"
 #include "../unrolled_numbers.hpp"
-#include "value.hpp"
+#include "../value.hpp"
 
 namespace {
 
