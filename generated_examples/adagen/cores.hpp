@@ -1,9 +1,12 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
+#include <cstddef>
 #include <thread>
+#include <vector>
 
 #include "program_setting.hpp"
+#include "topology.hpp"
 
 namespace adagen {
 namespace {
@@ -26,6 +29,9 @@ class Cores {
     MPI_Allreduce(&own_, &all, static_cast<int>(sizeof all), MPI_BYTE, MPI_BOR, node);
     count_ = CPU_COUNT(&all);
     own_is_enough_ = known_ && CPU_COUNT(&own_) >= processes;
+    for (int core = 0; known_ && core < CPU_SETSIZE; ++core)
+      if (CPU_ISSET(core, &own_)) order_.push_back(core);
+    order_ = in_order_of_caches(order_);
 #endif
     if (count_ == 0) count_ = static_cast<int>(std::thread::hardware_concurrency());
     int enough = count_ == 0 || count_ >= processes;
@@ -50,17 +56,14 @@ class Cores {
   void pin_in_turn() const { pin_to(place_); }
 
  private:
-  // Onto the k-th of those that this process may use, counted round and round.
+  // Onto the k-th of those that this process may use, counted round and round; k and k + 1 share
+  // what caches they can.
   bool pin_to([[maybe_unused]] int k) const {
 #if defined(__linux__)
     if (!known_) return false;
-    k %= CPU_COUNT(&own_);
-    int cpu = 0;
-    for (; cpu < CPU_SETSIZE; ++cpu)
-      if (CPU_ISSET(cpu, &own_) && k-- == 0) break;
     cpu_set_t one;
     CPU_ZERO(&one);
-    CPU_SET(cpu, &one);
+    CPU_SET(order_[static_cast<std::size_t>(k) % order_.size()], &one);
     return sched_setaffinity(0, sizeof one, &one) == 0;
 #else
     return false;
@@ -72,6 +75,7 @@ class Cores {
   bool enough_ = true, own_is_enough_ = false;
 #if defined(__linux__)
   bool known_ = false;
+  std::vector<int> order_;  // of own_
   cpu_set_t own_;
 #endif
 };

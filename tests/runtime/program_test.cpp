@@ -2,6 +2,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -13,6 +16,7 @@
 #include "adagen/loops.hpp"
 #include "adagen/manifold.hpp"
 #include "adagen/statistics.hpp"
+#include "adagen/topology.hpp"
 #include "doctest/doctest.h"
 #include "near.hpp"
 
@@ -269,4 +273,50 @@ TEST_CASE("statistics of times are medians and the like") {
   CHECK(found.median == 101);
   CHECK(found.least == 1);
   CHECK(found.percentile99 == 199);
+}
+
+namespace {
+
+// A machine as Linux describes it, in a folder of its own: cores 0..7, two packages, in each two
+// cores of two hardware threads; thread k + 4 is the second one of core k. What is not given is
+// absent.
+class Machine {
+ public:
+  std::filesystem::path folder;
+
+  Machine() : folder(std::filesystem::temp_directory_path() / "adagen-topology-XXXXXX") {
+    std::string name = folder.string();
+    REQUIRE(mkdtemp(name.data()) != nullptr);
+    folder = name;
+  }
+  ~Machine() { std::filesystem::remove_all(folder); }
+  Machine(const Machine&) = delete;
+  Machine& operator=(const Machine&) = delete;
+
+  void tell(int core, const char* what, const std::string& text) const {
+    const auto file = folder / ("cpu" + std::to_string(core)) / what;
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file) << text << '\n';
+  }
+  std::vector<int> order(const std::vector<int>& cores) const {
+    return adagen::in_order_of_caches(cores, folder.string());
+  }
+};
+
+}  // namespace
+
+TEST_CASE("processes that meet take cores that share caches") {
+  const Machine machine;
+  CHECK(machine.order({5, 2, 3}) == std::vector<int>{2, 3, 5});  // nothing is known
+  for (int core = 0; core < 8; ++core) {
+    const int first = core % 4, package = first % 2;  // packages take turns
+    machine.tell(core, "topology/thread_siblings_list",
+                 std::to_string(first) + "," + std::to_string(first + 4));
+    machine.tell(core, "topology/physical_package_id", std::to_string(package));
+    machine.tell(core, "cache/index3/shared_cpu_list", std::to_string(package) + "-7");
+    machine.tell(core, "cache/index2/shared_cpu_list", std::to_string(first));
+  }
+  CHECK(machine.order({0, 1, 2, 3, 4, 5, 6, 7}) == std::vector<int>{0, 2, 1, 3, 4, 6, 5, 7});
+  CHECK(machine.order({4, 5, 7}) == std::vector<int>{4, 5, 7});  // second threads, but alone
+  CHECK(machine.order({}).empty());
 }
