@@ -19,6 +19,7 @@ from adagen.plan.steps import (
     Arrive,
     Articulate,
     Certify,
+    Correct,
     Deliver,
     Disassemble,
     FreeAcceleration,
@@ -132,7 +133,7 @@ def _without_joint(step: Step, joints: Sequence[PlanJoint]) -> Features | None:
     if isinstance(step, Traverse):
         run = range(step.passage.first, step.passage.last + 1)
         return added({f"kinematics.{joints[j].kind}": 1} for j in run)
-    if isinstance(step, Send | Receive | StartEmpty | GiveOutput):
+    if isinstance(step, Send | Receive | StartEmpty | GiveOutput | Correct):
         return {}
     plain = _PLAIN.get(type(step))
     return None if plain is None else {plain: 1}

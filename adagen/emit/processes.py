@@ -11,7 +11,7 @@ from adagen.emit.words import Words
 from adagen.executor import simulate
 from adagen.plan.stages import stages
 from adagen.plan.steps import LinkBias, StartLink
-from adagen.plan.types import Message, Process
+from adagen.plan.types import ENERGIES, Message, Process
 
 _NAMED = 6  # joints that a summary names before it only counts
 
@@ -48,6 +48,8 @@ def _summary(words: Words, process: Process) -> str:
 
 def describe_message(words: Words, message: Message) -> str:
     """Return what a message is about, in a few words."""
+    if message.sweep == ENERGIES:
+        return "how large corrections are"
     if message.joint is None:
         what = "accelerations" if message.sweep == "slaved" else "torques"
         return f"{what} of slaved joints"

@@ -46,7 +46,7 @@ def checked_shape(refine: int, shape: str) -> str:
     Raises:
         UsageError: the shape has no refinement.
     """
-    if refine and shape not in ("auto", "kernels", "joints"):
+    if refine and shape not in ("auto", "kernels", "joints", "unrolled"):
         raise UsageError(f"shape {shape} has no refinement; leave --shape out")
     return shape
 

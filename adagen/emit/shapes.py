@@ -21,7 +21,7 @@ from adagen.errors import UsageError
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan
 from adagen.plan.certificate import why_not as why_not_corrected
-from adagen.plan.refine import corrected, refinable
+from adagen.plan.refine import corrected, refinable, why_not_in_lines
 from adagen.plan.turned import balls_lose
 from adagen.schedule import CostProfile, load_profile
 
@@ -143,6 +143,8 @@ def shape_to_refine(plan: Plan, shape: str) -> str:
 
 def why_not_own(plan: Plan, shape: str) -> str | None:
     """Return why a refined solver has no residuals in its own numbers; None where it has."""
+    if plan.closed:
+        return why_not_in_lines(plan)
     if shape != "kernels":
         return f"shape {shape} has residuals in wider numbers alone"
     reason = why_not_corrected(plan) or kernels.why_not_weighed(plan)
@@ -166,6 +168,13 @@ def to_be_refined(plan: Plan, shape: str, steps: int, residual: str) -> Plan:
         return corrected(plan, steps)
     if residual == "own":
         raise UsageError(f"{why}; leave out --residual own")
+    if plan.closed:
+        why = "closed loops have residuals in their own numbers" if why is None else why
+        raise UsageError(f"{why}; leave out --residual wide" if residual == "wide" else why)
+    if shape == "unrolled":
+        raise UsageError(
+            "shape unrolled has no refinement, but for closed loops; leave --shape out"
+        )
     if plan.sets_inertias:
         raise UsageError("masses cannot be set where answers are refined: leave one of both out")
     return refinable(plan)

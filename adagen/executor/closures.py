@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 from adagen.executor.checks import Check
 from adagen.executor.elimination import Elimination
 from adagen.executor.frames import Transform, columnwise
-from adagen.executor.front import Front, Opening
+from adagen.executor.front import End, Front, Opening
 from adagen.executor.kinematics import Motion
-from adagen.executor.loop_forces import give_forces
+from adagen.executor.loop_forces import forces_of_kept, give_forces
 from adagen.executor.loop_frames import LoopFrames
 from adagen.executor.state import State
 from adagen.graph import Expression, cross, dot, matrix_times, total
@@ -144,6 +144,12 @@ class Closures:
         ]
         front.lanes[place] = tuple(dict.fromkeys(numbers))
         front.loops[step.loop] = []
+        count = len(front.lanes[place])
+        held = [
+            End(tuple(getattr(one, link) for one in loops), count, {})
+            for link in ("link1", "link2")
+        ]
+        front.ends += [end for end in held if any(end.links)]
         for unknown, number in enumerate(step.rows, start=step.first):
             linear, *directions = frames.row(number)
             bias = frames.turned(number, fields[0].omega, fields[1].omega)
@@ -159,11 +165,14 @@ class Closures:
                     column = np.concatenate([direction, self.state.zeros(3)])
                 bias = bias + part * sign
                 if link > 0:
+                    held[k].columns[unknown] = column * sign
                     front.add_column(link, unknown, column * sign)
                     if unknown in self.column_of:
                         pushed = self.state.tied_links.setdefault(link, [])
                         pushed.append((self.column_of[unknown], column * sign))
             front.places[unknown] = place
+            if self.state.left is not None:
+                bias = self.state.left.of_row(bias, held, unknown)
             front.add_bias(unknown, self.state.column(np.array([bias], dtype=object))[0])
             in_frame = matrix_times(frames.two.axes.T, directions[1])
             if loop.turn2:
@@ -216,11 +225,15 @@ class Closures:
             return
         front.places[step.unknown] = place
         front.add_bias(step.unknown, self.state.zeros(self.state.columns))
+        if self.state.left is not None:
+            moved = self.state.left.of_coupling(joints, factors)
+            front.add_bias(step.unknown, self.state.column(np.array([moved], dtype=object))[0])
         for j, factor in zip(joints, factors, strict=True):
             front.ties.setdefault(j, []).append((step.unknown, factor))
-            if plan.joints[j].prescribed and not self.solves_at_end:
-                known = self.state.given(j) * factor
-                front.add_bias(step.unknown, self.state.column(known)[0])
+            known = plan.joints[j].prescribed and self.state.left is None
+            if known and not self.solves_at_end:
+                given = self.state.given(j) * factor
+                front.add_bias(step.unknown, self.state.column(given)[0])
             if step.unknown in self.column_of:
                 tied = self.state.tied_joints.setdefault(j, [])
                 tied.append((self.column_of[step.unknown], factor))
@@ -337,8 +350,11 @@ class Closures:
                 others = np.array([front.found[u] for u in solved.others], dtype=object)
                 found = found + matrix_times(solved.more, others)
             front.found.update(zip(solved.unknowns, found, strict=True))
+        near = self._acceleration(step) if step.link else None
         if self.state.plan.loop_forces:
-            give_forces(self.state, front, self._acceleration(step) if step.link else None)
+            give_forces(self.state, front, near)
+        if self.state.plan.corrections:
+            front.forces = forces_of_kept(front, near)
         for j, columns in front.carried.items():
             body = self.memory["articulated", j]
             pushed = None

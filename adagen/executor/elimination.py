@@ -120,7 +120,7 @@ class Elimination:
 
     def _keep_forces(self, moving: Sequence[int]) -> None:
         """Keep what forces follow from, where they are asked for: how rows push accelerations."""
-        if not self.state.plan.loop_forces:
+        if not (self.state.plan.loop_forces or self.state.plan.corrections):
             return
         step, others = self.step, (*self.step.singles, *self.step.moved)
         rows, left_out = self._block(step.rows, moving), self._block(step.followers, moving)
@@ -207,7 +207,7 @@ class Elimination:
         self._check_inverse(every, matrix, diagonal)
         count = 6 + self.state.columns
         self._check_pushed(pushed, whole[:, count:])
-        if self.state.plan.loop_forces:
+        if self.state.plan.loop_forces or self.state.plan.corrections:
             by_kept = whole[len(every) - len(step.rows) :, count:].T
             none = self.state.zeros(0, 0)
             self.front.pushed = Pushed(

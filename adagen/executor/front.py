@@ -72,6 +72,21 @@ class Opening:
     rows: tuple[int, ...]
 
 
+@dataclass(frozen=True)
+class End:
+    """Where a loop holds a link.
+
+    Attributes:
+        links: one for each lane.
+        count: how many of these lanes count; idle ones repeat the last.
+        columns: what a unit of each row's force does to it, shape (6,), by the force's number.
+    """
+
+    links: tuple[int, ...]
+    count: int
+    columns: dict[int, Array]
+
+
 @dataclass
 class Front:
     """A closure on its way inwards.
@@ -95,6 +110,8 @@ class Front:
         lanes: loops and couplings that share lanes, by the place of the first.
         handed: what joints next to the top hand on to it, "IA" and "pA", until its unknowns are
             eliminated.
+        ends: of its loops, on links that move.
+        forces: of kept rows, by number, where answers are corrected.
     """
 
     columns: dict[int, dict[int, Array]] = field(default_factory=dict)
@@ -113,6 +130,8 @@ class Front:
     speeds: dict[int, Expression] = field(default_factory=dict)
     lanes: dict[int, tuple[int, ...]] = field(default_factory=dict)
     handed: dict[str, Array] = field(default_factory=dict)
+    ends: list[End] = field(default_factory=list)
+    forces: dict[int, Expression] = field(default_factory=dict)
 
     def hand(self, name: str, value: Array) -> None:
         """Add to what the top is handed."""

@@ -169,5 +169,6 @@ class Joins:
         if self.state.refining:
             f = frame.on_child(f)
             for j, x in zip(reversed(frame.run), reversed(frame.transforms), strict=True):
-                self.state.keep_force(j, f)  # a link without mass hands on what it gets
+                # A link without mass hands on what it gets.
+                self.state.keep_force(j, f, driven=len(frame.run) == 1 and self.state.plan.closed)
                 f = columnwise(x.force, f)

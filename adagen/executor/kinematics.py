@@ -199,6 +199,12 @@ class Motion:
         if self.state.refining == "correction":
             left = [self.state.graph.input(f"rho[{6 * number + k}]") for k in range(6)]
             return -np.array(left, dtype=object)
+        if self.state.left is not None:
+            return self.state.left.of_link(number)
+        return self.field_force(number)
+
+    def field_force(self, number: int) -> Array:
+        """What the reference field takes, less what outer forces do for it; shape (6,)."""
         field: Field = self.state.memory["field", number]
         inertia = self.link_inertia(number)
         mass = inertia[3, 3]

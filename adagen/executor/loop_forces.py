@@ -44,20 +44,34 @@ def give_forces(state: State, front: Front, near: Array | None) -> None:
             state.forces[state.plan.entry_of_coupling(number)] = state.rows.lane(force, lane)
 
 
+def forces_of_kept(front: Front, near: Array | None) -> dict[int, Expression]:
+    """Return the forces of a closure's kept rows by number, were there no others.
+
+    Args:
+        front: the closure, its unknowns being known.
+        near: the acceleration of its top, shape (6, columns); None for the ground.
+    """
+    pushed = front.pushed
+    assert pushed is not None  # every closure is eliminated
+    if pushed.rows is None:
+        return {u: front.found[u][0] for u in pushed.kept}
+    if not pushed.kept:
+        return {}
+    others = np.array([front.found[u][:1] for u in pushed.others], dtype=object)
+    pull = pushed.bias[:, :1] + matrix_times(pushed.inertia, others)
+    if near is not None:
+        pull = pull + matrix_times(pushed.across, near[:, :1])
+    kept = -solved_by_reflections(pushed.rows.T.copy(), pull)[0]
+    return dict(zip(pushed.kept, kept[:, 0], strict=True))
+
+
 def _forces_of_rows(state: State, front: Front, near: Array | None) -> dict[int, Expression]:
     """The forces of all rows, by number."""
     pushed = front.pushed
     assert pushed is not None  # every closure is eliminated
-    if pushed.rows is None:
-        kept = np.array([[front.found[u][0]] for u in pushed.kept], dtype=object)
-    elif pushed.kept:
-        others = np.array([front.found[u][:1] for u in pushed.others], dtype=object)
-        pull = pushed.bias[:, :1] + matrix_times(pushed.inertia, others)
-        if near is not None:
-            pull = pull + matrix_times(pushed.across, near[:, :1])
-        kept = -solved_by_reflections(pushed.rows.T.copy(), pull)[0]
-    else:
+    if not pushed.kept:
         return dict.fromkeys(pushed.left_out, state.graph.constant(0))
+    kept = np.array([[x] for x in forces_of_kept(front, near).values()], dtype=object)
     if pushed.left_out:
         shares = matrix_times(pushed.by_kept.T, pushed.by_kept)
         whole = shares + state.constants(np.eye(len(pushed.kept)))

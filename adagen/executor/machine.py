@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from adagen.executor.certificate import Certificate
 from adagen.executor.closures import Closures
+from adagen.executor.corrections import Corrections
 from adagen.executor.joins import Joins
 from adagen.executor.kinematics import Motion
 from adagen.executor.outputs import Outputs
@@ -36,6 +37,7 @@ from adagen.plan.steps import (
     Certify,
     CloseCoupling,
     CloseLoop,
+    Correct,
     Disassemble,
     Eliminate,
     GiveOutput,
@@ -44,6 +46,7 @@ from adagen.plan.steps import (
     Kinematics,
     LinkBias,
     Receive,
+    Refine,
     Release,
     Send,
     SolveCoupling,
@@ -51,7 +54,7 @@ from adagen.plan.steps import (
     Step,
     Traverse,
 )
-from adagen.plan.types import Message, Plan
+from adagen.plan.types import ENERGIES, Message, Plan
 
 Array = NDArray[Any]
 RECEIVED = "w.from"
@@ -65,6 +68,7 @@ class Machine(State):
 
     Attributes:
         sent: contents of the messages sent so far, without what is known beforehand.
+        received: what messages have brought, by number.
     """
 
     def __init__(
@@ -86,7 +90,13 @@ class Machine(State):
         self.closures = Closures(self, self.motion, steps)
         self.bounds = Certificate(self, self.motion)
         self.given_outputs = Outputs(self, self.motion)
+        self.corrections = Corrections(self, steps)
+        self.received: dict[int, dict[Any, Array]] = {}
         self.take_angles_of_rows()
+
+    def again(self, steps: Sequence[Step]) -> Machine:
+        """Return a machine that carries out steps again, in the same graph and lanes."""
+        return Machine(self.plan, self.mail, self.refining, self.graph, self.limbs, steps)
 
     def step(self, step: Step) -> bool:
         """Do one step; return False if it has to wait for a message."""
@@ -127,9 +137,16 @@ class Machine(State):
 
     def _swept(self, step: Step) -> None:
         """Do a step inside a segment; certificates look at links as their accelerations come."""
-        if isinstance(step, Certify):
-            self.bounds.carry_out()
-            return
+        match step:
+            case Certify():
+                self.bounds.carry_out()
+                return
+            case Correct():
+                self.corrections.step(step)
+                return
+            case Refine():
+                self.corrections.finish()
+                return
         self.segments.step(step)
         if self.plan.certified:
             self._reach(step)
@@ -141,6 +158,14 @@ class Machine(State):
             case Accelerate():
                 self.bounds.reach(step.joint)
 
+    @property
+    def energies(self) -> list[Expression]:
+        """Squares of energy norms: of the answer, of all that accelerates, of each correction.
+
+        Nothing where answers are not corrected.
+        """
+        return list(self.memory.get(("energies", 0), ()))
+
     def roots(self) -> list[Expression]:
         """Everything that is wanted: results, contents of messages, what is checked."""
         results = [x for values in self.results.values() for x in values]
@@ -149,13 +174,18 @@ class Machine(State):
         pivots = [x for check in self.checks for x in (check.pivot, check.least)]
         given = [x for values in self.outputs.values() for x in values]
         lengths = (length for length, _ in self.lengths)
-        return [*results, *given, *contents, *pivots, *lengths, *self.certificate]
+        energies = (*self.certificate, *self.energies)
+        return [*results, *given, *contents, *pivots, *lengths, *energies]
 
     # -- messages ---------------------------------------------------------------------------------
 
     def _items(self, message: Message) -> list[Any]:
         if message.sweep == "torques":
             return ["torques"]
+        if message.sweep == ENERGIES:
+            return [("energies", 0)]
+        if message.repeats is not None:
+            return [*message.biases, *(("pA", link) for link in message.inertias)]
         accelerations = [("qdd", j) for j in message.joints]
         inertias = [(what, link) for link in message.inertias for what in ("IA", "pA")]
         passages = message.passages
@@ -169,7 +199,9 @@ class Machine(State):
         ]
 
     def _send(self, number: int) -> None:
-        items = [(item, self.memory[item]) for item in self._items(self.plan.messages[number])]
+        message = self.plan.messages[number]
+        memory = self._told(message).memory
+        items = [(item, memory[item]) for item in self._items(message)]
         content: dict[Expression, None] = {}
         for _, value in items:
             content.update(dict.fromkeys(x for x in value.flat if x.constant is None))
@@ -184,8 +216,13 @@ class Machine(State):
         """Take what a message brings; inertias and bias forces are added to the process's own."""
         if number not in self.mail:
             return False
-        links = self.plan.messages[number].inertias
-        added = {(what, link) for link in links for what in ("IA", "pA")}
+        message = self.plan.messages[number]
+        machine = self._told(message)
+        added = {(what, link) for link in message.inertias for what in ("IA", "pA")}
+        if message.sweep == ENERGIES and self.plan.messages[number].target == 0:
+            added.add(("energies", 0))
+        if message.repeats is not None:
+            self.corrections.receive(self.received[message.repeats], added)
         for item, entries, shape in self.mail.pop(number):
             values = [
                 self.graph.constant(known)
@@ -196,8 +233,14 @@ class Machine(State):
             flat = np.empty(len(values), dtype=object)
             flat[:] = values
             value = flat.reshape(shape)
-            self.memory[item] = self.memory[item] + value if item in added else value
+            memory = machine.memory
+            memory[item] = memory[item] + value if item in added else value
+            self.received.setdefault(number, {})[item] = value
         return True
+
+    def _told(self, message: Message) -> Machine:
+        """Which machine a message tells of: of this one, or of the correction that is found."""
+        return self if message.repeats is None else self.corrections.current
 
     # -- slaved joints ----------------------------------------------------------------------------
 
@@ -215,6 +258,8 @@ class Machine(State):
         if self.plan.closed and self.closures.solves_at_end:
             tied = TiedRows(self, self.motion, self.closures.fronts[0])
             self.memory["torques"] = tied.solve(rows, list(self.plan.slaved))
+            front = self.closures.fronts[0]
+            front.forces = {u: front.found[u].item() for u in self.plan.tied_rows}
             return
         a = np.array(rows, dtype=object)
         factors = self.factorize(a[:, 1:], self.plan.slaved[0])

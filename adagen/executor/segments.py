@@ -75,7 +75,7 @@ class Segments:
                 self.memory["pA", step.link] = self.state.column(force)
             case StartEmpty():
                 self.memory["IA", step.link] = self.state.zeros(6, 6)
-                self.memory["pA", step.link] = self.state.zeros(6, self.state.columns)
+                self.memory["pA", step.link] = self._nothing(step.link)
             case FreeBase():
                 free = list(self.state.kind(step.joint).free)
                 p = self.memory["pA", step.joint + 1].copy()
@@ -101,6 +101,13 @@ class Segments:
                 self._accelerate(step)
             case _:
                 self.roots.step(step)
+
+    def _nothing(self, link: int) -> Array:
+        """What acts on a link that another process starts, before others add: loops at it do."""
+        left = self.state.left
+        if left is None:
+            return self.state.zeros(6, self.state.columns)
+        return self.state.column(left.by_loops(link))
 
     def _ends(self, step: Articulate | Propagate | Deliver | Accelerate) -> tuple[int, int, int]:
         """Near link, far link and sigma of a joint."""

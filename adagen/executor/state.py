@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any, Literal, cast
+from typing import TYPE_CHECKING, Any, Literal, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,9 @@ from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.turned import losing_joints
 from adagen.plan.types import FACTORS, Plan
+
+if TYPE_CHECKING:
+    from adagen.executor.left_over import LeftOver
 
 Array = NDArray[Any]
 Refining = Literal["answer", "correction"] | None
@@ -53,6 +56,8 @@ class State:
         rows: joints that are treated as one.
         handed: what joints hand inwards, "IA" or "pA", by name and joint.
         asks_up: whether links' accelerations are asked for, which need gravity in their axes.
+        left: what an answer leaves over, where it is corrected: links, joints and loops feel
+            nothing else.
         refining: whether joint forces are kept, in the frames of the child links, and whether links
             feel what is left over of their equations of motion, and nothing else.
     """
@@ -64,7 +69,10 @@ class State:
         graph: Graph | Numbers | None = None,
         all_limbs: Sequence[Limbs] = (),
     ) -> None:
-        self.plan, self.refining = plan, refining
+        joined = (
+            plan.form == "ada" and plan.corrections > 0
+        )  # their joints' forces are refined, too
+        self.plan, self.refining = plan, "answer" if joined else refining
         self.graph: Any = Graph() if graph is None else graph
         self.memory: dict[Any, Any] = {}
         self._constants: dict[float, Any] = {}
@@ -82,6 +90,7 @@ class State:
         self.limbs = tuple(all_limbs)
         self.handed: dict[tuple[str, int], Array] = {}
         self.rows = Rows(self, rows_of(all_limbs))
+        self.left: LeftOver | None = None
         self._exact = losing_joints(plan)
         self.asks_up = any(output.what == LINK_ACCELERATION for output in plan.outputs)
 
@@ -207,6 +216,8 @@ class State:
         result = self.column(self.given(j)[: self.kind(j).nv])
         for k, lost in enumerate(self._lost(j)):
             result[k, 0] = total([result[k, 0], *lost])
+        if self.left is not None and len(result):
+            result[:, 0] = self.left.of_joint(j, result[:, 0])
         for column, factor in self.tied_joints.get(j, ()) if len(result) else ():
             result[0, column] = result[0, column] - factor
         for column, slaved in enumerate(self.plan.slaved, start=1):
@@ -264,7 +275,7 @@ class State:
     def accelerate(self, j: int, qdd: Array) -> None:
         """Keep a joint's accelerations, shape (n, columns); with slaved joints they come later."""
         if self.plan.joints[j].prescribed:
-            qdd = self.column(self.given(j))
+            qdd = self.column(self.given(j)) if self.left is None else self.zeros(*qdd.shape)
         self.memory.update((("qdd", each), own) for each, own in self.rows.apart(j, qdd))
         if self.columns == 1 and any(map(self.plan.wants, self.rows.own(j))):
             self.results[j] = qdd[:, 0]

@@ -11,8 +11,17 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from adagen.errors import UsageError
-from adagen.plan.steps import FusedJoin, LinkBias, Refine, StartLink
-from adagen.plan.types import Plan, Process
+from adagen.plan.steps import (
+    Correct,
+    FusedJoin,
+    LinkBias,
+    Receive,
+    Refine,
+    Send,
+    StartLink,
+    Step,
+)
+from adagen.plan.types import ENERGIES, Message, Plan, Process
 
 
 @dataclass(frozen=True)
@@ -62,11 +71,85 @@ def paths_of(plan: Plan, process: Process) -> tuple[int, ...]:
 
 def corrected(plan: Plan, count: int) -> Plan:
     """Return a plan whose process corrects each answer by what its own numbers leave over."""
+    if plan.closed:
+        return _corrected_lines(plan, count)
     processes = tuple(
         replace(process, steps=(*process.steps, Refine(count))) if process.steps else process
         for process in plan.processes
     )
     return replace(plan, processes=processes)
+
+
+def _corrected_lines(plan: Plan, count: int) -> Plan:
+    """The plan with all steps again for each correction, and their messages."""
+    told = plan.messages
+    messages = list(told)
+    for _ in range(count):
+        messages += [replace(message, repeats=n) for n, message in enumerate(told)]
+    others = [p for p, process in enumerate(plan.processes) if p and process.steps]
+    first = len(messages)
+    messages += [Message(p, 0, ENERGIES, None) for p in others]
+    messages += [Message(0, p, ENERGIES, None) for p in others]
+    ends: dict[int, tuple[Step, ...]] = {0: ()}
+    for k, p in enumerate(others):
+        ends[0] += (Receive(first + k),)
+        ends[p] = (Send(first + k), Receive(first + len(others) + k))
+    ends[0] += tuple(Send(first + len(others) + k) for k in range(len(others)))
+    processes = tuple(
+        replace(
+            process,
+            steps=_again(process.steps, count, len(told), ends.get(p, ())),
+            recovery=_again(process.recovery, count, 0, ()),
+            others=tuple(_again(steps, count, 0, ()) for steps in process.others),
+        )
+        for p, process in enumerate(plan.processes)
+    )
+    return replace(plan, processes=processes, messages=tuple(messages))
+
+
+def _again(
+    steps: tuple[Step, ...], count: int, messages: int, ends: tuple[Step, ...]
+) -> tuple[Step, ...]:
+    """Steps, and the same again for each correction.
+
+    Args:
+        steps: of a process; none where it has nothing to do.
+        count: of corrections.
+        messages: how many there are in an answer.
+        ends: what tells how large corrections are.
+    """
+    if not steps:
+        return ()
+    found: list[Step] = list(steps)
+    for k in range(count):
+        first = 0
+        for place, step in enumerate(steps):
+            if isinstance(step, Send | Receive):
+                found += [Correct(k, first, place)] if first < place or not first else []
+                found.append(replace(step, message=step.message + (k + 1) * messages))
+                first = place + 1
+        found += [Correct(k, first, len(steps))] if first < len(steps) else []
+    return (*found, Refine(count), *ends)
+
+
+def why_not_in_lines(plan: Plan) -> str | None:
+    """Return why a robot with closed loops is not corrected, None where it is."""
+    if plan.slaved:
+        return (
+            f'joint "{plan.joints[plan.slaved[0]].name}" is slaved to another: that is not refined'
+        )
+    if plan.wanted or plan.outputs:
+        return "a scene wants other outputs than all accelerations: that is not refined"
+    several = sum(bool(process.steps) for process in plan.processes) > 1
+    if plan.form == "ada" and several:
+        return "closed loops are refined in form ada on one process alone"
+    for joint in plan.joints if plan.form == "ada" else ():
+        if joint.prescribed or joint.rotor_inertia:
+            return (
+                f'joint "{joint.name}" has a rotor or a prescribed motion: that is not refined in '
+                "form ada"
+            )
+    return None
 
 
 def refinable(plan: Plan) -> Plan:

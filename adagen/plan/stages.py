@@ -18,6 +18,7 @@ from adagen.plan.steps import (
     ApplyCoupling,
     Arrive,
     Certify,
+    Correct,
     Deliver,
     Disassemble,
     FreeAcceleration,
@@ -51,6 +52,7 @@ _DOWN = (
     Release,
     FreeAcceleration,
     Certify,
+    Correct,
     Refine,
     GiveOutput,
 )

@@ -41,6 +41,12 @@ FACTORS = {"double": "double", "float": "float", "mixed": "float"}
 and what it solves for is refined."""
 
 
+ENERGIES = "energies"
+"""Messages that tell how large corrections are."""
+MOST_ENERGIES = 11
+"""Energies in them: of the answer, of all that accelerates, and of up to nine corrections."""
+
+
 @dataclass(frozen=True)
 class Message:
     """What one process tells another once in an evaluation.
@@ -49,7 +55,7 @@ class Message:
         source: sending process.
         target: receiving process.
         sweep: "kinematics", "assembly", "disassembly", "slaved" (accelerations of slaved joints
-            and their sources, to be solved for) or "torques" (the answer).
+            and their sources, to be solved for), "torques" (the answer) or "energies".
         joint: the joint that completed the chain that is spoken of; None for the last two.
         blocks: blocks in it, 36 numbers each.
         biases: biases in it, 6 numbers for each right-hand side.
@@ -58,6 +64,8 @@ class Message:
         inertias: links whose I^A and p^A, as far as the source knows them, are in it: 21 numbers,
             and 6 for each right-hand side. The target adds them to its own.
         passages: how runs of joints move their last links, 24 numbers each.
+        repeats: number of the message that it repeats for a correction: of blocks and inertias
+            nothing is told again, and of motions nothing.
     """
 
     source: int
@@ -70,13 +78,17 @@ class Message:
     joints: tuple[int, ...] = ()
     inertias: tuple[int, ...] = ()
     passages: tuple[Passage, ...] = field(default=(), metadata=OPTIONAL)
+    repeats: int | None = field(default=None, metadata=OPTIONAL)
 
     def numbers(self, columns: int) -> int:
         """Return how many numbers it holds, with so many right-hand sides."""
         if self.sweep == "torques":
             return columns - 1
+        if self.sweep == ENERGIES:
+            return MOST_ENERGIES
         vectors = len(self.biases) + len(self.forces) + len(self.inertias)
         matrices = 36 * len(self.blocks) + 21 * len(self.inertias) + 24 * len(self.passages)
+        matrices = matrices if self.repeats is None else 0
         return matrices + 6 * columns * vectors + columns * len(self.joints)
 
 
@@ -195,11 +207,11 @@ class Plan:
         """Whether the error of each answer is bounded."""
         return any(isinstance(p.steps[-1], Certify) for p in self.processes if p.steps)
 
-    @property
+    @cached_property
     def corrections(self) -> int:
         """How many times each answer is corrected by a residual in the solver's own numbers."""
-        last = (p.steps[-1] for p in self.processes if p.steps)
-        return sum(step.count for step in last if isinstance(step, Refine))
+        steps = (step for process in self.processes for step in process.steps)
+        return max((step.count for step in steps if isinstance(step, Refine)), default=0)
 
     @property
     def weighed(self) -> bool:

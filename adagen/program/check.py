@@ -29,8 +29,8 @@ from adagen.plan.steps import (
     Step,
     Traverse,
 )
-from adagen.plan.types import Plan
-from adagen.program.effects import Effects, Place, contents, effects, joined_runs
+from adagen.plan.types import ENERGIES, Plan
+from adagen.program.effects import Effects, Place, added_by, contents, effects, joined_runs
 from adagen.program.names import PREPARES
 from adagen.program.runs import Run, ends_of_run
 from adagen.program.types import Links, Operation, Program
@@ -170,7 +170,7 @@ class _Memory:
         if message.source != self.p or number in mail:
             raise ProgramError(f"{self.where}: message {number} is not this process's to send")
         mail.add(number)
-        inertias: Iterable[Place] = (("inertia", link) for link in message.inertias)
+        inertias: Iterable[Place] = (("inertia", link) for link in added_by(message))
         for place in (*contents(message), *inertias):
             self._known(place)
             # An inertia that is sent is this process's share of a sum that goes on here.
@@ -183,8 +183,11 @@ class _Memory:
         if number not in mail:
             return False
         received.add(number)
-        self._apply(Effects(sets=contents(message)))
-        for link in message.inertias:
+        if message.sweep == ENERGIES:
+            self._apply(Effects(alters=contents(message)))
+        else:
+            self._apply(Effects(sets=contents(message)))
+        for link in added_by(message):
             if ("inertia", link) in self.read:
                 self._apply(Effects(adds=(("inertia", link),)))
             else:

@@ -8,7 +8,7 @@ A place is a name: a ``Block``, ``Bias`` or ``Force`` of the plan, or a pair of 
 * ``("projected", joint)``: U, D and u of a joint that was swept inwards;
 * ``("load", link)``, ``("acceleration", link)``, ``("joined", joint)``, ``("qdd", joint)``;
 * ``("torques", 0)``: of slaved joints;
-* ``("certificate", 0)``: the bound of the error;
+* ``("certificate", 0)``: the bound of the error; ``("correction", k)``: a correction of the answer;
 * ``("loop", k)``, ``("coupling", k)``, ``("held", joint)``, ``("carried", joint)``: what they add
   to their closure; ``("closure", k)``: it, eliminated; ``("released", k)``: it, solved for.
 """
@@ -35,6 +35,7 @@ from adagen.plan.steps import (
     Certify,
     CloseCoupling,
     CloseLoop,
+    Correct,
     Deliver,
     Disassemble,
     Eliminate,
@@ -66,7 +67,7 @@ from adagen.plan.steps import (
     Traverse,
     blocks_set_by,
 )
-from adagen.plan.types import Message, Plan
+from adagen.plan.types import ENERGIES, Message, Plan
 
 Place = Block | Bias | Force | Passage | tuple[str, int]
 
@@ -138,6 +139,11 @@ def effects(plan: Plan, step: Step, runs: Mapping[int, tuple[int, ...]]) -> Effe
             return _closed(plan, step)
         case Traverse() | Append() | Arrive():
             return _passed(step)
+        case Correct():
+            return _correct(plan, step)
+        case Refine() if plan.closed:
+            reads = tuple(("correction", k) for k in range(step.count))
+            return Effects(reads, (("energies", 0),))
         case Certify() | Refine():
             return _certify(plan)
         case GiveOutput():
@@ -285,12 +291,33 @@ def _certify(plan: Plan) -> Effects:
     return Effects(tuple(reads), (("certificate", 0),))
 
 
+def _correct(plan: Plan, step: Correct) -> Effects:
+    """The answer with the corrections before; messages part a correction in pieces."""
+    place = (("correction", step.round),)
+    if step.first > 0:
+        return Effects(alters=place)
+    if step.round > 0:
+        return Effects((("correction", step.round - 1),), place)
+    alone = sum(bool(process.steps) for process in plan.processes) == 1
+    every = range(len(plan.joints)) if alone else ()
+    return Effects(tuple(("qdd", j) for j in every), place)
+
+
 def contents(message: Message) -> tuple[Place, ...]:
     """Return the places that a message holds, but for inertias, which its target adds."""
     if message.sweep == "torques":
         return (("torques", 0),)
+    if message.sweep == ENERGIES:
+        return (("energies", 0),)
+    if message.repeats is not None:  # the steps before and behind it tell of a correction
+        return ()
     accelerations: tuple[Place, ...] = tuple(("qdd", joint) for joint in message.joints)
     return (*message.passages, *message.blocks, *message.biases, *message.forces, *accelerations)
+
+
+def added_by(message: Message) -> tuple[int, ...]:
+    """Return the links whose inertias a message adds to: none where it repeats another."""
+    return () if message.repeats is not None else message.inertias
 
 
 def _moving(*places: tuple[str, int]) -> tuple[Place, ...]:

@@ -30,7 +30,8 @@ inline Comm own_comm(const Channel&) { return {}; }
 
 // Solvers that do not refine have no corrections.
 template <class S>
-auto correction_of(const S& solver, int k, int) -> decltype(double(solver.w.refinement.rounding)) {
+auto correction_of(const S& solver, int k, int)
+    -> decltype(double(solver.w.refinement.corrections[0])) {
   return solver.w.refinement.corrections[static_cast<std::size_t>(k)];
 }
 template <class S>

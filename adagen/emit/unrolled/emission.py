@@ -175,6 +175,8 @@ class _ProcessText:
                 lines[x.index].append(f"w.to[{number}][{k}] = {self.text.name(x.index)};")
         for k, x in enumerate(self.machine.certificate):
             lines[x.index].append(f"w.certificate[{k}] = {self.results.value(x.index)};")
+        for k, x in enumerate(self.machine.energies):
+            lines[x.index].append(f"w.energies[{k}] = {self.results.value(x.index)};")
         for index, results in self.results.lines().items():
             lines[index] += results
         return lines
@@ -199,6 +201,7 @@ class _ProcessText:
             first = place + 1
             if stage is not None and stage.message is not None:
                 lines += [self._message(stage.what, stage.message), f"stamp({place + 1});"]
+        lines += ["judge_corrections(w);"] * bool(self.machine.energies)
         return [*lines, *self.results.give()] if given_entries(self.words, self.process) else lines
 
     def _prologue(self) -> list[str]:

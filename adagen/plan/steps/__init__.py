@@ -45,6 +45,7 @@ from adagen.plan.steps.process import (
     ApplyCoupling,
     Arrive,
     Certify,
+    Correct,
     GiveOutput,
     Kinematics,
     Receive,
@@ -70,6 +71,7 @@ __all__ = [
     "Certify",
     "CloseCoupling",
     "CloseLoop",
+    "Correct",
     "Coupling",
     "Deliver",
     "Disassemble",
@@ -143,6 +145,7 @@ Step = (
     | Release
     | AccelerateHeld
     | Certify
+    | Correct
     | Refine
 )
 

@@ -110,8 +110,31 @@ class ApplyCoupling:
 
 
 @dataclass(frozen=True)
+class Correct:
+    """Steps of the process again, for what its answer leaves over: part of a correction.
+
+    Kinematics and factors are those of the answer. Messages between such parts have steps of their
+    own.
+
+    Attributes:
+        round: of which correction, from 0.
+        first: the first of these steps, by its place.
+        last: one past the last of them.
+    """
+
+    does: ClassVar[str] = "correct"
+    about: ClassVar[str] = "a correction by what equations of motion and loops leave over"
+
+    round: int
+    first: int
+    last: int
+
+
+@dataclass(frozen=True)
 class Refine:
-    """The answer, corrected by what its links' equations of motion leave over. Of loops alone.
+    """The answer, corrected by what its links' equations of motion leave over.
+
+    Loops over runs do all of it here; in straight lines, corrections were found before.
 
     Attributes:
         count: how many times.

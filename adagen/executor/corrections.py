@@ -1,0 +1,164 @@
+"""Answers of straight lines, corrected by what they leave over (adagen/plan/steps: Correct).
+
+The steps of a process are carried out again in the same graph, with what the answer leaves over of
+each link, joint and row in the place of forces, torques and drifts (left_over.py). What does not
+depend on these, factors above all, is the same expression and is not computed again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence, Set
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.executor.lanes import steps_in_order
+from adagen.executor.left_over import Answer, Energies, LeftOver
+from adagen.graph import Expression, matrix_times
+from adagen.plan.steps import (
+    Append,
+    Arrive,
+    Bias,
+    Block,
+    Correct,
+    Kinematics,
+    LinkBias,
+    Passage,
+    StartLink,
+    Step,
+    Traverse,
+)
+from adagen.plan.types import Process
+
+if TYPE_CHECKING:
+    from adagen.executor.machine import Machine
+
+Array = NDArray[Any]
+_KINEMATICS = (Kinematics, Traverse, Append, Arrive)
+
+
+class Corrections:
+    """Corrects what a process has answered.
+
+    Args:
+        machine: has carried out the process's own steps.
+        steps: all steps of the process.
+    """
+
+    def __init__(self, machine: Machine, steps: Sequence[Step]) -> None:
+        self.machine = machine
+        count = next((k for k, step in enumerate(steps) if isinstance(step, Correct)), len(steps))
+        self.steps = tuple(steps[:count])
+        self.rounds: list[Machine] = []
+        self._order: list[int] = []
+        self._answer: Answer | None = None
+
+    @property
+    def current(self) -> Machine:
+        """Finds the correction that is being found."""
+        return self.rounds[-1]
+
+    def step(self, step: Correct) -> None:
+        """Carry out some steps again; the first ones begin a correction."""
+        if step.first == 0:
+            self._begin()
+        for place in self._order:
+            again = self.steps[place]
+            if step.first <= place < step.last and not isinstance(again, _KINEMATICS):
+                self.current.step(again)
+
+    def finish(self) -> None:
+        """Add all corrections to the answer, and say how large each of them is."""
+        machine = self.machine
+        started = {s.link for s in self.steps if isinstance(s, StartLink | LinkBias)}
+        energies = Energies(machine.motion, [link for link in self._links() if link in started])
+        first = _answer_of(machine)
+        whole = energies.of(energies.without_fall(first.links), first.joints)
+        sizes = [whole, energies.in_all()]
+        for each in self.rounds:
+            found = _answer_of(each)
+            sizes.append(energies.of(found.links, found.joints))
+            for j, qdd in each.results.items():
+                machine.results[j] = machine.results[j] + qdd
+            for place, force in each.forces.items():
+                machine.forces[place] = machine.forces[place] + force
+        machine.memory["energies", 0] = np.array(sizes, dtype=object)
+
+    def receive(self, known: Mapping[Any, Array], added: Set[Any]) -> None:
+        """Take what a message brought for the answer and does not bring again.
+
+        Args:
+            known: what it brought.
+            added: what of that is added to the process's own.
+        """
+        memory = self.current.memory
+        for item, value in known.items():
+            if isinstance(item, Block):
+                memory[item] = value
+            elif item in added and item[0] == "IA":
+                memory[item] = memory[item] + value
+
+    def _links(self) -> list[int]:
+        """Links that take something, in the names that stand for rows."""
+        biases = (name for name in self.machine.memory if isinstance(name, Bias))
+        bare = [name.handle for name in biases if name.joint is None]
+        return sorted({*_names(self.machine, "pA"), *bare})
+
+    def _begin(self) -> None:
+        """Begin the next correction, of the answer with those before it."""
+        machine = self.machine
+        if self._answer is None:
+            self._order = steps_in_order(machine.plan, Process(self.steps, (), ()), machine.limbs)
+            self._answer = _answer_of(machine)
+        else:
+            self._answer = self._answer.plus(_answer_of(self.current))
+        again = machine.again(self.steps)
+        for name, value in machine.memory.items():
+            if isinstance(name, Passage) or (isinstance(name, tuple) and name[0] in ("X", "field")):
+                again.memory[name] = value
+        fronts = machine.closures.fronts
+        ties = {(k, j): rows for k, front in fronts.items() for j, rows in front.ties.items()}
+        again.left = LeftOver(
+            again.motion,
+            {link: machine.motion.field_force(link) for link in self._links()},
+            self._answer,
+            {k: front.ends for k, front in fronts.items()},
+            ties,
+        )
+        self.rounds.append(again)
+
+
+def _names(machine: Machine, word: str) -> list[int]:
+    """The numbers of what a process's memory has by some name."""
+    return [name[1] for name in machine.memory if isinstance(name, tuple) and name[0] == word]
+
+
+def _answer_of(machine: Machine) -> Answer:
+    """What a process has answered."""
+    forces: dict[tuple[int, int], Expression] = {}
+    for k, front in machine.closures.fronts.items():
+        forces.update({(k, unknown): force for unknown, force in front.forces.items()})
+    if machine.plan.form == "ada":
+        torques = machine.memory["torques"]
+        wrenches = {
+            j: machine.memory["force", j][:, 0]
+            + matrix_times(machine.memory["force", j][:, 1:], torques[:, None])[:, 0]
+            for j in _names(machine, "force")
+        }
+        return Answer(_links_of(machine), dict(machine.results), forces, wrenches)
+    links = {link: machine.memory["a", link][:, 0] for link in _names(machine, "a") if link > 0}
+    return Answer(links, dict(machine.results), forces)
+
+
+def _links_of(machine: Machine) -> dict[int, Array]:
+    """Accelerations of links from those of joints, outwards from the ground."""
+    found = {0: machine.zeros(6)}
+    for j, joint in enumerate(machine.plan.joints):
+        a = machine.memory["X", j].motion(found[joint.parent])
+        drift = machine.motion.drift(j)
+        a = a.copy() if drift is None else a + drift[:, 0]
+        free = list(machine.kind(j).free)
+        a[free] = a[free] + machine.results[j]
+        found[j + 1] = a
+    return {link: a for link, a in found.items() if link > 0}

@@ -1,0 +1,204 @@
+"""What an answer leaves over of the equations of motion and of the rows of loops.
+
+The answer is taken for the reference field: each link takes what its acceleration and the forces of
+loops at it say, each joint lacks what its torque does not hold, and each row parts as fast as the
+links' accelerations have it. A sweep with the factors at hand then finds by how much the answer
+errs, constraint forces included. The sums have no factors in them, so that whatever these have lost
+shows (adagen/executor/corrections.py).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.executor.front import End
+from adagen.graph import Expression, matrix_times, total
+
+if TYPE_CHECKING:
+    from adagen.executor.kinematics import Motion
+
+Array = NDArray[Any]
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What has been found so far, in the names of links and joints that stand for rows.
+
+    Attributes:
+        links: accelerations of links, deviations from the reference field, shape (6,).
+        joints: accelerations of joints, shape (n,).
+        forces: of kept rows, by closure and number.
+        wrenches: of joints on their child links, shape (6,): in form ada, where these are unknowns
+            beside the accelerations.
+    """
+
+    links: Mapping[int, Array]
+    joints: Mapping[int, Array]
+    forces: Mapping[tuple[int, int], Expression]
+    wrenches: Mapping[int, Array] = field(default_factory=dict)
+
+    def plus(self, other: Answer) -> Answer:
+        """Return it with a correction; prescribed joints and the like have none."""
+
+        def added(one: Mapping[Any, Any], more: Mapping[Any, Any]) -> dict[Any, Any]:
+            return {key: x + more[key] if key in more else x for key, x in one.items()}
+
+        return Answer(
+            added(self.links, other.links),
+            added(self.joints, other.joints),
+            added(self.forces, other.forces),
+            added(self.wrenches, other.wrenches),
+        )
+
+
+class LeftOver:
+    """Left over of one answer by the links, joints and loops of a process.
+
+    Args:
+        motion: of the correction.
+        forces: of the reference field, by links, shape (6,).
+        answer: the answer.
+        ends: of loops, by closure.
+        ties: rows of couplings and their factors, by closure and joint.
+    """
+
+    def __init__(
+        self,
+        motion: Motion,
+        forces: Mapping[int, Array],
+        answer: Answer,
+        ends: Mapping[int, Sequence[End]],
+        ties: Mapping[tuple[int, int], Sequence[tuple[int, Expression]]],
+    ) -> None:
+        self.state, self.motion, self.forces = motion.state, motion, forces
+        self.answer, self.ties = answer, ties
+        state = self.state
+        for link, a in answer.links.items():
+            state.memory["whole", link] = a
+        for link in forces:
+            state.memory["held", link] = state.zeros(6)
+        for closure, each in ends.items():
+            for end in each:
+                self._hold(closure, end)
+
+    def _hold(self, closure: int, end: End) -> None:
+        """What a loop's rows do to a link, the opposite of their force on it."""
+        parts = [
+            column * self.answer.forces[closure, unknown]
+            for unknown, column in end.columns.items()
+            if (closure, unknown) in self.answer.forces
+        ]
+        if parts:
+            self.state.rows.add("held", end.links, end.count, sum(parts[1:], parts[0]))
+
+    def by_loops(self, link: int) -> Array:
+        """Return what loops that end at a link take of it, shape (6,)."""
+        found: Array = self.state.memory["held", link]
+        return found
+
+    def of_link(self, link: int) -> Array:
+        """Return what a link takes to be moved as the answer says, shape (6,)."""
+        inertia = self.motion.link_inertia(link)
+        taken = matrix_times(inertia, self.answer.links[link]) + self.forces[link]
+        return taken + self.by_loops(link) - self._by_joints(link)
+
+    def _by_joints(self, link: int) -> Array:
+        """What joints do to a link, where their forces are known; shape (6,)."""
+        wrenches, found = self.answer.wrenches, self.state.zeros(6)
+        if link - 1 in wrenches:
+            found = found + wrenches[link - 1]
+        for j in self.state.plan.children[link]:
+            if j in wrenches:
+                found = found - self.state.memory["X", j].force(wrenches[j])
+        return found
+
+    def of_joint(self, j: int, torques: Array) -> Array:
+        """Return what of a joint's torques its rotor and couplings leave, shape (n,).
+
+        Nothing where its force is an unknown: along the joint that is the torque, to the bit.
+        """
+        if self.answer.wrenches:
+            return self.state.zeros(len(torques))
+        rotor = self.state.rotor(j)
+        left = torques if rotor is None else torques - self.answer.joints[j] * rotor
+        for (closure, joint), rows in self.ties.items():
+            for unknown, factor in rows if joint == j else ():
+                if (closure, unknown) in self.answer.forces:
+                    left = left - self.answer.forces[closure, unknown] * factor
+        return left
+
+    def of_row(self, bias: Expression, ends: Sequence[End], unknown: int) -> Expression:
+        """Return how a row of a loop parts; ``bias``: were all deviations zero."""
+        terms = [bias]
+        for end in ends:
+            if unknown in end.columns:
+                ground = self.state.zeros(6)
+                a = self.state.rows.of_links("whole", end.links, ground)
+                terms += list(end.columns[unknown] * a)
+        return total(terms)
+
+    def of_coupling(self, joints: Sequence[int], factors: Array) -> Expression:
+        """Return how a coupling's row parts."""
+        return total([self.answer.joints[j][0] * x for j, x in zip(joints, factors, strict=True)])
+
+
+class Energies:
+    """Squares of energy norms: of corrections, of the answer, and of all that accelerates.
+
+    Args:
+        motion: of the answer.
+        links: those that count, in the names that stand for rows.
+    """
+
+    def __init__(self, motion: Motion, links: Sequence[int]) -> None:
+        self.state, self.motion, self.links = motion.state, motion, links
+
+    def of(self, links: Mapping[int, Array], joints: Mapping[int, Array]) -> Expression:
+        """Return that of accelerations of joints, from the motions of links that they make."""
+        terms = [self.state.graph.constant(0)]
+        for link in self.links:
+            momentum = matrix_times(self.motion.link_inertia(link), links[link])
+            terms.append(self._whole(link - 1, total(momentum * links[link])))
+        for j, qdd in joints.items():
+            rotor = self.state.rotor(j)
+            if rotor is not None:
+                terms.append(self._whole(j, total(x * x for x in qdd) * rotor))
+        return total(terms)
+
+    def in_all(self) -> Expression:
+        """Return that of the reference field, by the links' masses alone."""
+        terms = [self.state.graph.constant(0)]
+        for link in self.links:
+            field = self.state.memory["field", link]
+            mass = self.state.rows.mass(link)
+            terms.append(self._whole(link - 1, total(x * x for x in field.a) * mass))
+        return total(terms)
+
+    def without_fall(self, links: Mapping[int, Array]) -> dict[int, Array]:
+        """Return accelerations of links less those of free fall, with floating bases' own."""
+        joints = self.state.plan.joints
+        if not any(joint.kind == "floating" and joint.parent == 0 for joint in joints):
+            return dict(links)
+        memory, found = self.state.memory, {}
+        for link, a in links.items():
+            x, j = memory["X", link - 1], link - 1
+            if joints[j].kind == "floating" and joints[j].parent == 0:
+                fall = memory["drift", j][3:]
+            else:
+                near = self.state.rows.of_near("fall", j, self.state.zeros(3))
+                fall = x.rotation.transposed().vector(near)
+            memory["fall", link] = fall
+            found[link] = np.concatenate([a[:3], a[3:] - fall])
+        return found
+
+    def _whole(self, j: int, x: Expression) -> Expression:
+        """The sum of a row's numbers; of a single joint its own."""
+        if j not in self.state.rows:
+            return x
+        found: Expression = self.state.graph.across(x, len(self.state.rows.own(j)))
+        return found
