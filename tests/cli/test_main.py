@@ -81,7 +81,6 @@ class TestUsage:
             (["r.urdf", "--procs", "2", "--batch", "--refine", "1"], "batches are not refined"),
             (["r.urdf", "--procs", "2", "--batch", "--shape", "joints"], "in shapes kernels"),
             (["r.urdf", "--procs", "2", "--batch", "--tune"], "batches are not tuned"),
-            (["r.urdf", "--procs", "2", "--refine", "1", "--shape", "unrolled"], "no refinement"),
             (["r.urdf", "--procs", "2", "--naive"], "--naive is for --strategy astar or paper"),
             (["r.urdf", "--procs", "2", "--schedule", "balanced", "--tie", "lex"], "--tie is for"),
             (["chart", "r.urdf", "--step", "0.1"], "--step is for --simulate"),

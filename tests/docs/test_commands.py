@@ -27,6 +27,7 @@ NOT_RUN = {
     "installs packages": 2,
     "needs a cluster": 4,
     "needs a cross compiler": 2,
+    "a program of yours": 1,
     "takes minutes, and wants the machine for itself": 1,
 }
 

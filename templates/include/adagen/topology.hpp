@@ -11,6 +11,7 @@
 #include <vector>
 
 namespace adagen {
+namespace {
 
 // The numbers of a list such as 2-3,8 that a file holds; the first is -1 where there is none.
 struct CoreList {
@@ -59,4 +60,5 @@ inline std::vector<int> in_order_of_caches(std::vector<int> cores,
   return cores;
 }
 
+}  // namespace
 }  // namespace adagen
