@@ -1,11 +1,12 @@
 """Threads of one program beside MPI processes with a window: ``python -m benchmarks.threads``.
 
-    chrt -f 50 python -m benchmarks.threads [--rounds 9] [--page]
+    python -m benchmarks.threads [--rounds 9] [--page]
 
 Each robot is solved on two processes by one plan, as threads and as MPI processes that exchange
 through a window, timed by turns; state and accelerations go through process 0 in both. Then a
-program calls the threads at 1 kHz, and what processor time they take between calls is read from
-the kernel's clock of each thread. Nothing is asserted: figures of one machine are no test.
+program calls the threads at 1 kHz: what processor time they take between calls is read from the
+kernel's clock of each thread, and the calls are timed, with what it takes to wake the threads up.
+Nothing is asserted: figures of one machine are no test.
 --page writes the tables into docs/records/threads.md.
 """
 
@@ -41,8 +42,10 @@ ROBOTS = {"arm7": False, "humanoid": True, "human40": False, "chain16": False}
 CALLS = 3000
 _LOOP = """
 #include <time.h>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 #include <dirent.h>
 #include <unistd.h>
 
@@ -66,26 +69,38 @@ long long of_others() {
   return sum;
 }
 
+// Nanoseconds between two times.
+long long between(const timespec& a, const timespec& b) {
+  return (b.tv_sec - a.tv_sec) * 1000000000LL + b.tv_nsec - a.tv_nsec;
+}
+
 }  // namespace
 
-// A loop of 1 kHz: prints the share of a core, in per cent, that each further thread takes.
+// A loop of 1 kHz: prints the share of a core, in per cent, that each further thread takes, and the
+// median time of a call, in us.
 int main(int, char** words) {
   static Number q[kNq], v[kNv], tau[kNtau], qdd[kNqdd];
   for (const JointConstants& joint : kJoints)
     if (joint.nq > joint.nv) q[joint.q + joint.nq - 1] = 1;
   static Solver solver;
   if (!solver.open(nullptr, 10).empty()) return 1;
-  timespec next;
+  std::vector<long long> times;
+  timespec next, start, end;
   clock_gettime(CLOCK_MONOTONIC, &next);
   const int calls = std::atoi(words[1]);
   const long long before = of_others();
   for (int k = 0; k < calls; ++k) {
+    clock_gettime(CLOCK_MONOTONIC, &start);
     if (solver.solve(q, v, tau, qdd) != kFine) return 2;
+    clock_gettime(CLOCK_MONOTONIC, &end);
+    times.push_back(between(start, end));
     next.tv_nsec += 1000000;
     if (next.tv_nsec >= 1000000000) next.tv_nsec -= 1000000000, ++next.tv_sec;
     clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &next, nullptr);
   }
-  std::printf("%.9g\\n", double(of_others() - before) / (kProcesses - 1) / calls / 1e4);
+  std::printf("%.9g ", double(of_others() - before) / (kProcesses - 1) / calls / 1e4);
+  std::sort(times.begin(), times.end());
+  std::printf("%.9g\\n", double(times[times.size() / 2]) / 1e3);
   return 0;
 }
 """
@@ -132,8 +147,8 @@ def _row(name: str, window: Times, threads: Times) -> str:
     )
 
 
-def idle(model: Model, name: str, toolchain: Toolchain) -> float:
-    """Return the share of a core, in per cent, that a thread takes at 1 kHz."""
+def idle(model: Model, name: str, toolchain: Toolchain) -> tuple[float, float]:
+    """Return the share of a core, in per cent, that a thread takes at 1 kHz, and us of a call."""
     plan = replace(plan_of(model), channel=THREADS)
     _, text = text_of(plan, name)
     source = f"#define ADAGEN_NO_MAIN\n{text}{_LOOP}"
@@ -143,7 +158,8 @@ def idle(model: Model, name: str, toolchain: Toolchain) -> float:
         done = subprocess.run(
             [program, str(CALLS)], capture_output=True, text=True, cwd=folder, check=True
         )
-    return float(done.stdout)
+    share, call = map(float, done.stdout.split())
+    return share, call
 
 
 def main() -> None:
@@ -168,9 +184,9 @@ def main() -> None:
             "|---|---|---|---|---|---|",
             *rows,
             "",
-            "| robot | share of a core at 1 kHz, each further thread |",
-            "|---|---|",
-            *(f"| {name} | {share:.1f} % |" for name, share in shares.items()),
+            "| robot | share of a core at 1 kHz, each further thread | a call, us |",
+            "|---|---|---|",
+            *(f"| {name} | {share:.1f} % | {call:.1f} |" for name, (share, call) in shares.items()),
         ]
     )
     print(text)

@@ -55,13 +55,13 @@ class Solver : public InPlace {
       } catch (const std::exception&) {
         return Text("the system gives no more threads");
       }
-      if (cores == nullptr) {
-        leave_callers_core(member.thread);
-      } else if (!pin(member.thread, cores[p - 1])) {
+      if (cores != nullptr && !pin(member.thread, cores[p - 1])) {
         Text wrong("this process has no core ");
         return wrong += cores[p - 1];
       }
     }
+    pinned_ = cores != nullptr;
+    if (!pinned_) leave_callers_core();
     for (int p = 1; p < kProcesses; ++p) {
       if (!has_part(p)) continue;
       if (!channel.wait_for(members_[at(p)].done, 1))
@@ -116,18 +116,32 @@ class Solver : public InPlace {
   static constexpr std::size_t at(int p) { return static_cast<std::size_t>(p); }
   static bool has_part(int p) { return !kAlone && kProcess[at(p)].own.count > 0; }
 
-  // A thread starts where its maker may be: one that is bound to a core would share that with all.
-  static void leave_callers_core([[maybe_unused]] std::thread& thread) {
+  // Lets the threads run on any core but the caller's. Linux may leave two threads that rest
+  // between calls on one core, beside an idle one, and each call would wait until they take turns.
+  void leave_callers_core() {
 #if defined(__linux__)
-    cpu_set_t own;
-    if (sched_getaffinity(0, sizeof own, &own) != 0 || CPU_COUNT(&own) >= kProcesses) return;
-    cpu_set_t others;
-    CPU_ZERO(&others);
-    for (int core = 0; core < CPU_SETSIZE; ++core)
-      if (!CPU_ISSET(core, &own)) CPU_SET(core, &others);
-    pthread_setaffinity_np(thread.native_handle(), sizeof others, &others);  // if there are others
+    const int core = sched_getcpu();
+    if (core < 0 || core >= CPU_SETSIZE || core == callers_core_) return;
+    callers_core_ = core;
+    cpu_set_t others = allowed_;
+    CPU_CLR(static_cast<std::size_t>(core), &others);
+    for (Member& member : members_)
+      if (member.thread.joinable())  // there may be no other core
+        pthread_setaffinity_np(member.thread.native_handle(), sizeof others, &others);
 #endif
   }
+
+#if defined(__linux__)
+  // The cores of this process, or all of the machine where those are fewer than the threads.
+  static cpu_set_t allowed() {
+    cpu_set_t cores;
+    CPU_ZERO(&cores);
+    if (sched_getaffinity(0, sizeof cores, &cores) == 0 && CPU_COUNT(&cores) >= kProcesses)
+      return cores;
+    for (std::size_t core = 0; core < CPU_SETSIZE; ++core) CPU_SET(core, &cores);
+    return cores;
+  }
+#endif
 
   static bool pin([[maybe_unused]] std::thread& thread, [[maybe_unused]] int core) {
 #if defined(__linux__)
@@ -145,6 +159,7 @@ class Solver : public InPlace {
   std::uint64_t call() {
     const std::uint64_t number = called_.fetch_add(1) + 1;  // ordered before the look at asleep_
     if (asleep_.load() > 0) {
+      if (!pinned_) leave_callers_core();
       const std::lock_guard<std::mutex> held(mutex_);
       bell_.notify_all();
     }
@@ -187,6 +202,11 @@ class Solver : public InPlace {
     }
   }
 
+  bool pinned_ = true;  // to cores that the caller named
+#if defined(__linux__)
+  const cpu_set_t allowed_ = allowed();
+  int callers_core_ = -1;
+#endif
   Slots slots_{};
   std::array<Member, static_cast<std::size_t>(kProcesses)> members_{};
   alignas(kCacheLine) std::atomic<std::uint64_t> called_{1};

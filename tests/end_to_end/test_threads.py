@@ -77,10 +77,10 @@ def test_threads_stay_on_cores_of_their_own_unless_told(
             if any(len(own) == 1 for own in threads):
                 break
             time.sleep(0.01)
-        # One of them watches the time limit, and may run anywhere.
-        pinned = [own for own in threads if len(own) == 1]
-        assert len(pinned) == (0 if words or cores() < 2 else 1)
-        assert len(threads) >= 1
+        # One of them watches the time limit, and may run anywhere. The other one may not run on
+        # the caller's core.
+        fewest = min(map(len, threads))
+        assert fewest == (max(cores() - 1, 1) if words or cores() < 2 else 1)
     finally:
         program.kill()
         program.wait()
@@ -120,6 +120,7 @@ def test_a_program_calls_threads(case: str, flags: tuple[str, ...], builder: Bui
         "1 the time limit must be more than 0 s",
         "1 this process has no core 100000",
         "other answers: 0",
+        "on the caller's core: 0",
         f'1 0 1 joint "{names[0]}": its q, v or tau is not a finite number',
         f'1 {last} 1 joint "{names[last]}": its q, v or tau is not a finite number',
         "asleep: 1",

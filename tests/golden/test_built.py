@@ -96,7 +96,10 @@ def test_the_makefile_builds_and_checks_every_example(builder: Builder) -> None:
     command = ["make", "-n", "-C", str(FOLDER), *_variables(builder), "OUT=out", "check"]
     said = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60).stdout
     for example in EXAMPLES:
-        assert f" -o out/{example.stem}/{example.stem}\n" in said
+        text = (FOLDER / example.stem / f"{example.stem}.cpp").read_text()
+        links = re.findall("^// links .*", text, re.MULTILINE)[0]
+        kind = "".join(f"_{word.lower()}" for word in ("MPI", "FLOAT") if word in links)
+        assert f" out/adagen_program{kind}.o -o out/{example.stem}/{example.stem}\n" in said
         line = f"-n {example.processes} --oversubscribe --bind-to none "
         assert f"{line}out/{example.stem}/{example.stem} --check\n" in said
 

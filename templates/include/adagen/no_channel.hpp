@@ -4,6 +4,7 @@
 #include <array>
 
 #include "constants.hpp"
+#include "sample/messages.hpp"
 #include "sizes.hpp"
 #include "status.hpp"
 
@@ -11,7 +12,9 @@
 
 namespace {
 
+#if defined(ADAGEN_SOLVER)
 [[maybe_unused]] constexpr std::array<MessageInfo, 0> kMessages{};
+#endif
 
 // One process exchanges with none: what the code around it asks of a channel, without MPI.
 class Take;
