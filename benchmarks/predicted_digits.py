@@ -5,8 +5,9 @@
 
 Each robot as loops and as a straight line on one process, as loops in float, and on two processes
 as scheduled by default. Measured is the forward error in the energy norm, sqrt(e^T H e / t^T H t),
-against certified digits in the worst of the suite's state and random ones, which a sweep in more
-digits than the solver's finds; predicted is what `adagen schedule` says of plan and shape.
+against certified digits in the worst of the suite's state and those that the program's --check
+draws, which a sweep in more digits than the solver's finds; predicted is what `adagen schedule`
+says of plan and shape.
 The ratio is measured over predicted: above 1 the
 prediction was too optimistic. With --again, nothing is built: what a page's table says was measured
 stands beside what is predicted now.
@@ -26,6 +27,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.errors import AdagenError
+from adagen.executor.program_states import program_states
 from adagen.executor.trial import accelerations
 from adagen.library import Origin
 from adagen.library.robot import read_whole
@@ -37,7 +39,7 @@ from adagen.search import best_schedule
 from adagen.search.objective import predicted_digits
 from adagen.states import States
 from adagen.studies.stability import robots
-from benchmarks.emitted_digits import light_wrists, slender_tool, states_of
+from benchmarks.emitted_digits import light_wrists, slender_tool
 from benchmarks.page import write_between_marks
 from benchmarks.solvers import answers
 from tests.models import human_figure, motion_capture_figure, random_tree, serial_chain, star
@@ -152,12 +154,18 @@ def rows_of(name: str, model: Model, count: int) -> Iterator[Row]:
         try:
             plan = _planned(model, processes, scalar)
             predicted = predicted_digits("both", model, plan, shape).error
-            states = states_of(model, count)
+            states = _states(model, plan, count)
             found = answers(plan, model, states, shape=shape).qdd
         except (AdagenError, FloatingPointError, RuntimeError) as error:
             print(f"{name}, {processes}, {shape}, {scalar}: {error}", file=sys.stderr)
             continue
         yield Row(name, processes, shape, scalar, predicted, largest(model, plan, states, found))
+
+
+def _states(model: Model, plan: Plan, count: int) -> States:
+    """The suite's state and so many of the program's own."""
+    first, more = robots.state(model), program_states(plan, count)
+    return States(*(np.vstack([a, b]) for a, b in zip(first, more, strict=True)))
 
 
 def predicted_again(page: Path, word: str) -> Iterator[Row]:
@@ -196,7 +204,7 @@ def page(rows: list[Row], count: int) -> str:
     worst = np.log10(ratios.max())
     too_few = int((ratios > HALF_A_DECADE).sum())
     lines = [
-        f"The suite's state and {count} random ones, {platform.machine()}, "
+        f"The suite's state and {count} of `--check`, {platform.machine()}, "
         f"`python -m benchmarks.predicted_digits --states {count}`",
         "",
         f"{len(rows)} programs: {within:.0%} within a decade; {too_few} more than half a decade "

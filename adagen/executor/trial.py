@@ -1,4 +1,4 @@
-"""How many digits a way of sweeping keeps on a robot, found by a trial in a few random states.
+"""How many digits a way of sweeping keeps on a robot, found by a trial in the program's own states.
 
 Articulated bodies are swept in numpy as emitted code sweeps them: in straight lines each body is
 told in its link's axes, in which a joint's projection is exact, and turned by as few operations
@@ -10,12 +10,14 @@ rounding error of that way. Joining is no part of it.
 from __future__ import annotations
 
 from collections.abc import Set
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from adagen.executor.program_states import COUNT, program_states
+from adagen.executor.solve import interpret
 from adagen.executor.stacked import (
     about_z,
     cross,
@@ -26,13 +28,14 @@ from adagen.executor.stacked import (
     spatial_body,
     turned_body,
 )
+from adagen.graph import DOUBLE, FLOAT
 from adagen.model.kinds import KINDS
 from adagen.plan.robot import PlanJoint
 from adagen.plan.turned import ENOUGH, Turned, losing_joints
 from adagen.plan.types import FACTORS, Plan
 
 Array = NDArray[Any]
-STATES = {"few joints": 64, "many joints": 4}
+STATES = {"few joints": COUNT, "many joints": 4}
 HARDEST, TIMES = 8, 8
 """How many of the states that lose most are tried again, and how often: what is lost there differs
 from one rounding to the next by more than a decade."""
@@ -75,6 +78,41 @@ def tried(plan: Plan, turned: Turned | None) -> Trial:
     return Trial(float(np.sqrt(errors[worst])), int(np.argmax(np.nan_to_num(shares[worst]))))
 
 
+def carried_out(plan: Plan) -> Trial:
+    """Return what all processes together lose, as the executor carries their plan out.
+
+    Passive torques and outer forces are left out: factors are the same without them.
+
+    Args:
+        plan: of a robot without closed loops or slaved joints, all accelerations wanted.
+
+    Raises:
+        FloatingPointError: a factorization fails; the message names the joint.
+    """
+    own, more = _MORE[FACTORS[plan.scalar]]
+    algebra = FLOAT if own is np.float32 else DOUBLE
+    states = q, v, tau = _states(plan)
+    tau[:, plan.nv :] = 0
+    free = [replace(each, damping=0.0, friction=0.0, stiffness=0.0) for each in plan.joints]
+    bare = replace(plan, joints=tuple(free))
+    found = interpret(bare, q.T, v.T, tau.T, algebra)[: plan.nv].T
+    shares, errors = _off(plan, states, np.asarray(found, more), accelerations(plan, *states))
+    worst = int(np.argmax(errors))
+    return Trial(float(np.sqrt(errors[worst])), int(np.argmax(np.nan_to_num(shares[worst]))))
+
+
+def _off(
+    plan: Plan, states: tuple[Array, Array, Array], found: Array, truth: Array
+) -> tuple[Array, Array]:
+    """The squares of relative errors in the energy norm, and what joints share in them."""
+    size = _Sweep(plan, np.float64, None, states)
+    with np.errstate(all="ignore"):
+        shares = size.energy((found - truth).astype(np.float64))
+        errors = shares.sum(axis=1) / size.energy(truth.astype(np.float64)).sum(axis=1)
+    errors[~np.isfinite(errors)] = np.inf
+    return shares, errors
+
+
 def _lost(
     plan: Plan, turned: Turned | None, states: tuple[Array, Array, Array]
 ) -> tuple[Array, Array]:
@@ -83,11 +121,7 @@ def _lost(
     with np.errstate(all="ignore"):
         truth = _Sweep(plan, more, None, states).solved()
         found = _swept(plan, own, turned, states).astype(more)
-        size = _Sweep(plan, np.float64, None, states)
-        shares = size.energy((found - truth).astype(np.float64))
-        errors = shares.sum(axis=1) / size.energy(truth.astype(np.float64)).sum(axis=1)
-    errors[~np.isfinite(errors)] = np.inf
-    return shares, errors
+        return _off(plan, states, found, truth)
 
 
 def _rounded_anew(states: tuple[Array, Array, Array], which: Array) -> tuple[Array, Array, Array]:
@@ -128,18 +162,8 @@ def accelerations(plan: Plan, q: Array, v: Array, tau: Array) -> Array:
 
 
 def _states(plan: Plan) -> tuple[Array, Array, Array]:
-    """States as emitted programs draw them, one in each row: angles anywhere, all else up to 1."""
-    rng = np.random.default_rng(1)
-    count = STATES["many joints" if len(plan.joints) > MANY else "few joints"]
-    nv = sum(KINDS[joint.kind].nv for joint in plan.joints)
-    parts = []
-    for joint in plan.joints:
-        kind = KINDS[joint.kind]
-        part = rng.uniform(-1.0, 1.0, (count, kind.nq)) * (np.pi if joint.kind == "revolute" else 1)
-        if kind.quaternion is not None:
-            part[:, kind.quaternion :] = rng.normal(size=(count, 4))
-        parts.append(part)
-    return np.hstack(parts), rng.uniform(-1, 1, (count, nv)), rng.uniform(-1, 1, (count, nv))
+    """States that the emitted program draws, one in each row; fewer where joints are many."""
+    return program_states(plan, STATES["many joints" if len(plan.joints) > MANY else "few joints"])
 
 
 class _Sweep:

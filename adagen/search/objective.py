@@ -19,7 +19,7 @@ from adagen.errors import UsageError
 from adagen.executor.closed_trial import tried_closed
 from adagen.executor.growth import Growth, predicted_growth
 from adagen.executor.refine import interpret_refined
-from adagen.executor.trial import Trial, tried
+from adagen.executor.trial import MANY, Trial, carried_out, tried
 from adagen.model import Model
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan, make_plan
@@ -46,6 +46,9 @@ that (a chain of far masses, cut in two: 3e-7 predicted, 2e-6 found)."""
 _TRIALS = 6
 _WORSE = 3.0
 """How much more than in the worst of so many generic states joins may lose in others."""
+_IN_BASE_AXES = 10.0
+"""How much more loops may lose than the executor, where processes share the robot: they carry the
+mobility of what holds the ground in axes of the base, the executor in those of links."""
 _BETTER = 0.5  # of the predicted error, for a slower schedule to be taken
 
 
@@ -154,11 +157,26 @@ def predicted_digits(objective: str, model: Model, plan: Plan, shape: str = "ker
     shared = sum(bool(process.owns) for process in plan.processes) > 1
     if joined or shared or plan.form != "segment":  # mobilities are joined, or hold the ground
         trial = Trial(max(trial.error, _tried(plan) * _WORSE), growth.joint)
+        trial = max(trial, _carried_out(plan, shape), key=lambda each: each.error)
     if plan.form == "segment":
         swept = tried(plan, turned_joints(plan) if shape == "kernels" else None)
         trial = max(trial, swept, key=lambda each: each.error)
     worst = model.joints[trial.joint].name
     return Digits(objective, min(1.0, trial.error), growth.largest, name, worst)
+
+
+def _carried_out(plan: Plan, shape: str) -> Trial:
+    """What the plan loses in the program's own states, where the executor can show that."""
+    slaved = any(joint.mimic for joint in plan.joints)
+    if plan.wanted or slaved or len(plan.joints) > MANY:  # many: seconds
+        return Trial(0.0, 0)
+    try:
+        found = carried_out(plan)
+    except FloatingPointError:  # in one state: refused there
+        return Trial(0.0, 0)
+    several = sum(bool(process.owns) for process in plan.processes) > 1
+    more = _IN_BASE_AXES if shape == "kernels" and several else _WORSE
+    return replace(found, error=found.error * more)
 
 
 def suited_shape(objective: str, plan: Plan, shape: str = "auto") -> str:
