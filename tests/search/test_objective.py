@@ -105,7 +105,9 @@ def test_digits_lost_in_inverting_among_light_links_are_predicted(
     assert error < 1e-7
     plan = make_plan(model, schedule)
     growth, swept = predicted_growth(plan).error, tried(plan, turned_joints(plan)).error
-    assert digits.error <= max(1e2 * error, 1e-13, growth, swept)  # joins add no more
+    # Joins add no more than the executor loses in the program's states.
+    most = 3 * carried_out(plan).error
+    assert digits.error <= max(1e2 * error, 1e-13, growth, swept, most)
 
 
 def test_what_recovers_from_singular_poses_is_predicted() -> None:
