@@ -17,9 +17,13 @@ namespace {
 typedef std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> Bits;
 typedef Bits LaneBits __attribute__((vector_size(64)));
 
-// Where registers are narrower, gcc tells that vectors are passed in other ways; none is, all is
-// inlined.
-#if defined(__GNUC__) && !defined(__clang__)
+// Where registers are narrower, compilers warn that vectors are passed in other ways. Programs that
+// are linked with this one pass none.
+#if defined(__clang__)
+#if __has_warning("-Wpsabi")
+#pragma clang diagnostic ignored "-Wpsabi"
+#endif
+#elif defined(__GNUC__)
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 
