@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import fields
 from pathlib import Path
 
+from adagen.emit.names import prefix_of
 from adagen.errors import UsageError, printable
 from adagen.library.request import Request
 from adagen.library.robot import Origin
@@ -102,11 +103,18 @@ def refuse_another(path: Path, source: str) -> None:
     """Refuse to write a source in place of one that was made of another robot.
 
     A robot is another one where neither the place of its description nor the description is the
-    same.
+    same. Refused, too, is a source beside another one whose C functions have the same names.
 
     Raises:
         UsageError: it is another one.
     """
+    for other in sorted(path.parent.glob(f"*{path.suffix}")):
+        if other.stem != path.stem and prefix_of(other.stem) == prefix_of(path.stem):
+            raise UsageError(
+                f"the C functions of {printable(path.stem)} would have the same names as those of "
+                f"{printable(str(other))}, {prefix_of(path.stem)}_...; choose another --name or "
+                "--out, or remove it"
+            )
     try:
         with path.open(encoding="utf-8", errors="replace") as file:
             head = file.read(_HEAD_CHARACTERS)

@@ -81,9 +81,13 @@ class TestGenerate:
         assert main([str(other), *words, "--name", "heavy"]) == 0
         assert main([str(arm), *words, "--name", "arm" * 20]) == 0
         assert main([str(arm), *words, "--name", "arm" * 20 + "x"]) == 0
+        assert main([str(arm), *words, "--name", "left-arm"]) == 0
+        assert main([str(arm), *words, "--name", "left-arm"]) == 0
+        assert main([str(arm), *words, "--name", "left_arm"]) == 2
+        assert "left_arm_p1 would have the same names as those of" in said()[1]
         after = {path.name: path.read_bytes() for path in out.rglob("*.*")}
         assert {name: after[name] for name in before} == before
-        assert len([name for name in after if name.endswith(".cpp")]) == 5
+        assert len([name for name in after if name.endswith(".cpp")]) == 6
         shutil.copy(arm, tmp_path / "moved.urdf")  # the same robot, from another place
         assert main([str(tmp_path / "moved.urdf"), *words, "--name", "arm"]) == 0
 
