@@ -162,7 +162,7 @@ def test_a_host_that_comes_back_in_time_is_waited_for(
         time.sleep(1)
         pair.signal(2, signal.SIGCONT) if what == "stall" else pair.mend(2)
 
-    repeat = {"arm7_p2": "60", "arm7_batch_p2": "300"}[stem]
+    repeat = {"arm7_p2": "60", "arm7_batch_p2": "2000"}[stem]
     words = ("--time", "--repeat", repeat, "--json", "--timeout", "30")
     done, _ = during(on(pair, stem, builder), words, comes_back, at_work)
     assert (done.status, done.stderr) == (0, "")

@@ -176,13 +176,15 @@ def _clear_away() -> None:
 
 
 def _remove(name: str) -> None:
-    """Remove a namespace, and end what still runs in it."""
-    if not Path("/run/netns", name).exists():
-        return
-    for word in _ip("netns", "pids", name).split():
-        with suppress(ProcessLookupError):
-            os.kill(int(word), signal.SIGKILL)
-    _ip("netns", "del", name)
+    """Remove a namespace, and end what still runs in it. Another run may do so at the same time."""
+    try:
+        for word in _ip("netns", "pids", name).split():
+            with suppress(ProcessLookupError):
+                os.kill(int(word), signal.SIGKILL)
+        _ip("netns", "del", name)
+    except RuntimeError:
+        if Path("/run/netns", name).exists():
+            raise
 
 
 def _ip(*words: str) -> str:
