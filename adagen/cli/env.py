@@ -5,13 +5,14 @@ from __future__ import annotations
 import json
 import os
 import shlex
+import textwrap
 from collections.abc import Sequence
 
 from adagen.build import cache_folder, find_toolchain
 from adagen.cli.parser import Parser, make_parser, parse
 
 _EPILOG = """examples:
-  adagen env                         what would be used, a line each
+  adagen env                         what would be used
   $(adagen env --mpicxx) -O3 ...     for use in a Makefile or script
 
 MPICXX, MPIEXEC, EIGEN and CXX choose another compiler wrapper, launcher, Eigen
@@ -66,5 +67,6 @@ def run(argv: Sequence[str]) -> int:
         print(lines[options.which])
     else:
         for name, line in [*lines.items(), ("cache", str(cache_folder()))]:
-            print(f"{name:10}{line}")
+            words = textwrap.wrap(line, 70, break_long_words=False, break_on_hyphens=False)
+            print(f"{name:10}" + f"\n{'':10}".join(words))
     return 0

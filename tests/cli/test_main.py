@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shlex
 import signal
 import subprocess
@@ -236,6 +237,19 @@ class TestEnv:
         assert (Path(told["eigen"]) / "Eigen" / "Dense").is_file()
         assert main(["env", "--variables"]) == 0
         words = shlex.split(capsys.readouterr().out)
+        assert dict(word.split("=", 1) for word in words) == told["variables"]
+
+    def test_all_answers_fit_a_narrow_terminal(self, capsys: pytest.CaptureFixture[str]) -> None:
+        assert main(["env", "--json"]) == 0
+        told = json.loads(capsys.readouterr().out)
+        assert main(["env"]) == 0
+        text = capsys.readouterr().out
+        long = [line for line in text.splitlines() if len(line) > 80]
+        assert all(" " not in line[10:] for line in long)  # one word: a path
+        blocks = dict(re.findall(r"^(\w+) +(.*(?:\n {10}.*)*)", text, re.MULTILINE))
+        assert list(blocks)[:5] == ["cxx", "mpicxx", "mpiexec", "eigen", "flags"]
+        assert shlex.split(blocks["flags"]) == told["flags"]
+        words = shlex.split(blocks["variables"])
         assert dict(word.split("=", 1) for word in words) == told["variables"]
 
     def test_the_user_s_choice_is_told(
