@@ -46,7 +46,7 @@ that (a chain of far masses, cut in two: 3e-7 predicted, 2e-6 found)."""
 _TRIALS = 6
 _WORSE = 3.0
 """How much more than in the worst of so many generic states joins may lose in others."""
-_IN_BASE_AXES = 10.0
+_IN_BASE_AXES = 12.0
 """How much more loops may lose than the executor, where processes share the robot: they carry the
 mobility of what holds the ground in axes of the base, the executor in those of links."""
 _BETTER = 0.5  # of the predicted error, for a slower schedule to be taken
