@@ -60,23 +60,22 @@ def _ordered(
     ``links`` tells of each joint the link that must be complete before and the one that it adds to;
     ``open_`` how many joints add to a link.
     """
-    taken = [each for each in limbs if each.rows[0][0] in sweep]
-    unit_of: dict[int, Unit] = {j: each for each in taken for j in each.members()}
-    units = list(dict.fromkeys(unit_of.get(j, j) for j in sweep))
+    units, members = _units(sweep, [each for each in limbs if each.rows[0][0] in sweep])
     needing: dict[int, list[int]] = {}  # by link, the places of the units that wait for it
     waiting: list[int] = []  # for how many joints of other units each unit waits
-    for place, unit in enumerate(units):
-        own = [links[j] for j in _joints_in(unit)]
+    for place, joints in enumerate(members):
+        own = [links[j] for j in joints]
         needed = {link for link, _ in own}
         for link in needed:
             needing.setdefault(link, []).append(place)
         within = sum(link in needed for _, link in own)
-        waiting.append(sum(open_[link] for link in needed) - within)
+        waiting.append(sum(open_.get(link, 0) for link in needed) - within)
     ready = [place for place, count in enumerate(waiting) if not count]
     found: list[Unit] = []
     while ready:
-        found.append(units[heappop(ready)])
-        for j in _joints_in(found[-1]):
+        next_ = heappop(ready)
+        found.append(units[next_])
+        for j in members[next_]:
             for place in needing.get(links[j][1], ()):
                 waiting[place] -= 1
                 if not waiting[place]:
@@ -85,6 +84,19 @@ def _ordered(
     return found
 
 
-def _joints_in(unit: Unit) -> list[int]:
-    """Return the joints of a unit."""
-    return [unit] if isinstance(unit, int) else list(unit.members())
+def _units(sweep: Iterable[int], limbs: Sequence[Limbs]) -> tuple[list[Unit], list[Sequence[int]]]:
+    """Return joints as units, in their order, and the joints of each."""
+    number_of = {j: number for number, each in enumerate(limbs) for j in each.members()}
+    units: list[Unit] = []
+    members: list[Sequence[int]] = []
+    seen: set[int] = set()
+    for j in sweep:
+        number = number_of.get(j)
+        if number is None:
+            units.append(j)
+            members.append((j,))
+        elif number not in seen:
+            seen.add(number)
+            units.append(limbs[number])
+            members.append(list(limbs[number].members()))
+    return units, members

@@ -13,7 +13,7 @@ from itertools import groupby
 from typing import TypeVar
 
 from adagen.plan.robot import PlanJoint
-from adagen.plan.stages import stages
+from adagen.plan.stages import Stage, stages
 from adagen.plan.steps import (
     Accelerate,
     AccelerateHeld,
@@ -230,15 +230,16 @@ def _best(
     """The limbs that save most beside those taken; None where nothing is saved."""
     offers: list[tuple[float, int, list[list[int]]]] = []
     kinds = [tuple(joints[j].kind for j in reversed(c)) for c in chains]  # outermost first
-    for pattern in sorted(set(kinds), key=len, reverse=True):
-        common = ((_common(pattern, own), chain) for own, chain in zip(kinds, chains, strict=True))
-        alike = sorted((pair for pair in common if pair[0]), key=lambda pair: -pair[0])
+    distinct = list(dict.fromkeys(kinds))
+    for pattern in sorted(distinct, key=len, reverse=True):
+        common = {own: _common(pattern, own) for own in distinct}
+        pairs = zip((common[own] for own in kinds), chains, strict=True)
+        alike = sorted((pair for pair in pairs if pair[0]), key=lambda pair: -pair[0])
         for most, start in alike[:_STARTS]:
             together, rows = [start], most
             for length, chain in alike:
                 least = min(rows, length)
-                end = chain[-least]
-                if any(_one_beyond_other(end, other[-least], last) for other in together):
+                if _meets_any(chain[-least], together, least, last):
                     continue
                 together.append(chain)
                 rows, count = least, len(together)
@@ -251,7 +252,27 @@ def _best(
         Limbs(tuple(zip(*sorted(c[-rows:] for c in together), strict=True)))
         for _, rows, together in offers
     )
-    return next((limbs for limbs in found if _in_order([*taken, limbs], last)), None)
+    return next((limbs for limbs in found if _follows(limbs, taken, last)), None)
+
+
+def _meets_any(end: int, chains: Iterable[list[int]], rows: int, last: Sequence[int]) -> bool:
+    """Whether a joint hangs on that joint of a chain with which it would share a row, or bears it.
+
+    Written without calls: it is asked some ten thousand times for each grouping of a large robot.
+    """
+    beyond = last[end]
+    for chain in chains:
+        other = chain[-rows]
+        if other <= end <= last[other] or end <= other <= beyond:
+            return True
+    return False
+
+
+def _follows(limbs: Limbs, taken: Sequence[Limbs], last: Sequence[int]) -> bool:
+    """Whether limbs can be passed beside others that can follow each other."""
+    hangs = any(_hang_on(limbs, other, last) for other in taken)
+    bears = hangs and any(_hang_on(other, limbs, last) for other in taken)
+    return not bears or _in_order([*taken, limbs], last)
 
 
 _STARTS = 4  # chains that limbs to go together are looked for beside
@@ -291,8 +312,12 @@ def _hang_on(some: Limbs, others: Limbs, last: Sequence[int]) -> bool:
     """Whether one of some limbs hangs on one of the others."""
     if some is others:
         return False
-    # What hangs on a joint of a limb hangs on its first one.
-    return any(_beyond(i, j, last) for i in some.rows[0] for j in others.rows[0])
+    starts = others.rows[0]  # what hangs on a joint of a limb hangs on its first one
+    for i in some.rows[0]:
+        for j in starts:
+            if j <= i <= last[j]:
+                return True
+    return False
 
 
 def _last_beyond(joints: Sequence[PlanJoint]) -> list[int]:
@@ -311,10 +336,11 @@ def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
     No mobility, no force at a handle and no rows of loops go through them: that is told joint by
     joint, or closure by closure (adagen/plan/alike.py).
     """
+    parts = stages(process)
     sweeps = [
-        _stretch_of(process, Kinematics),
-        _stretch_of(process, Articulate),
-        _stretch_of(process, Accelerate),
+        _stretch_of(process, parts, Kinematics),
+        _stretch_of(process, parts, Articulate),
+        _stretch_of(process, parts, Accelerate),
     ]
     turns = (s for s in process.steps if isinstance(s, Articulate | Accelerate))
     turned = {s.joint for s in turns if s.reversed}
@@ -342,10 +368,10 @@ def _fits(joint: PlanJoint) -> bool:
 _Sweep = TypeVar("_Sweep", Kinematics, Articulate, Accelerate)
 
 
-def _stretch_of(process: Process, kind: type[_Sweep]) -> dict[int, int]:
+def _stretch_of(process: Process, parts: Iterable[Stage], kind: type[_Sweep]) -> dict[int, int]:
     """In which stretch of steps of a kind, as they follow each other in a stage, a joint is."""
     found: dict[int, int] = {}
-    for stage in stages(process):
+    for stage in parts:
         steps = process.steps[stage.first : stage.last]
         for k, (of_kind, group) in enumerate(groupby(steps, sweep_of)):
             if issubclass(of_kind, kind):

@@ -23,7 +23,6 @@ from adagen.plan.steps import (
     Disassemble,
     FreeAcceleration,
     GiveOutput,
-    Join,
     Kinematics,
     Load,
     LoadRoot,
@@ -33,7 +32,6 @@ from adagen.plan.steps import (
     Send,
     SolveCoupling,
     SolveMobility,
-    Step,
     Traverse,
 )
 from adagen.plan.types import Process
@@ -100,16 +98,21 @@ def stages(process: Process) -> tuple[Stage, ...]:
     return tuple(found)
 
 
+_SORTS: tuple[tuple[What, tuple[type, ...]], ...] = (
+    ("kinematics", (Kinematics, Traverse, Append, Arrive)),
+    ("send", (Send,)),
+    ("receive", (Receive,)),
+    ("slaved", (SolveCoupling, ApplyCoupling)),
+    ("disassembly", _DOWN),
+)
+
+
+_known: dict[type, What] = {}
+"""Found once for each kind: it is asked for each step of each plan that a search prices."""
+
+
 def _what(step: Step) -> What:
-    match step:
-        case Kinematics() | Traverse() | Append() | Arrive():
-            return "kinematics"
-        case Send():
-            return "send"
-        case Receive():
-            return "receive"
-        case SolveCoupling() | ApplyCoupling():
-            return "slaved"
-        case Join():
-            return "assembly"
-    return "disassembly" if isinstance(step, _DOWN) else "assembly"
+    kind = type(step)
+    if kind not in _known:
+        _known[kind] = next((w for w, kinds in _SORTS if issubclass(kind, kinds)), "assembly")
+    return _known[kind]

@@ -70,6 +70,7 @@ class Turned:
     if_lost: frozenset[int]
 
 
+@lru_cache(maxsize=16)  # of one plan it is asked for each grouping of limbs
 def turned_joints(plan: Plan) -> Turned:
     """Return the joints of a plan of form segment that are eliminated in their own axes."""
     steps = _articulated(plan)
@@ -182,7 +183,7 @@ def turned_in_units(
     held = {j for unit in swept if any(plan.joints[j].prescribed for j in unit) for j in unit}
     alike = [set(row) for row in rows]
     if if_lost:
-        pairs = _pairs(plan, always | if_lost)
+        pairs = _pairs(plan, found.always | found.if_lost)
         apart = [pair for pair in pairs if not any(unit.issuperset(pair) for unit in swept)]
         always.update(*apart)
         while new := {c for j, c in pairs if j in always and c not in always}:
@@ -196,7 +197,8 @@ def turned_in_units(
     return Turned(frozenset(always), frozenset(if_lost - always))
 
 
-def _pairs(plan: Plan, joints: Set[int]) -> list[tuple[int, int]]:
+@lru_cache(maxsize=16)
+def _pairs(plan: Plan, joints: frozenset[int]) -> list[tuple[int, int]]:
     """Joints and those beyond them, of some joints, that may come to lie along their axes."""
     most = MOST[FACTORS[plan.scalar]]
     sides = _sides(plan.joints, plan.links)

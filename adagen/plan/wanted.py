@@ -107,6 +107,8 @@ def needed_outwards(
 def _led_to(plan: Plan, steps: Sequence[Step], more: Set[int]) -> frozenset[int]:
     """What is wanted, more of it, and what leads there."""
     every = frozenset(range(len(plan.joints)))
+    if not plan.wanted:
+        return every
     needed = {j for j in every if plan.wants(j)} | more
     needed |= {o.link - 1 for o in plan.outputs if o.what == REACTION_FORCE}
     links = {o.link for o in plan.outputs if o.what == LINK_ACCELERATION}

@@ -112,6 +112,7 @@ class Floors:
         for j in reversed(range(len(joints))):
             self.ends[j] = sum(self.ends[k] for k in robot.at[j + 1]) or 1
             self._deepest[j] = self.row[j].plus(_longest(self._deepest[k] for k in robot.at[j + 1]))
+        self._upwards: dict[int, Floor] = {}
         self._way = [0.0] * (len(joints) + 1)
         self._depth = [0] * (len(joints) + 1)
         self._turned = [NOTHING] * (len(joints) + 1)
@@ -257,6 +258,11 @@ class Floors:
 
     def upwards(self, limb: Limb) -> Floor:
         """Return what a limb takes besides that is swept towards a link beyond it."""
+        if limb.link not in self._upwards:
+            self._upwards[limb.link] = self._swept_upwards(limb)
+        return self._upwards[limb.link]
+
+    def _swept_upwards(self, limb: Limb) -> Floor:
         tree = self.robot.trees[limb.tree]
         first = tree.base + 1 if tree.base is not None else self.robot.held[limb.link] or limb.link
         count = self._depth[limb.link] - self._depth[first]
