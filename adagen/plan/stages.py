@@ -32,6 +32,7 @@ from adagen.plan.steps import (
     Send,
     SolveCoupling,
     SolveMobility,
+    Step,
     Traverse,
 )
 from adagen.plan.types import Process
