@@ -61,6 +61,8 @@ def main(words: Sequence[str] | None = None) -> int:
     print(text)
     if options.write is not None:
         pictures = draw(scale, options.write.parent / "pictures")
+        for path in pictures:
+            write_scale(scale, path.with_suffix(".json"))
         shown = "".join(f"![{path.stem}](pictures/{path.name})\n\n" for path in pictures)
         write_between_marks(options.write, "chains", f"{shown}{text}")
     return 0

@@ -180,13 +180,19 @@ def _emitted(
         sources.setdefault(emitted.name, emitted)  # `auto` has often chosen one of the others
     toolchain = find_toolchain()
 
+    done = 0
+
     def build(emitted: Emitted) -> Contestant | str:
+        nonlocal done
         try:
             return emitted.contestant(toolchain, stretches=True)
         except AdagenError as error:
             return str(error).removeprefix("error: ")
+        finally:
+            done += 1
+            said(f"compiling {done} of {len(sources)}")
 
-    with progress(f"{entry.name}: compiling"), ThreadPoolExecutor(cores()) as pool:
+    with speaking(entry.name) as said, ThreadPoolExecutor(cores()) as pool:
         built = list(pool.map(build, sources.values()))
     absent |= {
         e.name: why for e, why in zip(sources.values(), built, strict=True) if isinstance(why, str)

@@ -86,7 +86,8 @@ def _build_and_run(folder: Path, processes: int) -> dict[str, Any]:
     toolchain = find_toolchain()
     (source,) = folder.glob("*_p[0-9]*.cpp")
     note(f"$ make -C {folder}")
-    with progress(f"compiling {source.stem}"):
+    texts = (path.read_text(encoding="utf-8") for path in folder.glob("*.cpp"))
+    with progress(f"compiling {source.stem}", sum(map(len, texts))):
         done = subprocess.run(
             ["make", "-C", str(folder), f"ADAGEN={shlex.quote(sys.executable)} -m adagen"],
             capture_output=True,
@@ -99,7 +100,7 @@ def _build_and_run(folder: Path, processes: int) -> dict[str, Any]:
     program = source.with_suffix("")
     start = f"mpiexec -n {processes} " if processes > 1 else ""  # one process needs no MPI
     note(f"$ {start}{program} --check --time")
-    with progress(f"running {program.name}"):
+    with progress(f"measuring {program.name}", 1):
         ran = launch(program, processes, ["--check", "--time", "--json"], toolchain, 120)
     if ran.status not in (0, 1) or not ran.stdout.strip():
         raise EnvironmentFault(ran.stderr.removeprefix("error: ") or f"{program.name} failed")

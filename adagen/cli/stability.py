@@ -10,7 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from adagen.cli.console import note, progress, say, speaking, warn
+from adagen.cli.console import say, speaking, warn
 from adagen.cli.console import tell as tell_reading
 from adagen.cli.parser import Parser, make_parser, parse
 
@@ -232,8 +232,10 @@ def _judge(options: argparse.Namespace, refuse: object) -> int:
         if number not in known:
             refuse(f"there is no case {number}; there are 1 to {len(CASES)}")
     outcomes = []
-    for number in sorted(set(options.case or known)):
-        with progress(f"case {number}: {known[number].title}"):
+    numbers = sorted(set(options.case or known))
+    with speaking("stability") as tell:
+        for k, number in enumerate(numbers, start=1):
+            tell(f"{k} of {len(numbers)}: case {number}, {known[number].title}")
             outcomes.append(run_case(known[number], options.quick))
     if options.json:
         print(json.dumps([_listed(outcome) for outcome in outcomes], indent=1))
@@ -285,7 +287,7 @@ def _show(outcomes: Sequence[Outcome]) -> None:
 
 
 def _draw(options: argparse.Namespace, refuse: object) -> int:
-    from adagen.studies.stability.draw import draw_conditions, draw_map
+    from adagen.studies.stability.draw import compared, draw_conditions, draw_map
     from adagen.studies.stability.maps import NAMES, make_map
 
     assert callable(refuse)
@@ -294,13 +296,24 @@ def _draw(options: argparse.Namespace, refuse: object) -> int:
             refuse(f"there is no family {name!r}; there are {', '.join(NAMES)}")
     options.map.mkdir(parents=True, exist_ok=True)
     maps = []
-    for name in options.family or NAMES:
-        note(f"family {name} ...")
-        found = make_map(name)
-        draw_map(found, options.map / f"stability_{name}.svg")
-        maps.append(found)
+    with speaking("maps") as tell:
+        for name in options.family or NAMES:
+            found = make_map(name, tell)
+            path = options.map / f"stability_{name}.svg"
+            draw_map(found, path)
+            _record(found.listed(), path)
+            maps.append(found)
     if any(found.conditions for found in maps):
-        draw_conditions(maps, options.map / "stability_condition.svg")
+        path = options.map / "stability_condition.svg"
+        draw_conditions(maps, path)
+        _record({found.family: compared(found) for found in maps if found.conditions}, path)
     if options.json:
         print(json.dumps([found.listed() for found in maps], indent=1))
     return 0
+
+
+def _record(data: object, picture: Path) -> None:
+    """Write the record behind a picture beside it."""
+    from adagen.wholefile import write_whole
+
+    write_whole(picture.with_suffix(".json"), json.dumps(data, indent=1, allow_nan=False) + "\n")

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from adagen.cli.console import note, progress
+from adagen.cli.console import note, speaking
 from adagen.cli.parser import Parser, make_parser, parse
 from adagen.errors import InputError, UsageError, printable
 from adagen.wholefile import write_whole
@@ -45,12 +45,13 @@ def run(argv: Sequence[str]) -> int:
 
     sources = list(dict.fromkeys(_sources(options.folders)))
     expected: dict[str, bytes] = {}
-    for source in sources:
-        with progress(f"generating {source.stem} again"):
+    with speaking("generating again") as said:
+        for k, source in enumerate(sources, start=1):
+            said(f"{k} of {len(sources)}: {source.stem}")
             texts = _made_again(source)
-        expected |= {
-            str(_place(source.parent, name)): text.encode() for name, text in texts.items()
-        }
+            expected |= {
+                str(_place(source.parent, name)): text.encode() for name, text in texts.items()
+            }
     found = _found(options.folders, expected)
     if options.update:
         _update(found, expected)

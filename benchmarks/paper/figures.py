@@ -18,7 +18,7 @@ from adagen.schedule.profile import TICKS
 from adagen.schedule.tree import Strategy
 from adagen.search import find_schedule
 from adagen.search.named import as_schedule
-from benchmarks.paper.pictures import Branch, branch, forest, height, save
+from benchmarks.paper.pictures import Branch, branch, height, save_forest
 
 PAPER = load_profile("paper")
 FOUR = Topology.serial(4)
@@ -53,7 +53,7 @@ def figure_3() -> None:
         caption = f"({name}) height {height(s.root)}, {s.makespan:.1f} us"
         trees.append((caption, branch_by_branch(s.root)))
         print(f"{caption}: {schedule_line(s, FOUR)}")
-    save("fig3", forest("Fig. 3: schedule trees of the chain 0-1-2-3, two processes", trees))
+    save_forest("fig3", "Fig. 3: schedule trees of the chain 0-1-2-3, two processes", trees)
 
 
 def branch_by_branch(node: Node) -> Branch:
@@ -79,7 +79,7 @@ def figure_5() -> None:
         s = ordered(FOUR, sequence[::-1], 2)
         print(f"({name}) searched in the order {sequence}: {schedule_line(s, FOUR)}")
         trees.append((f"({name}) {' '.join(map(str, sequence))}", branch_by_branch(s.root)))
-    save("fig5", forest("Fig. 5: two orders, one schedule tree", trees))
+    save_forest("fig5", "Fig. 5: two orders, one schedule tree", trees)
 
 
 def search_tree(prefix: tuple[int, ...], *, improved: bool) -> Branch:
@@ -118,7 +118,7 @@ def figure_6() -> None:
     for path in paths:
         s = ordered(FOUR, path[::-1], 2)
         trees.append((f"S {' '.join(map(str, path))}", branch_by_branch(s.root)))
-    save("fig6", forest("Fig. 6: search tree and schedule trees of the chain 0-1-2-3", trees))
+    save_forest("fig6", "Fig. 6: search tree and schedule trees of the chain 0-1-2-3", trees)
     print(f"{size(tree)} nodes; naive: {size(search_tree((), improved=False))}")
 
 
@@ -126,7 +126,7 @@ def figure_7() -> None:
     """The naive NextNodes() against the improved one."""
     naive, better = search_tree((1,), improved=False), search_tree((1,), improved=True)
     trees = [(f"naive, {size(naive)} nodes", naive), (f"improved, {size(better)} nodes", better)]
-    save("fig7", forest("Fig. 7: search tree under node 1", trees))
+    save_forest("fig7", "Fig. 7: search tree under node 1", trees)
     table = Table("N", "naive", "improved", "improved, admissible estimate", "partial chains")
     runs: list[tuple[Strategy, bool]] = [("paper", False), ("paper", True), ("astar", True)]
     for joints in (4, 8, 12, 16, 32):
@@ -152,7 +152,7 @@ def figure_8() -> None:
         root = draft.contract(topology, order)
         trees.append((f"({name}) boundary joint on joint {end}", _drawn(draft, root)))
         print(f"boundary at joint {end}: assembled in the order {order}")
-    save("fig8", forest("Fig. 8: joints 0-4, branches 1-2 and 3-4; one process", trees))
+    save_forest("fig8", "Fig. 8: joints 0-4, branches 1-2 and 3-4; one process", trees)
     _counterexample()
 
 
@@ -202,4 +202,4 @@ def figure_9() -> None:
         s = find_schedule(Topology.serial(16), p, profile=PAPER, tie="lex")
         trees.append((f"({p // 2}) {p} processes, {s.makespan:.1f} us", branch(s.root)))
         print(f"P={p}: {schedule_line(s, Topology.serial(16))}")
-    save("fig9", forest("Fig. 9: optimal schedules of a 16-joint chain", trees))
+    save_forest("fig9", "Fig. 9: optimal schedules of a 16-joint chain", trees)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from adagen.drawing.svg import INK, MUTED, RULE, Canvas, colour
@@ -32,11 +33,24 @@ class Branch:
     note: str = ""
 
 
-def save(name: str, text: str) -> None:
-    """Write a picture to docs/records/pictures."""
+def save_forest(name: str, title: str, trees: Sequence[tuple[str, Branch]]) -> None:
+    """Write a picture of trees, each with its caption, and the record behind it."""
+    shown = [{"caption": caption} | asdict(tree) for caption, tree in trees]
+    _save(name, forest(title, trees), {"title": title, "trees": shown})
+
+
+def save_chart(name: str, title: str, lines: Sequence[Line]) -> None:
+    """Write a picture of lines, and the record behind it."""
+    _save(name, chart(title, lines), {"title": title, "lines": [asdict(line) for line in lines]})
+
+
+def _save(name: str, picture: str, record: dict[str, object]) -> None:
     FOLDER.mkdir(parents=True, exist_ok=True)
-    (FOLDER / f"{name}.svg").write_text(text, encoding="utf-8")
-    print(f"wrote docs/records/pictures/{name}.svg")
+    (FOLDER / f"{name}.svg").write_text(picture, encoding="utf-8")
+    command = f"python -m benchmarks.paper {name.removesuffix('_measured').replace('_', '-')}"
+    text = json.dumps({"command": command} | record, allow_nan=False) + "\n"
+    (FOLDER / f"{name}.json").write_text(text, encoding="utf-8")
+    print(f"wrote docs/records/pictures/{name}.svg and the record behind it, {name}.json")
 
 
 def branch(node: Node) -> Branch:

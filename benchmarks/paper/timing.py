@@ -11,7 +11,7 @@ from adagen.search import find_schedule, named_schedule
 from adagen.search.named import as_schedule
 from benchmarks.paper import robots
 from benchmarks.paper.measured import build, machine, measure, model_of
-from benchmarks.paper.pictures import Line, chart, save
+from benchmarks.paper.pictures import Line, save_chart
 
 PAPER = load_profile("paper")
 JOINTS = 200
@@ -38,7 +38,7 @@ def figure_4(*, run: bool = True) -> None:
         Line("two processes", predicted),
         Line("one process", [(0, one), (JOINTS - 1, one)], dashed=True),
     ]
-    save("fig4_predicted", chart("Fig. 4, predicted with the paper's constants", lines))
+    save_chart("fig4_predicted", "Fig. 4, predicted with the paper's constants", lines)
     print(f"predicted: one process {one:.1f} us, two {best:.1f} us: {1 - best / one:.1%} less")
     if run:
         _measured_4()
@@ -64,7 +64,7 @@ def _measured_4() -> None:
         Line("one process, median", [(end, one.median) for end in ends], dashed=True),
         Line("one process, least", [(end, one.least) for end in ends], dashed=True),
     ]
-    save("fig4_measured", chart(f"Fig. 4, measured: {machine()}", lines))
+    save_chart("fig4_measured", f"Fig. 4, measured: {machine()}", lines)
 
 
 def table_2(*, run: bool = True) -> None:

@@ -41,7 +41,9 @@ def test_work_done_before_says_about_how_long_it_takes(
 ) -> None:
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setattr("adagen.cli.console._PATIENCE_SECONDS", 0.0)
-    assert pace.expected("compiling", 1000) is None
+    assert pace.expected("brewing", 1000) is None
+    first = pace.expected("compiling", 172_000)  # what a machine expects that did nothing yet
+    assert first is not None and 2.0 < first < 60.0
     pace.learn("compiling", 1000, 30.0)
     pace.learn("compiling", 100_000, 500.0)
     pace.learn("compiling", 10, 0.1)  # too short to teach anything
@@ -56,7 +58,7 @@ def test_work_done_before_says_about_how_long_it_takes(
         "compiling arm ...",
     ]
     (tmp_path / "adagen" / "pace.json").write_text("no JSON")
-    assert pace.expected("compiling", 1000) is None
+    assert pace.expected("compiling", 172_000) == first
     for k in range(30):
         pace.learn("compiling", 1000 + k, 30.0)
     assert len(json.loads((tmp_path / "adagen" / "pace.json").read_text())["compiling"]) == 20

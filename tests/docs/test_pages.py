@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import subprocess
@@ -13,6 +14,8 @@ import pytest
 from adagen.cli.main import VERBS
 from tests.docs.blocks import PAGES, ROOT
 
+PICTURES = ROOT / "docs" / "records" / "pictures"
+MEASURED_BEFORE = ("scale_joints",)
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 
 
@@ -35,8 +38,26 @@ def test_links_lead_somewhere(page: Path) -> None:
 
 def test_every_picture_is_shown() -> None:
     shown = {link for page in PAGES for link in LINK.findall(page.read_text(encoding="utf-8"))}
-    pictures = {path.name for path in (ROOT / "docs" / "records" / "pictures").iterdir()}
-    assert pictures == {Path(link).name for link in shown if "pictures/" in link}
+    linked = {Path(link).name for link in shown if "pictures/" in link}
+    assert {path.name for path in PICTURES.glob("*.svg")} == {
+        name for name in linked if name.endswith(".svg")
+    }
+
+
+@pytest.mark.parametrize("picture", sorted(PICTURES.glob("*.svg")), ids=lambda path: path.stem)
+def test_the_record_behind_a_picture_is_one_file(picture: Path) -> None:
+    if picture.stem.startswith("bench_"):
+        record = ROOT / "benchmarks" / "bench.json"
+    elif picture.stem in MEASURED_BEFORE:
+        pytest.skip("its command writes the record; it was measured before it did")
+    else:
+        record = picture.with_suffix(".json")
+    assert json.loads(record.read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("record", sorted(PICTURES.glob("*.json")), ids=lambda path: path.stem)
+def test_no_record_is_left_of_a_picture_that_is_gone(record: Path) -> None:
+    assert record.with_suffix(".svg").is_file()
 
 
 def test_the_site_has_every_page_once() -> None:

@@ -189,13 +189,13 @@ def motion_chart(
     said("reference: rk4 at a sixteenth of the least step, and at a thirty-second")
     truth = player.play(start, seconds, finest, "rk4")
     doubt = state_error(model, truth, player.play(start, seconds, finest / 2, "rk4"))
-    points = []
+    points: list[MotionPoint] = []
     stiff = any(j.passive.damping or j.passive.stiffness for j in model.joints)
-    for integrator in INTEGRATORS:
-        if integrator == "implicit" and not stiff:
-            continue
+    integrators = [name for name in INTEGRATORS if name != "implicit" or stiff]
+    for integrator in integrators:
         for step in sorted(steps, reverse=True):
-            said(f"{integrator}, step {step:g} s")
+            part, parts = len(points) + 1, len(integrators) * len(steps)
+            said(f"simulating {part} of {parts}: {integrator}, step {step:g} s")
             try:
                 motion = player.play(start, seconds, step, integrator)
             except EnvironmentFault as failure:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -110,12 +111,24 @@ def draw_conditions(maps: Sequence[Map], path: Path) -> None:
         panel.set_ylim(_LEAST / 3, _MOST * 3)
         panel.set_title(method, loc="left", fontsize=10)
         panel.grid(alpha=0.25)
-    figure.supxlabel("cond(H) eps")
+    figure.supxlabel("cond(H) eps, eps being the rounding unit of the method's numbers")
     figure.supylabel("forward error in the energy norm")
     figure.suptitle("dashed: error = cond(H) eps; dotted: eps; failures at the upper edge")
     handles, names = grid.flat[0].get_legend_handles_labels()
     figure.legend(handles, names, loc="outside right center", frameon=False)
     _save(figure, path)
+
+
+def compared(found: Map) -> dict[str, object]:
+    """Return what a picture against cond(H) shows of a family; an error is None for a failure."""
+    errors = {name: found.errors[found.methods.index(name)] for name in _PANELS}
+    return {
+        "conditions": found.conditions,
+        "errors": {
+            name: [error if math.isfinite(error) else None for error in row]
+            for name, row in errors.items()
+        },
+    }
 
 
 def draw_study(cells: Sequence[Cell], path: Path) -> None:

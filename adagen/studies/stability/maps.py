@@ -57,14 +57,14 @@ def make_map(family: str, progress: Callable[[str], None] = lambda _: None) -> M
 
     Args:
         family: its name.
-        progress: is told what is being worked at.
+        progress: called with what is being worked at.
     """
     if family == "step":
         return _step_map(progress)
     axis, robot, values = FAMILIES[family]
     columns, conditions = [], []
-    for value in values:
-        progress(f"{family} {value:g}")
+    for k, value in enumerate(values, start=1):
+        progress(f"{family}, {k} of {len(values)}")
         trial = Trial(robot(value))
         columns.append([trial.outcome(METHODS[name])[0] for name in _COMPARED])
         conditions.append(condition(trial.model, trial.state[0]))
@@ -77,8 +77,8 @@ def _step_map(progress: Callable[[str], None]) -> Map:
     progress("step: reference")
     truth = swing(5e-6, "rk4")
     rows = []
-    for method in _STEP_METHODS:
-        progress(f"step: {method}")
+    for k, method in enumerate(_STEP_METHODS, start=1):
+        progress(f"step, {k} of {len(_STEP_METHODS)}")
         errors = [np.abs(swing(h, _WORDS[method]) - truth).max() for h in STEPS]
         rows.append(tuple(float(e / np.abs(truth).max()) for e in errors))
     return Map(

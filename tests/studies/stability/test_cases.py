@@ -92,6 +92,7 @@ def test_a_map_tells_where_methods_end_and_is_drawn(
     words = ["stability", "--map", str(tmp_path), "--family", "distance", "--json"]
     assert main(words) == 0
     (data,) = json.loads(capsys.readouterr().out)
+    assert data == json.loads((tmp_path / "stability_distance.json").read_text())
     kept = dict(zip(data["methods"], data.pop("digits"), strict=True))
     assert kept["articulated bodies, world frame"][-1] < 6 < 14 < kept["form segment"][-1]
     assert len(data["conditions"]) == len(data["values"])
@@ -101,6 +102,10 @@ def test_a_map_tells_where_methods_end_and_is_drawn(
     draw_map(Map(**data), tmp_path / "again.svg")
     assert text == (tmp_path / "again.svg").read_text()
     assert "cond(H) eps" in (tmp_path / "stability_condition.svg").read_text()
+    behind = json.loads((tmp_path / "stability_condition.json").read_text())["distance"]
+    assert behind["conditions"] == data["conditions"]
+    drawn = dict(zip(data["methods"], data["errors"], strict=True))
+    assert behind["errors"].items() <= drawn.items() and len(behind["errors"]) == 6
 
 
 def test_a_failure_is_no_number_in_the_data() -> None:
