@@ -6,7 +6,7 @@ far as their joints are of the same kinds.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import groupby
@@ -203,20 +203,33 @@ def _exchanged(
 def _chains(plan: Plan, process: Process) -> list[list[list[int]]]:
     """All joints that fit, as chains that are as long as can be; those that may go together."""
     fit = _fit(plan, process)
+    pools: dict[object, list[list[int]]] = {}
+    for chain in longest_chains(plan.joints, fit):
+        pools.setdefault(fit[chain[0]], []).append(chain)
+    return list(pools.values())
+
+
+def longest_chains(joints: Sequence[PlanJoint], fit: Mapping[int, object]) -> list[list[int]]:
+    """Return joints as chains, each joint on the link of the one before: as long as can be.
+
+    Args:
+        joints: the plan's joints.
+        fit: those that are in chains, ascending; only what is equal goes into one.
+    """
     height = dict.fromkeys(fit, 1)
     beyond: dict[int, int] = {}  # the next joint outwards in a joint's chain
-    for j in reversed(fit):
-        near = plan.joints[j].parent - 1
-        if fit.get(near) == fit[j] and height[near] <= height[j]:
+    for j in reversed(list(fit)):
+        near = joints[j].parent - 1
+        if near in fit and fit[near] == fit[j] and height[near] <= height[j]:
             height[near], beyond[near] = height[j] + 1, j
-    pools: dict[object, list[list[int]]] = {}
-    starts = [j for j in fit if beyond.get(plan.joints[j].parent - 1) != j]
-    for j in starts:
-        chain = [j]
-        while chain[-1] in beyond:
-            chain.append(beyond[chain[-1]])
-        pools.setdefault(fit[j], []).append(chain)
-    return list(pools.values())
+    chains = []
+    for j in fit:
+        if beyond.get(joints[j].parent - 1) != j:
+            chain = [j]
+            while chain[-1] in beyond:
+                chain.append(beyond[chain[-1]])
+            chains.append(chain)
+    return chains
 
 
 def _best(
@@ -350,14 +363,14 @@ def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
     return {
         j: tuple(sweep[j] for sweep in sweeps)
         for j in process.owns
-        if _fits(plan.joints[j])
+        if fits_beside(plan.joints[j])
         and j + 1 in bare
         and j not in turned | between
         and all(j in sweep for sweep in sweeps)
     }
 
 
-def _fits(joint: PlanJoint) -> bool:
+def fits_beside(joint: PlanJoint) -> bool:
     """Whether a joint is of a kind that is treated side by side.
 
     Where its motion is prescribed, it may have one freedom, and be beside joints that move freely.

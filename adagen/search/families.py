@@ -193,9 +193,8 @@ class Families:
         assert self.best is not None  # one process comes first
         pricing = self._pricing(self.best)
         robot = Robot(pricing.joints)
-        bounds = Bounds(
-            robot, Floors(robot, self.costs), self.processes, self.costs, pricing.channel
-        )
+        floors = Floors(robot, self.costs, whole=True)
+        bounds = Bounds(robot, floors, self.processes, self.costs, pricing.channel)
         floating = [robot.trees[robot.tree_of[j]].base is not None for j in range(len(cuttable))]
         roots = [False, *(f or c for f, c in zip(floating, cuttable, strict=True))]
         prices, spent = LayoutPrices(robot, pricing), Spent(_JOINTS * self.most)

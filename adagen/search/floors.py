@@ -15,7 +15,7 @@ from math import inf
 
 from adagen.plan.carried import may_be_carried
 from adagen.plan.robot import PlanJoint
-from adagen.plan.simd_groups import KINDS
+from adagen.plan.simd_groups import KINDS, fits_beside, longest_chains
 from adagen.program.runs import OF_ONE_FREEDOM, Run
 from adagen.schedule.costs import PRESCRIBED, StepCosts
 from adagen.search.limbs import Limb, Robot
@@ -60,6 +60,8 @@ class Floors:
     Args:
         robot: the robot.
         costs: the machine's coefficients.
+        whole: whether processes have limbs as a whole, as where they gather: then it is known in
+            which chains joints can lie side by side, and that kinematics are passed in runs.
 
     Attributes:
         single: of each joint of a core: passed by itself or with its run, no link beside it, since
@@ -67,14 +69,15 @@ class Floors:
         passed: the same of each joint of a limb, with the link beyond it.
         row: of each joint, with the whole row that it is in.
         share: of each joint, with its share of the row that it is in.
+        by_itself: about what each joint takes beside no other, without its run: not a bound.
         pose: the kinematics alone of a joint by itself or with its run.
         passing: the same for a process that only passes the joint on the way to others.
         ends: how many joints with nothing beyond them there are from each joint on.
         most: how many joints of a kind can lie side by side.
     """
 
-    def __init__(self, robot: Robot, costs: StepCosts) -> None:
-        self.robot, self.costs = robot, costs
+    def __init__(self, robot: Robot, costs: StepCosts, *, whole: bool = False) -> None:
+        self.robot, self.costs, self.whole = robot, costs, whole
         joints = robot.joints
         self.most = {kind: self._most_in_row(kind) for kind in sorted(KINDS)}
         run_of = {j: run for run in robot.runs for j in _within(run)}
@@ -85,13 +88,17 @@ class Floors:
             for j in _within(run)
         }
         long = {j for run in robot.long for j in _within(run)}
+        lengths = [run_of[j].length if j in run_of else 0 for j in range(len(joints))]
         self.pose = [
-            self._pose(joint, j in long, "kinematics_segments") for j, joint in enumerate(joints)
-        ]
-        self.passing = [
-            min(self.pose[j], self._pose(joint, j in long, "passing_segments"))
+            self._pose(joint, lengths[j], j in long, "kinematics_segments")
             for j, joint in enumerate(joints)
         ]
+        self.passing = [
+            min(self.pose[j], self._pose(joint, lengths[j], j in long, "passing_segments"))
+            for j, joint in enumerate(joints)
+        ]
+        self.by_itself = [costs.joint(joint.kind) for joint in joints]
+        self._chains = self._lengths_of_chains()
         self._alone = [
             self._ways(joint, self.pose[j], run_of[j].length if j in run_of else 1, j in in_columns)
             for j, joint in enumerate(joints)
@@ -126,7 +133,7 @@ class Floors:
         start = self._start[joint]
         ways = [(inwards + start, outwards) for inwards, outwards in self._alone[joint]]
         for n in range(2, count + 1):
-            inwards, outwards = self._in_row(self.robot.joints[joint], n)
+            inwards, outwards = self._in_row(joint, n)
             ways.append((inwards + n * start, outwards))
         return _least(ways)
 
@@ -135,7 +142,7 @@ class Floors:
         start = self._start[joint]
         ways = [(inwards + start, outwards) for inwards, outwards in self._alone[joint]]
         for n in range(2, count + 1):
-            inwards, outwards = self._in_row(self.robot.joints[joint], n)
+            inwards, outwards = self._in_row(joint, n)
             ways.append((inwards / n + start, outwards / n))
         return _least(ways)
 
@@ -148,10 +155,6 @@ class Floors:
         if not limb.up:
             return whole
         return whole.plus(self._turned[limb.link]).plus(self.upwards(limb))
-
-    def alone(self, limb: Limb) -> float:
-        """Return about what a limb takes beside no other."""
-        return sum(self.passed[j].both for j in limb.joints)
 
     def longest(self, limb: Limb) -> Floor:
         """Return the least that the process takes which has a limb: all of it, and row by row."""
@@ -184,9 +187,38 @@ class Floors:
             widest[joints[j].parent] += here
         return min(widest[0], max(_ROWS))
 
-    def _pose(self, joint: PlanJoint, in_long: bool, in_segment: str) -> float:
-        alone = self.costs[f"kinematics.{joint.kind}"]
-        return min(alone, self.costs[f"{in_segment}.{joint.kind}"]) if in_long else alone
+    def _pose(self, joint: PlanJoint, length: int, in_long: bool, in_segment: str) -> float:
+        """The kinematics of a joint by itself, with its share of the run that it is in.
+
+        Args:
+            joint: the joint.
+            length: of the longest run that it may be in; 0 for what floats on the ground.
+            in_long: whether that may be passed in segments.
+            in_segment: the coefficients of those.
+        """
+        costs, shared = self.costs, bool(length) and self.whole
+        alone = costs[f"kinematics.{joint.kind}"]
+        alone += costs["kinematics.run"] / length if shared else 0.0
+        if not in_long:
+            return alone
+        segment = costs[f"{in_segment}.{joint.kind}"]
+        segment += costs["kinematics_segments.run"] / length if shared else 0.0
+        return min(alone, segment)
+
+    def _lengths_of_chains(self) -> list[int]:
+        """How long the chain is at most in which each joint lies beside others.
+
+        Limbs of a process hold the ends of chains, or what is left of them. Where limbs are whole,
+        chains are those of the robot, unless a core or the way to the ground shortens them.
+        """
+        joints = self.robot.joints
+        found = [len(joints)] * len(joints)
+        if self.whole:
+            fit = {j: 0 for j, joint in enumerate(joints) if fits_beside(joint)}
+            for chain in longest_chains(joints, fit):
+                for j in chain:
+                    found[j] = len(chain)
+        return found
 
     def _ways(
         self, joint: PlanJoint, pose: float, length: int, in_columns: bool
@@ -212,13 +244,12 @@ class Floors:
             sweeps.append(costs[f"articulate_columns.{kind}"] + run)
         return [(pose + min(sweeps), costs[f"accelerate.{priced}"])]
 
-    def _in_row(self, joint: PlanJoint, count: int) -> tuple[float, float]:
-        """The price of a row of joints."""
-        (name, _), costs = _ROWS[count], self.costs
-        inwards = (
-            costs[f"kinematics_{name}.{joint.kind}"] + costs[f"articulate_{name}.{joint.kind}"]
-        )
-        return inwards, costs[f"accelerate_{name}.{joint.kind}"]
+    def _in_row(self, joint: int, count: int) -> tuple[float, float]:
+        """The price of a row that a joint is in, with its share of what limbs cost besides."""
+        (name, _), costs, kind = _ROWS[count], self.costs, self.robot.joints[joint].kind
+        inwards = costs[f"kinematics_{name}.{kind}"] + costs[f"articulate_{name}.{kind}"]
+        inwards += costs[f"limbs.{name}"] / self._chains[joint]
+        return inwards, costs[f"accelerate_{name}.{kind}"]
 
     def _climb(self, j: int, joint: PlanJoint) -> None:
         """What is on the ground's side of a joint's child link, its joint passed the other way."""

@@ -56,7 +56,7 @@ class GatheredSearch:
         The most promising of those frames that come first are looked at, as long as that helps.
         """
         waited = 0
-        for frame, guess in self._evenly([floor.both for floor in self.bounds.floors.single]):
+        for frame, guess in self._evenly(self.bounds.floors.by_itself):
             if waited == _FRAMES or 4 * self.spent.spent > self.spent.limit:
                 break
             before = self.found.best

@@ -24,7 +24,8 @@ class _Alike:
 
     Attributes:
         width: how many of them none of which hangs on another.
-        shares: the least that they take in rows of 1, 2, 3 and 4 joints at most.
+        shares: the least that they take where 0, 1, 2 and 3 joints of other limbs lie beside them
+            at most.
     """
 
     width: int
@@ -78,7 +79,8 @@ class SideBySide:
         for limb in own:
             total = total.plus(limb.fixed)
             for kind, alike in limb.kinds.items():
-                total = total.plus(alike.shares[min(widths[kind], _MOST) - 1])
+                others = min(widths[kind] - alike.width, _MOST - 1)
+                total = total.plus(alike.shares[others])
         return total
 
     def _limb(self, limb: Limb) -> LimbFloor:
@@ -95,26 +97,31 @@ class SideBySide:
         for j in limb.joints:
             if j not in way:
                 own[joints[j].kind].append(j)
-        found = {kind: _Alike(self._width(of), self._shares(of)) for kind, of in own.items()}
-        return LimbFloor(fixed, found)
+        return LimbFloor(fixed, {kind: self._alike(of) for kind, of in own.items()})
 
-    def _shares(self, joints: Iterable[int]) -> tuple[Floor, ...]:
-        own, found = list(joints), []
-        for count in range(1, _MOST + 1):
+    def _alike(self, own: list[int]) -> _Alike:
+        """Joints of one kind, by what can lie beside each of them in the limb and beyond it."""
+        floors, (width, beside) = self.floors, self._widths(own)
+        most = floors.most.get(floors.robot.joints[own[0]].kind, 1)
+        shares = []
+        for others in range(_MOST):
             total = NOTHING
             for j in own:
-                most = self.floors.most.get(self.floors.robot.joints[j].kind, 1)
-                total = total.plus(self.floors.of_row(j, min(count, most)))
-            found.append(total)
-        return tuple(found)
+                total = total.plus(floors.of_row(j, min(1 + beside[j] + others, most)))
+            shares.append(total)
+        return _Alike(width, tuple(shares))
 
-    def _width(self, joints: Iterable[int]) -> int:
-        """How many of some joints there are none of which hangs on another."""
+    def _widths(self, own: list[int]) -> tuple[int, dict[int, int]]:
+        """How many joints there are none of which hangs on another: of all, and beside each one."""
         parents = [joint.parent for joint in self.floors.robot.joints]
-        inside = set(joints)
-        beyond: defaultdict[int, int] = defaultdict(int)  # by link
+        inside = set(own)
+        widest: defaultdict[int, int] = defaultdict(int)  # beyond each link
+        beyond: dict[int, int] = {}  # of each joint and what hangs on it
         for j in range(max(inside), -1, -1):
-            here = max(beyond.pop(j + 1, 0), j in inside)
-            if here:
-                beyond[parents[j]] += here
-        return beyond[0]
+            if here := max(widest[j + 1], j in inside):
+                beyond[j] = here
+                widest[parents[j]] += here
+        beside: dict[int, int] = {-1: 0}  # of each joint, the ground first
+        for j in sorted(beyond):
+            beside[j] = beside[parents[j] - 1] + widest[parents[j]] - beyond[j]
+        return widest[0], {j: beside[j] for j in own}

@@ -49,7 +49,7 @@ class Case:
         plan = make_plan(self.model, self.pattern)
         self.prices = LayoutPrices(self.robot, Pricing(plan, self.profile))
         steps = self.profile.steps
-        floors = Floors(self.robot, steps)
+        floors = Floors(self.robot, steps, whole=True)
         self.bounds = Bounds(self.robot, floors, self.processes, steps, steps.window)
 
     def schedule(self, layout: Layout) -> Schedule:

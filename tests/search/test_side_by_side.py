@@ -1,0 +1,99 @@
+"""The least that a process takes for its limbs, beside what it is priced at."""
+
+from __future__ import annotations
+
+from itertools import chain, combinations
+
+import pytest
+
+from adagen.model import REVOLUTE, Model
+from adagen.plan.constants import joints_of
+from adagen.schedule import load_profile
+from adagen.search.floors import Floors
+from adagen.search.layouts import Frame
+from adagen.search.limbs import Core, Robot
+from tests.cost.costs import step_profile
+from tests.models import Part, assemble, rod, vector
+from tests.search.test_gathered import Case
+
+PROFILES = {"default": load_profile("default"), "others": step_profile()}
+HANDS = {
+    "fingers and thumbs": (3, 3, 1, 2),
+    "short ones": (1, 1, 1, 1, 1),
+}
+
+
+def hand(fingers: tuple[int, ...], wrist: int = 2) -> Model:
+    """Return two fingers on a palm that stands on the ground, and an arm with others at its end."""
+    body, place = rod(0.5, vector(0.0, 0.0, 0.2)), vector(0.0, 0.0, 0.2)
+    parts = [Part("palm", None, REVOLUTE, body, place)]
+    lengths = {"a": wrist, "b": fingers[0], "c": fingers[-1]}
+    names = dict.fromkeys(lengths, "palm")
+    end = f"a{wrist - 1}"
+    for k, length in enumerate(fingers):
+        lengths[f"f{k}"], names[f"f{k}"] = length, end
+    for name, length in lengths.items():
+        above = names[name]
+        for k in range(length):
+            parts.append(Part(f"{name}{k}", above, REVOLUTE, body, place))
+            above = f"{name}{k}"
+    return assemble("hand", parts)
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+@pytest.mark.parametrize("name", HANDS)
+def test_no_set_of_limbs_is_priced_below_its_floor(name: str, profile: str) -> None:
+    """Pairs of limbs, and all limbs but one, of each core that has at least three."""
+    case = Case(hand(HANDS[name]), 2, PROFILES[profile])
+    together, seen = case.bounds.side_by_side, 0
+    for core in case.all_cores():
+        if len(core) != 1 or core[0].root == 0:
+            continue
+        frame = Frame(core, case.robot.limbs(core))
+        if len(frame.limbs) < 3:
+            continue
+        numbers = range(len(frame.limbs))
+        sets = chain.from_iterable(combinations(numbers, n) for n in (2, len(numbers) - 1))
+        for own in sets:
+            piece = case.prices.piece(frame, own, frozenset())
+            if piece is None:
+                continue
+            floor = together.least(together.of(frame.limbs[k]) for k in own)
+            share = piece.share
+            inwards = share.least_kinematics + share.inwards
+            assert floor.inwards <= inwards + 1e-12
+            assert floor.outwards <= share.outwards + 1e-12
+            assert floor.both <= inwards + share.between + share.outwards + 1e-12
+            seen += 1
+    assert seen > 20
+
+
+def test_what_lies_beside_a_joint_is_counted_joint_by_joint() -> None:
+    """The arm of a hand has nothing beside it but what is not beyond it."""
+    profile = PROFILES["default"]
+    assert profile.steps is not None
+    robot = Robot(joints_of(hand((2, 2, 2, 2))))
+    case = Case(hand((2, 2, 2, 2)), 2, profile)
+    together = case.bounds.side_by_side
+    palm = robot.limbs([Core(0, 1)])
+    arm = next(limb for limb in palm if len(limb) == 2 + 4 * 2)
+    floors, joints = case.bounds.floors, list(arm.joints)
+    alone = [floors.of_row(j, 1).both for j in joints]
+    four = [floors.of_row(j, 4).both for j in joints]
+    up = together.least([together.of(limb) for limb in palm if limb.up]).both
+    assert up > 0.0
+    expected = sum(alone[:2]) + sum(four[2:])
+    assert together.least([together.of(arm)]).both == pytest.approx(expected)
+
+
+def test_limbs_pay_for_being_passed_together_and_the_more_the_shorter_they_are() -> None:
+    steps = PROFILES["default"].steps
+    assert steps is not None
+    robot = Robot(joints_of(hand((3, 1, 1, 3))))
+    whole, parted = Floors(robot, steps, whole=True), Floors(robot, steps)
+    last = {name: j for j, name in enumerate(joint.name for joint in hand((3, 1, 1, 3)).joints)}
+    more = {
+        name: whole.of_row(last[name], 4).inwards - parted.of_row(last[name], 4).inwards
+        for name in ("f00", "f10")
+    }
+    assert 0.0 < more["f00"] < more["f10"]
