@@ -79,8 +79,8 @@ def table(sums: dict[str, Counter[str]]) -> list[str]:
         cells = (way, n["robots"], n["answered"], n["refused"], n["warned"], silent)
         lines.append(f"| {' | '.join(map(str, cells))} |")
     evaluations = sum(n["answered"] + n["refused"] for n in sums.values())
-    silent = sum(n["silent"] for n in sums.values())
-    return [*lines, "", f"{evaluations} evaluations, {silent} wrong in silence."]
+    wrong = sum(n["silent"] for n in sums.values())
+    return [*lines, "", f"{evaluations} evaluations, {wrong} wrong in silence."]
 
 
 def recorded(path: Path | None) -> dict[tuple[int, int, int], dict[str, dict[str, Any]]]:

@@ -5,10 +5,10 @@
 
 ROBOT.json holds true answers beside ROBOT.urdf: {"modes": {"fixed": MODE, "floating": MODE}}, where
 MODE is {"status": "ok", "joints": {NAME: {"q": [...], "v": [...], "tau": [...], "qdd": [...]}}}.
-Each is solved for by a solver that refines (once, mixed ones four times); the size of its first
-correction is laid beside the error of the answer that it had before, in the energy norm.
-The record, a line of JSON for each robot and variant, is added to as it goes: what it has is not
-measured again. CXXFLAGS=-O1 has solvers built in half the time.
+Each is solved for by a solver that refines once; the size of its correction is laid beside the
+error of the answer that it had before, in the energy norm. The record, a line of JSON for each
+robot and variant, is added to as it goes: what it has is not measured again. CXXFLAGS=-O1 has
+solvers built in half the time.
 """
 
 from __future__ import annotations
@@ -41,7 +41,6 @@ from benchmarks.solvers import answers
 
 Array = NDArray[np.float64]
 FIELDS = ("q", "v", "tau")
-STEPS = {"double": 1, "mixed": 4}  # with fewer, some mixed solvers are not certain of their digits
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,19 +112,17 @@ def measured(subject: Subject, form: str, scalar: str, processes: int) -> dict[s
     model, states = subject.model, subject.states
     try:
         plan = planned(model, form, scalar, processes)
-        sizes = answers(plan, model, states, refine=STEPS[scalar]).corrections
-        found = answers(plan, model, states, refine=STEPS[scalar], raw=True).qdd
+        said = answers(plan, model, states, refine=1).corrections[:, 0]
+        found = answers(plan, model, states, refine=1, raw=True).qdd
     except (AdagenError, RuntimeError) as error:
         return {"refused": str(error).splitlines()[0]}
-    said = sizes[:, 0]
     true = [subject.error(s, found[s]) for s in range(states.count)]
     own = [
         None if within(said[s], true[s]) else subject.own_error(s, found[s])
         for s in range(states.count)
     ]
     busy = sum(bool(process.owns) for process in plan.processes)
-    row = {"said": said.tolist(), "true": true, "own": own, "busy": busy}
-    return row | {"corrections": sizes.tolist()} if scalar == "mixed" else row
+    return {"said": said.tolist(), "true": true, "own": own, "busy": busy}
 
 
 def measure(options: argparse.Namespace) -> int:
@@ -162,7 +159,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     one.add_argument("record", type=Path)
     one.add_argument("robots", nargs="+", type=Path)
     one.add_argument("--procs", type=lambda text: [int(p) for p in text.split(",")], default=[1, 2])
-    one.add_argument("--scalars", type=lambda text: text.split(","), default=["double", "mixed"])
+    one.add_argument("--scalars", type=lambda text: text.split(","), default=["double"])
     one.add_argument("--forms", type=lambda text: text.split(","), default=["segment", "ada"])
     one.set_defaults(run=measure)
     other = verbs.add_parser("report")

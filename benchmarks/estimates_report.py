@@ -7,8 +7,6 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from adagen.emit import TOLERANCE
-
 FACTOR = 3.0
 ROUNDING = 2.0**-53
 Row = dict[str, Any]
@@ -47,7 +45,7 @@ def judged(row: Row) -> list[str]:
 
 def report(rows: Sequence[Row]) -> str:
     """Return the tables of docs/records/refinement.md."""
-    return "\n".join([*_summary(rows), "", *_enough(rows), *_beyond(rows), *_refused(rows)])
+    return "\n".join([*_summary(rows), "", *_beyond(rows), *_refused(rows)])
 
 
 def _summary(rows: Sequence[Row]) -> Iterator[str]:
@@ -66,27 +64,6 @@ def _summary(rows: Sequence[Row]) -> Iterator[str]:
             f"{count.total()} | {count['file']} | {count['own']} | {count['rest']} | "
             f"{count['beyond']} |"
         )
-
-
-def _enough(rows: Sequence[Row]) -> Iterator[str]:
-    """How many steps a mixed solver needs to be certain of its digits."""
-    mixed = [row for row in rows if "corrections" in row]
-    if not mixed:
-        return
-    yield "| form, scalar, P | states answered | two steps do | three | four |"
-    yield "|---|---|---|---|---|"
-    for variant in dict.fromkeys(tuple(row["key"][1:]) for row in mixed):
-        states = [
-            sizes
-            for row in mixed
-            if tuple(row["key"][1:]) == variant
-            for sizes, verdict in zip(row["corrections"], judged(row), strict=True)
-            if verdict != "rest"
-        ]
-        form, scalar, processes = variant
-        enough = (sum(sizes[k] < TOLERANCE["mixed"] for sizes in states) for k in (1, 2, 3))
-        yield f"| {form}, {scalar}, {processes} | {len(states)} | {' | '.join(map(str, enough))} |"
-    yield ""
 
 
 def _beyond(rows: Sequence[Row]) -> Iterator[str]:

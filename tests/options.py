@@ -44,7 +44,7 @@ SCENES = {
 OPTIONS: dict[str, tuple[str, ...]] = {
     "--procs": ("1", "2", "3", "4", "auto"),
     "--form": ("segment", "ada"),
-    "--scalar": ("double", "float", "mixed"),
+    "--scalar": ("double", "float"),
     "--refine": ("", "0", "1", "2"),
     "--residual": ("", "own", "wide"),
     "--certify": ("", "yes"),

@@ -47,7 +47,7 @@ _RARE = frozenset(
 )
 """What --help leaves to --help-all."""
 
-_SCALARS = ("double", "float", "mixed")
+_SCALARS = ("double", "float")
 _LEAST_STATES = 20
 LARGEST_STEP = 0.008
 """Largest step of a chart of integrators where none is given, s."""
@@ -89,13 +89,14 @@ def _add_variants(parser: Parser) -> None:
         type=_list_of(str, _SCALARS),
         default=_SCALARS,
         metavar="NAME,...",
-        help="number types (default: double,float,mixed)",
+        help="number types (default: double,float)",
     )
     add(
         "--refine",
         type=_list_of(int, range(10)),
         metavar="N,...",
-        help="steps of iterative refinement (default: 0,1, of mixed 2; mixed takes 2 or more)",
+        default=(0, 1),
+        help="steps of iterative refinement (default: 0,1)",
     )
     _add_names(add)
     add(

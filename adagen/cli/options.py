@@ -187,10 +187,10 @@ def _add_algorithm(parser: Parser) -> None:
     )
     group.add_argument(
         "--scalar",
-        choices=("double", "float", "mixed"),
+        choices=("double", "float"),
         default="double",
         metavar="TYPE",
-        help="double (default), float, or mixed (float refined to double)",
+        help="double (default) or float",
     )
     group.add_argument(
         "--reproducible",
@@ -267,10 +267,10 @@ def add_out(parser: Parser) -> None:
 
 
 def refinement(options: argparse.Namespace) -> int:
-    """Return how many steps of refinement the options ask for; "mixed" is never without."""
-    from adagen.emit.refine import refinement_steps
+    """Return how many steps of refinement the options ask for."""
+    from adagen.emit.refine import checked_steps
 
-    return refinement_steps(getattr(options, "refine", None), options.scalar)
+    return checked_steps(getattr(options, "refine", None))
 
 
 def check_search(parser: Parser, options: argparse.Namespace) -> None:
@@ -302,7 +302,7 @@ def check_emission(parser: Parser, options: argparse.Namespace) -> None:
     check_search(parser, options)
     steps = refinement(options)
     if options.reproducible:
-        check_reproducible(options.form, options.scalar, steps, options.shape)
+        check_reproducible(options.form, steps, options.shape)
     checked_shape(steps, options.shape)
     if options.batch:
         check_batch(options.shape, steps, options.channel)

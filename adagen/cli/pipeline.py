@@ -215,7 +215,6 @@ def _warn_of_lost_digits(
     from adagen.emit import TOLERANCE
     from adagen.emit.shapes import chosen_shape, shape_to_refine, why_not_own
     from adagen.library.compiled import shape_of
-    from adagen.plan.types import FACTORS
     from adagen.search.objective import FEW, predicted_digits
     from adagen.urdf.notes import quoted
 
@@ -230,7 +229,7 @@ def _warn_of_lost_digits(
         digits = predicted_digits(options.objective, model, plan, shape)
     except FloatingPointError as error:
         raise InputError(_why_it_fails(plan, model, options, str(error)), file) from None
-    few = TOLERANCE[plan.scalar] if plan.form == "ada" else FEW[FACTORS[plan.scalar]]
+    few = TOLERANCE[plan.scalar] if plan.form == "ada" else FEW[plan.scalar]
     if digits.error <= few:
         return
     ways = ["form segment keeps more digits"] if plan.form == "ada" else []

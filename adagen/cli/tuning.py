@@ -21,7 +21,7 @@ def tuned(plan: Plan, options: argparse.Namespace, stages: Stages) -> Candidate:
     """
     from adagen.build import find_toolchain
     from adagen.emit import emit, stem_of
-    from adagen.emit.refine import refinement_steps
+    from adagen.emit.refine import checked_steps
     from adagen.emit.shapes import SHAPES, chosen_shape, offered, stepwise
     from adagen.run.tune import candidates, compilers, table, tune
     from adagen.schedule import load_profile
@@ -31,7 +31,7 @@ def tuned(plan: Plan, options: argparse.Namespace, stages: Stages) -> Candidate:
         shapes = list(offered(plan)) if plan.reproducible else shapes
     else:
         shapes = [chosen_shape(plan, options.shape)]
-    if refinement_steps(options.refine, plan.scalar):
+    if checked_steps(options.refine):
         shapes = [stepwise(plan)] if options.shape == "auto" else shapes
     stem = stem_of(plan)
 

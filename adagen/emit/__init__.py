@@ -14,7 +14,7 @@ from adagen.emit.interface import FAILURES
 from adagen.emit.model import model_values
 from adagen.emit.names import file_stem, prefix_of, quoted
 from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
-from adagen.emit.refine import checked_shape, refinement_messages, refinement_steps
+from adagen.emit.refine import checked_shape, checked_steps, refinement_messages
 from adagen.emit.runtime import runtime_files, version_number
 from adagen.emit.settings import description, settings
 from adagen.emit.shapes import KNOWN, chosen_shape, shape_to_refine, to_be_refined
@@ -23,14 +23,14 @@ from adagen.emit.words import Words
 from adagen.errors import UsageError
 from adagen.executor import Grouping
 from adagen.plan import Plan, plan_to_json
-from adagen.plan.types import FACTORS, THREADS
+from adagen.plan.types import THREADS
 from adagen.program import Program, check, lower
 from adagen.program.summary import TREES, meeting
 from adagen.schedule import CostProfile, load_profile, step_costs
 
 # Largest backward error that an emitted self-check lets pass: what cuts may lose at most, with a
 # margin (adagen/plan/cuts.py, docs/explanation/accuracy.md).
-TOLERANCE = {"double": 1e-9, "float": 1e-3, "mixed": 1e-9}
+TOLERANCE = {"double": 1e-9, "float": 1e-3}
 
 __all__ = [
     "check_batch",
@@ -98,7 +98,7 @@ def emit(
     """
     processes = batch or len(plan.processes)
     stem = stem_of(plan, name, batch)
-    steps = refinement_steps(refine, plan.scalar)
+    steps = checked_steps(refine)
     check_target(target, processes, steps, batch=bool(batch), single_file=single_file)
     header, text = _texts(
         plan, stem, shape, refine, residual, chunk, compiler, batch, profile, limbs, target
@@ -162,7 +162,7 @@ def program_of(
     Raises:
         UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
     """
-    refine = refinement_steps(refine, plan.scalar)
+    refine = checked_steps(refine)
     if batch:
         if len(plan.processes) > 1:
             raise UsageError("a batch is solved by the plan of one process")
@@ -203,7 +203,7 @@ def _texts(
         plan, shape, refine, residual=residual, batch=bool(batch), profile=profile, limbs=limbs
     )
     check(program)
-    refine = refinement_steps(refine, plan.scalar)
+    refine = checked_steps(refine)
     plan, shape = program.plan, program.shape
     words = Words(program, 0 if plan.corrections else refine, chunk)
     processes = batch or len(plan.processes)
@@ -212,8 +212,7 @@ def _texts(
     costs = load_profile("default") if profile is None else profile
     of_shape = KNOWN[shape].values(words)
     values: dict[str, object] = {
-        "number": words.number,
-        "real": FACTORS[plan.scalar],
+        "number": plan.scalar,
         "tolerance": TOLERANCE[plan.scalar],
         "columns": words.columns,
         "slaved_count": len(plan.slaved),
@@ -236,7 +235,7 @@ def _texts(
         "channel_messages": _channel_messages(words),
         "hops": _hops(costs),
         "program_file": PROGRAM_FILE,
-        "program_options": options_of(mpi, words.number),
+        "program_options": options_of(mpi, plan.scalar),
         "comm": "MPI_Comm" if mpi else "adagen::OneProcess",
         "embedded": embedded,
         "failures": FAILURES,
@@ -326,36 +325,35 @@ def check_batch(shape: str, refine: int, channel: str) -> None:
             "batches are not shared out to threads: open a solver for one process in each of yours"
         )
     if refine:
-        raise UsageError("batches are not refined; leave out --batch, --refine or --scalar mixed")
+        raise UsageError("batches are not refined; leave out --batch or --refine")
     if shape not in ("auto", "kernels", "unrolled"):
         raise UsageError(f"batches are emitted in shapes kernels and unrolled, not {shape}")
 
 
-def check_certified(form: str, scalar: str, refine: int, shape: str) -> None:
+def check_certified(form: str, refine: int, shape: str) -> None:
     """Refuse what is not certified, whatever the robot.
 
     Raises:
-        UsageError: the form, scalar, refinement or shape has no certificates.
+        UsageError: the form, refinement or shape has no certificates.
     """
     if form != "segment":
         raise UsageError(
             f"form {form} has no factors to certify answers with: leave out --certify or "
             f"--form {form}"
         )
-    if scalar == "mixed" or refine:
+    if refine:
         raise UsageError(
-            "refined answers come with an estimate of their own: leave out --certify, or --refine "
-            "and --scalar mixed"
+            "refined answers come with an estimate of their own: leave out --certify or --refine"
         )
     if shape not in ("auto", "kernels", "unrolled"):
         raise UsageError(f"certificates are emitted in shapes kernels and unrolled, not {shape}")
 
 
-def check_reproducible(form: str, scalar: str, refine: int, shape: str) -> None:
+def check_reproducible(form: str, refine: int, shape: str) -> None:
     """Refuse what is not reproducible, whatever the robot.
 
     Raises:
-        UsageError: the form, scalar, refinement or shape has other digits on each number of
+        UsageError: the form, refinement or shape has other digits on each number of
             processes, or by each compiler.
     """
     if form != "segment":
@@ -363,10 +361,10 @@ def check_reproducible(form: str, scalar: str, refine: int, shape: str) -> None:
             f"form {form} joins in an order that depends on the number of processes, and so do "
             f"its last digits: leave out --reproducible or --form {form}"
         )
-    if scalar == "mixed" or refine:
+    if refine:
         raise UsageError(
-            "answers are refined in loops, which are not reproducible: leave out --reproducible, "
-            "or --refine and --scalar mixed"
+            "answers are refined in loops, which are not reproducible: leave out --reproducible "
+            "or --refine"
         )
     if shape not in ("auto", "unrolled"):
         raise UsageError(

@@ -127,7 +127,7 @@ def pushed_entries(words: Words, links: set[int]) -> list[int]:
 
 def constants(words: Words, j: int) -> str:
     """What the model's table says of a joint's effects; nothing where it has none."""
-    joint, number = words.plan.joints[j], words.constants.number
+    joint, number = words.plan.joints[j], words.printer.number
     numbers = (joint.damping, joint.friction, joint.friction_speed, joint.stiffness, joint.rest)
     if not (joint.damping or joint.friction or joint.stiffness):
         numbers = (0.0, 0.0, 1.0, 0.0, 0.0)

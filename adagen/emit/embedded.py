@@ -33,7 +33,7 @@ def check_target(
     if single_file:
         raise UsageError("an embedded solver has no program around it: leave out --single-file")
     if refine:
-        raise UsageError("an embedded solver does not refine; leave out --refine or --scalar mixed")
+        raise UsageError("an embedded solver does not refine; leave out --refine")
 
 
 def embedded_values(words: Words, values: dict[str, object]) -> dict[str, object]:
@@ -66,7 +66,7 @@ def _number(value: object) -> int:
 
 def _bytes(words: Words, values: dict[str, object]) -> int:
     """Bytes of a solver's memory, at most, wherever they begin."""
-    size = 4 if words.number == "float" else 8
+    size = 4 if words.plan.scalar == "float" else 8
     numbers = words.plan.nqdd + len(words.plan.parameter_values)
     if words.program.shape == LOOPS:
         whole = _in_loops(words, values, size)

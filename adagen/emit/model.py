@@ -48,7 +48,7 @@ def _links(words: Words) -> list[dict[str, object]]:
     steps = [step for process in plan.processes for step in process.steps]
     bare = {step.link for step in steps if isinstance(step, LinkBias)}
     started = {step.link for step in steps if isinstance(step, StartLink)}
-    number, numbers = words.constants.number, words.constants.numbers
+    number, numbers = words.printer.number, words.printer.numbers
     return [
         {
             "bare_block": words.bare_block(k) if k in bare else "",
@@ -95,7 +95,7 @@ def _settable_links(words: Words) -> list[dict[str, object]]:
 
 
 def _joints(words: Words) -> list[dict[str, object]]:
-    numbers = words.constants.numbers
+    numbers = words.printer.numbers
     rows = []
     for j, joint in enumerate(words.plan.joints):
         rows.append(
@@ -134,7 +134,7 @@ def _rest_of_joint(words: Words, j: int) -> str:
 
 
 def _outer_forces(words: Words) -> list[dict[str, object]]:
-    numbers = words.constants.numbers
+    numbers = words.printer.numbers
     return [
         {
             "quoted": quoted(wrench.name),
@@ -159,7 +159,7 @@ def _output(plan: Plan, k: int) -> dict[str, object]:
 
 
 def _loops(words: Words) -> list[dict[str, object]]:
-    numbers = words.constants.numbers
+    numbers = words.printer.numbers
     rows = []
     for k, loop in enumerate(words.plan.loops):
         kind = LOOP_KINDS[loop.kind]
@@ -202,8 +202,8 @@ def _couplings(words: Words) -> list[dict[str, object]]:
             "quoted": quoted(coupling.name),
             "count": len(coupling.terms),
             "joints": ", ".join(str(j) for j, _ in coupling.terms),
-            "factors": words.constants.numbers(factor for _, factor in coupling.terms),
-            "offset": words.constants.number(coupling.offset),
+            "factors": words.printer.numbers(factor for _, factor in coupling.terms),
+            "offset": words.printer.number(coupling.offset),
         }
         for k, coupling in enumerate(words.plan.couplings)
     ]

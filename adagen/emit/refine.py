@@ -11,28 +11,17 @@ from adagen.plan.refine import exchanges, handed_on, joints_at, links_of_process
 from adagen.plan.types import Plan, Process
 
 MOST_STEPS = 9
-MIXED_STEPS = 3
-"""Steps of a mixed solver where nobody said: in loops, two leave rounding on most robots only."""
-LEAST_MIXED_STEPS = 2
-"""What a mixed solver takes at least: one step is no certainty."""
 
 
-def refinement_steps(asked: int | None, scalar: str) -> int:
+def checked_steps(asked: int | None) -> int:
     """Return how many steps of refinement a solver takes; ``asked``: None where nobody said.
 
     Raises:
-        UsageError: the number is out of range, or too small for the scalar.
+        UsageError: the number is out of range.
     """
-    if asked is None:
-        return MIXED_STEPS if scalar == "mixed" else 0
+    asked = asked or 0
     if not 0 <= asked <= MOST_STEPS:
         raise UsageError(f"steps of refinement must be 0 to {MOST_STEPS}, not {asked}")
-    if scalar == "mixed" and asked < LEAST_MIXED_STEPS:
-        raise UsageError(
-            "scalar mixed is float that is refined: the first correction is as large as the error"
-            " of a float, and only a second one can show what is left; say --refine"
-            f" {LEAST_MIXED_STEPS} or more"
-        )
     return asked
 
 

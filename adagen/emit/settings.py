@@ -23,7 +23,7 @@ def settings(values: Mapping[str, object], messages: int) -> list[str]:
     assert isinstance(nqdd, int)
     assert isinstance(nv, int)
     return [
-        *_types(str(values["number"]), str(values["real"])),
+        *([f"using Number = {values['number']};"] if values["number"] != "double" else []),
         *overridden(
             [
                 ("int", "kProcesses", values["process_count"], 1),
@@ -73,12 +73,6 @@ def description(values: Mapping[str, object]) -> list[str]:
 def _count(items: object) -> int:
     assert isinstance(items, list)
     return len(items)
-
-
-def _types(number: str, real: str) -> list[str]:
-    """Return the types of numbers of states and of other values, where they are not double."""
-    both = (("Number", number), ("Real", real))
-    return [f"using {name} = {kind};" for name, kind in both if kind != "double"]
 
 
 def _text(value: object) -> str:

@@ -42,7 +42,7 @@ class Shape:
 SHAPES: dict[str, Shape] = {
     "kernels": Shape(kernels.why_not, kernels.values),
     "joints": Shape(joints.why_not, joints.values),
-    "unrolled": Shape(unrolled.why_not, unrolled.values),
+    "unrolled": Shape(lambda _: None, unrolled.values),
 }
 
 
@@ -68,19 +68,10 @@ def stepwise(plan: Plan) -> str:
     """Return the fastest shape that does a plan step by step, as cost profiles price it.
 
     Refined plans are emitted in it, too. Masses that can be set are no constants in straight lines,
-    where loops do not take a plan.
-
-    Raises:
-        UsageError: no shape takes it.
+    where loops do not take a plan; closed loops and outputs are straight lines alone.
     """
-    names = ("kernels", "joints", "unrolled")  # closed loops and outputs are straight lines alone
-    reasons = {name: SHAPES[name].why_not(plan) for name in names}
-    for name, reason in reasons.items():
-        if reason is None:
-            return name
-    told = "; ".join(f"{name}: {reason}" for name, reason in reasons.items())
-    ways = "; leave out --scalar mixed" if plan.scalar == "mixed" else ""
-    raise UsageError(f"no code shape takes this robot so: {told}{ways}")
+    names = ("kernels", "joints", "unrolled")
+    return next(name for name in names if SHAPES[name].why_not(plan) is None)
 
 
 def chosen_shape(
@@ -127,7 +118,7 @@ def _reproducible(plan: Plan, shape: str) -> str:
 
 def _of_batch(plan: Plan, profile: CostProfile | None) -> str:
     """The shape that a batch takes least time in: joint by joint, or as a straight line."""
-    if len(plan.processes) > 1 or unrolled.why_not(plan) is not None:
+    if len(plan.processes) > 1:
         return "kernels"
     if plan.slaved or kernels.why_not(plan) is not None:
         return "unrolled"
@@ -192,7 +183,7 @@ def offered(plan: Plan) -> tuple[str, ...]:
     if plan.closed or plan.outputs:
         return loops
     several = sum(bool(process.steps) for process in plan.processes) > 1
-    if (plan.form == "ada" and several) or unrolled.why_not(plan) is not None:
+    if plan.form == "ada" and several:
         return loops
     if sum(KINDS[joint.kind].nv for joint in plan.joints) > MOST_FREEDOMS:
         return loops

@@ -10,7 +10,6 @@ from adagen.emit.names import distinct, identifiers, quoted
 from adagen.model.kinds import KINDS, JointKind
 from adagen.plan import Plan
 from adagen.plan.steps import Append, Bias, Block, Force, Load, Passage, Traverse, blocks_set_by
-from adagen.plan.types import FACTORS
 from adagen.program import Program
 from adagen.program.lower import LOOPS
 
@@ -61,17 +60,7 @@ class Words:
     @cached_property
     def printer(self) -> Printer:
         """Prints numbers of the type that the plan is solved in."""
-        return Printer(FACTORS[self.plan.scalar])
-
-    @cached_property
-    def constants(self) -> Printer:
-        """Prints the model's numbers, of the type that states and answers have."""
-        return Printer(self.number)
-
-    @property
-    def number(self) -> str:
-        """The type of states and answers."""
-        return "float" if self.plan.scalar == "float" else "double"
+        return Printer(self.plan.scalar)
 
     @cached_property
     def loaded(self) -> frozenset[int]:

@@ -28,7 +28,6 @@ from adagen.executor.state import State
 from adagen.graph import Expression, Factors, factorize, matrix_times, total
 from adagen.plan.certificate import ROUNDING
 from adagen.plan.digits import EPSILON
-from adagen.plan.types import FACTORS
 
 Array = NDArray[Any]
 
@@ -77,7 +76,7 @@ class Certificate:
         for base in self.bases:
             self._error_of_base(base)
             energies.append(self._energy_of_base(base))
-        unit = ROUNDING * EPSILON[FACTORS[self.state.plan.scalar]]
+        unit = ROUNDING * EPSILON[self.state.plan.scalar]
         error = total(self.seen) + total(self.rounded) * unit**2
         self.state.certificate = (error, total(energies))
 

@@ -11,7 +11,7 @@ from adagen.executor.solve import interpret
 from adagen.executor.trial import Trial
 from adagen.graph import BALLS, DOUBLE, FLOAT
 from adagen.model import Model
-from adagen.plan.types import FACTORS, Plan
+from adagen.plan.types import Plan
 from adagen.reference.closed import closed_states
 
 STATES = 4
@@ -31,7 +31,7 @@ def tried_closed(model: Model, plan: Plan) -> Trial:
         FloatingPointError: no state can be solved; the message names what fails.
     """
     rng = np.random.default_rng(1)
-    algebra = FLOAT if FACTORS[plan.scalar] == "float" else DOUBLE
+    algebra = FLOAT if plan.scalar == "float" else DOUBLE
     worst, failed = None, None
     for q, v in zip(*closed_states(model, STATES, seed=1), strict=True):
         tau = rng.uniform(-1.0, 1.0, model.ntau)

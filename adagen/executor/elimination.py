@@ -31,7 +31,6 @@ from adagen.graph import (
 )
 from adagen.plan.digits import EPSILON
 from adagen.plan.steps import Eliminate
-from adagen.plan.types import FACTORS
 
 Array = NDArray[Any]
 
@@ -58,7 +57,7 @@ class Elimination:
     def __init__(self, state: State, lanes: Sequence[Eliminate], front: Front) -> None:
         self.state, self.lanes, self.front = state, lanes, front
         self.step = step = lanes[0]
-        self.epsilon = EPSILON[FACTORS[state.plan.scalar]]
+        self.epsilon = EPSILON[state.plan.scalar]
         self.columns = front.columns.pop(step.link, {}) if step.link else {}
         self.fails = SINGULAR if step.recovers else "kLoopSingular"
 
@@ -290,7 +289,7 @@ class Elimination:
 
     def _check_regular(self, regular: Sequence[Regular]) -> None:
         """What follows has to follow: the rows, brought to one size, may not be singular."""
-        least = LEAST[FACTORS[self.state.plan.scalar]] ** 2
+        least = LEAST[self.state.plan.scalar] ** 2
         for each in regular:
             self._check(each.square, each.beside * least, self.step.rows[each.row], self.fails)
 

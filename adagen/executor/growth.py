@@ -23,7 +23,7 @@ from adagen.plan.constants import inverse_inertia
 from adagen.plan.digits import EPSILON, generic_configuration, lost_mobility
 from adagen.plan.placement import motion_transform, placement
 from adagen.plan.steps import Join
-from adagen.plan.types import FACTORS, Plan
+from adagen.plan.types import Plan
 
 Array = NDArray[np.float64]
 
@@ -73,9 +73,9 @@ def _growth(plan: Plan, seed: int) -> Growth:
                 joined: Joined = run.machines[p].memory["join", step.joint]
                 values[step.joint] = _lost(plan, run, p, joined, transforms)
     if not values:
-        return Growth(EPSILON[FACTORS[plan.scalar]], 0, 1.0)
+        return Growth(EPSILON[plan.scalar], 0, 1.0)
     worst = max(values, key=lambda joint: (values[joint], -joint))
-    return Growth(EPSILON[FACTORS[plan.scalar]] * sum(values.values()), worst, values[worst])
+    return Growth(EPSILON[plan.scalar] * sum(values.values()), worst, values[worst])
 
 
 def _transforms(plan: Plan, q: Array) -> list[Array]:

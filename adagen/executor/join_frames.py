@@ -22,7 +22,6 @@ from adagen.graph import Expression, Graph, matrix_times, reflect, total
 from adagen.model.kinds import HELD
 from adagen.plan.digits import GIMBAL_LOCK, NEAR_GIMBAL_LOCK
 from adagen.plan.steps import FusedJoin, Join
-from adagen.plan.types import FACTORS
 
 Array = NDArray[Any]
 _NEAR = 1e-20  # m^2: axes nearer than that, squared, to a link's origin pass through it
@@ -123,7 +122,7 @@ def _frame_of_run(state: State, motion: Motion, step: FusedJoin) -> JointFrame:
         s = columnwise(x.motion, s) if s.size else s
         s = np.hstack([s, state.constants(np.eye(6)[:, list(kind.free)])])
     turn, lock = joint_coordinates(state.graph, s)
-    least = state.graph.constant(GIMBAL_LOCK[FACTORS[state.plan.scalar]] ** 2)
+    least = state.graph.constant(GIMBAL_LOCK[state.plan.scalar] ** 2)
     near = NEAR_GIMBAL_LOCK**2  # lock is a square, too
     state.checks.append(Check(lock, least, step.joint, "kGimbalLock", near))
     n = s.shape[1]

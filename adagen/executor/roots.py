@@ -21,7 +21,6 @@ from adagen.plan.steps import (
     SolveRoot,
     Step,
 )
-from adagen.plan.types import FACTORS
 
 Array = NDArray[Any]
 _HALVES = (range(3), range(3, 6))  # angular and linear
@@ -73,7 +72,7 @@ class Roots:
     def _hold(self, step: HoldMobility) -> None:
         """Phi^-1 and -Phi^-1 b, where no pivot of Phi is small beside the largest of its kind."""
         phi, b = self.memory[step.block], self.memory[step.bias]
-        factors, least = factorize(phi), LEAST_PIVOT[FACTORS[self.state.plan.scalar]]
+        factors, least = factorize(phi), LEAST_PIVOT[self.state.plan.scalar]
         for rows in _HALVES:
             most = self._largest(phi, rows) * least
             for k in rows:

@@ -18,7 +18,7 @@ from adagen.plan.digits import EPSILON
 from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.turned import losing_joints
-from adagen.plan.types import FACTORS, Plan
+from adagen.plan.types import Plan
 
 if TYPE_CHECKING:
     from adagen.executor.left_over import LeftOver
@@ -127,7 +127,7 @@ class State:
             brought: of one entry, size of what comes to be it by exact turns, where it may be next
                 to nothing: the square of the sine of an angle, whose last digits nobody knows.
         """
-        factors, lost = factorize(matrix), 16 * EPSILON[FACTORS[self.plan.scalar]]
+        factors, lost = factorize(matrix), 16 * EPSILON[self.plan.scalar]
         none = self.graph.constant(0) if brought is None else brought * lost**2
         for pivot, entry in zip(factors.pivots, factors.diagonal, strict=True):
             least = none if pivot == entry else entry * lost

@@ -21,7 +21,6 @@ from adagen.executor.loop_forces import give_forces
 from adagen.executor.state import State
 from adagen.graph import Expression, matrix_times, solved_by_reflections, total
 from adagen.plan.digits import EPSILON
-from adagen.plan.types import FACTORS
 
 Array = NDArray[Any]
 
@@ -84,7 +83,7 @@ class TiedRows:
             rows[k] = row
         forces, diagonal = solved_by_reflections(rows[:, 1:], -rows[:, :1])
         blamed = [*names, *(self.front.places[u] for u in tied)]
-        lost = (16 * EPSILON[FACTORS[self.state.plan.scalar]]) ** 2
+        lost = (16 * EPSILON[self.state.plan.scalar]) ** 2
         for k, (place, pivot) in enumerate(zip(blamed, diagonal, strict=True)):
             least = total([x * x for x in rows[:, 1 + k]]) * lost
             self.state.checks.append(Check(pivot * pivot, least, place, "kLoopSingular"))

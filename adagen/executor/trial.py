@@ -32,7 +32,7 @@ from adagen.graph import DOUBLE, FLOAT
 from adagen.model.kinds import KINDS
 from adagen.plan.robot import PlanJoint
 from adagen.plan.turned import ENOUGH, Turned, losing_joints
-from adagen.plan.types import FACTORS, Plan
+from adagen.plan.types import Plan
 
 Array = NDArray[Any]
 STATES = {"few joints": COUNT, "many joints": 4}
@@ -89,7 +89,7 @@ def carried_out(plan: Plan) -> Trial:
     Raises:
         FloatingPointError: a factorization fails; the message names the joint.
     """
-    own, more = _MORE[FACTORS[plan.scalar]]
+    own, more = _MORE[plan.scalar]
     algebra = FLOAT if own is np.float32 else DOUBLE
     states = q, v, tau = _states(plan)
     tau[:, plan.nv :] = 0
@@ -117,7 +117,7 @@ def _lost(
     plan: Plan, turned: Turned | None, states: tuple[Array, Array, Array]
 ) -> tuple[Array, Array]:
     """The squares of errors in states, and what joints share in them, shape (states, joints)."""
-    own, more = _MORE[FACTORS[plan.scalar]]
+    own, more = _MORE[plan.scalar]
     with np.errstate(all="ignore"):
         truth = _Sweep(plan, more, None, states).solved()
         found = _swept(plan, own, turned, states).astype(more)
@@ -157,7 +157,7 @@ def accelerations(plan: Plan, q: Array, v: Array, tau: Array) -> Array:
         v: velocities, shape (S, nv).
         tau: torques, shape (S, nv).
     """
-    more = _MORE[FACTORS[plan.scalar]][1]
+    more = _MORE[plan.scalar][1]
     return _Sweep(plan, more, None, (q, v, tau)).solved()
 
 

@@ -7,7 +7,7 @@ from typing import Literal
 
 from adagen.emit import check_batch, check_certified, check_reproducible
 from adagen.emit.embedded import TARGETS, check_target
-from adagen.emit.refine import RESIDUALS, checked_shape, refinement_steps
+from adagen.emit.refine import RESIDUALS, checked_shape, checked_steps
 from adagen.errors import UsageError
 
 MOST_PROCESSES = 1024
@@ -20,7 +20,7 @@ class Request:
     Attributes:
         procs: processes that share the robot, or the states of a batch.
         form: of the algorithm, "segment" or the paper's "ada".
-        scalar: "double", "float" or "mixed".
+        scalar: "double" or "float".
         channel: between processes, "auto", "window" or "message"; or "threads" of one program.
         shape: of the code, "auto", "unrolled", "kernels" or "joints".
         refine: steps of iterative refinement, 0 to 9; None: as many as the scalar needs.
@@ -51,7 +51,7 @@ class Request:
 
     procs: int = 1
     form: Literal["segment", "ada"] = "segment"
-    scalar: Literal["double", "float", "mixed"] = "double"
+    scalar: Literal["double", "float"] = "double"
     channel: Literal["auto", "window", "message", "threads"] = "auto"
     shape: str = "auto"
     refine: int | None = None
@@ -106,10 +106,10 @@ class Request:
         if self.batch:
             check_batch(self.shape, self.refinement, self.channel)
         if self.certify:
-            check_certified(self.form, self.scalar, self.refinement, self.shape)
+            check_certified(self.form, self.refinement, self.shape)
             self._check_certified()
         if self.reproducible:
-            check_reproducible(self.form, self.scalar, self.refinement, self.shape)
+            check_reproducible(self.form, self.refinement, self.shape)
             self._check_bare()
 
     def _check_certified(self) -> None:
@@ -143,7 +143,7 @@ class Request:
     @property
     def refinement(self) -> int:
         """Steps of refinement that each evaluation takes."""
-        return refinement_steps(self.refine, self.scalar)
+        return checked_steps(self.refine)
 
     @property
     def sharing(self) -> int:
@@ -174,7 +174,7 @@ class Request:
 
 _KNOWN = {
     "form": ("segment", "ada"),
-    "scalar": ("double", "float", "mixed"),
+    "scalar": ("double", "float"),
     "residual": RESIDUALS,
     "channel": ("auto", "window", "message", "threads"),
     "target": TARGETS,

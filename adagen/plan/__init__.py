@@ -29,12 +29,11 @@ from adagen.plan.segment import SegmentPlanner
 from adagen.plan.serial import check_reproducible
 from adagen.plan.serialise import plan_from_json, plan_to_json
 from adagen.plan.steps import LinkBias
-from adagen.plan.types import FACTORS, THREADS, Plan
+from adagen.plan.types import SCALARS, THREADS, Plan
 from adagen.plan.wanted import handles_of, refuse_outputs, refuse_sharing, with_outputs
 from adagen.schedule import Schedule, Topology, gathered_line, postorder, schedule_line
 
 FORMS: dict[str, type[AdaPlanner]] = {"segment": SegmentPlanner, "ada": AdaPlanner}
-SCALARS = tuple(FACTORS)
 CHANNELS = ("auto", "window", "message", THREADS)
 MEETINGS = ("auto", "join", "gather", "exchange")
 

@@ -32,8 +32,6 @@ def why_not(plan: Plan) -> str | None:
     """Return why a plan cannot be certified, None where it can."""
     if plan.form != "segment":
         return f"that is for form segment, not {plan.form}"
-    if plan.scalar == "mixed":
-        return "answers of scalar mixed are refined, and say their error themselves"
     if plan.closed:
         return "the robot has closed loops"
     if sum(bool(process.steps) for process in plan.processes) > 1:

@@ -26,7 +26,6 @@ from adagen.plan.digits import generic_configuration, lost_mobility
 from adagen.plan.edges import is_free_base
 from adagen.plan.fused_frame import joint_coordinates, run_motion
 from adagen.plan.placement import motion_transform, placement
-from adagen.plan.types import FACTORS
 
 Array = NDArray[Any]
 
@@ -46,12 +45,12 @@ def cuttable_joints(
 
     Args:
         model: the robot.
-        scalar: "double", "float" or "mixed".
+        scalar: "double" or "float".
         joints: the joints in question, each a run of joints that are joined as one; if not given,
             all joints by themselves.
         limit: largest growth g at a cut, instead of what suits the scalar.
     """
-    number = FACTORS[scalar]
+    number = scalar
     largest = LARGEST_GROWTH[number] if limit is None else limit
     conditioned = max(LARGEST_CONDITION[number], 0.0 if limit is None else limit)
     lightest = SMALLEST_MASS[number] if limit is None else 1.0 / limit

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from adagen.model.kinds import KINDS
 from adagen.plan.robot import PlanJoint
 from adagen.plan.steps import Join
-from adagen.plan.types import FACTORS, Plan
+from adagen.plan.types import Plan
 
 EPSILON = {"double": 2.0**-53, "float": 2.0**-24}
 
@@ -40,7 +40,7 @@ def least_mobility(plan: Plan, join: Join) -> list[float]:
     if parent.phi:  # at least: 1 / trace of the inertia about any axis, 1 / mass in any direction
         trace = sum(parent.tensor[k][k] for k in range(3))
         least = [x + 1.0 / (trace if k < 3 else parent.mass) for k, x in enumerate(least)]
-    return [KEPT * EPSILON[FACTORS[plan.scalar]] * x for x in least] if any(least) else []
+    return [KEPT * EPSILON[plan.scalar] * x for x in least] if any(least) else []
 
 
 def lost_mobility(bare: NDArray[Any], assembled: NDArray[Any]) -> float:

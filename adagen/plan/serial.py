@@ -67,8 +67,8 @@ def check_reproducible(plan: Plan, gathered: Gathered | None) -> None:
     Raises:
         UsageError: it does; the message says why.
     """
-    if plan.form != "segment" or plan.scalar == "mixed":
-        raise UsageError("only form segment in one number type is reproducible")
+    if plan.form != "segment":
+        raise UsageError("only form segment is reproducible")
     if plan.closed:
         raise UsageError(
             "loops and couplings are solved in loops of code, which are not reproducible: leave "

@@ -30,7 +30,7 @@ from adagen.plan.digits import generic_configuration
 from adagen.plan.placement import motion_transform, placement
 from adagen.plan.robot import PlanJoint, PlanLink
 from adagen.plan.steps import Articulate, FusedJoin, LinkBias
-from adagen.plan.types import FACTORS, Plan
+from adagen.plan.types import Plan
 
 Array = NDArray[np.float64]
 MOST = {"double": 2.0**18, "float": 2.0**12}
@@ -102,7 +102,7 @@ def balls_lose(plan: Plan) -> bool:
     Ball joints are eliminated in axes of the base, where the least of a body's principal inertias
     is known to a unit in the last place of its trace.
     """
-    most = MOST[FACTORS[plan.scalar]]
+    most = MOST[plan.scalar]
     for j, joint in enumerate(plan.joints):
         if joint.kind == "spherical" and not joint.prescribed:
             about = _spatial_inertia(plan.links[j + 1])[:3, :3]
@@ -115,7 +115,7 @@ def _losing(
     plan: Plan, steps: Iterable[tuple[int, bool]]
 ) -> tuple[set[tuple[int, bool]], set[tuple[int, bool]]]:
     """Joints that may lose too many digits in some pose, and those that do as a rule."""
-    most, sides = MOST[FACTORS[plan.scalar]], _sides(plan.joints, plan.links)
+    most, sides = MOST[plan.scalar], _sides(plan.joints, plan.links)
     seen = {step: sides[step] for step in steps if step in sides}
     worst = {step for step, side in seen.items() if side.most > most * side.least}
     return worst, {step for step, side in seen.items() if side.usual > most}
@@ -125,7 +125,7 @@ def _with_joints_beyond(
     plan: Plan, steps: Iterable[tuple[int, bool]], losing: Set[tuple[int, bool]]
 ) -> frozenset[int]:
     """The joints that lose digits, and those beyond them that may come to lie along their axes."""
-    most = MOST[FACTORS[plan.scalar]]
+    most = MOST[plan.scalar]
     sides = _sides(plan.joints, plan.links)
     beyond: dict[int, list[tuple[int, bool]]] = {}  # by the link that feels a joint
     for j, backwards in steps:
@@ -200,7 +200,7 @@ def turned_in_units(
 @lru_cache(maxsize=16)
 def _pairs(plan: Plan, joints: frozenset[int]) -> list[tuple[int, int]]:
     """Joints and those beyond them, of some joints, that may come to lie along their axes."""
-    most = MOST[FACTORS[plan.scalar]]
+    most = MOST[plan.scalar]
     sides = _sides(plan.joints, plan.links)
     steps = _articulated(plan)
     found = []

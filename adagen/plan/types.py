@@ -36,10 +36,8 @@ from adagen.plan.steps import (
 
 THREADS = "threads"
 """The channel between processes that are threads of one program."""
-FACTORS = {"double": "double", "float": "float", "mixed": "float"}
-"""Scalars, and the number type in which each factorizes and solves; all else of "mixed" is double,
-and what it solves for is refined."""
-
+SCALARS = ("double", "float")
+"""Types of all numbers of a solver."""
 
 ENERGIES = "energies"
 """Messages that tell how large corrections are."""
@@ -130,7 +128,7 @@ class Plan:
         name: the robot's name (data, not fit for code).
         source_hash: of the robot description, hexadecimal.
         form: "ada" or "segment".
-        scalar: a key of ``FACTORS``.
+        scalar: one of ``SCALARS``.
         channel: "auto", "window" or "message": what the emitted program prefers; or "threads":
             processes are threads of one program.
         schedule: the schedule in one line.

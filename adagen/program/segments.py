@@ -12,7 +12,6 @@ from adagen.plan import Plan
 from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Kinematics, Traverse
-from adagen.plan.types import FACTORS
 from adagen.program.runs import Run, outward_units
 from adagen.schedule.costs import StepCosts
 
@@ -56,7 +55,7 @@ def segments_of(plan: Plan, limbs: Sequence[Sequence[Limbs]], costs: StepCosts) 
 def fits_segments(joints: Sequence[PlanJoint], run: Run, scalar: str) -> bool:
     """Whether a run is of kinds that all lanes can take at once, and long enough for them."""
     kinds = {joint.kind for joint in joints[run.first : run.last + 1]}
-    return run.length >= _FEWEST_ROWS * LANES[FACTORS[scalar]] and kinds <= KINDS
+    return run.length >= _FEWEST_ROWS * LANES[scalar] and kinds <= KINDS
 
 
 def pays_segments(joints: Sequence[PlanJoint], run: Run, scalar: str, costs: StepCosts) -> bool:

@@ -9,7 +9,6 @@ from itertools import chain
 
 from adagen.plan import Plan
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.types import FACTORS
 from adagen.program.runs import Run
 from adagen.program.segments import LANES, segments_of, slots_of
 from adagen.program.tiles import TILE, fits_tiles, tiles_of
@@ -103,7 +102,7 @@ class Slots:
         segments, tile = tuple(segments_of(plan, limbs, costs)), 0
         if not again and fits_tiles(plan, segments, costs):
             segments, tile = tuple(tiles_of(segments[0], TILE)), TILE
-        count, width = len(plan.joints), LANES[FACTORS[plan.scalar]]
+        count, width = len(plan.joints), LANES[plan.scalar]
         if not segments and not any(limbs):
             return Slots(tuple(range(count)), count, limbs, segments)
         slots = [-1] * count

@@ -37,7 +37,7 @@ def fits_tiles(plan: Plan, segments: Sequence[Run], costs: StepCosts) -> bool:
     whole = Run(0, len(joints) - 1)
     if len(plan.processes) > 1 or list(segments) != [whole] or whole.length <= LONGEST:
         return False
-    if plan.scalar == "mixed" or plan.slaved or plan.wrenches or plan.parameters or plan.closed:
+    if plan.slaved or plan.wrenches or plan.parameters or plan.closed:
         return False
     if plan.wanted or plan.outputs or plan.at_rest:
         return False

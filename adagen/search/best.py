@@ -43,7 +43,7 @@ def best_schedule(
         processes: P.
         profile: the costs.
         form: of the algorithm.
-        scalar: "double", "float" or "mixed".
+        scalar: "double" or "float".
         limit: largest growth g at a cut of form `segment`, instead of what suits the scalar.
         gather: whether processes may gather at a core instead of being joined.
         shape: of the code that is emitted, as ``adagen.emit.emit`` takes it.

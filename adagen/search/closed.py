@@ -35,7 +35,7 @@ def closed_schedule(
         model: the robot.
         processes: P.
         profile: the costs; where it prices joins alone, one process does everything.
-        scalar: "double", "float" or "mixed".
+        scalar: "double" or "float".
         search: further arguments of ``find_schedule``.
 
     Raises:

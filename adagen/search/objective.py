@@ -27,7 +27,6 @@ from adagen.plan.clusters import fold_of
 from adagen.plan.cuts import cuttable_joints
 from adagen.plan.digits import EPSILON, generic_configuration
 from adagen.plan.turned import turned_joints
-from adagen.plan.types import FACTORS
 from adagen.schedule import CostProfile, Schedule
 from adagen.schedule.tree import Named
 from adagen.search.best import best_schedule
@@ -91,7 +90,7 @@ def schedule_for(
         processes: P.
         profile: the costs.
         form: of the algorithm.
-        scalar: "double", "float" or "mixed".
+        scalar: "double" or "float".
         search: further arguments of ``find_schedule``.
 
     Raises:
@@ -104,7 +103,7 @@ def schedule_for(
 
     found = best(None)
     if objective == "time":
-        lenient = HARDLY_SINGULAR[FACTORS[scalar]]
+        lenient = HARDLY_SINGULAR[scalar]
         if form != "segment" or not _allows_more(model, scalar, lenient):
             return found
         return _faster(best(lenient), found)
@@ -148,7 +147,7 @@ def predicted_digits(objective: str, model: Model, plan: Plan, shape: str = "ker
     """
     if plan.closed:
         trial = tried_closed(model, plan)
-        error = min(1.0, max(trial.error, EPSILON[FACTORS[plan.scalar]]))
+        error = min(1.0, max(trial.error, EPSILON[plan.scalar]))
         return Digits(objective, error, 1.0, None, model.joints[trial.joint].name)
     growth = predicted_growth(plan)
     joined = growth.largest > 1.0
@@ -217,7 +216,7 @@ def _tried(plan: Plan) -> float:
         v, tau = (np.sin(step * seed * np.arange(1, count + 1)) for step in (2.3, 3.1))
         with suppress(UsageError, FloatingPointError):
             sizes += interpret_refined(plan, q, v, tau, steps=1).corrections
-    in_double = EPSILON[FACTORS[plan.scalar]] / EPSILON["double"]
+    in_double = EPSILON[plan.scalar] / EPSILON["double"]
     return max(sizes) * in_double if np.isfinite(sizes).all() else np.inf
 
 

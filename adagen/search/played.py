@@ -44,7 +44,7 @@ def played_schedule(
         model: the robot.
         found: the schedule that is best by Eq. (11), with the same number of processes.
         profile: a profile with costs of steps.
-        scalar: "double", "float" or "mixed".
+        scalar: "double" or "float".
 
     Returns:
         The schedule with the played makespan, and a lower bound on it.

@@ -92,24 +92,18 @@ inline double share_size(Workspace& w, Channel& channel) {
   return size;
 }
 
-constexpr bool kMixed = !std::is_same_v<Real, Number>;
-// Corrections of this size need not fall further: residuals in Number are rounded, too, where it is
-// no narrower than they are. What that leaves in a mixed solver is far smaller (2e-14 on chains of
-// 200), and what is passed below this is right to kTolerance all the same. Where hardly anything
-// accelerates, the answer is a small difference of what holds it, which sets the size of rounding.
-constexpr double kSettled = kMixed ? 1e-10 : 16 * double(std::numeric_limits<Number>::epsilon());
+// Corrections of this size need not fall further. Where hardly anything accelerates, the answer is a
+// small difference of what holds it, which sets the size of rounding.
+constexpr double kSettled = 16 * double(std::numeric_limits<Number>::epsilon());
 
 // A correction must be smaller than the one before (the first, than all that accelerates), down to
-// rounding. A mixed solver owes the digits of a double: its last correction must be within them,
-// for what that leaves is smaller. By how much, the ones before do not tell: what converges slowest
-// is seen last, so that the rate only gets worse.
+// rounding.
 inline void require_convergence(Workspace& w, int k) {
   const Refinement& r = w.refinement;
   const double size = r.corrections[k];
   const bool settled = r.rounding < kSettled;
   if (!(settled || (k > 0 ? size < r.corrections[k - 1] / 2 : r.rounding < 0.5)))
     fail(w, kNotRefined, 0);
-  if (kMixed && k == kRefine - 1 && !(settled || size < kTolerance)) fail(w, kTooFewSteps, 0);
 }
 
 using Steps = void (*)(Workspace&, Channel&);

@@ -10,8 +10,8 @@
 
 namespace {
 
-using Number = Settings::Number;
-using Real = Settings::Real;
+using Number = Settings::Number;  // type of states, results and messages
+using Real = Number;              // type of what is computed from them
 [[maybe_unused]] constexpr int kProcesses = Settings::kProcesses;
 [[maybe_unused]] constexpr bool kAlone = Settings::kAlone;
 [[maybe_unused]] constexpr int kJointCount = Settings::kJointCount, kLinkCount = kJointCount + 1;

@@ -43,7 +43,6 @@ namespace {
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
   using Number = float;
-  using Real = float;
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 2;

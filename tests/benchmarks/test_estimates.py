@@ -45,14 +45,6 @@ def test_what_rounded_constants_explain_is_told_apart() -> None:
     assert "| ada, double, 1 | no: not here | leg fixed |" in text
 
 
-def test_how_many_steps_are_enough_is_counted_state_by_state() -> None:
-    sizes = [[1e-6, 1e-10, 1e-15, 1e-16], [1e-4, 1e-8, 1e-12, 1e-16], [1.0, 1.0, 1.0, 1.0]]
-    some = row("ada", [1e-6, 1e-4, 1.0], [1e-6, 1e-4, inf], [None, None, inf])
-    mixed: Row = some | {"key": ["arm fixed", "ada", "mixed", 1], "corrections": sizes}
-    assert "| ada, mixed, 1 | 2 | 1 | 2 | 2 |" in report([some, mixed])
-    assert "two steps do" not in report([some])
-
-
 @pytest.fixture
 def arm(tmp_path: Path) -> Path:
     """A robot with true answers beside it."""
@@ -112,12 +104,12 @@ def test_a_record_is_added_to_and_told(
 ) -> None:
     monkeypatch.setenv("CXXFLAGS", "-O1")
     record = arm.with_suffix(".jsonl")
-    words = ["measure", str(record), str(arm), "--procs", "1", "--forms", "ada"]
-    assert main([*words, "--scalars", "double"]) == 0
-    assert main(words) == 0
+    words = ["measure", str(record), str(arm), "--procs", "1"]
+    assert main([*words, "--forms", "ada"]) == 0
+    assert main([*words, "--forms", "ada,segment"]) == 0
     assert len(record.read_text().splitlines()) == 2
     capsys.readouterr()
     assert main(["report", str(record)]) == 0
     text = capsys.readouterr().out
     assert "| ada, double, 1 | 1 | 0 | 2 |" in text
-    assert "| ada, mixed, 1 | 1 | 0 | 2 | 2 | 0 | 0 | 0 |" in text
+    assert "| segment, double, 1 | 1 | 0 | 2 |" in text

@@ -60,7 +60,6 @@ def test_one_process_is_chosen_where_none_is_asked_for(tmp_path: Path) -> None:
     ("words", "said"),
     [
         (("--form", "ada"), "form ada has no factors to certify answers with"),
-        (("--scalar", "mixed"), "refined answers come with an estimate of their own"),
         (("--refine", "1"), "refined answers come with an estimate of their own"),
         (("--shape", "joints"), "certificates are emitted in shapes kernels and unrolled"),
         (("--target", "embedded"), "certified solvers are not emitted with --target"),

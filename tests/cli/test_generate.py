@@ -124,17 +124,6 @@ class TestGenerate:
         assert plan["gravity"] == [0.0, -1.5, 0.0]
         assert plan["floating"] is True
 
-    @pytest.mark.parametrize("processes", ["1", "2", "auto"])
-    @pytest.mark.parametrize("form", ["segment", "ada"])
-    def test_a_mixed_solver_is_told_like_any_other(
-        self, form: str, processes: str, arm: Path, tmp_path: Path, said: Said
-    ) -> None:
-        how = ["--procs", processes, "--form", form, "--scalar", "mixed"]
-        assert main([str(arm), *how, "--out", str(tmp_path / "o")]) == 0
-        assert "us predicted" in said()[1]
-        assert main(["schedule", str(arm), *how]) == 0
-        assert "us predicted" in said()[0]
-
     def test_lost_digits_are_foretold(self, tmp_path: Path, said: Said) -> None:
         """A link of a microgram between two of 1.5 kg."""
         text = write_arm(tmp_path / "arm.urdf").read_text()

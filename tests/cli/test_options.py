@@ -123,7 +123,7 @@ def test_shared_robots(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixtu
 @pytest.mark.parametrize(
     ("robot", "asked"),
     [
-        ("arm7", "--procs 2 --scalar mixed"),
+        ("arm7", "--procs 2 --scalar float"),
         ("mobile", "--procs 2 --form ada --scalar float --schedule sequential"),
         ("double_pendulum", "--procs 2 --batch --scene effects"),
         ("mobile", "--procs 3 --schedule balanced --shape joints --refine 1"),
@@ -143,16 +143,3 @@ def test_a_few_are_built_and_right(
     executable = builder.compile(source.read_text(), source.stem)
     done = Solver(executable, int(source.stem[-1]), builder.toolchain).run("--check")
     assert done.status == 0 and "right" in done.stdout, done.stderr
-
-
-@pytest.mark.parametrize(
-    ("robot", "scene"), [("fourbar", ""), ("talos_arm", "outputs"), ("arm7", "outputs")]
-)
-def test_what_no_shape_takes_is_refused_with_every_reason(
-    robot: str, scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    case = {"robot": robot, "--scalar": "mixed", "--scene": scene}
-    assert main([*words_of(case, tmp_path), "--out", str(tmp_path / "out")]) == 2
-    told = capsys.readouterr().err
-    assert "unrolled: it computes in one number type; leave out --scalar mixed" in told
-    assert "kernels: " in told and "joints: " in told

@@ -52,7 +52,6 @@ def test_a_schedule_says_so_and_is_taken_back(
     ("words", "said"),
     [
         (("--form", "ada"), "form ada joins in an order that depends on the number of processes"),
-        (("--scalar", "mixed"), "answers are refined in loops"),
         (("--refine", "1"), "answers are refined in loops"),
         (("--shape", "kernels"), "only straight lines are reproducible"),
         (("--schedule", "balanced"), "joined at a cut have other digits than one process"),

@@ -97,10 +97,9 @@ def test_loops_join_runs(
     assert solver.error(model, states, tmp_path, "--check") < more * ROUNDING[scalar]
 
 
-@pytest.mark.parametrize("scalar", [pytest.param("double", marks=pytest.mark.slow), "mixed"])
-def test_loops_refine_runs(scalar: str, builder: Builder, tmp_path: Path) -> None:
+def test_loops_refine_runs(builder: Builder, tmp_path: Path) -> None:
     model = three_axis_chain(4)
-    plan = replace(balanced(model, 2, "segment"), scalar=scalar)
+    plan = balanced(model, 2, "segment")
     solver = builder.solver(plan, name="runs", refine=3)
     assert program_of(plan, refine=3).shape == "kernels"
     states = random_states(model, 4, seed=3)

@@ -29,7 +29,7 @@ PROFILE = load_profile("default")
         pytest.param(
             star(4, 3, floating=True), "sequential", 1, "gather", "double", marks=pytest.mark.slow
         ),
-        (human_figure(), "balanced", 3, "join", "mixed"),
+        (human_figure(), "balanced", 3, "join", "double"),
         (serial_chain(12, kind=SPHERICAL), "balanced", 2, "gather", "double"),
         pytest.param(two_arms(), "balanced", 2, "gather", "double", marks=pytest.mark.slow),
         (two_arms(), "sequential", 1, "gather", "double"),

@@ -71,15 +71,15 @@ def test_slaved_joints_are_held_in_step(
         pytest.param(
             slaved(star(4, 3, floating=True), (2, 1, -0.5), (8, 1, 2.0)),
             1,
-            "mixed",
+            "double",
             marks=pytest.mark.slow,
         ),
         pytest.param(slaved(serial_chain(12), (4, 11, 0.7)), 3, "double", marks=pytest.mark.slow),
-        (slaved(serial_chain(9), (3, 1, -0.5), (7, 1, 1.5), (8, 5, 1.0)), 2, "mixed"),
+        (slaved(serial_chain(9), (3, 1, -0.5), (7, 1, 1.5), (8, 5, 1.0)), 2, "double"),
         pytest.param(slaved_chain(), 1, "double", marks=pytest.mark.slow),
         (slaved(two_arms(), (7, 1, -0.5), (9, 3, 1.5)), 1, "double"),
     ],
-    ids=["in lanes", "across three", "mixed on two", "in own axes", "in lanes, own axes"],
+    ids=["in lanes", "across three", "on two", "in own axes", "in lanes, own axes"],
 )
 def test_slaved_joints_are_refined(
     model: Model, processes: int, scalar: str, builder: Builder, tmp_path: Path

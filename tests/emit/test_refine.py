@@ -45,15 +45,13 @@ def test_one_step_leaves_only_rounding_and_says_what_there_was(
     assert (said[:, 1] < 1e-3 * said[:, 0]).all()
 
 
-@pytest.mark.parametrize(
-    ("scalar", "processes"), [("mixed", 2), pytest.param("double", 1, marks=pytest.mark.slow)]
-)
+@pytest.mark.parametrize("processes", [2, pytest.param(1, marks=pytest.mark.slow)])
 def test_joints_joined_over_massless_links_are_refined(
-    scalar: str, processes: int, builder: Builder, tmp_path: Path
+    processes: int, builder: Builder, tmp_path: Path
 ) -> None:
     model = three_axis_chain(3)
     schedule = best_schedule(model, processes, load_profile("default"), "ada")
-    plan = make_plan(model, schedule, form="ada", scalar=scalar)
+    plan = make_plan(model, schedule, form="ada")
     assert any(isinstance(step, FusedJoin) for p in plan.processes for step in p.steps)
     states = random_states(model, 3, seed=3)
     solver = builder.solver(plan, refine=3)
@@ -111,14 +109,11 @@ def test_what_cannot_be_refined_is_refused() -> None:
         emit(replace(plan, joints=damped), refine=1, residual="wide")
 
 
-@pytest.mark.parametrize("scalar", ["double", pytest.param("mixed", marks=pytest.mark.slow)])
-def test_a_robot_that_is_held_at_rest_is_answered(
-    scalar: str, builder: Builder, tmp_path: Path
-) -> None:
+def test_a_robot_that_is_held_at_rest_is_answered(builder: Builder, tmp_path: Path) -> None:
     """What accelerates is the rounding of its torques alone, which no correction makes smaller."""
     model = random_tree(np.random.default_rng(4), 6)
     schedule = random_schedule(model, 2, np.random.default_rng(2))
-    plan = make_plan(model, schedule, form="ada", scalar=scalar)
+    plan = make_plan(model, schedule, form="ada")
     states = random_states(model, 3, seed=3)
     still = np.zeros(model.nv)
     torques = np.array([inverse_dynamics(model, q, still, still) for q in states.q])

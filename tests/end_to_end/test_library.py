@@ -127,7 +127,6 @@ def _plans() -> dict[str, tuple[Plan, dict[str, object]]]:
         "unrolled": (plan_of(arm, 1), {"shape": "unrolled"}),
         "in lanes": (plan_of(human, 1), {"shape": "unrolled"}),
         "float": (plan_of(arm, 1, scalar="float"), {}),
-        "mixed": (plan_of(arm, 1, scalar="mixed"), {}),
         "refined": (plan_of(human, 1), {"refine": 2}),
         "slaved": (plan_of(BY_STEM["arm7_slaved_p2"].model(), 1), {}),
         "batch": (plan_of(arm, 1), {"batch": 1}),

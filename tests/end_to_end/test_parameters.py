@@ -54,7 +54,6 @@ CASES: dict[str, tuple[Path, bool, dict[str, Any]]] = {
     "refined loops": (ARM, False, {"refine": 1, "shape": "kernels"}),
     "loops refined wide": (ARM, False, {"refine": 1, "shape": "kernels", "residual": "wide"}),
     "refined joints": (ARM, False, {"refine": 1, "shape": "joints"}),
-    "mixed": (ARM, False, {"scalar": "mixed"}),
     "threads": (HUMANOID, True, {"procs": 2, "channel": "threads"}),
 }  # fmt: skip
 

@@ -143,7 +143,6 @@ def test_a_certified_plan_is_written_and_checked() -> None:
     ("model", "options", "said"),
     [
         (serial_chain(8), {"form": "ada"}, "that is for form segment"),
-        (serial_chain(8), {"scalar": "mixed"}, "answers of scalar mixed are refined"),
         (random_tree(np.random.default_rng(1), 8, mimics=1), {}, "is slaved to another"),
     ],
 )

@@ -37,6 +37,7 @@ class Example:
     channel: str = "auto"
     shape: str = "auto"
     batch: bool = False
+    refine: int | None = None
     closed: bool = False  # by the scene of its name
     schedule: str = "auto"  # another one where the best leaves processes idle; a file of models/
 
@@ -66,7 +67,7 @@ EXAMPLES = (
     Example("arm7_unrolled", "arm7", 2, form="ada", shape="unrolled"),
     Example("arm7_slaved", "arm7", 2, mimic=True, form="ada"),
     Example("arm7_float", "arm7", 2, scalar="float", shape="kernels", schedule="balanced"),
-    Example("arm7_mixed", "arm7", 2, scalar="mixed", schedule="balanced"),
+    Example("arm7_refined", "arm7", 2, refine=1, shape="kernels", schedule="balanced"),
     Example("arm7_batch", "arm7", 2, batch=True),
     Example("humanoid_batch", "humanoid", 2, floating=True, shape="kernels", batch=True),
     Example("humanoid", "humanoid", 1, floating=True, shape="kernels"),
@@ -103,6 +104,7 @@ def compiled(example: Example) -> Compiled:
         scalar=example.scalar,
         channel=example.channel,
         shape=example.shape,
+        refine=example.refine,
         batch=example.batch,
         schedule=_named_or_file(example.schedule),
         name=None if example.name == example.robot else example.name,

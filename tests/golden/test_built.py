@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 
 from adagen.emit.around import PROGRAM_FILE
-from adagen.emit.refine import MIXED_STEPS
 from adagen.reference.closed import closed_forward_dynamics
 from adagen.states import States, random_states
 from tests.emitted import QUICK, Array, Builder, Solver, forward_error, truth_of
@@ -21,7 +20,7 @@ from tests.mechanisms import states_of
 
 BY_STEM = {example.stem: example for example in EXAMPLES}
 TRUTHS: dict[tuple[str, bool, bool], tuple[States, Array]] = {}
-LARGEST_ERROR = {"double": 5e-12, "float": 2e-5, "mixed": 5e-12}
+LARGEST_ERROR = {"double": 5e-12, "float": 2e-5}
 """Forward error that is let pass; measured: 4e-13 (the chain) and 2e-6 at most."""
 
 
@@ -71,9 +70,9 @@ def test_an_example_passes_its_own_check_and_is_timed(stem: str, builder: Builde
     assert re.match(
         r"check  \d+\.\d digits of the accelerations are certain: state \d+, joint", sure
     )
-    if BY_STEM[stem].scalar == "mixed":
-        refined, time = time[:MIXED_STEPS], time[MIXED_STEPS:]
-        assert all(line.startswith("refine error before step ") for line in refined)
+    steps = BY_STEM[stem].refine or 0
+    refined, time = time[:steps], time[steps:]
+    assert all(line.startswith("refine error before step ") for line in refined)
     assert check.startswith("check ") and check.endswith(": right")
     assert time[0].startswith(f"time   {BY_STEM[stem].processes} process")
     # A batch tells states per second, too, on one process and on two.

@@ -46,7 +46,7 @@ def test_the_table_covers_what_it_should() -> None:
     kinds = {joint.kind.name for example in EXAMPLES for joint in example.model().joints}
     assert kinds == {"revolute", "prismatic", "spherical", "planar", "floating"}
     assert {example.form for example in EXAMPLES} == set(FORMS)
-    assert {example.scalar for example in EXAMPLES} == {"double", "float", "mixed"}
+    assert {example.scalar for example in EXAMPLES} == {"double", "float"}
     assert {example.model().floating for example in EXAMPLES} == {True, False}
     assert any(joint.mimic for example in EXAMPLES for joint in example.model().joints)
 

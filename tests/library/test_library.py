@@ -104,7 +104,7 @@ class TestCompile:
     @pytest.mark.parametrize(
         ("asked", "said"),
         [
-            ({"scalar": "half"}, "scalar is one of double, float, mixed, not 'half'"),
+            ({"scalar": "half"}, "scalar is one of double, float, not 'half'"),
             ({"procs": 0}, "procs is from 1 to 1024"),
             ({"scalr": "float"}, "unexpected keyword argument 'scalr'"),
             ({"batch": True, "refine": 1}, "batches are not refined"),
@@ -133,7 +133,6 @@ class TestSolve:
             (MOBILE, {}),
             (ARM, {"shape": "joints"}),
             (ARM, {"batch": True}),
-            (ARM, {"scalar": "mixed"}),
             (ARM, {"scalar": "float"}),
         ],
     )

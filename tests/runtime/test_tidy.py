@@ -16,7 +16,7 @@ from tests.golden.examples import FOLDER as EXAMPLES
 from tests.runtime.test_units import FOLDER, GROUPS
 
 ROOT = FOLDER.parents[1]
-EMITTED = ("arm7_unrolled_p1", "humanoid_p2", "arm7_mixed_p2", "arm7_batch_p2", "fourbar_p1")
+EMITTED = ("arm7_unrolled_p1", "humanoid_p2", "arm7_refined_p2", "arm7_batch_p2", "fourbar_p1")
 """Sources that include most of the headers that the unit tests do not."""
 
 

@@ -25,7 +25,6 @@ from adagen.plan.gather import why_not_gather
 from adagen.plan.robot import PlanLink
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.turned import ENOUGH, Turned
-from adagen.plan.types import FACTORS
 from adagen.program.segments import LANES
 from adagen.program.slots import Slots
 from adagen.program.turned import turned_in_loops
@@ -91,7 +90,7 @@ def values(words: Words) -> dict[str, object]:
         refined = refinement_values(words, corrections[:count], corrections[count:])
     return {
         "runtime": runtime,
-        "copied": plan.scalar == "mixed" or bool(plan.slaved),
+        "copied": bool(plan.slaved),
         "responses": [writer.responses() for writer in writers] if plan.slaved else [],
         **refined,
         "cuts": cuts,
@@ -147,7 +146,7 @@ def _layout(words: Words, turned: Turned, by_columns: bool) -> list[str]:
         ]
     )
     if plan.weighed:
-        unit = words.printer.number(ROUNDING * EPSILON[FACTORS[plan.scalar]])
+        unit = words.printer.number(ROUNDING * EPSILON[plan.scalar])
         floats = ("bool", "kFloats", any(map(is_base, plan.joints)), False)
         lines += overridden([floats, ("Real", "kUnit", unit, "")])
     return lines
@@ -191,7 +190,7 @@ def _block_kinds(words: Words) -> dict[str, list[int]]:
         (joint.rotation, joint.translation, link)
         for joint, link in zip(plan.joints, links, strict=True)
     ]
-    width = 1 if words.program.batch else LANES[FACTORS[plan.scalar]]
+    width = 1 if words.program.batch else LANES[plan.scalar]
     kinds, first = words.program.slots.block_kinds(own, width)
     return {"kinds": kinds, "first": first}
 

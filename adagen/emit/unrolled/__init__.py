@@ -7,10 +7,9 @@ alike share code, one in each SIMD lane.
 
 from __future__ import annotations
 
-from adagen.emit.unrolled.emission import CHUNK, values, why_not
+from adagen.emit.unrolled.emission import CHUNK, values
 
 __all__ = [
     "CHUNK",
     "values",
-    "why_not",
 ]

@@ -32,11 +32,6 @@ _NAMED = ("reciprocal", "pack", "lane", "across")
 _ANGLES_AT_ONCE = 16  # the most that registers hold
 
 
-def why_not(plan: Plan) -> str | None:
-    """Return why a plan cannot be emitted in this shape, None if it can."""
-    return "it computes in one number type" if plan.scalar == "mixed" else None
-
-
 def values(words: Words, chunk: int = 0) -> dict[str, object]:
     """Return what the template is told of a plan.
 

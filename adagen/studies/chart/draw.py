@@ -24,7 +24,7 @@ COLOURS = {
 }
 _PEER_COLOURS = ("#7b3294", "#a6611a", "#1b7837", "#e69f00")
 _MARKERS = ("o", "^", "D", "v", "P")  # by steps of refinement
-_FACES = {"float": ("white", "hollow"), "mixed": ("0.8", "grey inside")}
+_FACES = {"float": ("white", "hollow")}
 _STEPS = ((1.8, (1.0, 2.0, 5.0)), (3.2, (1.0, 3.0)))  # decades of an axis, and where labels are
 _LEAST = 1e-17  # errors below are drawn here
 _LINES = 14  # below the panel; the record has them all

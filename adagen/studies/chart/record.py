@@ -22,7 +22,7 @@ class Point:
         team: whose it is: adagen, baseline, or a peer's name.
         algorithm: one of ``adagen.studies.chart.variants.ALGORITHMS``, or what a peer calls it.
         schedule: of adagen's forms.
-        scalar: "double", "float" or "mixed".
+        scalar: "double" or "float".
         processes: P.
         refine: steps of iterative refinement.
         shape: shape of the code.

@@ -8,7 +8,6 @@ from typing import get_args
 
 from adagen.calibrate.schedules import random_schedule
 from adagen.emit import emit, program_of
-from adagen.emit.refine import LEAST_MIXED_STEPS
 from adagen.emit.shapes import BASELINES
 from adagen.errors import UsageError
 from adagen.executor import Grouping
@@ -33,8 +32,8 @@ METHODS = {
 }
 """Methods of charts, and what pictures call them: each is a line."""
 
-REFINEMENTS = {"double": (0, 1), "float": (0, 1), "mixed": (LEAST_MIXED_STEPS,)}
-"""Steps of refinement of each scalar in a chart, unless others are asked for."""
+REFINEMENTS = (0, 1)
+"""Steps of refinement in a chart, unless others are asked for."""
 
 SHAPES = ("auto", "kernels", "unrolled")
 _OF_SHAPE = {"kernels": "loops", "unrolled": "straight", "joints": "joints"}
@@ -51,7 +50,7 @@ class Variant:
     Attributes:
         algorithm: one of ``ALGORITHMS``.
         schedule: one of ``SCHEDULES``; "auto" is searched.
-        scalar: "double", "float" or "mixed".
+        scalar: "double" or "float".
         processes: P.
         refine: steps of iterative refinement.
         shape: shape of the code; "auto" is what the compiler chooses.
@@ -180,7 +179,7 @@ REFERENCE = Variant("segment")
 def every_variant(
     processes: Sequence[int] = (1, 2, 4),
     scalars: Sequence[str] = SCALARS,
-    refinements: Sequence[int] | None = None,
+    refinements: Sequence[int] = REFINEMENTS,
     shapes: Sequence[str] = SHAPES,
     schedules: Sequence[str] = SCHEDULES[:1],
     objective: str = "both",
@@ -192,28 +191,26 @@ def every_variant(
     Shapes are varied on the searched schedule without refinement; refinement on one process, unless
     the ``whole`` product is asked for; further schedules in double without refinement, likewise. A
     schedule makes no difference in form segment on one process, and baselines have neither schedule
-    nor processes nor refinement, without which there is no mixed solver. That takes those of the
-    ``refinements`` asked for that are enough for it, or as few as it can.
+    nor processes nor refinement.
     """
-    unrefined = [scalar for scalar in scalars if scalar != "mixed"]
-    found = [REFERENCE, *(Variant(name, scalar=s) for name in BASELINES for s in unrefined)]
+    found = [REFERENCE, *(Variant(name, scalar=s) for name in BASELINES for s in scalars)]
     for form in ("segment", "ada"):
         for p in processes:
             for scalar in scalars:
                 plain = Variant(form, scalar=scalar, processes=p)
                 own = shapes if form == "segment" else ("auto",)
-                found += [replace(plain, shape=shape) for shape in own if scalar in unrefined]
-                steps = _steps(scalar, refinements) if whole or p == min(processes) else ()
+                found += [replace(plain, shape=shape) for shape in own]
+                steps = refinements if whole or p == min(processes) else ()
                 refined = [replace(plain, refine=n) for n in steps if n]
                 more = [s for s in schedules if s != "auto" and (p > 1 or form == "ada")]
                 rescheduled = [replace(plain, schedule=s) for s in more]
                 found += refined
                 if whole:
                     found += [replace(r, schedule=s.schedule) for r in refined for s in rescheduled]
-                if scalar in unrefined and (whole or scalar == "double"):
+                if whole or scalar == "double":
                     found += rescheduled
     if 1 in processes:
-        found += _of_one_process(unrefined, shapes)
+        found += _of_one_process(scalars, shapes)
     aimed = [v if v.baseline else replace(v, objective=objective) for v in found]
     return list(dict.fromkeys([REFERENCE, *aimed]))
 
@@ -229,15 +226,6 @@ def _of_one_process(scalars: Sequence[str], shapes: Sequence[str]) -> list[Varia
         found += [replace(plain, shape=shape, certify=True) for shape in named]
         found += [replace(plain, shape=s, lanes=False) for s in named if scalar == "double"]
     return found
-
-
-def _steps(scalar: str, asked: Sequence[int] | None) -> Sequence[int]:
-    """Return the steps of refinement of a scalar in a chart."""
-    if asked is None:
-        return REFINEMENTS[scalar]
-    if scalar != "mixed":
-        return asked
-    return [n for n in asked if n >= LEAST_MIXED_STEPS] or [LEAST_MIXED_STEPS]
 
 
 def schedule_of(model: Model, variant: Variant, form: str) -> Schedule:

@@ -18,8 +18,7 @@
 namespace {
 
 struct PlainSettings {
-  using Number = double;  // type of states, results and messages
-  using Real = double;    // type of all other values
+  using Number = double;
   [[maybe_unused]] static constexpr int kProcesses = 1;
   // Whether process 0 does all the work.
   [[maybe_unused]] static constexpr bool kAlone = true;

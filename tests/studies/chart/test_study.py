@@ -46,20 +46,14 @@ class TestVariants:
             "unrolled",
         }
         assert {v.refine for v in found if v.scalar == "float"} == {0, 1}
-        assert {v.refine for v in found if v.scalar == "mixed"} == {2}
         assert {v.scalar for v in found if v.batch} == {"double", "float"}
         assert any(v.reproducible for v in found) and any(not v.lanes for v in found)
         assert {v.shape for v in found if v.certify} == {"kernels", "unrolled"}
         aimed = every_variant(objective="accuracy")
         assert {v.objective for v in aimed[1:] if not v.baseline} == {"accuracy"}
 
-    @pytest.mark.parametrize(("asked", "taken"), [((0,), {2}), ((0, 1), {2}), ((1, 3, 4), {3, 4})])
-    def test_a_mixed_solver_takes_what_is_enough(
-        self, asked: tuple[int, ...], taken: set[int]
-    ) -> None:
-        found = every_variant(refinements=asked)
-        assert {v.refine for v in found if v.scalar == "mixed"} == taken
-        assert {v.refine for v in found if v.scalar == "double"} == {0, *asked}
+    def test_steps_of_refinement_are_those_asked_for(self) -> None:
+        assert {v.refine for v in every_variant(refinements=(1, 3))} == {0, 1, 3}
 
     @pytest.mark.parametrize("schedule", ["auto", "balanced", "sequential", "random"])
     @pytest.mark.parametrize("algorithm", ["ada", "segment"])
@@ -178,7 +172,7 @@ def test_what_is_not_kept_has_no_drift() -> None:
         Variant("segment", reproducible=True),
         Variant("segment", shape="kernels", lanes=False),
         Variant("segment", objective="accuracy"),
-        Variant("ada", "balanced", scalar="mixed", processes=3, refine=2),
+        Variant("ada", "balanced", processes=3, refine=2),
     ],
 )
 def test_what_keeps_a_budget_is_emitted_as_it_was_measured(

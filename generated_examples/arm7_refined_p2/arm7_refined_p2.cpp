@@ -1,8 +1,8 @@
 // Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 //
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
-// command   adagen ../models/arm7.urdf --procs 2 --schedule=balanced --scalar=mixed --name=arm7_mixed
-// options   form segment, shape kernels, scalar mixed, refine 3 (wide residual), channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// command   adagen ../models/arm7.urdf --procs 2 --schedule=balanced --shape=kernels --refine=1 --name=arm7_refined
+// options   form segment, shape kernels, scalar double, refine 1 (wide residual), channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI
 // program   2 processes, joined at cuts; 0.953 us predicted (default profile)
 //           process 0: base_yaw .. forearm_roll
@@ -19,14 +19,14 @@
 // the base, about each link's origin.
 
 // ---- 1. interface -------------------------------------------------------------------------------
-// arm7_mixed_p2.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
+// arm7_refined_p2.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
 
-#if __has_include("arm7_mixed_p2.h")
-#include "arm7_mixed_p2.h"
+#if __has_include("arm7_refined_p2.h")
+#include "arm7_refined_p2.h"
 #define ADAGEN_HEADER
 #endif
-#define ADAGEN_CALL(word) arm7_mixed_p2_##word
-#define ADAGEN_NAMED(WORD) ARM7_MIXED_P2_##WORD
+#define ADAGEN_CALL(word) arm7_refined_p2_##word
+#define ADAGEN_NAMED(WORD) ARM7_REFINED_P2_##WORD
 
 
 #include <mpi.h>
@@ -43,10 +43,9 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
-  using Real = float;
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
-  static constexpr int kRefine = 3;
+  static constexpr int kRefine = 1;
   static constexpr bool kWide = true;
   static constexpr int kPlanMessages = 2;
 };
@@ -135,24 +134,24 @@ namespace {
 namespace {
 
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
-    {3.6f, {0.0f, 0.0f, 0.36000000000000004f},
-     {0.00441f, 0.0f, 0.0f, 0.00441f, 0.0f, 0.04800000000000001f}},
-    {3.1f, {0.0f, -0.31000000000000005f, 0.0f},
-     {0.00279f, 0.0f, 0.0f, 0.045880000000000004f, 0.0f, 0.00279f}},
-    {2.6f, {0.0f, 0.0f, -0.078f},
-     {0.00196625f, 0.0f, 0.0f, 0.00196625f, 0.0f, 0.009359999999999999f}},
-    {2.2f, {-0.11000000000000001f, 0.22000000000000003f, 0.0f},
-     {0.006875000000000001f, -0.011000000000000003f, 0.0f, 0.030873300000000003f, 0.0f, 0.001375f}},
-    {1.7f, {0.0f, 0.017f, -0.136f},
-     {0.000860625f, 0.0f, 0.0f, 0.0010306249999999999f, -0.00136f, 0.014506665f}},
-    {1.3f, {0.052000000000000005f, 0.013000000000000001f, 0.0f},
-     {0.0027300000000000002f, 0.0005200000000000001f, 0.0f, 0.00078f, 0.0f, 0.00065f}},
-    {0.85f, {0.007199999999999999f, 0.0f, 0.0754f},
-     {0.0006599999999999998f, 0.0f, 0.00014399999999999992f, 0.0025143300000000004f, 0.0f, 0.007576f}},
-    {0.05f, {0.0015f, 0.0f, 0.0005f},
-     {6.0000035e-05f, 0.0f, 1.5e-05f, 1.666665e-06f, 0.0f, 6.666665e-06f}},
-    {0.05f, {0.0015f, 0.0f, 0.0005f},
-     {6.0000035e-05f, 0.0f, 1.5e-05f, 1.666665e-06f, 0.0f, 6.666665e-06f}},
+    {3.6, {0.0, 0.0, 0.36000000000000004},
+     {0.00441, 0.0, 0.0, 0.00441, 0.0, 0.04800000000000001}},
+    {3.1, {0.0, -0.31000000000000005, 0.0},
+     {0.00279, 0.0, 0.0, 0.045880000000000004, 0.0, 0.00279}},
+    {2.6, {0.0, 0.0, -0.078},
+     {0.00196625, 0.0, 0.0, 0.00196625, 0.0, 0.009359999999999999}},
+    {2.2, {-0.11000000000000001, 0.22000000000000003, 0.0},
+     {0.006875000000000001, -0.011000000000000003, 0.0, 0.030873300000000003, 0.0, 0.001375}},
+    {1.7, {0.0, 0.017, -0.136},
+     {0.000860625, 0.0, 0.0, 0.0010306249999999999, -0.00136, 0.014506665}},
+    {1.3, {0.052000000000000005, 0.013000000000000001, 0.0},
+     {0.0027300000000000002, 0.0005200000000000001, 0.0, 0.00078, 0.0, 0.00065}},
+    {0.85, {0.007199999999999999, 0.0, 0.0754},
+     {0.0006599999999999998, 0.0, 0.00014399999999999992, 0.0025143300000000004, 0.0, 0.007576}},
+    {0.05, {0.0015, 0.0, 0.0005},
+     {6.0000035e-05, 0.0, 1.5e-05, 1.666665e-06, 0.0, 6.666665e-06}},
+    {0.05, {0.0015, 0.0, 0.0005},
+     {6.0000035e-05, 0.0, 1.5e-05, 1.666665e-06, 0.0, 6.666665e-06}},
 } };
 
 struct Layout : PlainLayout {
@@ -166,7 +165,7 @@ constexpr LinkRole kRoles[2][kLinkCount]{
 
 }  // namespace
 
-#include "adagen/kernels/copied_state.hpp"
+#include "adagen/kernels/state.hpp"
 
 namespace {
 
@@ -439,7 +438,7 @@ constexpr std::array<Range, 4> kRanges_1{ {{0, 9}, {0, 9}, {5, 4}, {5, 4}} };
 #include "adagen/no_parameters.hpp"
 #include "adagen/solver.hpp"
 #include "adagen/open.hpp"
-struct arm7_mixed_p2_solver : Solver {};
+struct arm7_refined_p2_solver : Solver {};
 #include "adagen/c_interface.hpp"
 
 // ---- 6. program ---------------------------------------------------------------------------------
