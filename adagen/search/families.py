@@ -201,19 +201,47 @@ class Families:
         search = GatheredSearch(prices, bounds, roots, spent)
         self._name("gathered")
         search.guess()
-        layouts = [layout for _, _, layout in search.found.nearest]
+        layouts, fewer = [layout for _, _, layout in search.found.nearest], list[Layout]()
         if self._straight is not None:
             layouts += search.even(self._straight, _EVEN)
         self._try_layouts(layouts, robot)
         if self.loops:
             search.run(self.least)
             self.bounds.append(search.lower)
+            fewer = self._on_fewer(search, prices, floors, roots)
         if self._straight is not None:  # what is slower in loops may be faster in a line
             spent.limit = spent.spent + spent.limit // _NEAR
             search.run(_NEARLY * self.least)
-        self._try_layouts([layout for _, _, layout in search.found.nearest], robot)
+        self._try_layouts(fewer + [layout for _, _, layout in search.found.nearest], robot)
         self.candidates += search.found.candidates
         self.expanded += spent.expanded
+
+    def _on_fewer(
+        self,
+        search: GatheredSearch,
+        prices: LayoutPrices,
+        floors: Floors,
+        roots: Sequence[bool],
+    ) -> list[Layout]:
+        """Return faster layouts of half as many processes, a quarter, and so on.
+
+        They are among the layouts of a search that ended. Where its budget struck, those of fewer
+        processes are searched by themselves: more processes are not to be slower.
+        """
+        found: list[Layout] = []
+        best, ended = search.found.best, search.lower == search.found.best
+        for working in halves(self.processes)[1:]:
+            if ended:
+                break
+            spent = Spent(_JOINTS * self.most)
+            bounds = Bounds(prices.robot, floors, working, self.costs, prices.pricing.channel)
+            fewer = GatheredSearch(prices, bounds, roots, spent)
+            fewer.run(best)
+            found += [fewer.found.layout] if fewer.found.layout is not None else []
+            best, ended = fewer.found.best, fewer.lower == fewer.found.best
+            self.candidates += fewer.found.candidates
+            self.expanded += spent.expanded
+        return found
 
     def _try_layouts(self, layouts: Iterable[Layout], robot: Robot) -> None:
         """Play layouts in each shape."""

@@ -19,6 +19,7 @@ from adagen.schedule import Topology, load_profile, schedule_to_json, validate
 from adagen.search import best_schedule, find_schedule, schedule_from_json
 from adagen.search.price import played
 from tests.models import binary, human_figure, random_tree, serial_chain, star
+from tests.search.test_frames import with_hands
 
 DEFAULT = load_profile("default")
 
@@ -121,3 +122,17 @@ def test_the_file_tells_what_was_searched() -> None:
     again = schedule_from_json(json.dumps(told), topology, DEFAULT)
     assert again.families == ()  # it is priced by its tree anew
     assert make_plan(model, again) == make_plan(model, best)
+
+
+def test_fewer_processes_are_searched_where_the_budget_strikes() -> None:
+    """Two hands: the search of four processes ends before it comes to the best layout of two."""
+    model = with_hands(2, 3, 2, floating=False)
+
+    def least(processes: int, expansions: int) -> float:
+        found = best_schedule(model, processes, DEFAULT, expansions=expansions, shape="kernels")
+        return found.makespan
+
+    alone, two = least(1, 20), least(2, 1000)
+    assert two < 0.9 * alone
+    assert least(4, 20) <= two
+    assert least(8, 20) <= two
