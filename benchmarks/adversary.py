@@ -75,8 +75,15 @@ def table(sums: dict[str, Counter[str]]) -> list[str]:
         "|---|--:|--:|--:|--:|--:|",
     ]
     for way, n in sums.items():
-        silent = f"{n['silent']}" + f", on {n['robots silent']} robots" * bool(n["silent"])
-        cells = (way, n["robots"], n["answered"], n["refused"], n["warned"], silent)
+        where = f", on {n['robots silent']} robots" * bool(n["silent"])
+        cells = (
+            way,
+            n["robots"],
+            n["answered"],
+            n["refused"],
+            n["warned"],
+            f"{n['silent']}{where}",
+        )
         lines.append(f"| {' | '.join(map(str, cells))} |")
     evaluations = sum(n["answered"] + n["refused"] for n in sums.values())
     wrong = sum(n["silent"] for n in sums.values())
