@@ -21,12 +21,12 @@ from tests.cli.robots import write_arm
 
 ROOT = Path(adagen.__file__).resolve().parents[1]
 OURS = (str(ROOT / "adagen"), str(ROOT / "templates"), __file__)
-FEW, MANY = 60, 120
+FEW, MANY = 30, 60
 """Joints of the chains."""
 MOST_GROWTH = 2.6
 """Twice the joints: twice the runs of a line, and somewhat more where something is sorted."""
 OFTEN = 10 * MANY
-"""Runs of a line that count: those of a line that is run for each pair of joints are 14,400."""
+"""Runs of a line that count: those of a line that is run for each pair of joints are 3,600."""
 OTHERS = {("adagen/plan/segment.py", "SegmentPlanner.__init__.<locals>.<genexpr>")}
 """Code that still does more: each node of a schedule lists all joints below it."""
 
@@ -93,4 +93,4 @@ def test_lines_that_run_for_each_pair_of_joints_are_seen() -> None:
         return [j * k for j in range(joints) for k in range(joints)]
 
     found = grown(lines_run(lambda: pairs(FEW)), lines_run(lambda: pairs(MANY)))
-    assert [round(ratio, 1) for ratio in found.values()] == [4.0]
+    assert list(found.values()) == [pytest.approx(4.0, rel=0.05)]

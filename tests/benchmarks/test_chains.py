@@ -10,6 +10,7 @@ from adagen.studies.bench.scale_record import read_scale
 from benchmarks import chains
 
 
+@pytest.mark.slow
 def test_the_page_gets_tables_and_a_picture(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

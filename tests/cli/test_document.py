@@ -14,6 +14,7 @@ import pytest
 
 from adagen.cli import main
 from tests.golden.make_models import MODELS
+from tests.slow import spread
 
 CASES = [
     ("humanoid", ["--procs", "2"]),  # gathered
@@ -50,7 +51,7 @@ def emitted(folder: Path, *words: str) -> dict[str, bytes]:
     return found
 
 
-@pytest.mark.parametrize(("robot", "words"), CASES)
+@pytest.mark.parametrize(("robot", "words"), spread(CASES, 3))
 def test_the_same_program_is_made_of_it_and_its_figures_are_those_of_the_program(
     robot: str, words: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

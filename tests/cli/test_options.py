@@ -27,6 +27,7 @@ from tests.options import (
     path_of,
     words_of,
 )
+from tests.slow import spread
 
 PARTS = 4
 """Parts that tests of many cases have, for workers side by side."""
@@ -76,7 +77,7 @@ def test_every_value_alone_is_done(
     assert len(generated(cases, tmp_path, capsys)) == len(cases)
 
 
-@pytest.mark.parametrize("part", range(PARTS))
+@pytest.mark.parametrize("part", spread(range(PARTS), 2))
 def test_some_values_at_random(
     part: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -114,7 +115,7 @@ def test_shared_robots(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixtu
     robots = sorted(shared.glob("real/*.urdf"))
     cases = [case for case in alone() if not {"--scene", "--runtime"} & set(case)]
     done = []
-    for k, robot in enumerate(robots):
+    for k, robot in enumerate(robots[::3]):
         _, *words = words_of({**cases[3 * k], "robot": "arm7"}, tmp_path)
         done.append(done_or_refused([str(robot), *words, "--out", str(tmp_path / str(k))], capsys))
     assert any(done)

@@ -15,6 +15,7 @@ import pytest
 from adagen.cli import main
 from adagen.cli.main import VERBS
 from tests.docs.blocks import PAGES, ROOT, Block, blocks
+from tests.slow import spread
 
 RUN = ("sh", "python")
 SHOWN = ("text", "c", "cpp", "cmake", "toml", "json", "xml", "yaml")
@@ -46,7 +47,7 @@ WITH_COMMANDS = [page for page in PAGES if has_commands(page)]
 WITH_SLOW = [page for page in WITH_COMMANDS if any(b.slow for b in blocks(page))]
 
 
-@pytest.mark.parametrize("page", WITH_COMMANDS, ids=name)
+@pytest.mark.parametrize("page", spread(WITH_COMMANDS, 10), ids=name)
 def test_commands_run(page: Path, tmp_path: Path) -> None:
     run_page(page, tmp_path, slow=False)
 

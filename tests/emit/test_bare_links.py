@@ -14,15 +14,19 @@ from adagen.states import random_states
 from tests.emitted import ROUNDING, Builder
 from tests.models import random_tree
 from tests.schedules import random_schedule
+from tests.slow import spread
 
 
 @pytest.mark.parametrize(
     ("seed", "joints", "floating", "mimics", "processes"),
-    [
-        (4, 9, True, 0, 2),
-        (5, 12, False, 0, 4),
-        pytest.param(4, 9, True, 2, 4, marks=pytest.mark.slow),
-    ],
+    spread(
+        [
+            (4, 9, True, 0, 2),
+            (5, 12, False, 0, 4),
+            (4, 9, True, 2, 4),
+        ],
+        1,
+    ),
 )
 def test_trees_with_bare_links_are_solved(
     seed: int,

@@ -20,6 +20,7 @@ from tests.emitted import NARROW, OPTIMISED, QUICK, ROUNDING, Builder, kernels_o
 from tests.links import with_inertia
 from tests.models import ALL_KINDS, random_tree, serial_chain
 from tests.schedules import random_schedule
+from tests.slow import slow
 
 MANY_HINGES = (*ALL_KINDS, REVOLUTE, REVOLUTE, PRISMATIC, PRISMATIC)
 
@@ -68,8 +69,8 @@ def test_states_of_a_batch_keep_their_lanes() -> None:
     [
         (QUICK, "double"),
         (QUICK, "float"),
-        (OPTIMISED, "double"),  # float in test_segments.py
-        (NARROW, "double"),
+        slow(OPTIMISED, "double"),  # float in test_segments.py
+        slow(NARROW, "double"),
         (NARROW, "float"),
     ],
 )

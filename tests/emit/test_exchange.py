@@ -16,6 +16,7 @@ from tests.emit.test_segments import balls_and_hinges
 from tests.emitted import ROUNDING, Builder, kernels_of
 from tests.models import human_figure, random_tree, serial_chain
 from tests.schedules import random_schedule
+from tests.slow import slow
 
 PROFILE = load_profile("default")
 
@@ -25,8 +26,8 @@ PROFILE = load_profile("default")
     [
         pytest.param(serial_chain(160), 8, "auto", "double", marks=pytest.mark.slow),
         (serial_chain(72), 4, "message", "double"),
-        (balls_and_hinges(60, seed=4), 3, "auto", "double"),
-        (serial_chain(40), 5, "auto", "float"),
+        slow(balls_and_hinges(60, seed=4), 3, "auto", "double"),
+        slow(serial_chain(40), 5, "auto", "float"),
         pytest.param(human_figure(), 4, "auto", "double", marks=pytest.mark.slow),
     ],
     ids=["eight in a window", "four by messages", "balls", "float", "figure"],

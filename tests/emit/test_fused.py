@@ -20,6 +20,7 @@ from adagen.search import named_schedule
 from adagen.states import States, random_states, write_states
 from tests.emitted import ROUNDING, Builder, energy_errors
 from tests.models import AXES, Part, assemble, rod, three_axis_chain, vector
+from tests.slow import slow
 
 PROFILE = load_profile("default")
 
@@ -47,7 +48,7 @@ def slaved_chain() -> Model:
     [
         (three_axis_chain(4), "ada", 1),
         (three_axis_chain(4), "segment", 3),
-        (slaved_chain(), "ada", 2),
+        slow(slaved_chain(), "ada", 2),
     ],
     ids=["ada", "cuts of form segment", "slaved"],
 )
@@ -77,10 +78,10 @@ def wrists(*kinds: JointKind) -> Model:
     ("model", "processes", "scalar", "more"),
     [
         pytest.param(three_axis_chain(4), 2, "double", 1, marks=pytest.mark.slow),
-        (three_axis_chain(8), 3, "float", 1),
+        slow(three_axis_chain(8), 3, "float", 1),
         pytest.param(slaved_chain(), 2, "double", 1, marks=pytest.mark.slow),
         (wrists(SPHERICAL, PLANAR), 3, "double", 1),
-        (wrists(FLOATING), 3, "double", 10),
+        slow(wrists(FLOATING), 3, "double", 10),
     ],
     ids=["chain", "long chain", "slaved", "spherical and planar", "floating"],
 )
@@ -118,7 +119,7 @@ def tilted(model: Model, angle: float) -> States:
 
 @pytest.mark.parametrize(
     ("form", "shape", "balls"),
-    [("ada", "joints", 2), ("ada", "unrolled", 2), ("segment", "kernels", 4)],
+    [("ada", "joints", 2), ("ada", "unrolled", 2), slow("segment", "kernels", 4)],
 )
 def test_gimbal_lock_is_told(
     form: str, shape: str, balls: int, builder: Builder, tmp_path: Path

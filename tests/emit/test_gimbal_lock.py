@@ -23,6 +23,7 @@ from adagen.states import States, random_states, write_states
 from adagen.studies.stability import robots
 from tests.emitted import QUICK, ROUNDING, Builder, plan_of, text_of
 from tests.models import AXES, POINT, Part, assemble, rod, three_axis_chain, vector
+from tests.slow import spread
 
 NEAR = (1e-3, 1e-5, 1e-7)
 AT = (1e-9, 0.0)
@@ -66,7 +67,7 @@ CASES: dict[str, tuple[Callable[[], Model], int, int, str]] = {
 }
 
 
-@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("case", spread(CASES, 4))
 def test_loops_are_right_near_gimbal_lock_or_refuse(
     case: str, builder: Builder, tmp_path: Path
 ) -> None:
@@ -87,7 +88,7 @@ def test_loops_are_right_near_gimbal_lock_or_refuse(
         assert not result.exists()
 
 
-@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("case", spread(CASES, 4))
 def test_straight_lines_are_right_down_to_gimbal_lock_and_refuse_there(
     case: str, builder: Builder, tmp_path: Path
 ) -> None:

@@ -16,6 +16,7 @@ from adagen.search import best_schedule
 from adagen.states import random_states
 from tests.emitted import Builder, Solver, text_of
 from tests.models import human_figure, random_tree, serial_chain, star
+from tests.slow import spread
 
 PROGRAM = Path(__file__).with_name("spoilt_entries.cpp")
 ROBOTS = {
@@ -39,12 +40,15 @@ def spoiler(model: Model, builder: Builder, shape: str, scalar: str) -> Solver:
 
 @pytest.mark.parametrize(
     ("robot", "shape", "scalar"),
-    [
-        *((robot, "kernels", "double") for robot in ROBOTS),
-        *(("all kinds", shape, "float") for shape in SHAPES),
-        ("in segments", "kernels", "float"),
-        ("without rotation", "unrolled", "double"),
-    ],
+    spread(
+        [
+            *((robot, "kernels", "double") for robot in ROBOTS),
+            *(("all kinds", shape, "float") for shape in SHAPES),
+            ("in segments", "kernels", "float"),
+            ("without rotation", "unrolled", "double"),
+        ],
+        5,
+    ),
 )
 def test_each_entry_that_is_not_finite_is_refused_by_name(
     robot: str, shape: str, scalar: str, builder: Builder, tmp_path: Path

@@ -19,6 +19,7 @@ from tests.emit.test_gimbal_lock import two_arms
 from tests.emitted import Builder, energy_errors, text_of
 from tests.models import binary, human_figure, random_tree, serial_chain, star
 from tests.schedules import random_schedule
+from tests.slow import slow
 
 PROFILE = load_profile("default")
 
@@ -29,8 +30,8 @@ PROFILE = load_profile("default")
         pytest.param(
             star(4, 3, floating=True), "sequential", 1, "gather", "double", marks=pytest.mark.slow
         ),
-        (human_figure(), "balanced", 3, "join", "double"),
-        (serial_chain(12, kind=SPHERICAL), "balanced", 2, "gather", "double"),
+        slow(human_figure(), "balanced", 3, "join", "double"),
+        slow(serial_chain(12, kind=SPHERICAL), "balanced", 2, "gather", "double"),
         pytest.param(two_arms(), "balanced", 2, "gather", "double", marks=pytest.mark.slow),
         (two_arms(), "sequential", 1, "gather", "double"),
     ],

@@ -23,6 +23,7 @@ from tests.golden.examples import FOLDER
 from tests.links import with_light_link
 from tests.models import binary, human_figure, random_tree, serial_chain, star
 from tests.schedules import random_schedule
+from tests.slow import spread
 
 PROFILE = load_profile("default")
 
@@ -38,20 +39,19 @@ def on_the_ground() -> Model:
 
 @pytest.mark.parametrize(
     ("model", "name", "processes", "meeting"),
-    [
-        (human_figure(), "sequential", 2, "join"),  # the base itself is joined
-        (human_figure(), "balanced", 3, "join"),
-        (human_figure(), "balanced", 4, "gather"),
-        (on_the_ground(), "balanced", 4, "join"),  # a limb that a handle's force goes through
-        (serial_chain(24, axes="xy"), "balanced", 2, "gather"),  # the ground as a body
-        pytest.param(
-            serial_chain(12, kind=SPHERICAL), "balanced", 2, "gather", marks=pytest.mark.slow
-        ),  # held by nine freedoms
-        pytest.param(
-            serial_chain(20, kind=PRISMATIC), "balanced", 2, "gather", marks=pytest.mark.slow
-        ),
-        pytest.param(serial_chain(24, axes="xyz"), "balanced", 3, "join", marks=pytest.mark.slow),
-    ],
+    spread(
+        [
+            (human_figure(), "sequential", 2, "join"),  # the base itself is joined
+            (human_figure(), "balanced", 3, "join"),
+            (human_figure(), "balanced", 4, "gather"),
+            (on_the_ground(), "balanced", 4, "join"),  # a limb that a handle's force goes through
+            (serial_chain(24, axes="xy"), "balanced", 2, "gather"),  # the ground as a body
+            (serial_chain(12, kind=SPHERICAL), "balanced", 2, "gather"),  # held by nine freedoms
+            (serial_chain(20, kind=PRISMATIC), "balanced", 2, "gather"),
+            (serial_chain(24, axes="xyz"), "balanced", 3, "join"),
+        ],
+        3,
+    ),
     ids=[
         "base joined",
         "three joined",
@@ -89,18 +89,21 @@ def test_trees_of_all_kinds_are_solved(
 
 @pytest.mark.parametrize(
     ("model", "processes"),
-    [
-        (star(4, 3, floating=True), 1),
-        (star(5, 4), 1),
-        (star(7, 3, floating=True), 1),
-        (star(3, 2, kind=SPHERICAL, floating=True), 1),
-        (star(3, 2, kind=PRISMATIC), 1),
-        (binary(2), 1),
-        (binary(4), 1),
-        (binary(4, floating=True), 2),
-        (human_figure(), 1),
-        (human_figure(), 2),
-    ],
+    spread(
+        [
+            (star(4, 3, floating=True), 1),
+            (star(5, 4), 1),
+            (star(7, 3, floating=True), 1),
+            (star(3, 2, kind=SPHERICAL, floating=True), 1),
+            (star(3, 2, kind=PRISMATIC), 1),
+            (binary(2), 1),
+            (binary(4), 1),
+            (binary(4, floating=True), 2),
+            (human_figure(), 1),
+            (human_figure(), 2),
+        ],
+        5,
+    ),
     ids=[
         "legs",
         "arms",

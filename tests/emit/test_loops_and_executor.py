@@ -30,6 +30,7 @@ from tests.emitted import EXACT, Builder, Solver, kernels_of, plan_of, truth_of
 from tests.executor.plans import ADA, CASES, anything
 from tests.executor.test_bits import ALGEBRAS
 from tests.models import human_figure, random_tree, serial_chain
+from tests.slow import all_but
 
 UNITS = 32.0
 ROUNDED = 16.0  # units in the last place
@@ -73,7 +74,7 @@ ROBOTS: dict[str, tuple[Callable[[], Model], int, str, str]] = {
 }
 
 
-@pytest.mark.parametrize("name", ROBOTS)
+@pytest.mark.parametrize("name", all_but(ROBOTS, "tree, floating", "slender"))
 def test_loops_differ_from_the_executor_in_last_places(
     name: str, builder: Builder, tmp_path: Path
 ) -> None:

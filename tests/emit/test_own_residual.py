@@ -23,6 +23,7 @@ from tests.emit.test_kernel_slaved import damped
 from tests.emitted import Builder, energy_errors, plan_of
 from tests.golden.make_models import MODELS
 from tests.models import serial_chain
+from tests.slow import spread
 
 NAMES = [family.__name__ for family in FAMILIES]
 GAINS = {"slender_tools": 10, "graded": 30, "balls": 100, "tiny_roots": 2, "wrists": 2}
@@ -38,7 +39,7 @@ def _errors(
     return errors, json.loads((folder / "result.json").read_text()).get("corrections", [])
 
 
-@pytest.mark.parametrize("name", [*GAINS, "free_bodies"])
+@pytest.mark.parametrize("name", spread([*GAINS, "free_bodies"], 3))
 def test_lost_digits_come_back_and_are_told(name: str, builder: Builder, tmp_path: Path) -> None:
     model = robots(len(FAMILIES), seed=2)[NAMES.index(name)]
     states = hard_states(model, 30, seed=2)

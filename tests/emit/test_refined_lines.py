@@ -111,6 +111,7 @@ def test_feet_in_lanes_are_corrected_in_every_way(builder: Builder, tmp_path: Pa
     assert told.max() < 1e-9
 
 
+@pytest.mark.slow
 def test_two_processes_correct_together(builder: Builder, tmp_path: Path) -> None:
     """A human figure on both feet: residuals at the pelvis are told, and how large steps are."""
     model = figure()

@@ -9,9 +9,10 @@ import pytest
 from adagen.states import random_states, write_states
 from tests.emit.unusual import CASES, anything, chain_with_thin_link, require_solved
 from tests.emitted import Builder, plan_of
+from tests.slow import spread
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", spread(CASES, 4))
 def test_an_unusual_robot_is_solved(name: str, builder: Builder, tmp_path: Path) -> None:
     require_solved(name, builder, tmp_path)
 

@@ -21,6 +21,7 @@ from adagen.schedule import load_profile
 from adagen.states import random_states
 from tests.emitted import NARROW, OPTIMISED, QUICK, ROUNDING, Builder, kernels_of, plan_of, text_of
 from tests.models import random_tree, serial_chain
+from tests.slow import slow, spread
 
 TURNING = [KINDS["revolute"], KINDS["spherical"]]
 
@@ -88,13 +89,16 @@ def test_processes_agree_on_the_runs_in_segments() -> None:
 
 @pytest.mark.parametrize(
     ("flags", "scalar"),
-    [
-        (QUICK, "double"),
-        (QUICK, "float"),
-        (OPTIMISED, "float"),  # double in test_columns.py
-        (NARROW, "double"),
-        (NARROW, "float"),
-    ],
+    spread(
+        [
+            (QUICK, "double"),
+            (QUICK, "float"),
+            (OPTIMISED, "float"),  # double in test_columns.py
+            (NARROW, "double"),
+            (NARROW, "float"),
+        ],
+        2,
+    ),
 )
 def test_chains_that_leave_lanes_empty_are_solved(
     flags: tuple[str, ...], scalar: str, builder: Builder, tmp_path: Path
@@ -117,7 +121,7 @@ def test_hinges_in_order_are_solved(joints: int, builder: Builder, tmp_path: Pat
 
 @pytest.mark.parametrize(
     ("processes", "meeting"),
-    [pytest.param(2, "join", marks=pytest.mark.slow), (3, "join"), (2, "gather")],
+    [slow(2, "join"), slow(3, "join"), (2, "gather")],
 )
 def test_segments_on_the_way_to_others_are_solved(
     processes: int, meeting: str, builder: Builder, tmp_path: Path

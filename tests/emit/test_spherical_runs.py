@@ -17,6 +17,7 @@ from adagen.search import named_schedule
 from adagen.states import random_states, write_states
 from tests.emitted import ROUNDING, Builder, plan_of, text_of
 from tests.models import random_tree, serial_chain
+from tests.slow import spread
 
 PROFILE = load_profile("default")
 BY_COLUMNS = by_method(PROFILE, "columns")
@@ -30,14 +31,19 @@ def balls_among_hinges() -> Model:
 
 @pytest.mark.parametrize(
     ("model", "sweeps"),
-    [
-        (serial_chain(12, kind=SPHERICAL, floating=True), ("inward<", "inward_reversed<")),
-        (
-            random_tree(np.random.default_rng(3), 14, [SPHERICAL], branching=0.2, floating=True),
-            ("inward<", "inward_reversed<"),
-        ),
-        (balls_among_hinges(), ("inward_in_columns<", "inward_in_columns_reversed<")),
-    ],
+    spread(
+        [
+            (serial_chain(12, kind=SPHERICAL, floating=True), ("inward<", "inward_reversed<")),
+            (
+                random_tree(
+                    np.random.default_rng(3), 14, [SPHERICAL], branching=0.2, floating=True
+                ),
+                ("inward<", "inward_reversed<"),
+            ),
+            (balls_among_hinges(), ("inward_in_columns<", "inward_in_columns_reversed<")),
+        ],
+        1,
+    ),
     ids=["chain", "branches", "among hinges"],
 )
 @pytest.mark.parametrize("scalar", ["double", "float"])

@@ -22,6 +22,7 @@ from tests.emitted import (
 )
 from tests.end_to_end.hosts import APART
 from tests.golden.examples import EXAMPLES, FOLDER
+from tests.slow import spread
 
 STEM = "arm7_batch_p2"
 ARM = next(example for example in EXAMPLES if example.stem == STEM)
@@ -77,7 +78,7 @@ def test_the_other_processes_do_not_hear_of_bad_states(said: list[str]) -> None:
     assert len(said) == 2 * (len(SIZES) + len(SPOILT))
 
 
-@pytest.mark.parametrize("shape", ["kernels", "unrolled"])
+@pytest.mark.parametrize("shape", spread(["kernels", "unrolled"], 1))
 @pytest.mark.parametrize("scalar", ["double", "float"])
 def test_a_program_names_states_with_bad_quaternions_and_answers_the_others(
     scalar: str, shape: str, builder: Builder, tmp_path: Path

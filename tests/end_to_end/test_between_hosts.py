@@ -143,6 +143,7 @@ def test_a_lost_host_is_an_error_within_the_time_limit(
         wait_until(lambda: solver_processes(pair, 2, solver) == [])
 
 
+@pytest.mark.slow
 def test_a_host_that_is_lost_while_mpi_starts_is_an_error(pair: Network, builder: Builder) -> None:
     solver = on(pair, "arm7_p2", builder)
     words = ("--time", "--repeat", "1000000", "--json", "--timeout", "1")

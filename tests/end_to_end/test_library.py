@@ -18,6 +18,7 @@ from adagen.states import random_states
 from tests.emitted import QUICK, ROUNDING, Builder, Solver, forward_error, plan_of, truth_of
 from tests.golden.examples import EXAMPLES, FOLDER
 from tests.models import human_figure
+from tests.slow import all_but
 
 HERE = Path(__file__).parent
 BY_STEM = {example.stem: example for example in EXAMPLES}
@@ -136,9 +137,7 @@ def _plans() -> dict[str, tuple[Plan, dict[str, object]]]:
 PLANS = _plans()
 
 
-@pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=[pytest.mark.slow] * (n == "joints")) for n in PLANS]
-)
+@pytest.mark.parametrize("name", all_but(PLANS, "joints", "ada", "refined", "float"))
 def test_nothing_is_taken_from_the_heap_once_a_solver_is_open(name: str, builder: Builder) -> None:
     plan, options = PLANS[name]
     files = emit(plan, name="heap", **options)  # type: ignore[arg-type]

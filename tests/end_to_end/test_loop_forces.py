@@ -107,6 +107,7 @@ def test_forces_are_those_of_least_squares(name: str) -> None:
             assert size == pytest.approx(float(np.linalg.norm(least)), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_accelerations_are_the_same_beside_forces(builder: Builder, tmp_path: Path) -> None:
     """Emitted for two processes: each gives the forces of its own loops."""
     model = quadruped()

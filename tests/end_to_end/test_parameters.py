@@ -21,6 +21,7 @@ from adagen.states import States, random_states, write_states
 from tests.emitted import QUICK, ROUNDING, Builder, forward_error, plan_of, truth_of
 from tests.end_to_end.test_library import BY_STEM, filled
 from tests.golden.make_models import MODELS
+from tests.slow import all_but, spread
 
 ARM, MOBILE, HUMANOID = (MODELS / f"{name}.urdf" for name in ("arm7", "mobile", "humanoid"))
 MOON = np.array([0.1, -0.2, -1.62])
@@ -62,9 +63,7 @@ REFINED = ("joints", "refined joints")
 """As the paper's form and refined loops: slow."""
 
 
-@pytest.mark.parametrize(
-    "case", [pytest.param(c, marks=[pytest.mark.slow] * (c in REFINED)) for c in CASES]
-)
+@pytest.mark.parametrize("case", all_but(CASES, *REFINED, "loops refined wide", "the paper's form"))
 def test_gravity_is_set_at_run_time(case: str) -> None:
     path, floating, asked = CASES[case]
     solver = build(path, floating, runtime="gravity", **asked)
@@ -137,7 +136,7 @@ MASSES: dict[str, tuple[Path, bool, dict[str, Any]]] = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("case", MASSES)
+@pytest.mark.parametrize("case", spread(MASSES, 4))
 def test_masses_and_their_centres_are_set_at_run_time(case: str) -> None:
     path, floating, asked = MASSES[case]
     model = adagen.read(path, floating=floating).model

@@ -18,6 +18,7 @@ from adagen.run import without_launcher_noise
 from tests.emitted import cores
 from tests.end_to_end.subjects import Subject
 from tests.running import running
+from tests.slow import slow
 
 
 class TestPeers:
@@ -56,14 +57,14 @@ class TestPeers:
     @pytest.mark.parametrize(
         ("rank", "number", "channel"),
         [
-            (0, signal.SIGKILL, "window"),
+            slow(0, signal.SIGKILL, "window"),
             (2, signal.SIGKILL, "message"),
-            (0, signal.SIGSTOP, "message"),
+            slow(0, signal.SIGSTOP, "message"),
             (2, signal.SIGSTOP, "window"),
-            pytest.param(2, signal.SIGKILL, "window", marks=pytest.mark.slow),
-            pytest.param(0, signal.SIGKILL, "message", marks=pytest.mark.slow),
-            pytest.param(2, signal.SIGSTOP, "message", marks=pytest.mark.slow),
-            pytest.param(0, signal.SIGSTOP, "window", marks=pytest.mark.slow),
+            slow(2, signal.SIGKILL, "window"),
+            slow(0, signal.SIGKILL, "message"),
+            slow(2, signal.SIGSTOP, "message"),
+            slow(0, signal.SIGSTOP, "window"),
         ],
     )
     def test_a_peer_that_is_gone_ends_the_run(

@@ -25,6 +25,7 @@ from tests.emitted import QUICK, ROUNDING, Builder, cores, forward_error, plan_o
 from tests.end_to_end.test_library import BY_STEM, filled, run
 from tests.golden.examples import FOLDER
 from tests.models import human_figure, serial_chain
+from tests.slow import all_but
 
 ARM = BY_STEM["arm7_p1"].model()
 CHAIN = serial_chain(70)
@@ -41,7 +42,9 @@ CASES: dict[str, tuple[Model, Plan, dict[str, Any]]] = {
 }
 
 
-@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize(
+    "case", all_but(CASES, "refined", "exchanged", "the paper's form", "slaved")
+)
 def test_threads_answer_as_processes_do(case: str, builder: Builder, tmp_path: Path) -> None:
     model, plan, options = CASES[case]
     states = random_states(model, 20, seed=3)

@@ -27,6 +27,7 @@ from tests.models import (
     serial_chain,
     vector,
 )
+from tests.slow import spread
 
 ILL: dict[str, Callable[[], Model]] = {
     "a light link": lambda: robots.with_mass(30, 15, 1e-8),
@@ -56,7 +57,7 @@ def spoilt(text: str, entry: int, factor: float) -> str:
     return text
 
 
-@pytest.mark.parametrize("shape", ["kernels", "unrolled"])
+@pytest.mark.parametrize("shape", spread(["kernels", "unrolled"], 6))
 @pytest.mark.parametrize("robot", ILL)
 def test_a_right_solver_is_right_on_ill_conditioned_robots(
     robot: str, shape: str, builder: Builder

@@ -24,6 +24,7 @@ from tests.gathered import dealt, reproducible_plan
 from tests.mechanisms import four_bar
 from tests.models import Array, human_figure, random_tree, serial_chain
 from tests.scene.effects import with_effects, with_wrenches
+from tests.slow import spread
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "generated_examples" / "models"
 ALGEBRAS = {"double": DOUBLE, "float": FLOAT}
@@ -50,7 +51,7 @@ def any_robot(seed: int) -> Model:
     return model
 
 
-@pytest.mark.parametrize("scalar", ["double", "float"])
+@pytest.mark.parametrize("scalar", spread(["double", "float"], 3))
 @pytest.mark.parametrize("seed", range(8))
 def test_any_number_of_processes_in_lanes_or_not(seed: int, scalar: str) -> None:
     model = any_robot(seed)

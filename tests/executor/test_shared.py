@@ -15,6 +15,7 @@ from adagen.plan.clusters import fold_of
 from adagen.schedule import load_profile
 from adagen.search import named_schedule
 from tests.reference.test_reference_truth import SHARED, loaded
+from tests.slow import spread
 
 PROFILE = load_profile("default")
 CASES = [
@@ -39,7 +40,7 @@ def plans(model: Model, processes: int) -> list[Plan]:
     return found
 
 
-@pytest.mark.parametrize(("path", "mode"), CASES)
+@pytest.mark.parametrize(("path", "mode"), spread(CASES, 9))
 def test_true_answers_on_up_to_four_processes(path: Path, mode: str, tmp_path: Path) -> None:
     model, states, truth, told = loaded(path, mode, tmp_path)
     reached = told["check"].get("rel_pin_crba_solve")

@@ -17,6 +17,7 @@ from adagen.states import States, random_states
 from tests.emitted import QUICK, Array, Builder, Solver, forward_error, truth_of
 from tests.golden.examples import EXAMPLES, FOLDER, Example
 from tests.mechanisms import states_of
+from tests.slow import spread
 
 BY_STEM = {example.stem: example for example in EXAMPLES}
 TRUTHS: dict[tuple[str, bool, bool], tuple[States, Array]] = {}
@@ -47,7 +48,7 @@ def built(example: Example, builder: Builder) -> Solver:
     return Solver(executable, example.processes, builder.toolchain)
 
 
-@pytest.mark.parametrize("stem", BY_STEM)
+@pytest.mark.parametrize("stem", spread(BY_STEM, 8))
 def test_an_example_is_right_through_both_channels(
     stem: str, builder: Builder, tmp_path: Path
 ) -> None:

@@ -15,6 +15,7 @@ from adagen.model import Model
 from adagen.reference import exact_forward_dynamics, forward_dynamics, inverse_dynamics, residual
 from adagen.states import States, read_states
 from adagen.urdf import read_robot
+from tests.slow import spread
 
 Array = NDArray[np.float64]
 SHARED = Path(__file__).resolve().parents[2].parent / "shared" / "robots"
@@ -48,7 +49,7 @@ def plain(model: Model) -> bool:
     )
 
 
-@pytest.mark.parametrize(("path", "mode"), modes())
+@pytest.mark.parametrize(("path", "mode"), spread(modes(), 30))
 def test_true_answers(path: Path, mode: str, tmp_path: Path) -> None:
     status = json.loads(path.read_text())["modes"][mode]["status"]
     if status != "ok":

@@ -129,8 +129,7 @@ def test_a_record_of_another_robot_is_refused(
     assert not (tmp_path / "out").exists()
 
 
-def test_a_run_is_measured(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+def test_a_run_is_measured(tmp_path: Path) -> None:
     words = [str(MODELS / "arm7.urdf"), "--procs", "1", "--run", "--out", str(tmp_path / "out")]
     assert main(["report", *words]) == 0
     data = data_of((tmp_path / "out" / "arm7_p1_report.html").read_text())
@@ -144,10 +143,7 @@ def test_a_run_is_measured(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     assert main(["report", str(MODELS / "arm7.urdf"), "--run", "--batch"]) == 2
 
 
-def test_no_error_exceeds_its_certified_bound(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+def test_no_error_exceeds_its_certified_bound(tmp_path: Path) -> None:
     words = ["--certify", "--scalar", "float", "--run", "--out", str(tmp_path / "out")]
     assert main(["report", str(MODELS / "chain16.urdf"), *words]) == 0
     data = data_of((tmp_path / "out" / "chain16_p1_report.html").read_text())

@@ -17,6 +17,7 @@ import pytest
 from adagen.build.toolchain import STANDARD, WARNINGS
 from adagen.emit.runtime import include_folder, runtime_files
 from tests.emitted import NARROW, QUICK, Builder
+from tests.slow import all_but
 
 FOLDER = Path(__file__).parent
 GROUPS = sorted(path.stem for path in FOLDER.glob("*_test.cpp"))
@@ -45,7 +46,7 @@ def built(name: str, flags: tuple[str, ...], builder: Builder) -> Path:
 
 
 @pytest.mark.parametrize("flags", [QUICK, NARROW], ids=["wide", "narrow"])
-@pytest.mark.parametrize("group", GROUPS)
+@pytest.mark.parametrize("group", all_but(GROUPS, "blocks_test"))  # Eigen's blocks take 23 s
 def test_units(group: str, flags: tuple[str, ...], builder: Builder, tmp_path: Path) -> None:
     """With the sizes of the sample; registers as wide as here, and of 16 bytes."""
     if group == "blocks_test" and flags == QUICK:

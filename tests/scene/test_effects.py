@@ -16,6 +16,7 @@ from adagen.states import random_states
 from tests.models import ALL_KINDS, random_tree
 from tests.scene.effects import with_effects, with_wrenches
 from tests.schedules import random_schedule
+from tests.slow import spread
 
 Array = NDArray[np.float64]
 
@@ -35,7 +36,7 @@ def check(model: Model, rng: np.random.Generator, form: str, processes: int) -> 
     assert abs(got - want).max() < 1e-9 * abs(want).max()
 
 
-@pytest.mark.parametrize("what", ["d", "r", "p", "drp"])
+@pytest.mark.parametrize("what", spread(["d", "r", "p", "drp"], 4))
 @pytest.mark.parametrize("form", ["segment", "ada"])
 @settings(max_examples=12, deadline=None)
 @given(seed=st.integers(0, 10**6))

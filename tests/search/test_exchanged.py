@@ -14,6 +14,7 @@ from adagen.search import best_schedule
 from adagen.search.exchanged import ExchangedSchedules, numbers_of_processes
 from adagen.search.price import played
 from tests.models import binary, serial_chain
+from tests.slow import slow
 
 PROFILE = load_profile("default")
 
@@ -34,7 +35,7 @@ def exchanged(joints: int, processes: int, cuttable: list[bool] | None = None) -
     return found
 
 
-@pytest.mark.parametrize(("joints", "processes"), [(300, 2), (600, 4), (700, 8), (900, 16)])
+@pytest.mark.parametrize(("joints", "processes"), [(300, 2), (600, 4), slow(700, 8), slow(900, 16)])
 def test_parts_are_as_long_as_each_other(joints: int, processes: int) -> None:
     """Moving a cut by a tenth of a part makes no schedule of a chain faster."""
     found = exchanged(joints, processes)
@@ -75,7 +76,7 @@ def test_only_joints_that_may_be_cut_are() -> None:
     assert len(cuts) == 3 and all(allowed[j] for j in cuts)
 
 
-@pytest.mark.parametrize("processes", [4, 8])
+@pytest.mark.parametrize("processes", [4, slow(8)])
 def test_long_chains_exchange_where_that_is_the_fastest(processes: int) -> None:
     model = serial_chain(900)
     found = best_schedule(model, processes, PROFILE)

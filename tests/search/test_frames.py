@@ -14,6 +14,7 @@ from adagen.search.layouts import Frame, Layout
 from tests.cost.costs import step_profile
 from tests.models import AXES, Part, assemble, random_tree, rod, vector
 from tests.search.test_gathered import Case
+from tests.slow import all_but
 
 Walk = Callable[[Case, np.random.Generator], list[Frame]]
 PROFILES = {"default": load_profile("default"), "others": step_profile()}
@@ -96,7 +97,7 @@ def test_bounds_hold_for_robots_with_hands(profile: str, floating: bool) -> None
     assert hold(case, np.random.default_rng(1), 10)
 
 
-@pytest.mark.parametrize("profile", PROFILES)
+@pytest.mark.parametrize("profile", all_but(PROFILES, "others"))
 def test_bounds_hold_for_random_robots(profile: str) -> None:
     """Thirty trees of many limbs, up to eight processes."""
     seen = 0

@@ -26,6 +26,7 @@ from adagen.search.limbs import Core, Robot
 from adagen.search.price import Pricing
 from tests.cost.costs import step_profile
 from tests.models import human_figure, random_tree
+from tests.slow import spread
 
 DEFAULT = load_profile("default")
 OTHERS = step_profile()
@@ -107,7 +108,7 @@ def robots(count: int, profile: CostProfile) -> Iterator[Case]:
             yield Case(model, processes, profile)
 
 
-@pytest.mark.parametrize("profile", [DEFAULT, OTHERS], ids=["default", "others"])
+@pytest.mark.parametrize("profile", spread([DEFAULT, OTHERS], 1), ids=["default", "others"])
 def test_nothing_is_faster_than_what_is_found(profile: CostProfile) -> None:
     """Twenty robots under each of two profiles: all layouts whose cores are in place, as played."""
     meeting = 0

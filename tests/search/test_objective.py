@@ -34,6 +34,7 @@ from adagen.studies.stability import robots
 from tests.emitted import Builder, plan_of
 from tests.golden.examples import FOLDER
 from tests.models import serial_chain
+from tests.slow import all_but, slow
 
 DEFAULT = load_profile("default")
 assert DEFAULT.steps is not None
@@ -90,8 +91,8 @@ def test_cuts_move_away_from_light_links_as_the_objective_asks() -> None:
         assert error < 30 * digits.error
 
 
-@pytest.mark.parametrize("objective", ["time", "both"])
-@pytest.mark.parametrize(("before", "beyond"), [(1, 2), (2, 3), (3, 3)])
+@pytest.mark.parametrize("objective", ["time", slow("both")])
+@pytest.mark.parametrize(("before", "beyond"), [(1, 2), slow(2, 3), (3, 3)])
 def test_digits_lost_in_inverting_among_light_links_are_predicted(
     before: int, beyond: int, objective: str
 ) -> None:
@@ -161,6 +162,7 @@ def test_ordinary_robots_are_cut_alike_for_time_and_for_both() -> None:
     assert time.root.joint == both.root.joint
 
 
+@pytest.mark.slow
 def test_in_form_ada_the_order_hardly_matters() -> None:
     model = middling(1e-4)
     both, accuracy = (
@@ -180,7 +182,7 @@ def test_one_process_joins_nothing() -> None:
     assert digits.error == tried(plan, Turned(frozenset(), frozenset())).error
 
 
-@pytest.mark.parametrize("objective", OBJECTIVES)
+@pytest.mark.parametrize("objective", all_but(OBJECTIVES, "accuracy"))
 def test_the_command_line_reports_digits(
     objective: str, capsys: pytest.CaptureFixture[str]
 ) -> None:

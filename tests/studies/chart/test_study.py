@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from adagen.build.toolchain import STANDARD
 from adagen.cli import chart as chart_command
 from adagen.cli import main
 from adagen.emit import stem_of
@@ -23,7 +24,7 @@ from adagen.studies.chart.study import _judged
 from adagen.studies.chart.truth import truth_of
 from adagen.studies.chart.variants import REFERENCE, SCHEDULES
 from adagen.urdf import read_robot
-from tests.emitted import Builder, Solver, plan_of
+from tests.emitted import QUICK, Builder, Solver, plan_of
 from tests.golden.make_models import MODELS
 from tests.models import random_tree, serial_chain, star
 
@@ -84,12 +85,9 @@ def test_errors_are_seen_below_the_rounding_of_the_truth() -> None:
     assert truth.errors(right * np.nan) == (np.inf, np.inf)
 
 
-def test_a_study_measures_and_tells_why_it_cannot(
-    builder: Builder, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+def test_a_study_measures_and_tells_why_it_cannot(builder: Builder) -> None:
     model = serial_chain(4)
-    toolchain = replace(builder.toolchain, flags=("-std=c++17", "-O1"))
+    toolchain = replace(builder.toolchain, flags=(*STANDARD, *QUICK))
     bad = Variant("ada", "no such one")
     shared = Variant("segment", "balanced", processes=2)
     study = Study([shared, bad], rounds=1, repeat=1)
@@ -109,13 +107,10 @@ def test_a_study_measures_and_tells_why_it_cannot(
     assert failed.failed and "unknown schedule" in (failed.why or "")
 
 
-def test_identical_programs_and_idle_processes_are_left_out(
-    builder: Builder, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
+def test_identical_programs_and_idle_processes_are_left_out(builder: Builder) -> None:
     """A straight line that is the default already, and two processes of which one idles."""
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     model = serial_chain(3)
-    toolchain = replace(builder.toolchain, flags=("-std=c++17", "-O1"))
+    toolchain = replace(builder.toolchain, flags=(*STANDARD, *QUICK))
     same, idle = Variant("segment", shape="unrolled"), Variant("segment", processes=2)
     other, many = (
         Variant("segment", shape="kernels"),

@@ -17,6 +17,7 @@ from adagen.urdf import read_robot
 from tests.emitted import QUICK, Builder
 from tests.golden.make_models import MODELS
 from tests.real import real_robot
+from tests.slow import slow, spread
 
 LOOPS, LINE = Certified("kernels"), Certified("unrolled")
 WAYS = [LOOPS, LINE, Certified("kernels", batch=True), Certified("unrolled", batch=True)]
@@ -33,7 +34,7 @@ def _hold(found: dict[Certified, Bounded]) -> None:
         assert (one.ratios <= FACTOR).all(), f"{way}: {one.ratios.max()}"
 
 
-@pytest.mark.parametrize("k", range(len(FAMILIES)), ids=lambda k: FAMILIES[k].__name__)
+@pytest.mark.parametrize("k", spread(range(len(FAMILIES)), 4), ids=lambda k: FAMILIES[k].__name__)
 def test_no_bound_is_exceeded_by_more_than_three(k: int, quick: Toolchain) -> None:
     model = robots(k + 1, seed=8)[k]
     way = WAYS[k % len(WAYS)]
@@ -45,7 +46,7 @@ def test_no_bound_is_exceeded_by_more_than_three(k: int, quick: Toolchain) -> No
 
 @pytest.mark.parametrize(
     ("name", "ways"),
-    [("chain16", WAYS), ("humanoid", WAYS[:2]), ("human40", WAYS[:1]), ("mobile", WAYS[:1])],
+    [slow("chain16", WAYS), slow("humanoid", WAYS[:2]), ("human40", WAYS[:1]), ("mobile", WAYS)],
 )
 def test_bounds_of_ordinary_robots_are_small_in_every_shape(
     name: str, ways: list[Certified], quick: Toolchain
@@ -60,7 +61,7 @@ def test_bounds_of_ordinary_robots_are_small_in_every_shape(
 
 
 @pytest.mark.parametrize(
-    "name", ["go1_description/urdf/go1.urdf", "ur_description/urdf/ur5_robot.urdf"]
+    "name", [slow("go1_description/urdf/go1.urdf"), "ur_description/urdf/ur5_robot.urdf"]
 )
 def test_bounds_of_real_robots(name: str, quick: Toolchain) -> None:
     model = read_robot(real_robot(name), floating=True).model

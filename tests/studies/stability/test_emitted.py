@@ -94,6 +94,7 @@ def test_what_cannot_be_solved_is_refused_by_name(quick: Toolchain) -> None:
     assert (cell.verdict, cell.refused, cell.error) == ("refused", 3, None)
 
 
+@pytest.mark.slow
 def test_the_same_source_is_built_once_and_results_are_kept(
     quick: Toolchain, monkeypatch: pytest.MonkeyPatch
 ) -> None:

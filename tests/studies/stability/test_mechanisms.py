@@ -5,9 +5,10 @@ from __future__ import annotations
 import pytest
 
 from adagen.studies.stability.mechanisms import FAMILIES, Outcome, audit, mechanisms
+from tests.slow import spread
 
 
-@pytest.mark.parametrize("family", FAMILIES)
+@pytest.mark.parametrize("family", spread(FAMILIES, 3))
 def test_mechanisms_are_right_or_refused(family: str) -> None:
     outcome = Outcome()
     found = [model for name, model in mechanisms(2 * len(FAMILIES), seed=7) if name == family]
