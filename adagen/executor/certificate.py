@@ -111,7 +111,7 @@ class Certificate:
         if linear:
             _, v = self.state.configuration(j)
             spin = self._square(self.memory["field", j + 1].omega)
-            terms.append(self._square(self.state.results[j][linear]))
+            terms.append(self._square(self.memory["accelerated", j][linear]))
             terms.append(spin * self._square(v[k] for k in linear) * 4)
         turning = self.state.graph.larger(turning, self._turning(j + 1))
         self.memory["size", j + 1] = np.array([turning, total(terms)], dtype=object)
@@ -122,13 +122,21 @@ class Certificate:
         """What a link by itself takes, and what is uncertain of its acceleration."""
         inertia, own = self.motion.link_inertia(link), self.motion.link_force(link)
         self.memory["left", link] = matrix_times(inertia, self.memory["a", link][:, 0]) + own
-        self.memory["noise", link] = self.state.zeros(4)
+        self.memory["noise", link] = self._pushed(link)
         if self.bases:
             self.memory["bare", link] = np.array([*own[3:], inertia[3, 3]], dtype=object)
         turning, sliding = self.memory["size", link]
         trace = total(inertia[k, k] for k in range(3))
         energy = total([trace * turning, inertia[3, 3] * sliding])
         self.rounded.append(self._whole(link - 1, energy))
+
+    def _pushed(self, link: int) -> Array:
+        """Squares of moments and forces of outer forces: they may cancel what the motion takes."""
+        noise = self.state.zeros(4)
+        for push in self.motion.pushes(link):
+            noise[:3] = noise[:3] + push[:3] * push[:3]
+            noise[3] = noise[3] + self._square(push[3:])
+        return noise
 
     def _noise(self, link: int) -> Array:
         """Squares of the moments and forces that come together at a link, shape (4,)."""
@@ -145,7 +153,7 @@ class Certificate:
         free = list(self.state.kind(j).free)
         given, rotor = self.state.torques(j)[:, 0], self.state.rotor(j)
         if rotor is not None:
-            given = given - self.state.results[j] * rotor
+            given = given - self.memory["accelerated", j] * rotor
         driven = given - left[free]
         self._weigh(j, body.factors, driven, noise[[min(k, 3) for k in free]])
         if not any(self.state.rows.near_links(j)):

@@ -223,11 +223,15 @@ class Motion:
         moment_of_force = plus_cross(np.array(moment, dtype=object), moment_of_mass, field.a)
         force = [total([field.a[k] * mass, *(h[k] * moment_of_mass)]) for k in range(3)]
         whole = np.concatenate([moment_of_force, np.array(force, dtype=object)])
-        pushes = [self._pushes(j + 1) for j in self.state.rows.lanes(number - 1)]
-        nothing = self.state.zeros(6)
-        for lanes in zip_longest(*pushes, fillvalue=nothing):
-            whole = whole - self.state.rows.packed(lanes)
+        for push in self.pushes(number):
+            whole = whole - push
         return whole
+
+    def pushes(self, number: int) -> Iterator[Array]:
+        """Outer wrenches on a link, or on those that share its code, one in each lane."""
+        each = [self._pushes(j + 1) for j in self.state.rows.lanes(number - 1)]
+        for lanes in zip_longest(*each, fillvalue=self.state.zeros(6)):
+            yield self.state.rows.packed(lanes)
 
     def _pushes(self, number: int) -> Iterator[Array]:
         """Outer wrenches [moment; force] on a link at its origin, shape (6,)."""

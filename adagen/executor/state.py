@@ -277,6 +277,8 @@ class State:
         if self.plan.joints[j].prescribed:
             qdd = self.column(self.given(j)) if self.left is None else self.zeros(*qdd.shape)
         self.memory.update((("qdd", each), own) for each, own in self.rows.apart(j, qdd))
+        if self.columns == 1:
+            self.memory["accelerated", j] = qdd[:, 0]
         if self.columns == 1 and any(map(self.plan.wants, self.rows.own(j))):
             self.results[j] = qdd[:, 0]
 

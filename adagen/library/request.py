@@ -119,8 +119,14 @@ class Request:
             UsageError: it is asked for, too.
         """
         if self.procs > 1:
+            why = (
+                "what bounds a batch's errors is not sent between processes"
+                if self.batch
+                else "several would round the part that they all solve for differently, unseen"
+            )
             raise UsageError(
-                "answers are certified by one process: leave out --certify, or say --procs 1"
+                f"answers are certified by one process: {why}; leave out --certify, or say "
+                "--procs 1"
             )
         for name, asked in (
             ("tune", self.tuned),

@@ -33,15 +33,11 @@ def why_not(plan: Plan) -> str | None:
     if plan.form != "segment":
         return f"that is for form segment, not {plan.form}"
     if plan.closed:
-        return "the robot has closed loops"
+        return "what rounding does to closed loops is not bounded (--refine 1 estimates errors)"
     if sum(bool(process.steps) for process in plan.processes) > 1:
         return "several processes share the robot"
     if plan.slaved:
         return f'joint "{plan.joints[plan.slaved[0]].name}" is slaved to another'
-    if plan.wanted or plan.outputs:
-        return "a scene wants other outputs than all accelerations"
-    if plan.wrenches:
-        return "outer forces act on links"
     for joint in plan.joints:
         if joint.prescribed:
             return f'the motion of joint "{joint.name}" is prescribed'

@@ -12,6 +12,7 @@ from adagen.library.command import command_in
 from adagen.states import random_states, read_result, write_states
 from adagen.urdf import read_robot
 from tests.golden.make_models import MODELS
+from tests.options import words_of
 
 ARM, CHAIN, FOURBAR, MOBILE = (
     str(MODELS / f"{name}.urdf") for name in ("arm7", "chain16", "fourbar", "mobile")
@@ -50,6 +51,18 @@ def test_a_bound_for_each_state_is_in_the_result(tmp_path: Path, more: tuple[str
     assert read_result(found, model).shape == (5, model.nv)
 
 
+@pytest.mark.parametrize("scene", ["pushed", "first", "outputs"])
+def test_scenes_that_want_more_or_less_are_certified_as_straight_lines(
+    scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    case = {"robot": "arm7", "--procs": "1", "--certify": "yes", "--scene": scene}
+    assert main([*words_of(case, tmp_path), "--out", str(tmp_path)]) == 0
+    assert "w.certificate" in (tmp_path / "arm7_p1.cpp").read_text()
+    loops = words_of({**case, "--shape": "kernels"}, tmp_path)
+    assert main([*loops, "--out", str(tmp_path / "loops")]) == 2
+    assert "shape kernels cannot be emitted: " in capsys.readouterr().err
+
+
 def test_one_process_is_chosen_where_none_is_asked_for(tmp_path: Path) -> None:
     long = str(MODELS / "snake100.urdf")  # for which two processes pay
     assert main([long, "--certify", "--out", str(tmp_path)]) == 0
@@ -64,8 +77,8 @@ def test_one_process_is_chosen_where_none_is_asked_for(tmp_path: Path) -> None:
         (("--shape", "joints"), "certificates are emitted in shapes kernels and unrolled"),
         (("--target", "embedded"), "certified solvers are not emitted with --target"),
         (("--tune",), "certified solvers are not emitted with --tune"),
-        (("--procs", "2"), "answers are certified by one process"),
-        (("--batch", "--procs", "2"), "answers are certified by one process"),
+        (("--procs", "2"), "several would round the part that they all solve for differently"),
+        (("--batch", "--procs", "2"), "a batch's errors is not sent between processes"),
         (("--mimic",), 'joint "right_finger_slide" is slaved to another'),
     ],
 )
@@ -82,7 +95,7 @@ def test_closed_loops_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[
     scene = str(MODELS / "fourbar.toml")
     given = [FOURBAR, "--scene", scene, "--certify", "--procs", "1", "--out", str(tmp_path)]
     assert main(given) == 2
-    assert "the robot has closed loops" in capsys.readouterr().err
+    assert "what rounding does to closed loops is not bounded" in capsys.readouterr().err
 
 
 def test_loops_refuse_what_straight_lines_certify(

@@ -17,7 +17,7 @@ from adagen.executor.run import each_for_itself
 from adagen.executor.segments import Articulated, Segments
 from adagen.executor.solve import Run
 from adagen.graph import BALLS, DOUBLE, FLOAT, Algebra
-from adagen.model import SPHERICAL, Model
+from adagen.model import SPHERICAL, Frame, Model, Wrench
 from adagen.plan import Plan, plan_from_json, plan_to_json
 from adagen.plan.certificate import certified
 from adagen.plan.steps import Articulate, Certify
@@ -26,7 +26,7 @@ from adagen.reference import exact_forward_dynamics
 from adagen.states import random_states
 from adagen.studies.stability.adversary import FAMILIES, hard_states, robots
 from tests.emitted import plan_of
-from tests.models import human_figure, random_tree, serial_chain, star
+from tests.models import human_figure, random_rotation, random_tree, serial_chain, star
 
 Array = NDArray[np.float64]
 FIGURES: dict[str, Callable[[], Model]] = {
@@ -78,6 +78,31 @@ def test_hard_states_keep_their_bounds(k: int) -> None:
             true = exact_forward_dynamics(model, *state, digits=25).value
             off = _norm(plan, state, qdd - true) / _norm(plan, state, true)
             assert off <= 3 * np.sqrt(error / answer), (model.name, off)
+
+
+@pytest.mark.parametrize("floating", [False, True])
+def test_outer_forces_and_what_a_scene_wants_are_certified(*, floating: bool) -> None:
+    """Forces of 1e6 that hold each other up but for rounding; one joint that is asked for."""
+    tree = random_tree(np.random.default_rng(5), 9, floating=floating)
+    draw = np.random.default_rng(6)
+    turns = [random_rotation(draw) for _ in range(2)]
+    frames = [Frame("push", turn, np.zeros(3)) for turn in turns]
+    model = replace(tree, wrenches=tuple(Wrench(6, frame) for frame in frames))
+    plan = certified(plan_of(model, 1))
+    part = certified(plan_of(replace(model, wanted=(3,)), 1))
+    states = hard_states(model, 12, seed=4)
+    push = 1e6 * draw.standard_normal((states.count, 3))
+    pushes = np.zeros((states.count, 12))
+    pushes[:, :3], pushes[:, 6:9] = push @ turns[0], -push @ turns[1]
+    torques = np.concatenate([states.tau[:, : model.nv], pushes], axis=1)
+    for state in zip(states.q, states.v, torques, strict=True):
+        qdd, error, answer = _squares(plan, state)
+        assert np.sqrt(answer) == pytest.approx(_norm(plan, state, qdd), rel=1e-9)
+        true = exact_forward_dynamics(model, *state, digits=25).value
+        off = _norm(plan, state, qdd - true) / _norm(plan, state, true)
+        assert off <= 3 * np.sqrt(error / answer) < 1e-6
+        given, in_part, _ = _squares(part, state)
+        assert np.isfinite(given).sum() < model.nv and in_part == pytest.approx(error, rel=0.5)
 
 
 def test_without_rounding_no_error_shows() -> None:

@@ -50,6 +50,10 @@ def why_not_weighed(plan: Plan) -> str | None:
 
     Certificates and corrections in the solver's own numbers need that.
     """
+    if plan.wanted or plan.outputs:
+        return "a scene wants other outputs than all accelerations"
+    if plan.wrenches:
+        return "outer forces act on links"
     at_ground = [joint for joint in plan.joints if joint.parent == 0]
     if len(at_ground) > 1 and any(map(is_base, at_ground)):
         return "they certify one floating robot, with nothing beside it"
