@@ -15,7 +15,7 @@ Row = dict[str, Any]
 def within(said: float, true: float) -> bool:
     """Return whether an estimate is within a factor 3 of an error.
 
-    What is below the rounding of a double is taken for that.
+    What is below the rounding of a double counts as that.
     """
     said, true = max(said, ROUNDING), max(true, ROUNDING)
     return true < FACTOR * said < FACTOR * FACTOR * true

@@ -1,7 +1,7 @@
 """What a call from Python costs beyond the C function: ``python -m benchmarks.python_call``.
 
 One state a call, with ``out`` and without, beside one state of many, which is solved by the C
-function alone; the least of several rounds, taken by turns.
+function alone; the least of several rounds, run by turns.
 Many states of one call on one thread and on two.
 --page writes it into docs/how_to/python.md.
 """

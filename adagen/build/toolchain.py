@@ -124,7 +124,7 @@ def mpi_environment(environ: Mapping[str, str], uid: int, *, wheel: bool = True)
 
     The wheel prints a line about UCX whenever a shared window is made, and looks for network
     fabrics for a second at every start; both are switched off unless the user chose otherwise. A
-    system MPI keeps its own settings. Root needs to be told that it may run.
+    system MPI keeps its own settings. Root has to confirm that it may run.
 
     Args:
         environ: environment variables as they are; a user's own settings are kept.

@@ -39,7 +39,7 @@ class MessageTime:
 
     Attributes:
         numbers: that it holds.
-        way: from when its numbers are about to be put in until they have been taken out.
+        way: from when its numbers are about to be put in until they have been read.
         send: until the sender can go on.
     """
 

@@ -24,7 +24,7 @@ def robot(name: str, parents: Sequence[int], kinds: Sequence[str], seed: int = 1
     Args:
         name: its name.
         parents: parent link of each joint, in depth-first order.
-        kinds: names of the joints' kinds, taken in turn.
+        kinds: names of the joints' kinds, used in turn.
         seed: of its bodies.
     """
     rng = random.Random(seed)  # noqa: S311 (not for secrets)

@@ -45,7 +45,7 @@ Progress = Callable[[str, int, int], None]
 _ROUNDS = 6
 _REPEAT = 25
 _MOST_CORES = 8  # whose speed is compared
-_ALIKE = 0.9  # cores that differ by less are taken to be equally fast: the rest is noise
+_ALIKE = 0.9  # cores that differ by less count as equally fast: the rest is noise
 
 
 @dataclass(frozen=True)

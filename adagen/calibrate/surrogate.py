@@ -15,7 +15,7 @@ _TYPICAL = {1: "revolute", 3: "spherical", 6: "floating"}
 def fit_equation11(name: str, costs: StepCosts) -> CostProfile:
     """Return the constants of Eq. (11) that come nearest to a machine's joins.
 
-    A join with k joints around it is taken to couple k handles and to update k (k + 1) / 2 blocks
+    A join with k joints around it is assumed to couple k handles and to update k (k + 1) / 2 blocks
     (all of one side: a quarter of the pairs across), and to have one bare link beside it.
 
     Args:

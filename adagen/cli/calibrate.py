@@ -261,7 +261,7 @@ def _doubts(found: Calibration) -> Iterator[str]:
     if not found.pinned:
         yield "warning: processes could not be held to a core each: times are less certain"
     if not found.messages_measured:
-        yield "warning: one core only: the costs of messages are taken from the default profile"
+        yield "warning: one core only: the costs of messages are those of the default profile"
     if (error := _typical(found)) > 0.1:
         yield (
             f"warning: predicted times are off by {error:.0%} in the median: was something else "

@@ -72,7 +72,7 @@ def wrote(paths: Sequence[Path]) -> None:
 
 
 def say(message: str) -> None:
-    """Print a line to stderr that quiet commands say, too: it tells of a failure."""
+    """Print a line to stderr that quiet commands say, too: it reports a failure."""
     print(printable(message), file=sys.stderr)
 
 

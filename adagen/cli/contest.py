@@ -84,7 +84,7 @@ def contest(
         rules: how it is done.
         variants: of adagen, as words of its command line.
         peers: who else takes part, if installed.
-        done: is told the record so far after each robot.
+        done: called with the record so far after each robot.
         before: robots that have been measured already; those of an entry's name are kept.
         keep_going: whether a robot that cannot be measured is left out with a note.
 

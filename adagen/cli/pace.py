@@ -1,4 +1,4 @@
-"""How long work takes, from how long work of its kind has taken on this machine before."""
+"""How long work takes, from how long work of its kind took before."""
 
 from __future__ import annotations
 

@@ -67,7 +67,7 @@ _PLAIN: dict[type, str] = {
     Load: "deliver.load",
     SolveCoupling: "slaved.solve",
     ApplyCoupling: "slaved.apply",
-    Append: "kinematics.floating",  # a run that is told moves its link as a free joint does
+    Append: "kinematics.floating",  # a run that is passed on moves its link as a free joint does
     Arrive: "kinematics.floating",
 }
 

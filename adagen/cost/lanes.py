@@ -1,4 +1,4 @@
-"""The program that a plan takes least time as in a shape: which limbs are taken side by side."""
+"""The program that a plan takes least time as in a shape: which limbs are computed side by side."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def programmed(
         shape: "kernels", "unrolled", "joints" or a baseline; one that takes the plan.
         profile: prices limbs and methods; the shipped one where it prices joins alone, or none is
             given.
-        batch: whether SIMD lanes are for states, and limbs are taken one by one.
+        batch: whether SIMD lanes are for states, and limbs are computed one by one.
         again: whether sweeps are done again, for what is left over (refinement).
     """
     costs = step_costs(profile)

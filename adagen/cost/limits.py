@@ -26,7 +26,7 @@ KINDS = (JOINTS, PASSAGES, SHOWING, JOINS, NUMBERS, LATENCY)
 
 Own joints: kinematics, sweeps inwards and outwards. Passages: how parts move others' links, found,
 put together and brought to their own. Showing: the mobility of a part at its handles. Joins: of
-parts, and forces after them. Numbers: put into messages and taken out.
+parts, and forces after them. Numbers: written into messages and read from them.
 """
 
 _OF: tuple[tuple[str, tuple[type[Step], ...]], ...] = (

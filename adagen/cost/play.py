@@ -97,7 +97,7 @@ class Timeline:
 def timeline(program: Program, profile: CostProfile, links: Links | None = None) -> Timeline:
     """Return how one evaluation is predicted to go.
 
-    Each process is taken to have a core of its own, and all to begin at the same instant.
+    Each process is assumed to have a core of its own, and all to begin at the same instant.
 
     Args:
         program: what runs.

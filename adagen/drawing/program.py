@@ -105,7 +105,7 @@ def _headings(program: Program) -> tuple[str, str]:
 
 
 def _chart(program: Program) -> float:
-    """The width at which most bars of the busiest process can be told apart."""
+    """The width at which most bars of the busiest process can be distinguished."""
     busiest = max(len(process.operations) for process in program.processes)
     return min(max(LEAST_WIDTH, 240 + busiest * _PER_OPERATION), MOST_WIDTH)
 

@@ -10,7 +10,7 @@ from adagen.errors import printable
 FONT = "sans-serif"
 INK, MUTED, RULE, PAPER = "#1a1a1a", "#5c5c5c", "#b8b8b8", "#ffffff"
 
-# Okabe and Ito's colours, told apart by people of any colour vision. More processes than colours
+# Okabe and Ito's colours, distinct for people of any colour vision. More processes than colours
 # repeat them in lighter shades; the process number is written as well.
 _COLOURS = (
     (0, 114, 178),

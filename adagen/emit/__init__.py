@@ -80,7 +80,7 @@ def emit(
         batch: if not 0, solve many states at once on so many processes, each by the plan of one.
         chunk: values that one function of shape unrolled computes; 0 for its default.
         compiler: what the MPI wrapper is to call; "" for its own choice.
-        profile: what the shape, the methods and the limbs that are taken side by side are chosen
+        profile: what the shape, the methods and the limbs that are computed side by side are chosen
             by, and what messages cost where the program plays stretches of computing through
             instead of timing itself; without it, or if it prices joins alone, the shipped one.
         limbs: those that each process takes side by side, one in each SIMD lane; None for those

@@ -23,6 +23,6 @@ def why_not(plan: Plan) -> str | None:
 
 
 def values(_: Words) -> dict[str, object]:
-    """Return what the templates of baselines are told: their runtime headers."""
+    """Return the values of the templates of baselines: their runtime headers."""
     runtime = ["spatial.hpp", "failures.hpp", "joins.hpp"]
     return {"runtime": [*runtime, "inertia.hpp", "articulated.hpp"]}

@@ -11,7 +11,7 @@ from adagen.program.lower import LOOPS
 
 TARGETS = ("host", "embedded")
 TEXT = 200
-"""Characters that a failure is told in, the end among them."""
+"""Characters of a failure's message, the end among them."""
 _LANES = 64  # bytes of numbers side by side, whatever the machine's registers hold
 _LINE = 64  # what a solver is aligned to
 _BODY, _MOTION, _BLOCK, _COLUMNS = 27, 6, 43, 24  # numbers
@@ -37,11 +37,11 @@ def check_target(
 
 
 def embedded_values(words: Words, values: dict[str, object]) -> dict[str, object]:
-    """Return what the templates are told of an embedded solver.
+    """Return the templates' values for an embedded solver.
 
     Args:
         words: the plan's names.
-        values: what the shape's template is told.
+        values: the values of the shape's template.
 
     Raises:
         UsageError: in this shape it needs Eigen.

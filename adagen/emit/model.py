@@ -13,7 +13,7 @@ from adagen.plan.steps import LinkBias, StartLink
 
 
 def model_values(words: Words) -> dict[str, object]:
-    """Return what the template is told of the robot itself."""
+    """Return what the template needs of the robot itself."""
     plan = words.plan
     nv = sum(KINDS[joint.kind].nv for joint in plan.joints)
     return {

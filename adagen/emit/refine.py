@@ -1,4 +1,4 @@
-"""What every shape that refines is told: how many steps, who tells whom, and tables of it all."""
+"""What every shape that refines needs: how many steps, who sends to whom, and tables of it all."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def checked_shape(refine: int, shape: str) -> str:
 def refinement_values(
     words: Words, corrections: list[list[str]], again: list[list[str]]
 ) -> dict[str, object]:
-    """Return what refine.cpp.j2 is told.
+    """Return the values of refine.cpp.j2.
 
     Args:
         words: the plan's names.

@@ -18,7 +18,7 @@ def overridden(settings: Iterable[Setting]) -> list[str]:
 
 
 def settings(values: Mapping[str, object], messages: int) -> list[str]:
-    """Return what a solver's Settings override, of what its template is told."""
+    """Return what a solver's Settings override, of its template's values."""
     nqdd, nv, refine = values["nqdd"], values["nv"], values["refine"]
     assert isinstance(nqdd, int)
     assert isinstance(nv, int)

@@ -32,7 +32,7 @@ class Shape:
 
     Attributes:
         why_not: says why a plan cannot be emitted in it; None where it can.
-        values: what its template (SHAPE.cpp.j2, sections 4 and 5 of the file) is told.
+        values: what its template (SHAPE.cpp.j2, sections 4 and 5 of the file) needs.
     """
 
     why_not: Callable[[Plan], str | None]

@@ -49,7 +49,7 @@ class Words:
 
     @cached_property
     def passages(self) -> tuple[Passage, ...]:
-        """Runs whose joints' motion is told as a whole."""
+        """Runs whose joints' motion is passed on as a whole."""
         steps = (step for process in self.plan.processes for step in process.steps)
         return tuple(sorted({s.passage for s in steps if isinstance(s, Traverse | Append)}))
 

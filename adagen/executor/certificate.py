@@ -205,7 +205,7 @@ class Certificate:
     def _energy_of_base(self, j: int) -> Expression:
         """What a floating base adds to the energy of the answer, that of free fall among it.
 
-        Links' accelerations are told relative to free fall, d; with m the mass and P the sum of
+        Links' accelerations are relative to free fall, d; with m the mass and P the sum of
         what they take, the energy is that relative to it less 2 d^T P - m d^T d.
         """
         link, fall = j + 1, self._fall(j)

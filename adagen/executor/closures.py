@@ -181,7 +181,7 @@ class Closures:
             front.loops[step.loop].append((unknown, linear, in_frame))
 
     def _moves_by_rows(self, step: CloseLoop) -> bool:
-        """Whether how fast a loop opens is told by what its rows do to what is held back."""
+        """Whether how fast a loop opens follows from what its rows do to what is held back."""
         one = self.alone.get(step.closure)
         if one is None or one.eliminate.grounded or len(one.held) < len(one.path):
             return False
@@ -278,7 +278,7 @@ class Closures:
     def _pass(
         self, step: HoldBack, front: Front, inertia: Array, p: Array, columns: dict[int, Array]
     ) -> None:
-        """Hand what is beyond a joint inwards; what goes to the top waits for what is taken off."""
+        """Hand what is beyond a joint inwards; what goes to the top waits for it."""
         j, parent = step.joint, self.state.plan.joints[step.joint].parent
         x: Transform = self.memory["X", j]
         for k, row in enumerate(self.state.kind(j).free):

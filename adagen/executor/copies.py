@@ -106,7 +106,7 @@ class _Copy:
         return self._operation(node.op)(*(self._value(k, lanes) for k in node.args))
 
     def _given(self, name: str, angle: Sequence[Expression]) -> Expression:
-        """An input by its name in the line; of a sine or cosine, what it is taken of."""
+        """An input by its name in the line; of a sine or cosine, its angle."""
         if not angle:
             return self.graph.input(name)
         cosine, sine = self.machine.circular(angle[0])
@@ -169,7 +169,7 @@ class _Copy:
             for k, pair in enumerate(told):
                 self._single[pair] = self.graph.input(f"{RECEIVED}[{step.message}][{k}]")
             ends[place:] = [len(self.graph.nodes)] * len(ends[place:])
-        assert missing.keys() <= self._single.keys()  # all is told
+        assert missing.keys() <= self._single.keys()  # everything is received
         return last
 
     # -- what is wanted ---------------------------------------------------------------------------

@@ -223,7 +223,7 @@ class Elimination:
 
         Args:
             y: numbers that it is found by.
-            blamed: unknowns that a failure is told of.
+            blamed: unknowns that a failure's message names.
             reduced: its inertia.
             across: what it does to the top, shape (n, 6).
             bias: shape (n, columns).

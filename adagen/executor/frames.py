@@ -2,7 +2,7 @@
 
 A rotation is a product of turns about coordinate axes, joined with whatever permutes axes; only
 orientations by quaternions and oblique axes need a dense matrix. A turn of a symmetric 2x2 block
-[[a, b], [b, d]] by [[p, q], [-q, p]] is told with t = p (a - d) + 2 q b as [[d + p t, b - q t],
+[[a, b], [b, d]] by [[p, q], [-q, p]] is written with t = p (a - d) + 2 q b as [[d + p t, b - q t],
 [., a - p t]]: 7 operations for 12. That is exact to a unit in the last place of the block, not of
 its entries: where one of them comes to be what a joint has of inertia near gimbal lock, the turn is
 ``exact``, and takes p (p a + q b) + q (p b + q d) and the like.

@@ -1,4 +1,4 @@
-"""How many digits the joins of a plan will keep on a robot, told before it is emitted.
+"""How many digits the joins of a plan will keep on a robot, predicted before it is emitted.
 
 A link that is much lighter than its neighbours loses most of its mobility when they are attached:
 Phi_C = Phi - Z^T Z then subtracts nearly equal numbers. With g the mobility that is lost, about

@@ -1,6 +1,6 @@
 """What an answer leaves over of the equations of motion and of the rows of loops.
 
-The answer is taken for the reference field: each link takes what its acceleration and the forces of
+The answer is used as the reference field: each link takes what its acceleration and the forces of
 loops at it say, each joint lacks what its torque does not hold, and each row parts as fast as the
 links' accelerations have it. A sweep with the factors at hand then finds by how much the answer
 errs, constraint forces included. The sums have no factors in them, so that whatever these have lost

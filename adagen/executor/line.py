@@ -94,7 +94,7 @@ class Line:
         return (x.index, k if x.node.width > 1 else 0)
 
     def told(self, x: Expression, k: int) -> Pair:
-        """Return the number that is told where one has to be: itself, or what it is minus."""
+        """Return the number that is sent where one has to be: itself, or what it is minus."""
         pair = self.unpacked(self.pair(x, k))
         while self.nodes[pair[0]].op == "neg":
             pair = self.unpacked(self.operands(pair)[0])

@@ -33,7 +33,7 @@ def give_forces(state: State, front: Front, near: Array | None) -> None:
     for k, rows in front.loops.items():
         parts: list[list[Expression]] = [[zero] for _ in range(6)]
         for unknown, linear, direction in rows:
-            for i in range(3):  # f and m are told of link 2, whose side of a row counts as positive
+            for i in range(3):  # f and m act on link 2, whose side of a row counts as positive
                 parts[i if linear else i + 3].append(-(forces[unknown] * direction[i]))
         force = np.array(list(map(total, parts)), dtype=object)
         for lane, number in enumerate(front.lanes[joints + k]):

@@ -57,7 +57,7 @@ class Outputs:
         return np.concatenate([self._told(output, wrench[3:]), self._told(output, wrench[:3])])
 
     def _inverse_inertia(self, output: PlanOutput) -> Array:
-        """The link's mobility, told of the frame: X Phi X^T, linear before angular, row by row."""
+        """The link's mobility in the frame: X Phi X^T, linear before angular, row by row."""
         phi = self.state.memory[self._block(output.link)]
         turn = self.state.constants(output.rotation).T
         place = self.state.constants(output.translation)

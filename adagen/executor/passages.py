@@ -1,4 +1,4 @@
-"""Passages over expressions: how runs of joints move their last links, told and put together.
+"""Passages over expressions: how runs of joints move their last links, passed on and combined.
 
 A passage is 24 numbers in axes of the link that the run hangs on, as if that were at rest:
 orientation of the last link by rows, its angular velocity and acceleration, place, velocity and

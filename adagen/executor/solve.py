@@ -26,7 +26,7 @@ Lanes = bool | Grouping
 
 
 class SingularPoseError(FloatingPointError):
-    """A mobility cannot be taken for an inertia: the plan's recovery is to be carried out."""
+    """A mobility cannot be inverted to an inertia: the plan's recovery is to be carried out."""
 
     def __init__(self) -> None:
         super().__init__("a mobility is singular in this pose")

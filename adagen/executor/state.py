@@ -33,7 +33,7 @@ READY = 40
 
 
 class State:
-    """The graph and the memory of one process; what the meaning of every step is told with.
+    """The graph and the memory of one process; what the meaning of every step is defined with.
 
     Attributes:
         plan: whose process it is.
@@ -41,7 +41,7 @@ class State:
             emitted code names them.
         memory: values by the names that steps give them.
         columns: right-hand sides: the motion, and one for each slaved joint.
-        angles: joint angles whose sine and cosine are taken, in order.
+        angles: joint angles whose sine and cosine are computed, in order.
         checks: pivots to be looked at.
         lengths: squared lengths of quaternions and their joints.
         results: accelerations by joints, known after the last step; of a row wide. Those that
@@ -179,7 +179,7 @@ class State:
         return matrix_times(self.constants(turn), given) if turn else given
 
     def circular(self, angle: Expression) -> tuple[Expression, Expression]:
-        """Cosine and sine; they are taken of all angles of the process at once."""
+        """Cosine and sine; they are computed of all angles of the process at once."""
         width, angles = angle.node.width, self.angles
         own = [angle] if width == 1 else [self.graph.lane(angle, k) for k in range(width)]
         k = self._place_of_angles.setdefault(tuple(own), len(angles))

@@ -71,7 +71,7 @@ class TiedRows:
         return self.links[link]
 
     def solve(self, others: list[Array], names: list[int]) -> Array:
-        """Return what right-hand sides are taken by so that no row parts, shape (columns - 1,).
+        """Return the factors of right-hand sides with which no row parts, shape (columns - 1,).
 
         Args:
             others: further rows that have to vanish, shape (columns,) each; they come first.

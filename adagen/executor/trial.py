@@ -1,7 +1,7 @@
 """How many digits a way of sweeping keeps on a robot, found by a trial in the program's own states.
 
 Articulated bodies are swept in numpy as emitted code sweeps them: in straight lines each body is
-told in its link's axes, in which a joint's projection is exact, and turned by as few operations
+in its link's axes, in which a joint's projection is exact, and turned by as few operations
 (frames.py); in loops in axes of the base, but for joints that are swept in their own
 (adagen/plan/turned.py). The same is done in more digits than the scalar has; what differs is the
 rounding error of that way. Joining is no part of it.
@@ -67,7 +67,7 @@ def tried(plan: Plan, turned: Turned | None) -> Trial:
     Args:
         plan: its joints, links and scalar are looked at.
         turned: joints that are swept in their own axes, always or where digits are lost, all others
-            in those of the base; None: every body is told in its link's axes.
+            in those of the base; None: every body is expressed in its link's axes.
     """
     states = _states(plan)
     shares, errors = _lost(plan, turned, states)
@@ -149,7 +149,7 @@ def _swept(
 def accelerations(plan: Plan, q: Array, v: Array, tau: Array) -> Array:
     """Return the accelerations of states in more digits than the plan's scalar has.
 
-    Slaved joints are taken for independent ones.
+    Slaved joints are treated as independent ones.
 
     Args:
         plan: of the robot.
@@ -260,11 +260,11 @@ class _Sweep:
         return np.asarray(own, dtype=self.number)
 
     def _told(self, link: int, vectors: Array) -> Array:
-        """Vectors of a link's axes, shape (states, 3), in those that its body is told in."""
+        """Vectors of a link's axes, shape (states, 3), in those that its body is expressed in."""
         return vectors if self.own[link] else np.einsum("sik,sk->si", self.axes[link], vectors)
 
     def _freedoms(self, j: int) -> Array:
-        """S of a joint, told as its child link's body, shape (states, 6, freedoms)."""
+        """S of a joint, in the axes of its child link's body, shape (states, 6, freedoms)."""
         free = list(KINDS[self.plan.joints[j].kind].free)
         found = np.zeros((self.count, 6, len(free)), self.number)
         found[:, free, range(len(free))] = 1
@@ -274,7 +274,7 @@ class _Sweep:
         return found
 
     def _between(self, j: int) -> tuple[Array | None, Array]:
-        """From the axes that the child's body is told in to the parent's, and the way between."""
+        """From the axes of the child's body to those of the parent's, and the way between."""
         parent, child = self.plan.joints[j].parent, j + 1
         way = self._told(parent, self.place[child])
         if self.own[child]:

@@ -63,7 +63,7 @@ class Want:
         ]
 
     def all_of_it(self) -> tuple[set[Pair], list[Looked]]:
-        """Return all that it computes or is told, and what of it is looked at."""
+        """Return all that it computes or receives, and what of it is used."""
         sent = self.line.needs((pair for own in self.sends.values() for pair in own), ())
         looked = self._looked(self._found | sent)
         more = self.line.needs((each.least for each in looked if each.pivot in sent), ())

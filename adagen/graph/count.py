@@ -21,7 +21,7 @@ class Operations:
         fused: sums and differences that can take up a product of no other use.
         ready: cycles until the last value is there, were there no limit to what is done at once.
         wide: how many of the products, sums, quotients and negations are done in several lanes.
-        moves: numbers put into lanes or taken from there.
+        moves: numbers put into lanes or read from there.
     """
 
     multiply: int

@@ -97,7 +97,7 @@ class Graph:
         return self._node("input", (), name, ready, width)
 
     def constant(self, value: Any) -> Expression:
-        """Return a number: a float or int (taken as it is, nothing is rounded) or a fmpq.
+        """Return a number: a float or int (kept as it is, nothing is rounded) or a fmpq.
 
         A tuple holds a number for each lane.
         """
@@ -390,7 +390,7 @@ def _lanewise(operation: Callable[[Any, Any], Any], x: Any, y: Any) -> Any:
 
 
 def _is_negative(x: Any) -> bool:
-    """Whether a constant is told as the negative of another: its first number but zeros is."""
+    """Whether a constant is written as the negative of another: its first number but zeros is."""
     first = next((a for a in x if a != 0), 0) if isinstance(x, tuple) else x
     return bool(first < 0)
 

@@ -242,7 +242,7 @@ def _default(model: Any, joint: int, bodies: Sequence[str]) -> str:
 
 
 def _unique(wanted: Sequence[str], given: Sequence[str]) -> tuple[str, ...]:
-    """Return names, those that were not given changed where they are taken."""
+    """Return names, those that were not given changed where they are in use."""
     taken = set(filter(None, given))
     result = []
     for name, own in zip(wanted, given, strict=True):

@@ -1,4 +1,4 @@
-"""What of an MJCF is not modelled: refused where it holds bodies together, else told."""
+"""What of an MJCF is not modelled: refused where it holds bodies together, else reported."""
 
 from __future__ import annotations
 

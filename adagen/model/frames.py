@@ -16,7 +16,7 @@ def canonical(model: Model) -> Model:
     """Return the same robot with each joint frame and child link frame turned to have axis z.
 
     Joint coordinates, velocities and torques keep their meaning: those of a revolute or prismatic
-    joint are scalars, those of a planar joint are told in the turned frame by definition, and the
+    joint are scalars, those of a planar joint are given in the turned frame by definition, and the
     frames of other kinds are left alone. The gain: S and N of every joint are selections of rows.
     """
     turn = [identity(3)] + [
@@ -70,6 +70,6 @@ def canonical(model: Model) -> Model:
 
 
 def _turned(frame: Frame, turn: Exact) -> Frame:
-    """Return a frame told in link axes that are turned."""
+    """Return a frame expressed in link axes that are turned."""
     rotation, translation = exact(frame.rotation), exact(frame.translation)
     return Frame(frame.name, rounded(turn.T.dot(rotation)), rounded(turn.T.dot(translation)))

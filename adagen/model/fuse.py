@@ -3,7 +3,7 @@
 A link without mass has no inverse inertia: nothing can be joined to it by Eq. (3)-(10) of the
 paper. The joints on its two sides then count as one, with S = [X_(last<-j) S_j], in the frame of
 the last link. A point mass on the axis of a joint is at rest in both links of that joint: it may
-be told to belong to either, which leaves the other without mass, exactly.
+be assigned to either, which leaves the other without mass, exactly.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def runs_of(model: Model) -> tuple[Run, ...]:
 
 
 def settled(model: Model, runs: Iterable[Run]) -> Model:
-    """Return the same robot with the point masses inside of runs told to belong to their ends.
+    """Return the same robot with the point masses inside of runs assigned to their ends.
 
     Forces, accelerations and the joint-space inertia are the same.
 

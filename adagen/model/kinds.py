@@ -2,7 +2,7 @@
 
 Spatial vectors are [angular; linear]. A kind is described in its canonical joint frame, in which
 the axis of a revolute or prismatic joint and the normal of a planar joint is z. There the motion
-subspace S consists of unit vectors, so that it is told by row numbers alone, and the constraint
+subspace S consists of unit vectors, so that row numbers alone define it, and the constraint
 space N (paper, after Eq. 7; N S = 0) by the rows that are left.
 """
 

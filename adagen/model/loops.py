@@ -23,7 +23,7 @@ class LoopKind:
         linear: axes along which the origins stay together.
         angular: axes about which the frames do not turn against each other; of a universal joint
             z stands for the common normal of its two axes.
-        axes: how many axes it is told by: 0, 1 or, of a universal joint, 2.
+        axes: how many axes define it: 0, 1 or, of a universal joint, 2.
     """
 
     name: str
@@ -123,7 +123,7 @@ def misaligned(kind: LoopKind, one: Array, other: Array) -> list[float]:
     Args:
         kind: of the loop.
         one: axes of frame 1 as columns, shape (3, 3).
-        other: axes of frame 2, told in the same axes.
+        other: axes of frame 2, expressed in the same axes.
     """
     if kind.axes == 2:
         return [float(one[:, 2] @ other[:, 2])]

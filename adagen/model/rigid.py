@@ -41,7 +41,7 @@ class Pose:
         return self.moved((arb(inertia.mass), exact(inertia.com), exact(inertia.tensor)))
 
     def moved(self, part: Part) -> Part:
-        """Return masses told in the frame at this pose as told in the outer frame."""
+        """Return masses given in the frame at this pose as seen in the outer frame."""
         mass, com, tensor = part
         com = self.rotation.dot(com) + self.translation
         return mass, _middle(com), _middle(rotated_inertia(self.rotation, tensor))

@@ -18,7 +18,7 @@ class Beam:
     Args:
         space: the search space.
         width: options that divide the processes, followed at each state; of the others, half.
-        sharp: whether options are told apart by the bounds on their sides, which sees where many
+        sharp: whether options are distinguished by the bounds on their sides, which sees where many
             joints meet, or by the work on their sides alone, which sees balance. Neither is always
             the better guide.
         budget: where it ends, chains not reached any more are left to the order of least work.

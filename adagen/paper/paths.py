@@ -143,7 +143,7 @@ class PathBounds:
 
 
 class _Parts(NamedTuple):
-    """A chain taken apart at each of its links; arrays by position, or by link and branch.
+    """A chain divided at each of its links; arrays by position, or by link and branch.
 
     Attributes:
         at: positions.

@@ -67,7 +67,7 @@ def nature(joint: PlanJoint) -> tuple[object, ...]:
 
 
 def structure(plan: Plan, one: ClosureSteps) -> tuple[object, ...]:
-    """Return what closures have in common that can be taken side by side."""
+    """Return what closures have in common that can be computed side by side."""
     joints, top = plan.joints, one.eliminate.link
     place = {j: k for k, j in enumerate(one.path)}
 

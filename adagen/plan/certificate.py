@@ -9,7 +9,7 @@ from adagen.plan.steps import Certify, FusedJoin
 from adagen.plan.types import Plan
 
 ROUNDING = 8.0
-"""How many units in the last place of what is added up are taken to be uncertain."""
+"""How many units in the last place of what is added up count as uncertain."""
 
 
 def certified(plan: Plan) -> Plan:

@@ -1,7 +1,7 @@
 """What follows from what in a closure: columns of J, and rows that they follow by, by samples.
 
 Pivots are found by complete pivoting at each sample; of the choices that these make, the one of
-least arithmetic is taken, poses in which it is poor and all is done again included.
+least arithmetic wins, poses in which it is poor and all is done again included.
 """
 
 from __future__ import annotations
@@ -156,7 +156,7 @@ def _pivots(matrix: Array, weights: Sequence[int], near: float = NEAR) -> tuple[
 
     Args:
         matrix: J of one state.
-        weights: of columns: of pivots that are about as large, that of least weight is taken; none.
+        weights: of columns: among pivots about as large, that of least weight is chosen; none.
         near: a pivot may be so much smaller than the largest one.
     """
     left = matrix.copy()

@@ -1,6 +1,6 @@
 """Form `ada` of a robot with closed loops: the tree joint by joint, and its loops at the end.
 
-The chain is assembled and taken apart as without loops, but with one more right-hand side for each
+The chain is assembled and disassembled as without loops, but with one more right-hand side for each
 constraint: what a unit of its force does. Process 0 then solves for the forces that keep all loops
 closed, as it does for the torques of slaved joints. So loops may go through any chains on any
 processes, and no other step knows of them; all links must have inertias that can be inverted.

@@ -21,10 +21,10 @@ GIMBAL_LOCK = {"double": 1e-7, "float": 2.0**-19}
 """Joints that are joined as one are farther from gimbal lock (1 / |S^+|) than this."""
 
 NEAR_GIMBAL_LOCK = 1e-3
-"""Nearer than this they lose three digits and more, which is told as a warning."""
+"""Nearer than this they lose three digits and more, of which a warning is given."""
 
 LEAST_PIVOT = {"double": 1e-5, "float": 1e-2}
-"""Least pivot of Phi with which a mobility is taken for an inertia, angular and linear pivots each
+"""Least pivot of Phi for inverting a mobility to an inertia, angular and linear pivots each
 relative to the largest entry of their diagonal."""
 
 

@@ -5,7 +5,7 @@ processes of either side tell a process of the other one what its chain shows, a
 the two. After the last join every process knows all forces on its own part. There are log2(P)
 exchanges, where joins on one side take as many messages up and as many back.
 
-Along a serial chain motions are told likewise. Each process finds how its own joints move their
+Along a serial chain motions are sent likewise. Each process finds how its own joints move their
 last link, seen from the link that they hang on (a passage), and pairs of processes put passages
 together, level by level. So nobody passes joints of others on the way to its own.
 """
@@ -36,7 +36,7 @@ from adagen.plan.types import Message, Process
 from adagen.schedule import Node, Schedule, postorder
 
 _PASSED = frozenset({"revolute", "spherical"})
-"""Kinds of joints whose motion is told: those that are passed in registers."""
+"""Kinds of joints whose motion is passed on: those that are passed in registers."""
 
 
 def why_not_exchange(joints: Sequence[PlanJoint], schedule: Schedule) -> str | None:
@@ -170,7 +170,7 @@ class ExchangePlanner(SegmentPlanner):
         return self._knows(chain)
 
     def _send_forces(self, chain: Chain, part: Chain, forces: dict[int, Force]) -> None:
-        """Nobody is told: the processes of a part have found the forces on it themselves."""
+        """Nothing is sent: the processes of a part have found the forces on it themselves."""
 
     # --- motions ---------------------------------------------------------------------------------
 
@@ -179,7 +179,7 @@ class ExchangePlanner(SegmentPlanner):
         return len({self.at_work[child.joint] for child in node.children}) == 2
 
     def _parts(self, root: Node) -> list[range] | None:
-        """What each process treats of a serial chain, its inner cut first; None where not told."""
+        """What each process treats of a serial chain, inner cut first; None without motions."""
         joints = self.joints
         serial = all(joint.parent == j for j, joint in enumerate(joints))
         if not serial or any(j.kind not in _PASSED or j.prescribed for j in joints):
@@ -206,7 +206,7 @@ class ExchangePlanner(SegmentPlanner):
 
 
 class Told:
-    """How the motions of a serial chain are told, level by level.
+    """How the motions of a serial chain are passed on, level by level.
 
     Args:
         planner: whose messages these are put among.

@@ -118,7 +118,7 @@ class ProcessSteps:
 
         Args:
             evaluation: its steps but for kinematics.
-            recovery: what it does instead where no mobility can be taken for a body; nothing where
+            recovery: what it does instead where no mobility can be treated as a body; nothing where
                 that is never done.
         """
         owns = self.owns()

@@ -15,7 +15,7 @@ from adagen.plan.edges import Edge, edges_from, is_free_base, joints_at
 from adagen.plan.robot import PlanJoint
 
 HELD_FREEDOMS = 8
-"""Freedoms between the ground and a link whose mobility is taken for an inertia: 6 make it regular
+"""Freedoms between the ground and a link whose mobility becomes an inertia: 6 make it regular
 in general, a few more keep it so in most poses."""
 
 
@@ -33,7 +33,7 @@ class Tree:
         core: joints of the core.
         core_owner: the process that adds what belongs to the core itself.
         grounded: the process whose branch holds the ground beyond the root, if any.
-        hold: the link on the way to the ground from which on the ground is taken for a body; 0
+        hold: the link on the way to the ground from which on the ground is treated as a body; 0
             where the root shows its mobility.
     """
 

@@ -1,7 +1,7 @@
 """How much arithmetic a plan is: multiplications and additions of its steps, counted one by one.
 
 Counted is what the formulas take with dense 3x3 blocks, symmetric 6x6 matrices as 21 numbers and
-selections for free; no zero or one in a constant is taken advantage of, so that counts compare
+selections for free; zeros and ones in constants save nothing, so that counts compare
 plans and do not depend on how their code is shaped. A sine or cosine counts as one operation.
 """
 

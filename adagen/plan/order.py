@@ -37,7 +37,7 @@ def inward_order(sweep: Mapping[int, Ends], limbs: Iterable[Limbs]) -> list[Unit
 
     Args:
         sweep: the joints, in their plan's order.
-        limbs: those to be taken side by side; ones that are not in the sweep are left out.
+        limbs: those to be computed side by side; ones that are not in the sweep are left out.
     """
     given = Counter(ends.near for ends in sweep.values())
     return _ordered(sweep, limbs, given, {j: (e.far, e.near) for j, e in sweep.items()})

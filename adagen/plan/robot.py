@@ -77,7 +77,7 @@ class PlanWrench:
     """An outer force [force; moment] that is an input: in tau behind all torques, 6 numbers each.
 
     Attributes:
-        name: of the link in whose frame it is told.
+        name: of the link in whose frame it is expressed.
         link: the link that feels it.
         rotation: of that frame in the link's, 3x3.
         translation: of that frame in the link's, 3 numbers, m.
@@ -95,7 +95,7 @@ class PlanOutput:
 
     Attributes:
         what: a key of ``adagen.model.OUTPUT_SIZES``.
-        name: of the link in whose frame it is told, or of the joint of a reaction force.
+        name: of the link in whose frame it is expressed, or of the joint of a reaction force.
         link: the link; of a reaction force the joint's child link.
         rotation: of the named frame in the link's, 3x3.
         translation: of the named frame in the link's, 3 numbers, m.

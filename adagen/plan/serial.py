@@ -30,7 +30,7 @@ from adagen.schedule.tree import Gathered
 def serial_plan(plan: Plan) -> Plan:
     """Return a reproducible plan as one process carries it out.
 
-    Where processes of the robot can gather, its steps are told by the joints alone, so that they
+    Where processes of the robot can gather, its steps follow from the joints alone, so that they
     are the same whatever the plan's processes are.
     """
     if why_not_gather(plan.joints) is None:

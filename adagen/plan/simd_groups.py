@@ -37,11 +37,11 @@ KINDS = frozenset({"revolute", "prismatic", "spherical"})
 
 
 COUNTS = (2, 3, 4)
-"""How many limbs can be taken at once. Three leave one of four lanes idle."""
+"""How many limbs can be computed at once. Three leave one of four lanes idle."""
 
 
 OFFERED = (COUNTS, (2, 4), (2, 3), (2,))
-"""What may be taken at once in the groupings that are compared by their price: where four go
+"""What may be computed at once in the groupings that are compared by their price: where four go
 together, two pairs may be less, or three beside a single one."""
 
 Saving = Callable[[Sequence[str], int], float]
@@ -84,7 +84,7 @@ def placed_links(plan: Plan) -> frozenset[int]:
     """Return the links whose own inertia is put down before sweeps: they are swept to, or twice.
 
     These are the links at which several processes' inertias are gathered, and those whose mobility
-    is taken for an inertia.
+    is inverted to an inertia.
     """
     gathered = {link for message in plan.messages for link in message.inertias}
     steps = (step for process in plan.processes for step in process.steps)
@@ -102,8 +102,8 @@ def simd_groups(
     Args:
         plan: of form "segment".
         process: one of its processes.
-        saved: what limbs save; only those that save something are taken.
-        counts: how many may be taken at once.
+        saved: what limbs save; only those that save something are grouped.
+        counts: how many may be computed at once.
     """
     (found,) = simd_groupings(plan, process, saved, [counts])
     return found
@@ -186,7 +186,7 @@ def _exchanged(
     limbs: Limbs,
     last: Sequence[int],
 ) -> Iterator[Limbs]:
-    """Yield limbs with one of them exchanged for the end of a chain of which nothing is taken."""
+    """Yield limbs with one of them exchanged for the end of a chain of which nothing is used."""
     taken = {j for each in found for j in each.members()}
     own = list(zip(*limbs.rows, strict=True))
     kinds = [joints[j].kind for j in own[0]]
@@ -240,7 +240,7 @@ def _best(
     saved: Saving,
     counts: frozenset[int],
 ) -> Limbs | None:
-    """The limbs that save most beside those taken; None where nothing is saved."""
+    """The limbs that save most beside those chosen; None where nothing is saved."""
     offers: list[tuple[float, int, list[list[int]]]] = []
     kinds = [tuple(joints[j].kind for j in reversed(c)) for c in chains]  # outermost first
     distinct = list(dict.fromkeys(kinds))
@@ -343,10 +343,10 @@ def _last_beyond(joints: Sequence[PlanJoint]) -> list[int]:
 
 
 def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
-    """Joints that may be taken side by side, with the stretches in which they are passed.
+    """Joints that may be computed side by side, with the stretches in which they are passed.
 
     They are the process's own, passed once, away from the sweep's root, and their links are bare.
-    No mobility, no force at a handle and no rows of loops go through them: that is told joint by
+    No mobility, no force at a handle and no rows of loops go through them: those go joint by
     joint, or closure by closure (adagen/plan/alike.py).
     """
     parts = stages(process)

@@ -1,6 +1,6 @@
-"""The stages of a process's work: runs of steps of one sort, between which time is taken.
+"""The stages of a process's work: runs of steps of one sort, between which time is measured.
 
-What is predicted, traced, calibrated and drawn is told stage by stage, so that figures of all four
+What is predicted, traced, calibrated and drawn is given stage by stage, so that figures of all four
 can be laid side by side.
 """
 

@@ -12,7 +12,7 @@ the more the nearer it is to gimbal lock). Joints that may lose too much by that
 poses in which they do: emitted loops look at D, and repeat the sweep of their run in their own
 axes. Always turned are those of links without mass, as ball joints of three axes have them, and all
 that may lose too much where runs are joined as one; and, where processes are joined, links that are
-joined bare and those at the ends of runs joined as one are told in their own axes.
+joined bare and those at the ends of runs joined as one are expressed in their own axes.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ ENOUGH = 2.0**8
 """Beyond which tr A / D loops repeat a sweep that may come to lose more than that."""
 SEEDS = (1, 2, 3)
 _SMALLEST = 1e-200
-"""What D is taken for where it is nothing, so that tr A / D is a number."""
+"""The value used for D where it is nothing, so that tr A / D is a number."""
 
 
 @dataclass(frozen=True)
@@ -149,7 +149,7 @@ def _with_joints_beyond(
 def _told_at_cuts(plan: Plan, articulated: Set[int]) -> set[int]:
     """The joints above bare links that are joined, and above the ends of runs joined as one.
 
-    What is told of such links keeps its digits in their own axes only: constants, and mobilities
+    Values of such links keep their digits in the links' own axes only: constants, and mobilities
     of which the run takes away the larger part.
     """
     found: set[int] = set()
@@ -168,7 +168,7 @@ def turned_in_units(
 ) -> Turned:
     """Return the same for joints that loops sweep together.
 
-    What a unit hands to another one is told in axes of the base unless the joints at both ends are
+    What a unit hands to another is in axes of the base unless the joints at both ends are
     always turned: so they are where the one beyond may come to lie along an axis that loses.
 
     Args:

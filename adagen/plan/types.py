@@ -63,7 +63,7 @@ class Message:
             and 6 for each right-hand side. The target adds them to its own.
         passages: how runs of joints move their last links, 24 numbers each.
         repeats: number of the message that it repeats for a correction: of blocks and inertias
-            nothing is told again, and of motions nothing.
+            nothing is sent again, and of motions nothing.
     """
 
     source: int

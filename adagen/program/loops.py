@@ -235,7 +235,7 @@ class Loops:
         return "turned" if self._is_turned(run) else "each"
 
     def _is_turned(self, run: Run) -> bool:
-        """Whether bodies are told in their own axes at links that a run takes them from."""
+        """Whether bodies are expressed in their own axes at links that a run takes them from."""
         if self.joints[run.first].prescribed:
             return False
         far = {link - 1 for link in links_of_run(self.joints, run) if run.reversed}

@@ -66,7 +66,7 @@ def outward_units(
     Args:
         joints: the plan's joints.
         passed: those that are passed, in an order.
-        limbs: those that may be taken side by side.
+        limbs: those that may be computed side by side.
         treated: joints that are treated later.
     """
     sweep = {j: ends_of(joints, j) for j in passed if not is_base(joints[j])}

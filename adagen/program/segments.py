@@ -82,7 +82,7 @@ def _outward(plan: Plan, p: int, limbs: Sequence[Limbs]) -> Iterator[Run]:
 
 
 def _traversed(plan: Plan) -> set[tuple[int, int]]:
-    """Runs whose motion is told as a whole, which nothing parts."""
+    """Runs whose motion is passed on as a whole, which nothing divides."""
     steps = (step for process in plan.processes for step in process.steps)
     return {(s.passage.first, s.passage.last) for s in steps if isinstance(s, Traverse)}
 

@@ -17,7 +17,7 @@ from adagen.schedule.costs import StepCosts
 
 @dataclass(frozen=True)
 class Slots:
-    """The slots of all joints, and what is taken side by side.
+    """The slots of all joints, and what is computed side by side.
 
     Attributes:
         slots: of each joint; the joint beyond which a link lies stands for the link too.

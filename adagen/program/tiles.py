@@ -31,7 +31,7 @@ def fits_tiles(plan: Plan, segments: Sequence[Run], costs: StepCosts) -> bool:
     Args:
         plan: the plan.
         segments: the runs that are passed outwards in segments.
-        costs: by which runs are taken by columns.
+        costs: by which runs are computed by columns.
     """
     joints = plan.joints
     whole = Run(0, len(joints) - 1)

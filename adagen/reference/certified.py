@@ -44,7 +44,7 @@ class Certified:
 def exact_inverse_dynamics(model: Model, q: Any, v: Any, a: Any, digits: int = 60) -> Certified:
     """Return `inverse_dynamics` to the given number of decimal digits.
 
-    The doubles of the model and the state are taken as exact; a joint's rotation is the
+    The doubles of the model and the state count as exact; a joint's rotation is the
     orthonormal matrix at its rounded columns.
 
     Args:
@@ -81,7 +81,7 @@ def exact_forward_dynamics(model: Model, q: Any, v: Any, tau: Any, digits: int =
     closes its loops up to rounding only, so rows that are left out hold up to rounding, too.
 
     Args:
-        model: the robot, its doubles taken as exact (as in `exact_inverse_dynamics`).
+        model: the robot, its doubles counted as exact (as in `exact_inverse_dynamics`).
         q: configuration, shape (nq,).
         v: velocity, shape (nv,).
         tau: torques and outer forces, shape (ntau,).

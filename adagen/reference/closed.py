@@ -1,6 +1,6 @@
 """Closed loops in double: constraints, states that satisfy them, and accelerations.
 
-Constraints are told in the ground's axes, straight from the model's frames: link by link, without
+Constraints are in the ground's axes, straight from the model's frames: link by link, without
 spatial vectors. A row of J is the rate of a gap: how fast a loop's frames part along an axis that
 frame 1 holds, or turn against each other about it; for a coupling, of the sum that it holds.
 """
@@ -209,7 +209,7 @@ def moved(model: Model, q: Array, step: Array) -> Array:
     for j, joint in enumerate(model.joints):
         at, own = model.q_start[j], steps[:, model.v_start[j] :][:, : joint.kind.nv]
         if joint.kind.quaternion is None:
-            if joint.kind.nv == 3:  # planar: its velocity is told in the turned frame
+            if joint.kind.nv == 3:  # planar: its velocity is given in the turned frame
                 own = _in_plane(own, result[:, at + 2])
             result[:, at : at + joint.kind.nq] += own
             continue

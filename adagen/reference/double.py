@@ -39,7 +39,7 @@ def inverse_dynamics(model: Model, q: Any, v: Any, a: Any, tau: Any = None) -> A
 
     Returns:
         Torques and forces, shape (nv,), N m and N. A slaved joint's entries in q, v and a are
-        taken from the joint that it follows; its own torque is 0, its share being in the other's.
+        copied from the joint that it follows; its own torque is 0, its share being in the other's.
         So is that of a joint with a prescribed acceleration, which nobody asks for.
 
     Raises:

@@ -37,7 +37,7 @@ class Composite:
         return Composite(body.mass, body.com * body.mass, body.tensor - k.dot(k) * body.mass)
 
     def seen_from_parent(self, place: Placement) -> Composite:
-        """Return the same body told in the parent link's frame and about its origin."""
+        """Return the same body expressed in the parent link's frame and about its origin."""
         turned = place.rotation.dot(self.moment)
         about = place.rotation.dot(self.tensor).dot(place.rotation.T)
         k, h = cross_matrix(place.position), cross_matrix(turned)

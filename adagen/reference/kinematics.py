@@ -1,6 +1,6 @@
 """Where each joint puts its child link, straight from the original model.
 
-Everything is told with plain 3-vectors in the child link's own frame, never with spatial vectors
+Everything is written with plain 3-vectors in the child link's own frame, never with spatial vectors
 and never in the canonical frames that the emitted code uses.
 """
 

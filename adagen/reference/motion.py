@@ -63,7 +63,7 @@ def moving_links(numbers: Numbers, model: Model, q: Numeric, v: Numeric) -> list
 def momenta(numbers: Numbers, model: Model, q: Numeric, v: Numeric) -> tuple[Numeric, Numeric]:
     """Return linear momentum (kg m/s) and angular momentum about the common centre of mass.
 
-    Both have shape (3,) and are told in ground coordinates; the latter is in kg m^2/s. Arguments
+    Both have shape (3,) and are given in ground coordinates; the latter is in kg m^2/s. Arguments
     as for `moving_links`.
     """
     mass = numbers.zeros(1)[0]

@@ -47,7 +47,7 @@ def accuracy_of(
     Args:
         made: what was compiled.
         run: runs the program that was built with the given arguments.
-        said: is told of progress.
+        said: called with messages about progress.
 
     Raises:
         AdagenError: the run fails.

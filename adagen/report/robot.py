@@ -82,7 +82,7 @@ def _joint(joint: Joint, owner: int) -> dict[str, Any]:
 def _rest(model: Model) -> list[list[float]]:
     """Return q of each joint as the page begins: all zero, or as near to it as loops close.
 
-    Quaternions are told as rotation vectors, which sliders can move.
+    Quaternions are given as rotation vectors, which sliders can move.
     """
     q = resting_states(model, 1).q
     if model.closed:

@@ -1,4 +1,4 @@
-"""What mpiexec says around a program's own words, taken away."""
+"""What mpiexec says around a program's own words, removed."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ from adagen.schedule.topology import Topology
 
 
 class Chain(NamedTuple):
-    """A partial chain, told by what bounds it; positions and links are those of :class:`Chains`.
+    """A partial chain, defined by what bounds it; positions and links are those of :class:`Chains`.
 
     Attributes:
         top: its link nearest to the ground. Unless that is the ground, the joint above it is a

@@ -49,7 +49,7 @@ root lies below the joint, ``run`` once for every run of joints and ``turned`` f
 row of them, of what is swept in the joints' own axes; the others are per handle, block or
 coupling. What ends on a number prices a row of as many joints, passed side by side; the limbs that
 they belong to cost something besides, once for each sweep (``limbs``). ``articulate_columns`` is
-for joints of runs that are taken by columns, ``kinematics_segments`` of runs passed outwards in
+for joints of runs that are computed by columns, ``kinematics_segments`` of runs passed outwards in
 segments, ``passing_segments`` of those that are only passed on the way to others, and
 ``propagate_run`` of runs whose mobility is asked for at the last link only; ``product`` is a
 product of 6x6 matrices that they need beyond their joints.

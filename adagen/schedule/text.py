@@ -115,7 +115,7 @@ def gathered_line(gathered: Gathered, topology: Topology) -> str:
 def schedule_line(schedule: Schedule, topology: Topology) -> str:
     """Return the schedule in one line of printable ASCII, for the header of an emitted file.
 
-    ``NAME@a-b(ROOT SIDE | END SIDE)``; a bare link is left empty and a range is told where it
+    ``NAME@a-b(ROOT SIDE | END SIDE)``; a bare link is left empty and a range is given where it
     differs from that of the node above. Characters that could end a comment become underscores.
     """
     out: list[str] = []

@@ -93,8 +93,8 @@ class Schedule:
             same with both sides joining (adagen.plan.exchange); or all gathering what they have at
             a small core (adagen.plan.gather).
         families: the families of candidates that it was chosen from at the price that is played
-            (adagen.search), which makespan, bound and loads are then told in, in the shape that is
-            emitted; empty where they are told in that of the tree.
+            (adagen.search), which makespan, bound and loads are then given in, in the shape that is
+            emitted; empty where they are given in that of the tree.
         candidates: how many candidates were priced as loops, where families were searched.
         straight_lines: how many of them were priced as straight lines of statements, too: the bound
             is one on all loops and on these.

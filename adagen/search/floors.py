@@ -229,7 +229,7 @@ class Floors:
             joint: the joint.
             pose: its kinematics.
             length: of the longest run that it may be in.
-            in_columns: whether that may be taken by columns.
+            in_columns: whether that may be computed by columns.
         """
         costs, kind = self.costs, joint.kind
         if joint.parent == 0 and kind == "floating" and not joint.prescribed:

@@ -134,7 +134,7 @@ class LayoutPrices:
                 continue
             message = found.message(_HERE, _ELSEWHERE, core.root - 1)
             numbers.append(self.pricing.numbers(message))
-            # All links of the core are told of by some process, and added to what others know.
+            # All links of the core are sent by some process, and added to what others know.
             links = tuple(sorted(tree.core_links - {0}))
             messages.append(replace(message, blocks=(), biases=(), inertias=links))
         each = tuple(range(len(messages)))

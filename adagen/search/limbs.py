@@ -78,7 +78,7 @@ class Robot:
         tree_of: the number of each joint's tree; length N.
         last: the last joint of the subtree that hangs on each joint; length N.
         at: the joints that hang on each link; length N + 1.
-        held: for each link the one before it whose mobility is taken for a body; 0 for none.
+        held: for each link the one before it whose mobility is treated as a body; 0 for none.
         runs: what is passed in one go outwards, if nothing parts it.
         long: parts of them that may be passed in segments.
         prolonging: joints that go on with a run which may be passed in segments.

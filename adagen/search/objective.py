@@ -48,7 +48,7 @@ _WORSE = 3.0
 _IN_BASE_AXES = 12.0
 """How much more loops may lose than the executor, where processes share the robot: they carry the
 mobility of what holds the ground in axes of the base, the executor in those of links."""
-_BETTER = 0.5  # of the predicted error, for a slower schedule to be taken
+_BETTER = 0.5  # of the predicted error, for a slower schedule to be chosen
 
 
 @dataclass(frozen=True)

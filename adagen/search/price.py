@@ -125,7 +125,7 @@ class Pricing:
     def sweeps(self, process: Process, *, singly: bool) -> tuple[float, float]:
         """Return what a process that exchanges nothing takes in its first and second sweep.
 
-        Long runs are taken to be passed outwards as is best; nothing is known of a process that
+        Long runs are assumed to be passed outwards as is best; nothing is known of a process that
         shape kernels does not take.
 
         Args:

@@ -238,7 +238,7 @@ def _type(element: Element, where: str, notes: Notes) -> str:
 
 
 def _one_axis(found: list[Element], where: str, notes: Notes) -> Element | None:
-    """Return the <axis> of a joint; several that say the same are one, told twice."""
+    """Return the <axis> of a joint; several that say the same are one, written twice."""
     axes = [element for element in found if element.tag == "axis"]
     if len(axes) < 2 or len({tuple(sorted(axis.attrib.items())) for axis in axes}) > 1:
         return only(found, "axis", where, notes)

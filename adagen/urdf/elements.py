@@ -1,4 +1,4 @@
-"""Elements and attributes, looked up so that nothing is taken for absent that is only misspelt."""
+"""Elements and attributes, looked up so that nothing counts as absent that is only misspelt."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ def description_text(path: str | Path, arguments: Arguments, notes: Notes) -> st
     Args:
         path: of the file.
         arguments: values of its <xacro:arg>.
-        notes: takes xacro's warnings; lines of an expanded file are those of no file and not told.
+        notes: takes xacro's warnings; lines of an expanded file are those of no file and left out.
 
     Raises:
         InputError: the file cannot be read, or xacro refuses it.

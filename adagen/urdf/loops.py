@@ -70,7 +70,7 @@ class Closing:
 def read_closing(
     root: Element, description: Description, tree: Tree, mimics: Followed, notes: Notes
 ) -> Closing:
-    """Return what closes the tree; a second parent joint is warned of, the rest is told.
+    """Return what closes the tree; a second parent joint is a warning, the rest is mentioned.
 
     Args:
         root: the element <robot>.

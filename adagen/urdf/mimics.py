@@ -106,7 +106,7 @@ def _compose(
     result = (at.name, float(multiplier) + 0.0, float(offset.mid()) + 0.0)
     if max(abs(result[1]), abs(result[2])) > LARGEST:
         raise notes.error(
-            f'joint "{joint.name}": its <mimic>, taken along the chain of mimics to '
+            f'joint "{joint.name}": its <mimic>, followed along the chain of mimics to '
             f'"{at.name}", is too large to compute with',
             joint.mimic.line if joint.mimic else joint.line,
         )

@@ -22,7 +22,7 @@ from adagen.model import Inertia, Joint, Model, canonical
 
 BITS = 256
 SINGULAR = 1e-14
-"""In double precision a ratio below this cannot be told from zero."""
+"""In double precision a ratio below this cannot be distinguished from zero."""
 
 AT_REST = 1e-9
 """Beside a joint that moves by 1 (rad/s^2 or m/s^2), one that moves less than this is at rest."""
@@ -75,7 +75,7 @@ class _Recursion:
     """One articulated-body pass, from the leaves to the root.
 
     Stops at the first joint whose block of D is singular: what is below it is complete, so that
-    the motion without inertia can be told.
+    the motion without inertia can be named.
     """
 
     def __init__(self, model: Model, configuration: int) -> None:

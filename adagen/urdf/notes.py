@@ -22,7 +22,7 @@ class Notes:
         ignored: what was read and is not modelled.
         mentions: what was read beside links and joints, and is modelled.
         strict: whether slips are refused that readers of URDF overlook.
-        without_lines: whether lines are those of no file, and not told.
+        without_lines: whether lines are those of no file, and left out.
     """
 
     def __init__(self, file: str, *, strict: bool = False) -> None:

@@ -91,7 +91,7 @@ def test_estimates_are_within_a_factor_three_on_robots_with_known_answers(path: 
                 found = interpret_refined(plan, *state, steps=1)
                 raw = interpret_refined(plan, *state, steps=0).qdd
             except (AdagenError, FloatingPointError):
-                continue  # what is refused is told elsewhere
+                continue  # what is refused is reported elsewhere
             if not subject.truth[s].any():
                 continue  # held at rest: nothing that an error could be a part of
             (said,) = found.corrections

@@ -104,7 +104,7 @@ def test_known_costs_are_found_again(programs: list[Program]) -> None:
     table = fit_steps(samples)
     assert set(table) == set(NAMES) and min(table.values()) >= 0
     found = StepCosts(table, WINDOW, WINDOW)
-    # Not every coefficient can be told apart, but the times of stages must come out.
+    # Not every coefficient can be distinguished, but the times of stages must come out.
     errors = [abs(e) for row in relative_errors(samples, found).values() for e in row]
     assert np.median(errors) < 0.01 and max(errors) < 0.06
     for name in ("kinematics.revolute", "kinematics.spherical"):

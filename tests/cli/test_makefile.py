@@ -43,7 +43,7 @@ def test_the_emitted_makefile_builds_and_checks(
     assert main([str(arm), "--procs", str(processes), "--form", form, "--out", str(out)]) == 0
     toolchain = find_toolchain()
     source = next(out.glob("*_p[0-9]*.cpp")).read_text()
-    # Joints by themselves are told in 6x6 blocks; a straight line needs no Eigen.
+    # Joints by themselves are written in 6x6 blocks; a straight line needs no Eigen.
     assert ("Eigen" in source) == (processes == 2)
     command = [
         "make",

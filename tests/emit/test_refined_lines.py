@@ -113,7 +113,7 @@ def test_feet_in_lanes_are_corrected_in_every_way(builder: Builder, tmp_path: Pa
 
 @pytest.mark.slow
 def test_two_processes_correct_together(builder: Builder, tmp_path: Path) -> None:
-    """A human figure on both feet: residuals at the pelvis are told, and how large steps are."""
+    """A human figure on both feet: residuals at the pelvis are reported, and step sizes."""
     model = figure()
     plan = divided(model, 2, [None, *[0] * 3, *[1] * 11])
     program = program_of(plan, refine=2)

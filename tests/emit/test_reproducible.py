@@ -66,7 +66,7 @@ def spread(model: Model) -> States:
 def answer(
     builder: Builder, plan: Plan, flags: tuple[str, ...], model: Model, folder: Path, **how: object
 ) -> str:
-    """Return the text of a result file: numbers in it are told to the last bit."""
+    """Return the text of a result file: numbers in it are exact to the last bit."""
     solver = builder.solver(plan, flags, **how)  # type: ignore[arg-type]
     given, result = folder / "states.json", folder / "result.json"
     write_states(spread(model), model, given)

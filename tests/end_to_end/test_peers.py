@@ -30,7 +30,7 @@ class TestPeers:
 
         def start(*words: str) -> subprocess.Popen[str]:
             toolchain = human.solver.toolchain
-            copy = human.folder / "human40_copy"  # so that its processes can be told from others'
+            copy = human.folder / "human40_copy"  # so that its processes differ from others'
             shutil.copy(human.solver.executable, copy)
             command = [*toolchain.mpiexec, "-n", "4", "--oversubscribe", "--bind-to", "none"]
             child = subprocess.Popen(

@@ -1,4 +1,4 @@
-"""Tuning: every candidate is built, the fastest wins, failures are told and passed over."""
+"""Tuning: every candidate is built, the fastest wins, failures are reported and passed over."""
 
 from __future__ import annotations
 

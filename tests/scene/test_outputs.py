@@ -155,7 +155,7 @@ def test_outputs_of_any_tree_fulfil_what_defines_them(seed: int) -> None:
             joint = model.joints[output.link - 1]
             force = rest[at : at + 6]
             free = list(joint.kind.free)  # [angular; linear], of the canonical frame
-            # Reactions are told in the description's axes: those of the canonical frame are turned.
+            # Reactions are in the description's axes: those of the canonical frame are turned.
             turn = canonical(model).outputs[k - len(outputs)].frame.rotation
             turned = np.concatenate([turn @ force[3:], turn @ force[:3]])
             own = slice(model.v_start[output.link - 1], model.v_start[output.link - 1] + len(free))

@@ -1,4 +1,4 @@
-"""Profiles with costs of steps: what a wrong file is told, and what a right one means."""
+"""Profiles with costs of steps: what is said of a wrong file, and what a right one means."""
 
 from __future__ import annotations
 

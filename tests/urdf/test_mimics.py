@@ -14,7 +14,7 @@ Read = Callable[..., Reading]
 
 
 def hand(*mimics: str, kinds: dict[int, str] | None = None, tip: str | None = None) -> str:
-    """A chain of as many joints as are told what they mimic ("" for nothing)."""
+    """A chain of as many joints as mimics are given ("" for nothing)."""
     parts = [link("l0")]
     for i, mimic in enumerate(mimics, 1):
         last = tip is not None and i == len(mimics)

@@ -35,7 +35,7 @@ def why_not(plan: Plan) -> str | None:
 
 
 def values(words: Words) -> dict[str, object]:
-    """Return what joints.cpp.j2 is told, its runtime headers among it."""
+    """Return the values of joints.cpp.j2, its runtime headers among them."""
     segments = any(
         isinstance(step, StartLink) for process in words.plan.processes for step in process.steps
     )

@@ -179,7 +179,7 @@ def bias_updates(words: Words, join: Join) -> list[str]:
 def disassembly(words: Words, join: Join, end: Disassemble, *, turned: bool = False) -> list[str]:
     """Eq. (8)-(10): the joint's acceleration and force, and what the two parts get to feel.
 
-    With ``turned``, the part at the child link is not told in the joint's frame: see ``assembly``.
+    With ``turned``, the child link's part is not in the joint's frame: see ``assembly``.
     """
     j = join.joint
     kind = effects.joined_type(words, j)

@@ -1,6 +1,6 @@
 """Runs of joints through massless links, joined as one, in shape `kernels`: as C++ lines.
 
-They are told in their links' own axes (adagen/kernels/fused.hpp), where S keeps all its digits.
+They are in their links' own axes (adagen/kernels/fused.hpp), where S keeps all its digits.
 """
 
 from __future__ import annotations

@@ -60,7 +60,7 @@ class KernelLines:
         self.placed = placed_links(words.plan)
         self.gathers = set(self.placed)  # links at which paths meet inwards
         self.parts: set[int] = set()  # links at which paths part outwards
-        self.oriented: set[int] = set()  # joints whose quaternions are taken
+        self.oriented: set[int] = set()  # joints whose quaternions are read
         self.columns: set[int] = set()  # links that are added to columns
         self.segments = tuple(  # runs that are passed outwards in segments
             op.block for op in operations if op.method == "segments" and isinstance(op.block, Run)

@@ -1,6 +1,6 @@
 """Shape `kernels` where segments meet: mobilities outwards, joins, and forces back as C++ lines.
 
-Blocks and biases are in the axes that their links' bodies are told in; a join turns what it reads
+Blocks and biases are in the same axes as their links' bodies; a join turns what it reads
 into its joint's frame (adagen/kernels/mobility.hpp) and then is that of shape `joints`.
 """
 

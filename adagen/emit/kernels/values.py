@@ -64,7 +64,7 @@ def why_not_weighed(plan: Plan) -> str | None:
 
 
 def values(words: Words) -> dict[str, object]:
-    """Return what kernels.cpp.j2 is told."""
+    """Return the values of kernels.cpp.j2."""
     plan = words.plan
     cuts = mobility.has_cuts(plan)
     program = words.program

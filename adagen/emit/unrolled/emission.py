@@ -1,4 +1,4 @@
-"""What the template unrolled.cpp.j2 is told."""
+"""The values of the template unrolled.cpp.j2."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _ANGLES_AT_ONCE = 16  # the most that registers hold
 
 
 def values(words: Words, chunk: int = 0) -> dict[str, object]:
-    """Return what the template is told of a plan.
+    """Return the template's values for a plan.
 
     Args:
         words: the plan's names.
@@ -118,7 +118,7 @@ class _ProcessText:
         self.functions: list[dict[str, object]] = []
 
     def values(self) -> dict[str, object]:
-        """Return what the template is told of the process."""
+        """Return the template's values for the process."""
         owned = list(self.process.owns)
         batch = self.words.batch
         return {
@@ -200,7 +200,7 @@ class _ProcessText:
         return [*lines, *self.results.give()] if given_entries(self.words, self.process) else lines
 
     def _prologue(self) -> list[str]:
-        """The state is looked at; sines and cosines are taken of all angles at once."""
+        """The state is read; sines and cosines of all angles are computed at once."""
         lines = self._look_at_state()
         lines += [
             f"w.to[{number}] = channel.outgoing({number}, w.status);"

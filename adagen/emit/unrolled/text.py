@@ -115,7 +115,7 @@ class Text:
 
 
 def _moved(node: Node, pieces: Sequence[_Piece]) -> _Piece:
-    """Numbers put into lanes or taken from there."""
+    """Numbers put into lanes or read from there."""
     numbers = ", ".join(piece.text for piece in pieces)
     match node.op:
         case "pack":

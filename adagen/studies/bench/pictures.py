@@ -14,7 +14,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from adagen.studies.bench.contest import from_stretches
 from adagen.studies.bench.record import ModelRecord, Record, Row
 
-# Okabe and Ito's colours, told apart by everybody.
+# Okabe and Ito's colours, distinct for everybody.
 SERIES: dict[str, tuple[str, str]] = {
     "pinocchio": ("pinocchio ABA, best build", "#0072b2"),
     "mujoco": ("MuJoCo smooth dynamics", "#999999"),

@@ -1,7 +1,7 @@
 """Chains of more and more joints on more and more processes, and batches on more and more hosts.
 
 All solvers of a chain are timed by turns. Where there are more processes than cores, times are from
-stretches of computing, played through with what messages cost; on two processes both are taken.
+stretches of computing, played through with what messages cost; on two processes both are given.
 """
 
 from __future__ import annotations
@@ -92,8 +92,8 @@ def measure_chains(
 
     Args:
         wanted: what is measured.
-        said: is told what is done.
-        done: is told the record so far after each chain.
+        said: called with what is done.
+        done: called with the record so far after each chain.
         before: an earlier record: chains that it has are kept.
 
     Raises:
@@ -172,7 +172,7 @@ def made(file: Path, processes: int, profile: str, toolchain: Toolchain) -> Made
 
 
 def _compiling() -> float:
-    """Return the seconds of the processor that programs started here have taken."""
+    """Return the seconds of the processor that programs started here have used."""
     spent = os.times()
     return spent.children_user + spent.children_system
 

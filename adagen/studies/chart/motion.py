@@ -137,7 +137,7 @@ def state_error(model: Model, one: Played, other: Played) -> float:
     """Return how far the ends of two motions are apart, relative to the second.
 
     The norm of the differences of all coordinates and velocities over the norm of the second's;
-    of quaternions, which are told but for their sign, the nearer one counts.
+    of quaternions, which are known but for their sign, the nearer one counts.
     """
     q, reference = one.q[-1].copy(), other.q[-1]
     for joint, start in zip(model.joints, model.q_start, strict=True):

@@ -50,11 +50,11 @@ def chart_of(
 
     Args:
         model: the robot.
-        truth: of the states that errors are taken over.
+        truth: of the states that errors are computed in.
         study: what is measured and how.
         toolchain: what to build and run with.
         others: peers, built, whose points go beside.
-        said: is told of progress.
+        said: called with messages about progress.
 
     Raises:
         EnvironmentFault: not even the reference could be timed.

@@ -86,7 +86,7 @@ def truth_of(
         count: how many states, or these.
         seed: of the states.
         digits: how many are certified.
-        said: is told of progress.
+        said: called with messages about progress.
 
     Raises:
         InputError: the robot's joint-space inertia is singular, or a loop is open.

@@ -173,7 +173,7 @@ class Variant:
 
 
 REFERENCE = Variant("segment")
-"""The serial articulated-body solver, to which times are told as ratios."""
+"""The serial articulated-body solver, to which times are given as ratios."""
 
 
 def every_variant(

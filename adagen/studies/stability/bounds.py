@@ -81,7 +81,7 @@ def bounded(
 ) -> dict[Certified, Bounded]:
     """Solve states of a robot in some ways and compare bounds with true errors.
 
-    Errors are told against certified accelerations of 25 digits, for states as the solver reads
+    Errors are relative to certified accelerations of 25 digits, for states as the solver reads
     them. Ways that a robot cannot be emitted in are left out.
 
     Raises:

@@ -1,6 +1,6 @@
 """Closed planar loops: more constraint rows than rank, with which plain Cholesky fails.
 
-What is shown here, on trees cut open at pins, is what is to be done with the rows of a pin: told in
+What is shown here, on trees cut open at pins, is how to treat the rows of a pin: in
 space they are five, in a plane only two of them are independent. The compiler chooses rows when it
 emits code (docs/explanation/loops.md).
 """

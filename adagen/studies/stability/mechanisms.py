@@ -44,7 +44,7 @@ WRONG = 1e-6
 """Error from which on, relative to the largest acceleration and to 1, an answer is wrong."""
 BITS = 400
 DRAWN = 40
-"""Closed states from which the worst are taken, by the least singular value of J."""
+"""Closed states of which the worst are used, by the least singular value of J."""
 
 
 def _turn(rng: np.random.Generator) -> Array:

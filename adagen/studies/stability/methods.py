@@ -69,7 +69,7 @@ class Trial:
         return make_plan(self.model, seen.unfold(found, profile), form=form)
 
     def cut(self, processes: int) -> Plan:
-        """Return the plan of form segment cut for processes, messages taken to be cheap."""
+        """Return the plan of form segment cut for processes, messages assumed to be cheap."""
         schedule = schedule_for(
             "both", self.model, processes, load_profile("paper"), "segment", "double", gather=False
         )

@@ -24,7 +24,7 @@ def damped_tip() -> tuple[Row, ...]:
     """Return how much energy grows in steps at 0.9 and 1.1 of 2/lambda, explicit and implicit.
 
     lambda is the largest eigenvalue of H^-1 D: steps of semi-implicit Euler beyond 2/lambda swing
-    ever further; with the damping taken implicitly there is no such limit.
+    ever further; with the damping treated implicitly there is no such limit.
     """
     model = robots.planar(3, 1e-4)
     q, _, _ = robots.state(model)
@@ -47,7 +47,7 @@ def energy_growth(step: float, count: int, implicit: bool) -> float:
     Args:
         step: h, s.
         count: of steps; fewer where the energy overflows.
-        implicit: whether damping is taken at the end of the step: (H + h D) dv = h (-D v - b).
+        implicit: whether damping acts as at the end of the step: (H + h D) dv = h (-D v - b).
     """
     model = robots.planar(3, 1e-4)
     d = np.diag([0.0, 0.0, DAMPING])

@@ -1,6 +1,6 @@
 """Methods as textbooks have them, to be failed: composite bodies, articulated bodies, world frame.
 
-All are told in any kind of number: doubles, floats, or balls of any precision, in which the
+All are written for any kind of number: doubles, floats, or balls of any precision, in which the
 articulated-body algorithm is also the truth for chains that are too long for a dense solve.
 """
 

@@ -166,8 +166,8 @@ class Solver : public InPlace {
     return number;
   }
 
-  // Waits for an evaluation of this number. Returns whether it came after a rest, and is told that
-  // of the last one.
+  // Waits for an evaluation of this number. Returns whether it came after a rest;
+  // ``rested``: whether the last one did.
   bool await(std::uint64_t number, bool rested) {
     const auto called = [&] { return called_.load(std::memory_order_acquire) >= number; };
     const auto start = std::chrono::steady_clock::now();

@@ -110,7 +110,7 @@ def _is_free(joint: Joint) -> bool:
 
 
 def _turns(model: Model, states: States) -> list[tuple[int, int, Array]]:
-    """Return where linear velocities are told in another frame, and the rotations between.
+    """Return where linear velocities are given in another frame, and the rotations between.
 
     Each: index of joint, width of the linear part, rotations of the child frame in the joint's
     frame, shape (S, width, width). MuJoCo has them along the joint's axes, adagen the child's.
