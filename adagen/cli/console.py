@@ -168,7 +168,8 @@ class _Left:
     """How long the rest of counted work takes, if it goes on as fast as so far."""
 
     def __init__(self) -> None:
-        self._sort, self._first, self._since = "", 0, 0.0
+        self._sort: str | None = None
+        self._first, self._since = 0, 0.0
 
     def after(self, text: str) -> str:
         """Return what is left after a line, from 2 s on; nothing where work is not counted.

@@ -6,11 +6,12 @@ and computes nothing but where joints are as they move.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from adagen.cost import Timeline
+from adagen.cost import Interval, Timeline
 from adagen.drawing.program import operation_name
 from adagen.drawing.svg import colour
 from adagen.library import Compiled
@@ -78,6 +79,7 @@ def document(
         remarks: warnings, and what is not modelled.
     """
     program = made.program
+    phases = {} if made.timeline is None else _phases(program, made.timeline)
     return {
         "version": VERSION,
         "robot": robot(made.model, owners(program)),
@@ -91,7 +93,7 @@ def document(
             "colours": [colour(p) for p in range(len(program.processes))],
             "lanes": [{"process": p, "lanes": limbs.lanes} for p, limbs in lanes(program)],
             "timelines": [
-                _timeline(program, line)
+                _timeline(program, line, phases)
                 for line in (made.timeline, None if measured is None else measured.timeline)
                 if line is not None
             ],
@@ -114,7 +116,37 @@ def _untimed(made: Compiled) -> str | None:
     return f"No timeline is predicted: the profile {made.request.profile} prices joins alone."
 
 
-def _timeline(program: Program, line: Timeline) -> dict[str, Any]:
+Phase = tuple[int, str, int]
+"""A process, what it does, and how many messages it has sent and received before."""
+
+
+def _numbered(line: Timeline) -> Iterator[tuple[Phase, Interval]]:
+    """Yield the intervals of a timeline, each with the phase that it belongs to."""
+    before: Counter[int] = Counter()
+    for each in line.intervals:
+        yield (each.process, each.what, before[each.process]), each
+        before[each.process] += each.what in ("send", "receive")
+
+
+def _phases(program: Program, line: Timeline) -> dict[Phase, list[str]]:
+    """Return the limbs that each SIMD lane computes in a phase, for phases that use lanes."""
+    found: dict[Phase, list[list[str]]] = {}
+    for phase, each in _numbered(line):
+        operation = each.operation
+        if operation is None:
+            continue
+        limbs = _lanes(program, program.processes[each.process].operations[operation])
+        rows = found.setdefault(phase, [])
+        rows += [[] for _ in limbs[len(rows) :]]
+        for row, limb in zip(rows, limbs, strict=False):
+            if limb not in row:
+                row.append(limb)
+    return {phase: [", ".join(row) for row in rows] for phase, rows in found.items() if rows}
+
+
+def _timeline(
+    program: Program, line: Timeline, phases: Mapping[Phase, list[str]]
+) -> dict[str, Any]:
     return {
         "source": line.source,
         "makespan": line.makespan,
@@ -126,9 +158,9 @@ def _timeline(program: Program, line: Timeline) -> dict[str, Any]:
                 "what": each.what,
                 "start": each.start,
                 "end": each.end,
-                **_words(program, each.process, each.operation, each.joint),
+                **_words(program, each, phases.get(phase, [])),
             }
-            for each in line.intervals
+            for phase, each in _numbered(line)
         ],
         "exchanges": [
             {"from": each.sender, "to": each.receiver, "sent": each.sent, "used": each.used}
@@ -137,13 +169,19 @@ def _timeline(program: Program, line: Timeline) -> dict[str, Any]:
     }
 
 
-def _words(program: Program, process: int, place: int | None, joint: int | None) -> dict[str, Any]:
-    """Return what an interval is called, and what lies in each SIMD lane of it."""
-    if place is None:  # measured: of form ada each joint, else a whole phase
-        if joint is None or program.plan.form != "ada":
-            return {"name": "", "lanes": []}
-        return {"name": program.plan.joints[joint].name, "lanes": []}
-    operation = program.processes[process].operations[place]
+def _words(program: Program, each: Interval, lanes: list[str]) -> dict[str, Any]:
+    """Return what an interval is called, and what lies in each SIMD lane of it.
+
+    Args:
+        program: the program.
+        each: an interval; where it was measured it is a joint of form ada, else a whole phase.
+        lanes: what the phase computes in each.
+    """
+    if each.operation is None:
+        if each.joint is None or program.plan.form != "ada":
+            return {"name": "", "lanes": lanes}
+        return {"name": program.plan.joints[each.joint].name, "lanes": []}
+    operation = program.processes[each.process].operations[each.operation]
     return {"name": operation_name(program, operation), "lanes": _lanes(program, operation)}
 
 

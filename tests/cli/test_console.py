@@ -112,7 +112,7 @@ def test_written_files_are_listed_below_their_folder_in_80_columns(
 def test_counted_work_says_how_long_the_rest_takes(
     monkeypatch: pytest.MonkeyPatch, capsys: Captured
 ) -> None:
-    clock = iter([100.0, 100.0, 103.0, 103.0, 400.0, 400.0])
+    clock = iter([100.0, 100.0, 103.0, 103.0, 400.0, 400.0] * 2)
     monkeypatch.setattr("adagen.cli.console.time.monotonic", lambda: next(clock))
     monkeypatch.setattr("adagen.cli.console._SILENCE_SECONDS", 0.0)
     with speaking("arm") as said:
@@ -123,4 +123,11 @@ def test_counted_work_says_how_long_the_rest_takes(
         "arm: compiling 1 of 20 ...",
         "arm: compiling 2 of 20 (about 57 s left) ...",
         "arm: compiling 3 of 20 (about 45 min left) ...",
+    ]
+    with speaking("arm") as said:  # also where a line begins with the count
+        said("1 of 20: one")
+        said("2 of 20: another")
+    assert capsys.readouterr().err.splitlines() == [
+        "arm: 1 of 20: one ...",
+        "arm: 2 of 20: another (about 57 s left) ...",
     ]

@@ -6,6 +6,8 @@ import json
 import math
 import re
 from collections.abc import Iterator
+from dataclasses import replace
+from itertools import groupby
 from pathlib import Path
 from typing import Any
 
@@ -58,6 +60,27 @@ def test_the_document_is_what_was_compiled(tmp_path: Path) -> None:
     assert digits["predicted"] == round(made.digits or 0.0, 1)
     assert told["scene"] is None and told["chart"] is None and told["remarks"] == ["odd"]
     assert all(map(math.isfinite, numbers(told)))
+
+
+@pytest.mark.parametrize("procs", [1, 2])
+def test_measured_phases_show_the_limbs_of_their_lanes(procs: int, tmp_path: Path) -> None:
+    text = (MODELS / "humanoid.urdf").read_text()
+    made = compiled(tmp_path, text, procs=procs, shape="kernels")
+    assert made.timeline is not None
+    phases = [
+        max(group, key=lambda each: each.end)
+        for _, group in groupby(made.timeline.intervals, lambda each: (each.process, each.what))
+    ]
+    seen = tuple(replace(each, operation=None) for each in phases)  # as a trace has them
+    run = Measured(0.5, 0.4, "clock", 1e-15, 14.5, True, replace(made.timeline, intervals=seen))
+    predicted, measured = document(made, {}, measured=run)["program"]["timelines"]
+    assert len(measured["intervals"]) == len(seen) < len(predicted["intervals"])
+    for sort in ("kinematics", "assembly", "disassembly"):
+        limbs = [
+            {limb for each in line["intervals"] if each["what"] == sort for limb in each["lanes"]}
+            for line in (predicted, measured)
+        ]
+        assert limbs[0] == {limb for lane in limbs[1] for limb in lane.split(", ")} != set()
 
 
 def test_what_was_measured_stands_beside(tmp_path: Path) -> None:
