@@ -54,9 +54,7 @@ class Joins:
 
     def link_bias(self, number: int) -> None:
         """Deviation of a bare link from the reference field when nothing acts on it: -Phi p."""
-        p = self.state.column(self.motion.link_force(number))
-        for column, force in self.state.tied_links.get(number, ()):
-            p[:, column] = p[:, column] + force
+        p = self.state.on_link(number, self.motion.link_force(number))
         self.memory[Bias(None, number)] = -matrix_times(self._block(Block(None, number, number)), p)
 
     def join(self, step: Join) -> None:

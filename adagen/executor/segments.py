@@ -72,7 +72,7 @@ class Segments:
             case StartLink():
                 self.memory["IA", step.link] = self.motion.link_inertia(step.link)
                 force = self.motion.link_force(step.link)
-                self.memory["pA", step.link] = self.state.column(force)
+                self.memory["pA", step.link] = self.state.on_link(step.link, force)
             case StartEmpty():
                 self.memory["IA", step.link] = self.state.zeros(6, 6)
                 self.memory["pA", step.link] = self._nothing(step.link)

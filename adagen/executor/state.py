@@ -116,6 +116,18 @@ class State:
         result[:, 0] = first
         return result
 
+    def on_link(self, link: int, first: Array) -> Array:
+        """Right-hand sides of a link's equation of motion: what it feels, and loops' unit forces.
+
+        Args:
+            link: its number.
+            first: what it feels without these, shape (6,).
+        """
+        result = self.column(first)
+        for column, force in self.tied_links.get(link, ()):
+            result[:, column] = result[:, column] + force
+        return result
+
     def factorize(self, matrix: Array, joint: int, brought: Expression | None = None) -> Factors:
         """Return the factors of a matrix, its pivots being checked in the name of a joint.
 

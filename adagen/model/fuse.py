@@ -28,8 +28,8 @@ NOISE = 2.0**-60
 def runs_of(model: Model) -> tuple[Run, ...]:
     """Return the runs of a model, the longest ones, in the order of their joints.
 
-    A run ends at a link with several joints beyond it or with a force upon it. None has more than
-    six degrees of freedom, or a joint with rotor inertia or of prescribed acceleration.
+    A run ends at a link with several joints beyond it, or with a force or a loop upon it. None has
+    more than six degrees of freedom, or a joint with rotor inertia or of prescribed acceleration.
     """
     upright = canonical(model)
     starts = {j for j in range(len(model.joints)) if not _is_inner(upright, model.joints[j].parent)}
@@ -78,6 +78,7 @@ def _is_inner(model: Model, number: int) -> bool:
     if number == 0 or len(model.children[number]) != 1:
         return False
     pushed = any(wrench.link == number for wrench in model.wrenches)
+    pushed = pushed or any(number == link for loop in model.loops for link, _ in loop.ends)
     return not model.links[number].inertia.tensor.any() and not pushed
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 from adagen.errors import UsageError
@@ -10,7 +9,7 @@ from adagen.model import Model
 from adagen.model.fuse import runs_of, settled
 from adagen.plan.ada import AdaPlanner
 from adagen.plan.closed import ClosedPlanner
-from adagen.plan.closed_ada import ClosedAdaPlanner
+from adagen.plan.closed_ada import ClosedAdaPlanner, refuse_held_by_loops
 from adagen.plan.closures import closures_of
 from adagen.plan.clusters import ClusterPlanner, clusters_of
 from adagen.plan.constants import (
@@ -170,9 +169,16 @@ def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto
     """
     joints, runs = joints_of(model), runs_of(model)
     if model.closed and form == "ada":
-        _check_invertible(model, runs)
-        closures = closures_of(model)
-        return ClosedAdaPlanner(joints, schedule, closures, loops_of(model), couplings_of(model))
+        refuse_held_by_loops(model)
+        return ClosedAdaPlanner(
+            joints,
+            schedule,
+            runs,
+            clusters_of(model, runs),
+            closures_of(model),
+            loops_of(model),
+            couplings_of(model),
+        )
     if model.closed:
         _check_closed(schedule)
         return ClosedPlanner(
@@ -204,15 +210,6 @@ def _check_forces(model: Model) -> None:
         raise UsageError(
             "--loop-forces does not support mimic joints: write these as couplings, or leave "
             "--loop-forces out"
-        )
-
-
-def _check_invertible(model: Model, runs: Sequence[tuple[int, ...]]) -> None:
-    """Refuse links whose inertia form ada would have to put together with others'."""
-    if any(len(run) > 1 for run in runs) or clusters_of(model, runs):
-        raise UsageError(
-            "form ada does not take closed loops beside links whose inertia cannot be inverted: "
-            "leave --form out"
         )
 
 

@@ -3,29 +3,62 @@
 The chain is assembled and disassembled as without loops, but with one more right-hand side for each
 constraint: what a unit of its force does. Process 0 then solves for the forces that keep all loops
 closed, as it does for the torques of slaved joints. So loops may go through any chains on any
-processes, and no other step knows of them; all links must have inertias that can be inverted.
+processes, and no other step knows of them. Links whose inertia cannot be inverted are joined in
+runs and clusters, as without loops; what only the loops resist is refused.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
+from adagen.errors import UsageError, printable
+from adagen.model import Model
+from adagen.model.fuse import Run
 from adagen.model.loops import LOOP_KINDS
-from adagen.plan.ada import AdaPlanner
 from adagen.plan.closures import Closure
+from adagen.plan.clusters import ClusterPlanner
 from adagen.plan.edges import on_the_way
 from adagen.plan.robot import PlanCoupling, PlanJoint, PlanLoop
-from adagen.plan.steps import CloseCoupling, CloseLoop, Join, Kinematics, LinkBias, Step
+from adagen.plan.steps import (
+    Articulate,
+    CloseCoupling,
+    CloseLoop,
+    FusedJoin,
+    Join,
+    Kinematics,
+    LinkBias,
+    StartLink,
+    Step,
+)
 from adagen.plan.types import Message, Process
 from adagen.schedule import Schedule
+from adagen.urdf.mobility import weakest
 
 
-class ClosedAdaPlanner(AdaPlanner):
+def refuse_held_by_loops(model: Model) -> None:
+    """Refuse motions of the tree that meet no inertia: form ada solves the tree without its loops.
+
+    Raises:
+        UsageError: there is one; the message names its joint.
+    """
+    weak = weakest(model)
+    if weak.singular:
+        link = printable(model.links[weak.joint + 1].name)
+        raise UsageError(
+            f"form ada solves the tree before its loops, and joint "
+            f"{printable(model.joints[weak.joint].name)} (link {link}) moves no inertia there: "
+            "only loops resist; use --form segment"
+        )
+
+
+class ClosedAdaPlanner(ClusterPlanner):
     """Builds the processes of form `ada` of a robot with loops.
 
     Args:
         joints: the robot's joints.
         schedule: a schedule of its joints.
+        runs: its runs, which are fused where they are inside no cluster.
+        clusters: the number of the cluster that each joint is inside of.
         closures: its closures.
         loops: its loop joints.
         couplings: its couplings.
@@ -35,11 +68,13 @@ class ClosedAdaPlanner(AdaPlanner):
         self,
         joints: tuple[PlanJoint, ...],
         schedule: Schedule,
+        runs: Sequence[Run],
+        clusters: Mapping[int, int],
         closures: Sequence[Closure],
         loops: Sequence[PlanLoop],
         couplings: Sequence[PlanCoupling],
     ) -> None:
-        super().__init__(joints, schedule)
+        super().__init__(joints, schedule, runs, clusters)
         self.closures, self.loops, self.couplings = closures, loops, couplings
         rows = sorted(row for closure in closures for row in closure.rows)
         self._number = {row: number for number, row in enumerate(rows)}
@@ -66,13 +101,13 @@ class ClosedAdaPlanner(AdaPlanner):
         """A process that knows the constraints at its links and joints before it needs them."""
         if not process.steps:
             return process
-        bare = {step.link for step in process.steps if isinstance(step, LinkBias)}
-        joined = {step.joint for step in process.steps if isinstance(step, Join)}
+        links = {s.link for s in process.steps if isinstance(s, LinkBias | StartLink)}
+        joined = _joined(process.steps)
         steps: list[Step] = []
         passed = set(process.reads)
         for k, loop in enumerate(self.loops):
             ends = {loop.link1, loop.link2}
-            if all_of_them or bare & ends:
+            if all_of_them or links & ends:
                 steps.append(self._close_loop(k))
                 passed |= {link - 1 for link in ends if link > 0}
         for k, coupling in enumerate(self.couplings):
@@ -91,3 +126,15 @@ class ClosedAdaPlanner(AdaPlanner):
         kept = [row for row in range(first, end) if row in self._number]
         start = self._number[kept[0]] if kept else 0
         return CloseLoop(k, 0, tuple(row - first for row in kept), start)
+
+
+def _joined(steps: Sequence[Step]) -> set[int]:
+    """The joints whose torques a process needs."""
+    joined: set[int] = set()
+    for step in steps:
+        match step:
+            case FusedJoin():
+                joined.update(step.run)
+            case Join() | Articulate():
+                joined.add(step.joint)
+    return joined

@@ -11,6 +11,7 @@ from adagen.plan import can_gather
 from adagen.plan.clusters import fold_of
 from adagen.plan.cuts import cuttable_joints
 from adagen.schedule import CostProfile, Schedule, Topology
+from adagen.schedule.fold import Fold
 from adagen.search.closed import closed_schedule
 from adagen.search.families import Families, scaled
 from adagen.search.played import played_schedule
@@ -63,13 +64,10 @@ def best_schedule(
     if form == "segment" and processes == 1:
         return find_schedule(topology, 1, profile=profile, **search)
     seen = fold_of(model, form)
-    if not len(seen.topology):  # all one cluster
-        search["cuttable"] = [False] * len(topology)
-        return find_schedule(topology, processes, profile=profile, **search)
-    if form == "ada":
-        found = find_schedule(seen.topology, processes, profile=profile, **search)
-        best = seen.unfold(found, profile)
-        if costs.steps is None or any(search.get(k, v) != v for k, v in _USUAL.items()):
+    if form == "ada" or not len(seen.topology):
+        best = _joined(seen, processes, profile, **search)
+        alone = not len(seen.topology)
+        if alone or costs.steps is None or any(search.get(k, v) != v for k, v in _USUAL.items()):
             return best
         return played_schedule(model, best, costs, scalar)
     cuttable = cuttable_joints(model, scalar, seen.joints, limit)
@@ -104,10 +102,20 @@ def best_schedule(
     return families.taken()
 
 
+def _joined(seen: Fold, processes: int, profile: CostProfile, **search: Any) -> Schedule:
+    """The best schedule of all joints by Eq. (11); of one process where nothing can be cut."""
+    if not len(seen.topology):  # all one cluster
+        search["cuttable"] = [False] * len(seen.full)
+        return find_schedule(seen.full, processes, profile=profile, **search)
+    return seen.unfold(find_schedule(seen.topology, processes, profile=profile, **search), profile)
+
+
 def _held_together(
     model: Model, processes: int, profile: CostProfile, form: str, scalar: str, **search: Any
 ) -> Schedule:
     """The schedule of a robot with outputs, or with closed loops."""
-    if model.outputs or form == "ada":  # loops are solved for at the end, whatever the order
+    if model.outputs:
         return find_schedule(Topology.of(model), processes, profile=profile, **search)
+    if form == "ada":  # loops are solved for at the end, whatever the order
+        return _joined(fold_of(model, form), processes, profile, **search)
     return closed_schedule(model, processes, profile, scalar, **search)

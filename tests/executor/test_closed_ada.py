@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -10,16 +11,29 @@ import pytest
 
 from adagen.errors import UsageError
 from adagen.executor import interpret
-from adagen.model import LOOP_KINDS, Model
+from adagen.model import (
+    BASE,
+    FLOATING,
+    LOOP_KINDS,
+    PRISMATIC,
+    REVOLUTE,
+    WORLD,
+    Inertia,
+    LoopEnd,
+    Model,
+    NamedLoop,
+)
 from adagen.plan import Plan, make_plan, plan_from_json, plan_to_json
+from adagen.plan.refine import corrected
 from adagen.program import check
 from adagen.program.lower import lower
 from adagen.reference.closed import closed_forward_dynamics
 from adagen.schedule import load_profile
 from adagen.search import best_schedule
-from tests.emitted import QUICK, Builder
+from tests.emitted import QUICK, Builder, forward_error, truth_of
 from tests.executor.test_closures import worst
-from tests.mechanisms import MECHANISMS, four_bar, looped_tree, quadruped, states_of
+from tests.mechanisms import MECHANISMS, four_bar, looped_tree, quadruped, states_of, with_loops
+from tests.models import Part, assemble, rod, vector
 
 
 def ada_plan(model: Model, processes: int, *, loop_forces: bool = False) -> Plan:
@@ -29,7 +43,7 @@ def ada_plan(model: Model, processes: int, *, loop_forces: bool = False) -> Plan
 
 
 @pytest.mark.parametrize("processes", [1, 2])
-@pytest.mark.parametrize("name", sorted(set(MECHANISMS) - {"four-bar with a massless coupler"}))
+@pytest.mark.parametrize("name", sorted(MECHANISMS))
 def test_mechanisms_move_as_dense_algebra_says(name: str, processes: int) -> None:
     model = MECHANISMS[name]()
     plan = ada_plan(model, processes)
@@ -63,13 +77,82 @@ def test_forces_are_those_of_form_segment(make: Callable[[], Model]) -> None:
             assert np.abs(found - expected).max() < 1e-9 * np.abs(expected).max()
 
 
-def test_what_cannot_be_inverted_is_refused() -> None:
-    with pytest.raises(UsageError, match="links whose inertia cannot be inverted"):
-        ada_plan(four_bar(massless=True), 1)
+def crossed_legs(*, pinned: str = "rod") -> Model:
+    """Return a plate on three legs: crossed hinges through a link without mass, and a slide.
+
+    Args:
+        pinned: the link of the first leg that the ground holds: its rod, or its massless cross.
+    """
+    across, along = vector(1.0, 0.0, 0.0), vector(0.0, 1.0, 0.0)
+    parts = [Part(BASE, None, FLOATING, rod(5.0, vector(0.3, 0.2, 0.1)))]
+    pins = []
+    for leg in "abc":
+        place = vector(0.4 * "abc".index(leg), 0.3 * (leg == "b"), -0.2)
+        body = rod(1.0, vector(0.1, 0.1, -0.4))
+        parts += [
+            Part(f"cross_{leg}", BASE, REVOLUTE, Inertia.zero(), place, axis=across),
+            Part(f"tube_{leg}", f"cross_{leg}", REVOLUTE, body, axis=along),
+            Part(f"rod_{leg}", f"tube_{leg}", PRISMATIC, body, axis=vector(0.0, 0.0, 1.0)),
+        ]
+        link = f"{pinned if leg == 'a' else 'rod'}_{leg}_link"
+        x, y, z = map(float, place if link.startswith("rod") else 0.7 * place)
+        ends = LoopEnd(link, (0.0, 0.0, -0.5)), LoopEnd(WORLD, (x, y, z - 0.5))
+        pins.append(NamedLoop(f"pin_{leg}", "point", *ends))
+    return with_loops(assemble("plate", parts, floating=True), tuple(pins))
+
+
+def light_base() -> Model:
+    """Return a five-bar whose floating root link has no mass."""
+    pin = vector(0.0, 1.0, 0.0)
+    body = rod(1.0, vector(0.3, 0.05, 0.0))
+    parts = [Part(BASE, None, FLOATING, Inertia.zero())]
+    for side, place in (("l", -0.1), ("r", 0.1)):
+        parts += [
+            Part(f"{side}1", BASE, REVOLUTE, body, vector(place, 0, 0), axis=pin),
+            Part(f"{side}2", f"{side}1", REVOLUTE, body, vector(0.3, 0, 0), axis=pin),
+        ]
+    ends = LoopEnd("l2_link", (0.3, 0.0, 0.0)), LoopEnd("r2_link", (0.3, 0.0, 0.0))
+    return with_loops(
+        assemble("light", parts, floating=True), (NamedLoop("pin", "revolute", *ends, (0, 1, 0)),)
+    )
+
+
+@pytest.mark.parametrize("processes", [1, 3])
+@pytest.mark.parametrize("make", [crossed_legs, partial(crossed_legs, pinned="cross"), light_base])
+def test_links_without_mass_are_joined_in_runs_and_clusters(
+    make: Callable[[], Model], processes: int
+) -> None:
+    model = make()
+    states, plan = states_of(model, 3), ada_plan(model, processes)
+    check(lower(plan, "unrolled"))
+    assert worst(model, plan, states) < 1e-10
+    assert plan_from_json(plan_to_json(plan)) == plan
+    if processes == 1:
+        rows = zip(states.q, states.v, states.tau, strict=True)
+        refined = np.array([interpret(corrected(plan, 1), *row) for row in rows], dtype=float)
+        assert forward_error(refined, truth_of(model, states)) < 1e-14
+
+
+def test_what_only_loops_resist_is_refused_by_name() -> None:
+    with pytest.raises(UsageError, match=r"joint p1 \(link p1_link\) moves no inertia.*segment"):
+        ada_plan(open_four_bar(), 1)
+
+
+def open_four_bar() -> Model:
+    """Return a four-bar whose coupler has no mass and hangs on the crank alone in the tree."""
+    pin = vector(0.0, 1.0, 0.0)
+    parts = [
+        Part("p0", None, REVOLUTE, rod(1.0, vector(0.2, 0, 0)), axis=pin),
+        Part("p1", "p0", REVOLUTE, Inertia.zero(), vector(0.2, 0, 0), axis=pin),
+        Part("p2", None, REVOLUTE, rod(1.0, vector(0.4, 0, 0)), vector(0.45, 0, 0), axis=pin),
+    ]
+    ends = LoopEnd("p1_link", (0.5, 0.0, 0.0)), LoopEnd("p2_link", (0.4, 0.0, 0.0))
+    pinned = NamedLoop("pin", "revolute", *ends, (0.0, 1.0, 0.0))
+    return with_loops(assemble("open", parts), (pinned,))
 
 
 def test_emitted_for_two_processes(builder: Builder, tmp_path: Path) -> None:
-    model = quadruped()
+    model = crossed_legs()
     plan = ada_plan(model, 2)
     solver = builder.solver(plan, QUICK, name="ada")
     states = states_of(model, 3)
