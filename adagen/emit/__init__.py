@@ -246,14 +246,16 @@ def _texts(
         **of_shape,
         **(embedded_values(words, of_shape) if embedded else {}),
     }
+    more = description(values)
     own = {
+        "plain_program": not (more or mpi or plan.threads),
         "plain_solver": not any(
             values[name] for name in ("parameters", "batch", "mpi", "threads", "embedded")
         )
         and not plan.certified,
         "macros": _macros(plan, values),
         "settings": settings(values, len(plan.messages)),
-        "description": description(values),
+        "description": more,
     }
     return render("interface.h.j2", **values), render("solver.cpp.j2", **own, **values)
 

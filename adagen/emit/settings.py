@@ -26,6 +26,10 @@ def settings(values: Mapping[str, object], messages: int) -> list[str]:
         *([f"using Number = {values['number']};"] if values["number"] != "double" else []),
         *overridden(
             [
+                ("const char*", "kRobot", values["robot"], ""),
+                ("bool", "kFloating", values["floating"], False),
+                ("bool", "kAtRest", bool(values["at_rest"]), False),
+                ("const char*", "kChannel", f'"{values["channel"]}"', '"auto"'),
                 ("int", "kProcesses", values["process_count"], 1),
                 ("bool", "kAlone", values["alone"], True),
                 (
@@ -53,13 +57,9 @@ def settings(values: Mapping[str, object], messages: int) -> list[str]:
 
 def description(values: Mapping[str, object]) -> list[str]:
     """Return the lines by which a solver's description differs from a plain one."""
-    channel, loops, couplings = values["channel"], values["loops"], values["couplings"]
-    outputs = values["outputs"]
+    loops, couplings, outputs = values["loops"], values["couplings"], values["outputs"]
     lines = {
-        f'about.channel = "{channel}";': channel != "auto",
-        "about.floating = true;": values["floating"],
-        "about.at_rest = true;": values["at_rest"],
-        "about.outer_forces = table(kOuterForces);": values["outer_forces"],
+        "about.outer_forces = table<kOuterForces>();": values["outer_forces"],
         "about.loops = {kLoops.data(), kLoopCount};": loops,
         f"about.couplings = {{kCouplings.data(), {_count(couplings)}}};": couplings,
         f"about.outputs = {{kOutputs.data(), {_count(outputs)}}};": outputs,

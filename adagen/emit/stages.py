@@ -20,6 +20,7 @@ def stage_lines(process: Process) -> list[str]:
         if len(lines[-1]) + len(told) > _WIDTH:
             lines.append("")
         lines[-1] += told
+    lines[-1] = lines[-1].removesuffix(", ")
     return [line.rstrip() for line in lines if line]
 
 

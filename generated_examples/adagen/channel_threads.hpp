@@ -14,6 +14,7 @@
 #include "relax.hpp"
 #include "sample/messages.hpp"
 #include "sizes.hpp"
+#include "stamp.hpp"
 #include "status.hpp"
 
 #define ADAGEN_CHANNEL  // there is one

@@ -67,6 +67,12 @@ struct ProcessInfo {
   Ranges q, v, own, tau;
 };
 
+// What a process does between two time stamps (--trace).
+struct StageInfo {
+  const char* what;
+  int joint, message;  // that it ends or begins with; sent or received; -1 for none
+};
+
 // What goes from one process to another once in an evaluation.
 struct MessageInfo {
   int source, target, size;  // size in Number, the status not counted

@@ -18,6 +18,11 @@
 namespace {
 
 struct PlainSettings {
+  [[maybe_unused]] static constexpr const char* kRobot = "robot";  // its name
+  // Of a base that floats; of states in which nothing moves; how processes meet.
+  [[maybe_unused]] static constexpr bool kFloating = false;
+  [[maybe_unused]] static constexpr bool kAtRest = false;
+  [[maybe_unused]] static constexpr const char* kChannel = "auto";
   using Number = double;
   [[maybe_unused]] static constexpr int kProcesses = 1;
   // Whether process 0 does all the work.

@@ -1,5 +1,4 @@
 // Forward dynamics of "ankle" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
-//
 // robot     "ankle", 8 joints, 12 degrees of freedom, description sha256 ddb900f3e284309ae668afcdcf39b2b2f8b0b30c7e4b7984814bb0e23c113d8c
 // command   adagen ../models/ankle.urdf --scene=../models/ankle.toml --procs 1
 // options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
@@ -36,6 +35,7 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 8, kNq = 14, kNv = 12;
+  static constexpr const char* kRobot = "ankle";
 };
 
 }  // namespace
@@ -97,7 +97,6 @@ constexpr std::array<const char*, 2> kLoopNames{ {
 
 
 #include "adagen/no_channel.hpp"
-#include "adagen/stamp.hpp"
 
 // ---- 4. joints ----------------------------------------------------------------------------------
 
@@ -1876,6 +1875,7 @@ void recover_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel)
   std::copy_n(w.result.data() + 0, 12, w.qdd + 0);
 }
 
+[[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 7, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1}} };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
 constexpr std::array<void (*)(Workspace&, Channel&), 1> kRecover{recover_0};
 
@@ -1894,11 +1894,6 @@ struct ankle_p1_solver : Solver {};
 
 namespace {
 
-constexpr std::array<adagen::Stage, 3> kStages_0{ {
-    {"kinematics", 7, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1},
-} };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 3}} };
-
 // Loop joints, each between a frame on its first link and a frame on its second one, with axis z;
 // then couplings of joint coordinates.
 constexpr Number kLoop_0[]{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -0.15,
@@ -1911,7 +1906,8 @@ constexpr std::array<adagen::Loop<Number>, 2> kLoops{ {
 } };
 
 adagen::Description<Number> description() {
-  auto about = plain_description("ankle", kStages.data());
+  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>()} };
+  auto about = plain_description(stages.data());
   about.loops = {kLoops.data(), kLoopCount};
   return about;
 }

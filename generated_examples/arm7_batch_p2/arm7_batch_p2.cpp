@@ -1,5 +1,4 @@
 // Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
-//
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 2 --batch --name=arm7_batch
 // options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
@@ -37,6 +36,7 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
+  static constexpr const char* kRobot = "arm7";
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
   static constexpr bool kBatch = true;
@@ -107,7 +107,6 @@ namespace {
 }  // namespace
 
 #include "adagen/channel.hpp"
-#include "adagen/stamp.hpp"
 
 // ---- 4. joints ----------------------------------------------------------------------------------
 
@@ -983,6 +982,7 @@ void end_group(Workspace& w) {
 // What is done for a group of states, in order.
 constexpr std::array kParts{begin_group, part_0_0, end_group};
 
+[[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 8, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1}} };
 
 // What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
 constexpr std::array<Range, 4> kRanges_0{ {{0, 9}, {0, 9}, {0, 9}, {0, 9}} };
@@ -1009,20 +1009,13 @@ struct arm7_batch_p2_solver : Solver {};
 
 namespace {
 
-constexpr std::array<adagen::Stage, 3> kStages_0{ {
-    {"kinematics", 8, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1},
-} };
-constexpr std::array<adagen::Stage, 3> kStages_1{ {
-    {"kinematics", 8, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1},
-} };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 3}, {kStages_1.data(), 3}} };
-
 // From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
 adagen::Description<Number> description() {
-  auto about = plain_description("arm7", kStages.data());
+  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_0>()} };
+  auto about = plain_description(stages.data());
   about.window_hop = kWindowHop, about.message_hop = kMessageHop;
   return about;
 }

@@ -1,5 +1,4 @@
 // Forward dynamics of "arm7" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
-//
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 1 --shape=joints
 // options   form segment, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
@@ -34,6 +33,7 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
+  static constexpr const char* kRobot = "arm7";
 };
 
 }  // namespace
@@ -91,127 +91,31 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 // ---- 3. runtime ---------------------------------------------------------------------------------
 
 #include "adagen/spatial.hpp"
-#include "adagen/joins.hpp"
-#include "adagen/inertia.hpp"
 #include "adagen/articulated.hpp"
 
 #include "adagen/no_channel.hpp"
-#include "adagen/stamp.hpp"
 
 // ---- 4. joints ----------------------------------------------------------------------------------
 
+#include "adagen/joints_memory.hpp"
+
 namespace {
 
-// Memory of a process, joint by joint.
-struct Workspace;
-
-struct Joint_base_yaw {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "turret"
-  Inertia IA;  // articulated-body inertia of link "turret"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_shoulder_pitch {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "upper_arm"
-  Inertia IA;  // articulated-body inertia of link "upper_arm"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_upper_arm_roll {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "elbow_housing"
-  Inertia IA;  // articulated-body inertia of link "elbow_housing"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_elbow_pitch {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "forearm"
-  Inertia IA;  // articulated-body inertia of link "forearm"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_forearm_roll {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "wrist_housing"
-  Inertia IA;  // articulated-body inertia of link "wrist_housing"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_wrist_pitch {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "wrist"
-  Inertia IA;  // articulated-body inertia of link "wrist"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_flange_roll {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "hand"
-  Inertia IA;  // articulated-body inertia of link "hand"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Revolute> body;
-};
-
-struct Joint_left_finger_slide {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "left_finger"
-  Inertia IA;  // articulated-body inertia of link "left_finger"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Prismatic> body;
-};
-
-struct Joint_right_finger_slide {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;  // velocity of link "right_finger"
-  Inertia IA;  // articulated-body inertia of link "right_finger"
-  Columns6 pA;  // and its bias force
-  Columns6 a;  // acceleration of the link, relative to free fall
-  Articulated<Prismatic> body;
-};
-
-struct Workspace {
-  const Number* q = nullptr;
-  const Number* v = nullptr;
-  const Number* tau = nullptr;
-  Number* qdd = nullptr;
-  int status = kFine;
-  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
-  Columns6 ground;  // its acceleration
-  Joint_base_yaw j_base_yaw;
-  Joint_shoulder_pitch j_shoulder_pitch;
-  Joint_upper_arm_roll j_upper_arm_roll;
-  Joint_elbow_pitch j_elbow_pitch;
-  Joint_forearm_roll j_forearm_roll;
-  Joint_wrist_pitch j_wrist_pitch;
-  Joint_flange_roll j_flange_roll;
-  Joint_left_finger_slide j_left_finger_slide;
-  Joint_right_finger_slide j_right_finger_slide;
-
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+struct Workspace : JointsMemory {
+  ArticulatedJoint<Articulated<Revolute>> j_base_yaw;  // and of link "turret"
+  ArticulatedJoint<Articulated<Revolute>> j_shoulder_pitch;  // and of link "upper_arm"
+  ArticulatedJoint<Articulated<Revolute>> j_upper_arm_roll;  // and of link "elbow_housing"
+  ArticulatedJoint<Articulated<Revolute>> j_elbow_pitch;  // and of link "forearm"
+  ArticulatedJoint<Articulated<Revolute>> j_forearm_roll;  // and of link "wrist_housing"
+  ArticulatedJoint<Articulated<Revolute>> j_wrist_pitch;  // and of link "wrist"
+  ArticulatedJoint<Articulated<Revolute>> j_flange_roll;  // and of link "hand"
+  ArticulatedJoint<Articulated<Prismatic>> j_left_finger_slide;  // and of link "left_finger"
+  ArticulatedJoint<Articulated<Prismatic>> j_right_finger_slide;  // and of link "right_finger"
 };
 
 }  // namespace
 
-#include "adagen/gravity.hpp"
-#include "adagen/memory.hpp"
-#include "adagen/exchange.hpp"
+#include "adagen/hand_on.hpp"
 
 namespace {
 
@@ -225,16 +129,13 @@ const Inertia kInertia_hand = spatial_inertia(kLinks[7]);
 const Inertia kInertia_left_finger = spatial_inertia(kLinks[8]);
 const Inertia kInertia_right_finger = spatial_inertia(kLinks[9]);
 
-// =================================================================================================
-// Joint 0 "base_yaw": revolute, between links "pedestal" and "turret"
-// =================================================================================================
+// ---- joint 0 "base_yaw": revolute, between links "pedestal" and "turret"
 
 void kinematics_base_yaw(Workspace& w) {
   auto& i = w.j_base_yaw;
   require_finite(w, w.q + 0, 1, 0);
   require_finite(w, w.v + 0, 1, 0);
-  const Real q = Real(w.q[0]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[0]), c = std::cos(q), s = std::sin(q);
   i.X.E << c, s, 0.0,  //
       -s, c, 0.0,  //
       0.0, 0.0, 1.0;
@@ -246,30 +147,22 @@ void articulate_base_yaw(Workspace& w) {
   auto& i = w.j_base_yaw;
   load_torque(w, 0, 0, i.body.tau);
   i.body.c = Columns6::Zero();
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 0);
+  hand_on(w, 0, i.body, 1, i.IA, i.pA);
 }
 
 void accelerate_base_yaw(Workspace& w) {
   auto& i = w.j_base_yaw;
-  Columns6 a = i.X * w.ground;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 0, 0, qdd);
+  i.a = i.X * w.ground;
+  store_acceleration(w, 0, 0, accelerate(i.body, i.a));
 }
 
-// =================================================================================================
-// Joint 1 "shoulder_pitch": revolute, between links "turret" and "upper_arm"
-// =================================================================================================
+// ---- joint 1 "shoulder_pitch": revolute, between links "turret" and "upper_arm"
 
 void kinematics_shoulder_pitch(Workspace& w) {
   auto& i = w.j_shoulder_pitch;
   require_finite(w, w.q + 1, 1, 1);
   require_finite(w, w.v + 1, 1, 1);
-  const Real q = Real(w.q[1]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[1]), c = std::cos(q), s = std::sin(q);
   i.X.E << c, -3.673205103346574e-06 * s, -0.9999999999932537 * s,  //
       -s, -3.673205103346574e-06 * c, -0.9999999999932537 * c,  //
       0.0, 0.9999999999932537, -3.673205103346574e-06;
@@ -281,32 +174,24 @@ void articulate_shoulder_pitch(Workspace& w) {
   auto& i = w.j_shoulder_pitch;
   load_torque(w, 1, 1, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 1);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 1);
-  add_in_parent(i.X, handed, w.j_base_yaw.IA);
-  w.j_base_yaw.pA += i.X.transposed_times(force);
+  const Handed handed = hand_on(w, 1, i.body, 1, i.IA, i.pA);
+  add_in_parent(i.X, handed.inertia, w.j_base_yaw.IA);
+  w.j_base_yaw.pA += i.X.transposed_times(handed.force);
 }
 
 void accelerate_shoulder_pitch(Workspace& w) {
   auto& i = w.j_shoulder_pitch;
-  Columns6 a = i.X * w.j_base_yaw.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 1, 1, qdd);
+  i.a = i.X * w.j_base_yaw.a;
+  store_acceleration(w, 1, 1, accelerate(i.body, i.a));
 }
 
-// =================================================================================================
-// Joint 2 "upper_arm_roll": revolute, between links "upper_arm" and "elbow_housing"
-// =================================================================================================
+// ---- joint 2 "upper_arm_roll": revolute, between links "upper_arm" and "elbow_housing"
 
 void kinematics_upper_arm_roll(Workspace& w) {
   auto& i = w.j_upper_arm_roll;
   require_finite(w, w.q + 2, 1, 2);
   require_finite(w, w.v + 2, 1, 2);
-  const Real q = Real(w.q[2]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[2]), c = std::cos(q), s = std::sin(q);
   i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
       -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
       0.0, -0.9999999999932537, -3.673205103346574e-06;
@@ -318,32 +203,24 @@ void articulate_upper_arm_roll(Workspace& w) {
   auto& i = w.j_upper_arm_roll;
   load_torque(w, 2, 2, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 2);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 2);
-  add_in_parent(i.X, handed, w.j_shoulder_pitch.IA);
-  w.j_shoulder_pitch.pA += i.X.transposed_times(force);
+  const Handed handed = hand_on(w, 2, i.body, 1, i.IA, i.pA);
+  add_in_parent(i.X, handed.inertia, w.j_shoulder_pitch.IA);
+  w.j_shoulder_pitch.pA += i.X.transposed_times(handed.force);
 }
 
 void accelerate_upper_arm_roll(Workspace& w) {
   auto& i = w.j_upper_arm_roll;
-  Columns6 a = i.X * w.j_shoulder_pitch.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 2, 2, qdd);
+  i.a = i.X * w.j_shoulder_pitch.a;
+  store_acceleration(w, 2, 2, accelerate(i.body, i.a));
 }
 
-// =================================================================================================
-// Joint 3 "elbow_pitch": revolute, between links "elbow_housing" and "forearm"
-// =================================================================================================
+// ---- joint 3 "elbow_pitch": revolute, between links "elbow_housing" and "forearm"
 
 void kinematics_elbow_pitch(Workspace& w) {
   auto& i = w.j_elbow_pitch;
   require_finite(w, w.q + 3, 1, 3);
   require_finite(w, w.v + 3, 1, 3);
-  const Real q = Real(w.q[3]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[3]), c = std::cos(q), s = std::sin(q);
   i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
       -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
       0.0, -0.9999999999932537, -3.673205103346574e-06;
@@ -355,32 +232,24 @@ void articulate_elbow_pitch(Workspace& w) {
   auto& i = w.j_elbow_pitch;
   load_torque(w, 3, 3, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 3);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 3);
-  add_in_parent(i.X, handed, w.j_upper_arm_roll.IA);
-  w.j_upper_arm_roll.pA += i.X.transposed_times(force);
+  const Handed handed = hand_on(w, 3, i.body, 1, i.IA, i.pA);
+  add_in_parent(i.X, handed.inertia, w.j_upper_arm_roll.IA);
+  w.j_upper_arm_roll.pA += i.X.transposed_times(handed.force);
 }
 
 void accelerate_elbow_pitch(Workspace& w) {
   auto& i = w.j_elbow_pitch;
-  Columns6 a = i.X * w.j_upper_arm_roll.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 3, 3, qdd);
+  i.a = i.X * w.j_upper_arm_roll.a;
+  store_acceleration(w, 3, 3, accelerate(i.body, i.a));
 }
 
-// =================================================================================================
-// Joint 4 "forearm_roll": revolute, between links "forearm" and "wrist_housing"
-// =================================================================================================
+// ---- joint 4 "forearm_roll": revolute, between links "forearm" and "wrist_housing"
 
 void kinematics_forearm_roll(Workspace& w) {
   auto& i = w.j_forearm_roll;
   require_finite(w, w.q + 4, 1, 4);
   require_finite(w, w.v + 4, 1, 4);
-  const Real q = Real(w.q[4]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[4]), c = std::cos(q), s = std::sin(q);
   i.X.E << c, -3.673205103346574e-06 * s, -0.9999999999932537 * s,  //
       -s, -3.673205103346574e-06 * c, -0.9999999999932537 * c,  //
       0.0, 0.9999999999932537, -3.673205103346574e-06;
@@ -392,32 +261,24 @@ void articulate_forearm_roll(Workspace& w) {
   auto& i = w.j_forearm_roll;
   load_torque(w, 4, 4, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 4);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 4);
-  add_in_parent(i.X, handed, w.j_elbow_pitch.IA);
-  w.j_elbow_pitch.pA += i.X.transposed_times(force);
+  const Handed handed = hand_on(w, 4, i.body, 1, i.IA, i.pA);
+  add_in_parent(i.X, handed.inertia, w.j_elbow_pitch.IA);
+  w.j_elbow_pitch.pA += i.X.transposed_times(handed.force);
 }
 
 void accelerate_forearm_roll(Workspace& w) {
   auto& i = w.j_forearm_roll;
-  Columns6 a = i.X * w.j_elbow_pitch.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 4, 4, qdd);
+  i.a = i.X * w.j_elbow_pitch.a;
+  store_acceleration(w, 4, 4, accelerate(i.body, i.a));
 }
 
-// =================================================================================================
-// Joint 5 "wrist_pitch": revolute, between links "wrist_housing" and "wrist"
-// =================================================================================================
+// ---- joint 5 "wrist_pitch": revolute, between links "wrist_housing" and "wrist"
 
 void kinematics_wrist_pitch(Workspace& w) {
   auto& i = w.j_wrist_pitch;
   require_finite(w, w.q + 5, 1, 5);
   require_finite(w, w.v + 5, 1, 5);
-  const Real q = Real(w.q[5]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[5]), c = std::cos(q), s = std::sin(q);
   i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
       -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
       0.0, -0.9999999999932537, -3.673205103346574e-06;
@@ -429,32 +290,24 @@ void articulate_wrist_pitch(Workspace& w) {
   auto& i = w.j_wrist_pitch;
   load_torque(w, 5, 5, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 5);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 5);
-  add_in_parent(i.X, handed, w.j_forearm_roll.IA);
-  w.j_forearm_roll.pA += i.X.transposed_times(force);
+  const Handed handed = hand_on(w, 5, i.body, 1, i.IA, i.pA);
+  add_in_parent(i.X, handed.inertia, w.j_forearm_roll.IA);
+  w.j_forearm_roll.pA += i.X.transposed_times(handed.force);
 }
 
 void accelerate_wrist_pitch(Workspace& w) {
   auto& i = w.j_wrist_pitch;
-  Columns6 a = i.X * w.j_forearm_roll.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 5, 5, qdd);
+  i.a = i.X * w.j_forearm_roll.a;
+  store_acceleration(w, 5, 5, accelerate(i.body, i.a));
 }
 
-// =================================================================================================
-// Joint 6 "flange_roll": revolute, between links "wrist" and "hand"
-// =================================================================================================
+// ---- joint 6 "flange_roll": revolute, between links "wrist" and "hand"
 
 void kinematics_flange_roll(Workspace& w) {
   auto& i = w.j_flange_roll;
   require_finite(w, w.q + 6, 1, 6);
   require_finite(w, w.v + 6, 1, 6);
-  const Real q = Real(w.q[6]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[6]), c = std::cos(q), s = std::sin(q);
   i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
       -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
       0.0, -0.9999999999932537, -3.673205103346574e-06;
@@ -466,25 +319,18 @@ void articulate_flange_roll(Workspace& w) {
   auto& i = w.j_flange_roll;
   load_torque(w, 6, 6, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 6);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 6);
-  add_in_parent(i.X, handed, w.j_wrist_pitch.IA);
-  w.j_wrist_pitch.pA += i.X.transposed_times(force);
+  const Handed handed = hand_on(w, 6, i.body, 1, i.IA, i.pA);
+  add_in_parent(i.X, handed.inertia, w.j_wrist_pitch.IA);
+  w.j_wrist_pitch.pA += i.X.transposed_times(handed.force);
 }
 
 void accelerate_flange_roll(Workspace& w) {
   auto& i = w.j_flange_roll;
-  Columns6 a = i.X * w.j_wrist_pitch.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 6, 6, qdd);
+  i.a = i.X * w.j_wrist_pitch.a;
+  store_acceleration(w, 6, 6, accelerate(i.body, i.a));
 }
 
-// =================================================================================================
-// Joint 7 "left_finger_slide": prismatic, between links "hand" and "left_finger"
-// =================================================================================================
+// ---- joint 7 "left_finger_slide": prismatic, between links "hand" and "left_finger"
 
 void kinematics_left_finger_slide(Workspace& w) {
   auto& i = w.j_left_finger_slide;
@@ -502,25 +348,18 @@ void articulate_left_finger_slide(Workspace& w) {
   auto& i = w.j_left_finger_slide;
   load_torque(w, 7, 7, i.body.tau);
   i.body.c = velocity_product<Prismatic>(i.v, w.v + 7);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 7);
-  add_in_parent(i.X, handed, w.j_flange_roll.IA);
-  w.j_flange_roll.pA += i.X.transposed_times(force);
+  const Handed handed = hand_on(w, 7, i.body, 1, i.IA, i.pA);
+  add_in_parent(i.X, handed.inertia, w.j_flange_roll.IA);
+  w.j_flange_roll.pA += i.X.transposed_times(handed.force);
 }
 
 void accelerate_left_finger_slide(Workspace& w) {
   auto& i = w.j_left_finger_slide;
-  Columns6 a = i.X * w.j_flange_roll.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 7, 7, qdd);
+  i.a = i.X * w.j_flange_roll.a;
+  store_acceleration(w, 7, 7, accelerate(i.body, i.a));
 }
 
-// =================================================================================================
-// Joint 8 "right_finger_slide": prismatic, between links "hand" and "right_finger"
-// =================================================================================================
+// ---- joint 8 "right_finger_slide": prismatic, between links "hand" and "right_finger"
 
 void kinematics_right_finger_slide(Workspace& w) {
   auto& i = w.j_right_finger_slide;
@@ -538,20 +377,15 @@ void articulate_right_finger_slide(Workspace& w) {
   auto& i = w.j_right_finger_slide;
   load_torque(w, 8, 8, i.body.tau);
   i.body.c = velocity_product<Prismatic>(i.v, w.v + 8);
-  Inertia handed;
-  Columns6 force;
-  if (!articulate(i.body, 1, i.IA, i.pA, handed, force))
-    fail(w, kFactorization, 8);
-  add_in_parent(i.X, handed, w.j_flange_roll.IA);
-  w.j_flange_roll.pA += i.X.transposed_times(force);
+  const Handed handed = hand_on(w, 8, i.body, 1, i.IA, i.pA);
+  add_in_parent(i.X, handed.inertia, w.j_flange_roll.IA);
+  w.j_flange_roll.pA += i.X.transposed_times(handed.force);
 }
 
 void accelerate_right_finger_slide(Workspace& w) {
   auto& i = w.j_right_finger_slide;
-  Columns6 a = i.X * w.j_flange_roll.a;
-  const auto qdd = accelerate(i.body, a);
-  i.a = a;
-  store_acceleration(w, 8, 8, qdd);
+  i.a = i.X * w.j_flange_roll.a;
+  store_acceleration(w, 8, 8, accelerate(i.body, i.a));
 }
 
 
@@ -602,6 +436,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(3);
 }
 
+[[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 8, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1}} };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
 
 }  // namespace
@@ -614,21 +449,5 @@ struct arm7_p1_solver : Solver {};
 // Description of this solver for the program around it (adagen_program.cpp), the same for all robots.
 
 #ifndef ADAGEN_NO_MAIN
-#include "adagen/measured_alone.hpp"
-#include "adagen/tell.hpp"
-
-namespace {
-
-constexpr std::array<adagen::Stage, 3> kStages_0{ {
-    {"kinematics", 8, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1},
-} };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 3}} };
-
-adagen::Description<Number> description() {
-  return plain_description("arm7", kStages.data());
-}
-
-}  // namespace
-
-#include "adagen/entry.hpp"
+#include "adagen/program_alone.hpp"
 #endif  // ADAGEN_NO_MAIN

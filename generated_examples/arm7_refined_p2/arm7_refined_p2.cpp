@@ -1,5 +1,4 @@
 // Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
-//
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 2 --schedule=balanced --shape=kernels --refine=1 --name=arm7_refined
 // options   form segment, shape kernels, scalar double, refine 1 (wide residual), channel auto, fixed base, gravity 0.0, 0.0, -9.81
@@ -43,6 +42,7 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
+  static constexpr const char* kRobot = "arm7";
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
   static constexpr int kRefine = 1;
@@ -125,7 +125,6 @@ namespace {
 }  // namespace
 
 #include "adagen/channel.hpp"
-#include "adagen/stamp.hpp"
 
 // ---- 4. kernels ---------------------------------------------------------------------------------
 
@@ -423,6 +422,14 @@ inline Real coupling_torque([[maybe_unused]] const Workspace& w, [[maybe_unused]
 namespace {
 
 
+[[maybe_unused]] constexpr std::array<StageInfo, 7> kStages_0{ {
+    {"kinematics", 4, -1}, {"assembly", 3, -1}, {"receive", -1, 0}, {"assembly", 4, -1},
+    {"disassembly", 4, -1}, {"send", -1, 1}, {"disassembly", 3, -1}
+} };
+[[maybe_unused]] constexpr std::array<StageInfo, 5> kStages_1{ {
+    {"kinematics", 8, -1}, {"assembly", 5, -1}, {"send", -1, 0}, {"receive", -1, 1},
+    {"disassembly", 5, -1}
+} };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{refined, refined};
 
 // What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
@@ -450,22 +457,13 @@ struct arm7_refined_p2_solver : Solver {};
 
 namespace {
 
-constexpr std::array<adagen::Stage, 7> kStages_0{ {
-    {"kinematics", 4, -1}, {"assembly", 3, -1}, {"receive", -1, 0}, {"assembly", 4, -1},
-    {"disassembly", 4, -1}, {"send", -1, 1}, {"disassembly", 3, -1},
-} };
-constexpr std::array<adagen::Stage, 5> kStages_1{ {
-    {"kinematics", 8, -1}, {"assembly", 5, -1}, {"send", -1, 0}, {"receive", -1, 1},
-    {"disassembly", 5, -1},
-} };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 7}, {kStages_1.data(), 5}} };
-
 // From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
 adagen::Description<Number> description() {
-  auto about = plain_description("arm7", kStages.data());
+  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>()} };
+  auto about = plain_description(stages.data());
   about.window_hop = kWindowHop, about.message_hop = kMessageHop;
   return about;
 }

@@ -1,5 +1,4 @@
 // Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
-//
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --mimic --procs 2 --form=ada --name=arm7_slaved
 // options   form ada, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
@@ -39,6 +38,7 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
+  static constexpr const char* kRobot = "arm7";
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
   static constexpr int kColumns = 2;
@@ -126,14 +126,12 @@ namespace {
 }  // namespace
 
 #include "adagen/channel.hpp"
-#include "adagen/stamp.hpp"
 
 // ---- 4. joints ----------------------------------------------------------------------------------
 
-namespace {
+#include "adagen/joints_memory.hpp"
 
-// Memory of a process, joint by joint.
-struct Workspace;
+namespace {
 
 struct Joint_base_yaw {
   Transform X;  // parent link's to child link's frame
@@ -239,31 +237,21 @@ struct Joint_right_finger_slide {
   std::array<std::array<Real, kColumns>, kFree<Prismatic>> qdd;
 };
 
-struct Workspace {
-  const Number* q = nullptr;
-  const Number* v = nullptr;
-  const Number* tau = nullptr;
-  Number* qdd = nullptr;
-  int status = kFine;
-  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
+struct Workspace : JointsMemory {
   std::array<Real, kColumns - 1> coupling{};  // coupling torques of slaved joints
-  Columns6 ground;  // its acceleration
-  Joint_base_yaw j_base_yaw;
-  Joint_shoulder_pitch j_shoulder_pitch;
-  Joint_upper_arm_roll j_upper_arm_roll;
-  Joint_elbow_pitch j_elbow_pitch;
-  Joint_forearm_roll j_forearm_roll;
-  Joint_wrist_pitch j_wrist_pitch;
-  Joint_flange_roll j_flange_roll;
-  Joint_left_finger_slide j_left_finger_slide;
-  Joint_right_finger_slide j_right_finger_slide;
-
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+  Joint_base_yaw j_base_yaw;  // and of link "turret"
+  Joint_shoulder_pitch j_shoulder_pitch;  // and of link "upper_arm"
+  Joint_upper_arm_roll j_upper_arm_roll;  // and of link "elbow_housing"
+  Joint_elbow_pitch j_elbow_pitch;  // and of link "forearm"
+  Joint_forearm_roll j_forearm_roll;  // and of link "wrist_housing"
+  Joint_wrist_pitch j_wrist_pitch;  // and of link "wrist"
+  Joint_flange_roll j_flange_roll;  // and of link "hand"
+  Joint_left_finger_slide j_left_finger_slide;  // and of link "left_finger"
+  Joint_right_finger_slide j_right_finger_slide;  // and of link "right_finger"
 };
 
 }  // namespace
 
-#include "adagen/gravity.hpp"
 #include "adagen/memory.hpp"
 #include "adagen/coupling.hpp"
 #include "adagen/exchange.hpp"
@@ -280,16 +268,13 @@ const Mat6 kPhi_hand = symmetric({300.9051975855012, 0.0, -47.81116318204386, 0.
 const Mat6 kPhi_left_finger = symmetric({300000.3000003, 0.0, 0.0, 0.0, 3000.003000003, 0.0, 59999.880000239995, 0.0, -599.9988000024, 0.0, 1799.9964000071998, 59999.880000239995, 0.0, -1799.9964000071998, 0.0, 25.999988000024, 0.0, -17.999964000071998, 103.99992200024599, 0.0, 73.999892000216});
 const Mat6 kPhi_right_finger = symmetric({300000.3000003, 0.0, 0.0, 0.0, 3000.003000003, 0.0, 59999.880000239995, 0.0, -599.9988000024, 0.0, 1799.9964000071998, 59999.880000239995, 0.0, -1799.9964000071998, 0.0, 25.999988000024, 0.0, -17.999964000071998, 103.99992200024599, 0.0, 73.999892000216});
 
-// =================================================================================================
-// Joint 0 "base_yaw": revolute, between links "pedestal" and "turret"
-// =================================================================================================
+// ---- joint 0 "base_yaw": revolute, between links "pedestal" and "turret"
 
 void kinematics_base_yaw(Workspace& w) {
   auto& i = w.j_base_yaw;
   require_finite(w, w.q + 0, 1, 0);
   require_finite(w, w.v + 0, 1, 0);
-  const Real q = Real(w.q[0]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[0]), c = std::cos(q), s = std::sin(q);
   i.X.E << c, s, 0.0,  //
       -s, c, 0.0,  //
       0.0, 0.0, 1.0;
@@ -320,16 +305,13 @@ void disassemble_base_yaw(Workspace& w) {
   i.qdd = release.qdd();  // Eq. (9)
 }
 
-// =================================================================================================
-// Joint 1 "shoulder_pitch": revolute, between links "turret" and "upper_arm"
-// =================================================================================================
+// ---- joint 1 "shoulder_pitch": revolute, between links "turret" and "upper_arm"
 
 void kinematics_shoulder_pitch(Workspace& w) {
   auto& i = w.j_shoulder_pitch;
   require_finite(w, w.q + 1, 1, 1);
   require_finite(w, w.v + 1, 1, 1);
-  const Real q = Real(w.q[1]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[1]), c = std::cos(q), s = std::sin(q);
   i.X.E << c, -3.673205103346574e-06 * s, -0.9999999999932537 * s,  //
       -s, -3.673205103346574e-06 * c, -0.9999999999932537 * c,  //
       0.0, 0.9999999999932537, -3.673205103346574e-06;
@@ -363,16 +345,13 @@ void disassemble_shoulder_pitch(Workspace& w) {
   w.j_base_yaw.F_on_turret = -i.X.transposed_times(f);
 }
 
-// =================================================================================================
-// Joint 2 "upper_arm_roll": revolute, between links "upper_arm" and "elbow_housing"
-// =================================================================================================
+// ---- joint 2 "upper_arm_roll": revolute, between links "upper_arm" and "elbow_housing"
 
 void kinematics_upper_arm_roll(Workspace& w) {
   auto& i = w.j_upper_arm_roll;
   require_finite(w, w.q + 2, 1, 2);
   require_finite(w, w.v + 2, 1, 2);
-  const Real q = Real(w.q[2]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[2]), c = std::cos(q), s = std::sin(q);
   i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
       -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
       0.0, -0.9999999999932537, -3.673205103346574e-06;
@@ -406,16 +385,13 @@ void disassemble_upper_arm_roll(Workspace& w) {
   w.j_shoulder_pitch.F_on_upper_arm = -i.X.transposed_times(f);
 }
 
-// =================================================================================================
-// Joint 3 "elbow_pitch": revolute, between links "elbow_housing" and "forearm"
-// =================================================================================================
+// ---- joint 3 "elbow_pitch": revolute, between links "elbow_housing" and "forearm"
 
 void kinematics_elbow_pitch(Workspace& w) {
   auto& i = w.j_elbow_pitch;
   require_finite(w, w.q + 3, 1, 3);
   require_finite(w, w.v + 3, 1, 3);
-  const Real q = Real(w.q[3]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[3]), c = std::cos(q), s = std::sin(q);
   i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
       -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
       0.0, -0.9999999999932537, -3.673205103346574e-06;
@@ -449,16 +425,13 @@ void disassemble_elbow_pitch(Workspace& w) {
   w.j_upper_arm_roll.F_on_elbow_housing = -i.X.transposed_times(f);
 }
 
-// =================================================================================================
-// Joint 4 "forearm_roll": revolute, between links "forearm" and "wrist_housing"
-// =================================================================================================
+// ---- joint 4 "forearm_roll": revolute, between links "forearm" and "wrist_housing"
 
 void kinematics_forearm_roll(Workspace& w) {
   auto& i = w.j_forearm_roll;
   require_finite(w, w.q + 4, 1, 4);
   require_finite(w, w.v + 4, 1, 4);
-  const Real q = Real(w.q[4]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[4]), c = std::cos(q), s = std::sin(q);
   i.X.E << c, -3.673205103346574e-06 * s, -0.9999999999932537 * s,  //
       -s, -3.673205103346574e-06 * c, -0.9999999999932537 * c,  //
       0.0, 0.9999999999932537, -3.673205103346574e-06;
@@ -492,16 +465,13 @@ void disassemble_forearm_roll(Workspace& w) {
   w.j_elbow_pitch.F_on_forearm = -i.X.transposed_times(f);
 }
 
-// =================================================================================================
-// Joint 5 "wrist_pitch": revolute, between links "wrist_housing" and "wrist"
-// =================================================================================================
+// ---- joint 5 "wrist_pitch": revolute, between links "wrist_housing" and "wrist"
 
 void kinematics_wrist_pitch(Workspace& w) {
   auto& i = w.j_wrist_pitch;
   require_finite(w, w.q + 5, 1, 5);
   require_finite(w, w.v + 5, 1, 5);
-  const Real q = Real(w.q[5]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[5]), c = std::cos(q), s = std::sin(q);
   i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
       -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
       0.0, -0.9999999999932537, -3.673205103346574e-06;
@@ -532,16 +502,13 @@ void disassemble_wrist_pitch(Workspace& w) {
   w.j_flange_roll.F_on_wrist = f;
 }
 
-// =================================================================================================
-// Joint 6 "flange_roll": revolute, between links "wrist" and "hand"
-// =================================================================================================
+// ---- joint 6 "flange_roll": revolute, between links "wrist" and "hand"
 
 void kinematics_flange_roll(Workspace& w) {
   auto& i = w.j_flange_roll;
   require_finite(w, w.q + 6, 1, 6);
   require_finite(w, w.v + 6, 1, 6);
-  const Real q = Real(w.q[6]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[6]), c = std::cos(q), s = std::sin(q);
   i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
       -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
       0.0, -0.9999999999932537, -3.673205103346574e-06;
@@ -575,9 +542,7 @@ void disassemble_flange_roll(Workspace& w) {
   w.j_left_finger_slide.F_on_hand = f;
 }
 
-// =================================================================================================
-// Joint 7 "left_finger_slide": prismatic, between links "hand" and "left_finger"
-// =================================================================================================
+// ---- joint 7 "left_finger_slide": prismatic, between links "hand" and "left_finger"
 
 void kinematics_left_finger_slide(Workspace& w) {
   auto& i = w.j_left_finger_slide;
@@ -618,9 +583,7 @@ void disassemble_left_finger_slide(Workspace& w) {
   w.j_right_finger_slide.F_on_hand = w.j_left_finger_slide.F_on_hand - i.X.transposed_times(f);
 }
 
-// =================================================================================================
-// Joint 8 "right_finger_slide": prismatic, between links "hand" and "right_finger"
-// =================================================================================================
+// ---- joint 8 "right_finger_slide": prismatic, between links "hand" and "right_finger"
 
 void kinematics_right_finger_slide(Workspace& w) {
   auto& i = w.j_right_finger_slide;
@@ -792,6 +755,15 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(8);
 }
 
+[[maybe_unused]] constexpr std::array<StageInfo, 11> kStages_0{ {
+    {"kinematics", 5, -1}, {"assembly", 4, -1}, {"receive", -1, 0}, {"assembly", 5, -1},
+    {"disassembly", 5, -1}, {"send", -1, 1}, {"disassembly", 4, -1}, {"receive", -1, 2},
+    {"slaved", -1, -1}, {"send", -1, 3}, {"slaved", -1, -1}
+} };
+[[maybe_unused]] constexpr std::array<StageInfo, 8> kStages_1{ {
+    {"kinematics", 8, -1}, {"assembly", 6, -1}, {"send", -1, 0}, {"receive", -1, 1},
+    {"disassembly", 6, -1}, {"send", -1, 2}, {"receive", -1, 3}, {"slaved", -1, -1}
+} };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1};
 
 // What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
@@ -819,23 +791,13 @@ struct arm7_slaved_p2_solver : Solver {};
 
 namespace {
 
-constexpr std::array<adagen::Stage, 11> kStages_0{ {
-    {"kinematics", 5, -1}, {"assembly", 4, -1}, {"receive", -1, 0}, {"assembly", 5, -1},
-    {"disassembly", 5, -1}, {"send", -1, 1}, {"disassembly", 4, -1}, {"receive", -1, 2},
-    {"slaved", -1, -1}, {"send", -1, 3}, {"slaved", -1, -1},
-} };
-constexpr std::array<adagen::Stage, 8> kStages_1{ {
-    {"kinematics", 8, -1}, {"assembly", 6, -1}, {"send", -1, 0}, {"receive", -1, 1},
-    {"disassembly", 6, -1}, {"send", -1, 2}, {"receive", -1, 3}, {"slaved", -1, -1},
-} };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 11}, {kStages_1.data(), 8}} };
-
 // From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
 adagen::Description<Number> description() {
-  auto about = plain_description("arm7", kStages.data());
+  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>()} };
+  auto about = plain_description(stages.data());
   about.window_hop = kWindowHop, about.message_hop = kMessageHop;
   return about;
 }

@@ -1,5 +1,4 @@
 // Forward dynamics of "arm7" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
-//
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 1 --shape=unrolled --name=arm7_unrolled
 // options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
@@ -32,6 +31,7 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
+  static constexpr const char* kRobot = "arm7";
 };
 
 }  // namespace
@@ -92,7 +92,6 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 #include "adagen/kernels/lanes.hpp"
 
 #include "adagen/no_channel.hpp"
-#include "adagen/stamp.hpp"
 
 // ---- 4. joints ----------------------------------------------------------------------------------
 
@@ -988,6 +987,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.qdd[8] = w.lanes[1];
 }
 
+[[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 8, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1}} };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
 
 }  // namespace
@@ -1000,21 +1000,5 @@ struct arm7_unrolled_p1_solver : Solver {};
 // Description of this solver for the program around it (adagen_program.cpp), the same for all robots.
 
 #ifndef ADAGEN_NO_MAIN
-#include "adagen/measured_alone.hpp"
-#include "adagen/tell.hpp"
-
-namespace {
-
-constexpr std::array<adagen::Stage, 3> kStages_0{ {
-    {"kinematics", 8, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1},
-} };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 3}} };
-
-adagen::Description<Number> description() {
-  return plain_description("arm7", kStages.data());
-}
-
-}  // namespace
-
-#include "adagen/entry.hpp"
+#include "adagen/program_alone.hpp"
 #endif  // ADAGEN_NO_MAIN

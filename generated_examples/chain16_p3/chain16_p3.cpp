@@ -1,5 +1,4 @@
 // Forward dynamics of "chain16" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
-//
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // command   adagen ../models/chain16.urdf --procs 3 --schedule=balanced --shape=kernels
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
@@ -43,6 +42,7 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 16, kNq = 16, kNv = 16;
+  static constexpr const char* kRobot = "chain16";
   static constexpr int kProcesses = 3;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 4;
@@ -150,7 +150,6 @@ namespace {
 }  // namespace
 
 #include "adagen/channel.hpp"
-#include "adagen/stamp.hpp"
 
 // ---- 4. kernels ---------------------------------------------------------------------------------
 
@@ -441,6 +440,19 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   give(w, 12, 4);
 }
 
+[[maybe_unused]] constexpr std::array<StageInfo, 7> kStages_0{ {
+    {"kinematics", 7, -1}, {"assembly", 6, -1}, {"receive", -1, 1}, {"assembly", 7, -1},
+    {"disassembly", 7, -1}, {"send", -1, 2}, {"disassembly", 6, -1}
+} };
+[[maybe_unused]] constexpr std::array<StageInfo, 9> kStages_1{ {
+    {"kinematics", 11, -1}, {"assembly", 10, -1}, {"receive", -1, 0}, {"assembly", 11, -1},
+    {"send", -1, 1}, {"receive", -1, 2}, {"disassembly", 11, -1}, {"send", -1, 3},
+    {"disassembly", 10, -1}
+} };
+[[maybe_unused]] constexpr std::array<StageInfo, 5> kStages_2{ {
+    {"kinematics", 15, -1}, {"assembly", 12, -1}, {"send", -1, 0}, {"receive", -1, 3},
+    {"disassembly", 12, -1}
+} };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2};
 
 // What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
@@ -470,27 +482,13 @@ struct chain16_p3_solver : Solver {};
 
 namespace {
 
-constexpr std::array<adagen::Stage, 7> kStages_0{ {
-    {"kinematics", 7, -1}, {"assembly", 6, -1}, {"receive", -1, 1}, {"assembly", 7, -1},
-    {"disassembly", 7, -1}, {"send", -1, 2}, {"disassembly", 6, -1},
-} };
-constexpr std::array<adagen::Stage, 9> kStages_1{ {
-    {"kinematics", 11, -1}, {"assembly", 10, -1}, {"receive", -1, 0}, {"assembly", 11, -1},
-    {"send", -1, 1}, {"receive", -1, 2}, {"disassembly", 11, -1}, {"send", -1, 3},
-    {"disassembly", 10, -1},
-} };
-constexpr std::array<adagen::Stage, 5> kStages_2{ {
-    {"kinematics", 15, -1}, {"assembly", 12, -1}, {"send", -1, 0}, {"receive", -1, 3},
-    {"disassembly", 12, -1},
-} };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 7}, {kStages_1.data(), 9}, {kStages_2.data(), 5}} };
-
 // From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
 adagen::Description<Number> description() {
-  auto about = plain_description("chain16", kStages.data());
+  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>(), table<kStages_2>()} };
+  auto about = plain_description(stages.data());
   about.window_hop = kWindowHop, about.message_hop = kMessageHop;
   return about;
 }

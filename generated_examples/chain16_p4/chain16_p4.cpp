@@ -1,5 +1,4 @@
 // Forward dynamics of "chain16" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
-//
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // command   adagen ../models/chain16.urdf --procs 4 --form=ada --channel=message
 // options   form ada, shape joints, scalar double, channel message, fixed base, gravity 0.0, 0.0, -9.81
@@ -41,6 +40,8 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 16, kNq = 16, kNv = 16;
+  static constexpr const char* kRobot = "chain16";
+  static constexpr const char* kChannel = "message";
   static constexpr int kProcesses = 4;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 6;
@@ -167,14 +168,12 @@ namespace {
 }  // namespace
 
 #include "adagen/channel.hpp"
-#include "adagen/stamp.hpp"
 
 // ---- 4. joints ----------------------------------------------------------------------------------
 
-namespace {
+#include "adagen/joints_memory.hpp"
 
-// Memory of a process, joint by joint.
-struct Workspace;
+namespace {
 
 struct Joint_joint01 {
   Transform X;  // parent link's to child link's frame
@@ -372,37 +371,27 @@ struct Joint_joint16 {
   Columns6 F_on_rod15;  // outer wrench on that chain
 };
 
-struct Workspace {
-  const Number* q = nullptr;
-  const Number* v = nullptr;
-  const Number* tau = nullptr;
-  Number* qdd = nullptr;
-  int status = kFine;
-  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
-  Columns6 ground;  // its acceleration
-  Joint_joint01 j_joint01;
-  Joint_joint02 j_joint02;
-  Joint_joint03 j_joint03;
-  Joint_joint04 j_joint04;
-  Joint_joint05 j_joint05;
-  Joint_joint06 j_joint06;
-  Joint_joint07 j_joint07;
-  Joint_joint08 j_joint08;
-  Joint_joint09 j_joint09;
-  Joint_joint10 j_joint10;
-  Joint_joint11 j_joint11;
-  Joint_joint12 j_joint12;
-  Joint_joint13 j_joint13;
-  Joint_joint14 j_joint14;
-  Joint_joint15 j_joint15;
-  Joint_joint16 j_joint16;
-
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+struct Workspace : JointsMemory {
+  Joint_joint01 j_joint01;  // and of link "rod01"
+  Joint_joint02 j_joint02;  // and of link "rod02"
+  Joint_joint03 j_joint03;  // and of link "rod03"
+  Joint_joint04 j_joint04;  // and of link "rod04"
+  Joint_joint05 j_joint05;  // and of link "rod05"
+  Joint_joint06 j_joint06;  // and of link "rod06"
+  Joint_joint07 j_joint07;  // and of link "rod07"
+  Joint_joint08 j_joint08;  // and of link "rod08"
+  Joint_joint09 j_joint09;  // and of link "rod09"
+  Joint_joint10 j_joint10;  // and of link "rod10"
+  Joint_joint11 j_joint11;  // and of link "rod11"
+  Joint_joint12 j_joint12;  // and of link "rod12"
+  Joint_joint13 j_joint13;  // and of link "rod13"
+  Joint_joint14 j_joint14;  // and of link "rod14"
+  Joint_joint15 j_joint15;  // and of link "rod15"
+  Joint_joint16 j_joint16;  // and of link "rod16"
 };
 
 }  // namespace
 
-#include "adagen/gravity.hpp"
 #include "adagen/memory.hpp"
 #include "adagen/exchange.hpp"
 
@@ -425,16 +414,13 @@ const Mat6 kPhi_rod14 = symmetric({5000.0, 0.0, 0.0, 0.0, 0.0, 0.0, 74.441872064
 const Mat6 kPhi_rod15 = symmetric({74.44187206419866, 0.0, 0.0, 0.0, -14.888374412839735, 0.0, 74.44187206419866, 0.0, 14.888374412839735, 0.0, 0.0, 5000.0, 0.0, 0.0, 0.0, 3.977674882567947, 0.0, 0.0, 3.977674882567947, 0.0, 1.0});
 const Mat6 kPhi_rod16 = symmetric({74.44187206419866, 0.0, 0.0, 0.0, 0.0, 14.888374412839735, 5000.0, 0.0, 0.0, 0.0, 0.0, 74.44187206419866, -14.888374412839735, 0.0, 0.0, 3.977674882567947, 0.0, 0.0, 1.0, 0.0, 3.977674882567947});
 
-// =================================================================================================
-// Joint 0 "joint01": revolute, between links "ceiling" and "rod01"
-// =================================================================================================
+// ---- joint 0 "joint01": revolute, between links "ceiling" and "rod01"
 
 void kinematics_joint01(Workspace& w) {
   auto& i = w.j_joint01;
   require_finite(w, w.q + 0, 1, 0);
   require_finite(w, w.v + 0, 1, 0);
-  const Real q = Real(w.q[0]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[0]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -465,16 +451,13 @@ void disassemble_joint01(Workspace& w) {
   store_acceleration(w, 0, 0, release.qdd());  // Eq. (9)
 }
 
-// =================================================================================================
-// Joint 1 "joint02": revolute, between links "rod01" and "rod02"
-// =================================================================================================
+// ---- joint 1 "joint02": revolute, between links "rod01" and "rod02"
 
 void kinematics_joint02(Workspace& w) {
   auto& i = w.j_joint02;
   require_finite(w, w.q + 1, 1, 1);
   require_finite(w, w.v + 1, 1, 1);
-  const Real q = Real(w.q[1]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[1]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -508,16 +491,13 @@ void disassemble_joint02(Workspace& w) {
   w.j_joint01.F_on_rod01 = -i.X.transposed_times(f);
 }
 
-// =================================================================================================
-// Joint 2 "joint03": revolute, between links "rod02" and "rod03"
-// =================================================================================================
+// ---- joint 2 "joint03": revolute, between links "rod02" and "rod03"
 
 void kinematics_joint03(Workspace& w) {
   auto& i = w.j_joint03;
   require_finite(w, w.q + 2, 1, 2);
   require_finite(w, w.v + 2, 1, 2);
-  const Real q = Real(w.q[2]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[2]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -551,16 +531,13 @@ void disassemble_joint03(Workspace& w) {
   w.j_joint02.F_on_rod02 = -i.X.transposed_times(f);
 }
 
-// =================================================================================================
-// Joint 3 "joint04": revolute, between links "rod03" and "rod04"
-// =================================================================================================
+// ---- joint 3 "joint04": revolute, between links "rod03" and "rod04"
 
 void kinematics_joint04(Workspace& w) {
   auto& i = w.j_joint04;
   require_finite(w, w.q + 3, 1, 3);
   require_finite(w, w.v + 3, 1, 3);
-  const Real q = Real(w.q[3]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[3]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -594,16 +571,13 @@ void disassemble_joint04(Workspace& w) {
   w.j_joint03.F_on_rod03 = -i.X.transposed_times(f);
 }
 
-// =================================================================================================
-// Joint 4 "joint05": revolute, between links "rod04" and "rod05"
-// =================================================================================================
+// ---- joint 4 "joint05": revolute, between links "rod04" and "rod05"
 
 void kinematics_joint05(Workspace& w) {
   auto& i = w.j_joint05;
   require_finite(w, w.q + 4, 1, 4);
   require_finite(w, w.v + 4, 1, 4);
-  const Real q = Real(w.q[4]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[4]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -637,16 +611,13 @@ void disassemble_joint05(Workspace& w) {
   w.j_joint04.F_on_rod04 = -i.X.transposed_times(f);
 }
 
-// =================================================================================================
-// Joint 5 "joint06": revolute, between links "rod05" and "rod06"
-// =================================================================================================
+// ---- joint 5 "joint06": revolute, between links "rod05" and "rod06"
 
 void kinematics_joint06(Workspace& w) {
   auto& i = w.j_joint06;
   require_finite(w, w.q + 5, 1, 5);
   require_finite(w, w.v + 5, 1, 5);
-  const Real q = Real(w.q[5]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[5]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -681,16 +652,13 @@ void disassemble_joint06(Workspace& w) {
   w.j_joint07.F_on_rod06 = f;
 }
 
-// =================================================================================================
-// Joint 6 "joint07": revolute, between links "rod06" and "rod07"
-// =================================================================================================
+// ---- joint 6 "joint07": revolute, between links "rod06" and "rod07"
 
 void kinematics_joint07(Workspace& w) {
   auto& i = w.j_joint07;
   require_finite(w, w.q + 6, 1, 6);
   require_finite(w, w.v + 6, 1, 6);
-  const Real q = Real(w.q[6]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[6]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -729,16 +697,13 @@ void disassemble_joint07(Workspace& w) {
   w.j_joint08.F_on_rod07 = f;
 }
 
-// =================================================================================================
-// Joint 7 "joint08": revolute, between links "rod07" and "rod08"
-// =================================================================================================
+// ---- joint 7 "joint08": revolute, between links "rod07" and "rod08"
 
 void kinematics_joint08(Workspace& w) {
   auto& i = w.j_joint08;
   require_finite(w, w.q + 7, 1, 7);
   require_finite(w, w.v + 7, 1, 7);
-  const Real q = Real(w.q[7]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[7]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -777,16 +742,13 @@ void disassemble_joint08(Workspace& w) {
   w.j_joint09.F_on_rod08 = f;
 }
 
-// =================================================================================================
-// Joint 8 "joint09": revolute, between links "rod08" and "rod09"
-// =================================================================================================
+// ---- joint 8 "joint09": revolute, between links "rod08" and "rod09"
 
 void kinematics_joint09(Workspace& w) {
   auto& i = w.j_joint09;
   require_finite(w, w.q + 8, 1, 8);
   require_finite(w, w.v + 8, 1, 8);
-  const Real q = Real(w.q[8]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[8]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -824,16 +786,13 @@ void disassemble_joint09(Workspace& w) {
   store_acceleration(w, 8, 8, release.qdd());  // Eq. (9)
 }
 
-// =================================================================================================
-// Joint 9 "joint10": revolute, between links "rod09" and "rod10"
-// =================================================================================================
+// ---- joint 9 "joint10": revolute, between links "rod09" and "rod10"
 
 void kinematics_joint10(Workspace& w) {
   auto& i = w.j_joint10;
   require_finite(w, w.q + 9, 1, 9);
   require_finite(w, w.v + 9, 1, 9);
-  const Real q = Real(w.q[9]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[9]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -864,16 +823,13 @@ void disassemble_joint10(Workspace& w) {
   w.j_joint14.F_on_rod10 = f;
 }
 
-// =================================================================================================
-// Joint 10 "joint11": revolute, between links "rod10" and "rod11"
-// =================================================================================================
+// ---- joint 10 "joint11": revolute, between links "rod10" and "rod11"
 
 void kinematics_joint11(Workspace& w) {
   auto& i = w.j_joint11;
   require_finite(w, w.q + 10, 1, 10);
   require_finite(w, w.v + 10, 1, 10);
-  const Real q = Real(w.q[10]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[10]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -912,16 +868,13 @@ void disassemble_joint11(Workspace& w) {
   w.j_joint12.F_on_rod11 = f;
 }
 
-// =================================================================================================
-// Joint 11 "joint12": revolute, between links "rod11" and "rod12"
-// =================================================================================================
+// ---- joint 11 "joint12": revolute, between links "rod11" and "rod12"
 
 void kinematics_joint12(Workspace& w) {
   auto& i = w.j_joint12;
   require_finite(w, w.q + 11, 1, 11);
   require_finite(w, w.v + 11, 1, 11);
-  const Real q = Real(w.q[11]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[11]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -960,16 +913,13 @@ void disassemble_joint12(Workspace& w) {
   w.j_joint13.F_on_rod12 = f;
 }
 
-// =================================================================================================
-// Joint 12 "joint13": revolute, between links "rod12" and "rod13"
-// =================================================================================================
+// ---- joint 12 "joint13": revolute, between links "rod12" and "rod13"
 
 void kinematics_joint13(Workspace& w) {
   auto& i = w.j_joint13;
   require_finite(w, w.q + 12, 1, 12);
   require_finite(w, w.v + 12, 1, 12);
-  const Real q = Real(w.q[12]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[12]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -1007,16 +957,13 @@ void disassemble_joint13(Workspace& w) {
   store_acceleration(w, 12, 12, release.qdd());  // Eq. (9)
 }
 
-// =================================================================================================
-// Joint 13 "joint14": revolute, between links "rod13" and "rod14"
-// =================================================================================================
+// ---- joint 13 "joint14": revolute, between links "rod13" and "rod14"
 
 void kinematics_joint14(Workspace& w) {
   auto& i = w.j_joint14;
   require_finite(w, w.q + 13, 1, 13);
   require_finite(w, w.v + 13, 1, 13);
-  const Real q = Real(w.q[13]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[13]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -1051,16 +998,13 @@ void disassemble_joint14(Workspace& w) {
   w.j_joint15.F_on_rod14 = f;
 }
 
-// =================================================================================================
-// Joint 14 "joint15": revolute, between links "rod14" and "rod15"
-// =================================================================================================
+// ---- joint 14 "joint15": revolute, between links "rod14" and "rod15"
 
 void kinematics_joint15(Workspace& w) {
   auto& i = w.j_joint15;
   require_finite(w, w.q + 14, 1, 14);
   require_finite(w, w.v + 14, 1, 14);
-  const Real q = Real(w.q[14]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[14]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -1094,16 +1038,13 @@ void disassemble_joint15(Workspace& w) {
   w.j_joint16.F_on_rod15 = f;
 }
 
-// =================================================================================================
-// Joint 15 "joint16": revolute, between links "rod15" and "rod16"
-// =================================================================================================
+// ---- joint 15 "joint16": revolute, between links "rod15" and "rod16"
 
 void kinematics_joint16(Workspace& w) {
   auto& i = w.j_joint16;
   require_finite(w, w.q + 15, 1, 15);
   require_finite(w, w.v + 15, 1, 15);
-  const Real q = Real(w.q[15]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[15]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -1358,6 +1299,24 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(5);
 }
 
+[[maybe_unused]] constexpr std::array<StageInfo, 11> kStages_0{ {
+    {"kinematics", 9, -1}, {"assembly", 4, -1}, {"receive", -1, 0}, {"assembly", 5, -1},
+    {"receive", -1, 2}, {"assembly", 9, -1}, {"disassembly", 9, -1}, {"send", -1, 3},
+    {"disassembly", 5, -1}, {"send", -1, 4}, {"disassembly", 4, -1}
+} };
+[[maybe_unused]] constexpr std::array<StageInfo, 5> kStages_1{ {
+    {"kinematics", 8, -1}, {"assembly", 6, -1}, {"send", -1, 0}, {"receive", -1, 4},
+    {"disassembly", 6, -1}
+} };
+[[maybe_unused]] constexpr std::array<StageInfo, 9> kStages_2{ {
+    {"kinematics", 13, -1}, {"assembly", 10, -1}, {"receive", -1, 1}, {"assembly", 13, -1},
+    {"send", -1, 2}, {"receive", -1, 3}, {"disassembly", 13, -1}, {"send", -1, 5},
+    {"disassembly", 10, -1}
+} };
+[[maybe_unused]] constexpr std::array<StageInfo, 5> kStages_3{ {
+    {"kinematics", 15, -1}, {"assembly", 14, -1}, {"send", -1, 1}, {"receive", -1, 5},
+    {"disassembly", 14, -1}
+} };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2, run_3};
 
 // What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
@@ -1389,33 +1348,13 @@ struct chain16_p4_solver : Solver {};
 
 namespace {
 
-constexpr std::array<adagen::Stage, 11> kStages_0{ {
-    {"kinematics", 9, -1}, {"assembly", 4, -1}, {"receive", -1, 0}, {"assembly", 5, -1},
-    {"receive", -1, 2}, {"assembly", 9, -1}, {"disassembly", 9, -1}, {"send", -1, 3},
-    {"disassembly", 5, -1}, {"send", -1, 4}, {"disassembly", 4, -1},
-} };
-constexpr std::array<adagen::Stage, 5> kStages_1{ {
-    {"kinematics", 8, -1}, {"assembly", 6, -1}, {"send", -1, 0}, {"receive", -1, 4},
-    {"disassembly", 6, -1},
-} };
-constexpr std::array<adagen::Stage, 9> kStages_2{ {
-    {"kinematics", 13, -1}, {"assembly", 10, -1}, {"receive", -1, 1}, {"assembly", 13, -1},
-    {"send", -1, 2}, {"receive", -1, 3}, {"disassembly", 13, -1}, {"send", -1, 5},
-    {"disassembly", 10, -1},
-} };
-constexpr std::array<adagen::Stage, 5> kStages_3{ {
-    {"kinematics", 15, -1}, {"assembly", 14, -1}, {"send", -1, 1}, {"receive", -1, 5},
-    {"disassembly", 14, -1},
-} };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 11}, {kStages_1.data(), 5}, {kStages_2.data(), 9}, {kStages_3.data(), 5}} };
-
 // From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
 adagen::Description<Number> description() {
-  auto about = plain_description("chain16", kStages.data());
-  about.channel = "message";
+  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>(), table<kStages_2>(), table<kStages_3>()} };
+  auto about = plain_description(stages.data());
   about.window_hop = kWindowHop, about.message_hop = kMessageHop;
   return about;
 }

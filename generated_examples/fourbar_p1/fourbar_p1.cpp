@@ -1,5 +1,4 @@
 // Forward dynamics of "fourbar" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
-//
 // robot     "fourbar", 3 joints, 3 degrees of freedom, description sha256 4800d9bbec7e9c8eaf1d028c5dcc2b2c9b4ac7410509da822ae29051a7391834
 // command   adagen ../models/fourbar.urdf --scene=../models/fourbar.toml --procs 1
 // options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
@@ -36,6 +35,7 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 3, kNq = 3, kNv = 3;
+  static constexpr const char* kRobot = "fourbar";
 };
 
 }  // namespace
@@ -76,7 +76,6 @@ constexpr std::array<const char*, 1> kLoopNames{ {
 
 
 #include "adagen/no_channel.hpp"
-#include "adagen/stamp.hpp"
 
 // ---- 4. joints ----------------------------------------------------------------------------------
 
@@ -345,6 +344,7 @@ void recover_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel)
   std::copy_n(w.result.data() + 0, 3, w.qdd + 0);
 }
 
+[[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 2, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1}} };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
 constexpr std::array<void (*)(Workspace&, Channel&), 1> kRecover{recover_0};
 
@@ -363,11 +363,6 @@ struct fourbar_p1_solver : Solver {};
 
 namespace {
 
-constexpr std::array<adagen::Stage, 3> kStages_0{ {
-    {"kinematics", 2, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1},
-} };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 3}} };
-
 // Loop joints, each between a frame on its first link and a frame on its second one, with axis z;
 // then couplings of joint coordinates.
 constexpr Number kLoop_0[]{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.5, 0.0,
@@ -377,7 +372,8 @@ constexpr std::array<adagen::Loop<Number>, 1> kLoops{ {
 } };
 
 adagen::Description<Number> description() {
-  auto about = plain_description("fourbar", kStages.data());
+  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>()} };
+  auto about = plain_description(stages.data());
   about.loops = {kLoops.data(), kLoopCount};
   return about;
 }

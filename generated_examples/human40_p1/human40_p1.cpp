@@ -1,5 +1,4 @@
 // Forward dynamics of "human40" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
-//
 // robot     "human40", 15 joints, 40 degrees of freedom, description sha256 bdc16488e5ef4610f46ad114b2f2b09a8601d7b212cf0d9aa1794a195cd4ce35
 // command   adagen ../models/human40.urdf --procs 1 --shape=joints --form=ada
 // options   form ada, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
@@ -35,6 +34,7 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 15, kNq = 51, kNv = 40;
+  static constexpr const char* kRobot = "human40";
 };
 
 }  // namespace
@@ -134,14 +134,12 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 #include "adagen/joins.hpp"
 
 #include "adagen/no_channel.hpp"
-#include "adagen/stamp.hpp"
 
 // ---- 4. joints ----------------------------------------------------------------------------------
 
-namespace {
+#include "adagen/joints_memory.hpp"
 
-// Memory of a process, joint by joint.
-struct Workspace;
+namespace {
 
 struct Joint_root {
   Transform X;  // parent link's to child link's frame
@@ -304,38 +302,27 @@ struct Joint_right_wrist {
   Columns6 F_on_right_forearm;  // outer wrench on that chain
 };
 
-struct Workspace {
-  const Number* q = nullptr;
-  const Number* v = nullptr;
-  const Number* tau = nullptr;
-  Number* qdd = nullptr;
-  int status = kFine;
-  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
-  Columns6 ground;  // its acceleration
-  Joint_root j_root;
-  Joint_left_hip j_left_hip;
-  Joint_left_knee j_left_knee;
-  Joint_left_ankle j_left_ankle;
-  Joint_right_hip j_right_hip;
-  Joint_right_knee j_right_knee;
-  Joint_right_ankle j_right_ankle;
-  Joint_spine j_spine;
-  Joint_left_shoulder j_left_shoulder;
-  Joint_left_elbow j_left_elbow;
-  Joint_left_wrist j_left_wrist;
-  Joint_neck j_neck;
-  Joint_right_shoulder j_right_shoulder;
-  Joint_right_elbow j_right_elbow;
-  Joint_right_wrist j_right_wrist;
-
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+struct Workspace : JointsMemory {
+  Joint_root j_root;  // and of link "pelvis"
+  Joint_left_hip j_left_hip;  // and of link "left_thigh"
+  Joint_left_knee j_left_knee;  // and of link "left_shank"
+  Joint_left_ankle j_left_ankle;  // and of link "left_foot"
+  Joint_right_hip j_right_hip;  // and of link "right_thigh"
+  Joint_right_knee j_right_knee;  // and of link "right_shank"
+  Joint_right_ankle j_right_ankle;  // and of link "right_foot"
+  Joint_spine j_spine;  // and of link "trunk"
+  Joint_left_shoulder j_left_shoulder;  // and of link "left_upper_arm"
+  Joint_left_elbow j_left_elbow;  // and of link "left_forearm"
+  Joint_left_wrist j_left_wrist;  // and of link "left_hand"
+  Joint_neck j_neck;  // and of link "head"
+  Joint_right_shoulder j_right_shoulder;  // and of link "right_upper_arm"
+  Joint_right_elbow j_right_elbow;  // and of link "right_forearm"
+  Joint_right_wrist j_right_wrist;  // and of link "right_hand"
 };
 
 }  // namespace
 
-#include "adagen/gravity.hpp"
 #include "adagen/memory.hpp"
-#include "adagen/exchange.hpp"
 
 namespace {
 
@@ -355,9 +342,7 @@ const Mat6 kPhi_right_upper_arm = symmetric({74.76523715533226, 0.0, 0.0, 0.0, -
 const Mat6 kPhi_right_forearm = symmetric({1484.2300556586272, 0.0, 0.0, 0.0, 0.0, 0.0, 164.852193523287, 0.0, 0.0, 0.0, -19.78226322279444, 164.852193523287, 0.0, 19.78226322279444, 0.0, 0.9090909090909091, 0.0, 0.0, 3.2829624958262418, 0.0, 3.2829624958262418});
 const Mat6 kPhi_right_hand = symmetric({809.3889113719142, 0.0, 0.0, 0.0, -64.75111290975313, 0.0, 958.7727708533076, 0.0, 76.70182166826461, 0.0, 0.0, 3913.894324853229, 0.0, 0.0, 0.0, 8.51709811441355, 0.0, 0.0, 7.561041413732632, 0.0, 2.380952380952381});
 
-// =================================================================================================
-// Joint 0 "root": floating, between links "world" and "pelvis"
-// =================================================================================================
+// ---- joint 0 "root": floating, between links "world" and "pelvis"
 
 void kinematics_root(Workspace& w) {
   auto& i = w.j_root;
@@ -389,9 +374,7 @@ void disassemble_root(Workspace& w) {
   w.j_left_hip.F_on_pelvis = f;
 }
 
-// =================================================================================================
-// Joint 1 "left_hip": spherical, between links "pelvis" and "left_thigh"
-// =================================================================================================
+// ---- joint 1 "left_hip": spherical, between links "pelvis" and "left_thigh"
 
 void kinematics_left_hip(Workspace& w) {
   auto& i = w.j_left_hip;
@@ -430,16 +413,13 @@ void disassemble_left_hip(Workspace& w) {
   w.j_left_knee.F_on_left_thigh = f;
 }
 
-// =================================================================================================
-// Joint 2 "left_knee": revolute, between links "left_thigh" and "left_shank"
-// =================================================================================================
+// ---- joint 2 "left_knee": revolute, between links "left_thigh" and "left_shank"
 
 void kinematics_left_knee(Workspace& w) {
   auto& i = w.j_left_knee;
   require_finite(w, w.q + 11, 1, 2);
   require_finite(w, w.v + 9, 1, 2);
-  const Real q = Real(w.q[11]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[11]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -473,9 +453,7 @@ void disassemble_left_knee(Workspace& w) {
   w.j_left_ankle.F_on_left_shank = f;
 }
 
-// =================================================================================================
-// Joint 3 "left_ankle": spherical, between links "left_shank" and "left_foot"
-// =================================================================================================
+// ---- joint 3 "left_ankle": spherical, between links "left_shank" and "left_foot"
 
 void kinematics_left_ankle(Workspace& w) {
   auto& i = w.j_left_ankle;
@@ -516,9 +494,7 @@ void disassemble_left_ankle(Workspace& w) {
   store_acceleration(w, 3, 10, release.qdd());  // Eq. (9)
 }
 
-// =================================================================================================
-// Joint 4 "right_hip": spherical, between links "pelvis" and "right_thigh"
-// =================================================================================================
+// ---- joint 4 "right_hip": spherical, between links "pelvis" and "right_thigh"
 
 void kinematics_right_hip(Workspace& w) {
   auto& i = w.j_right_hip;
@@ -557,16 +533,13 @@ void disassemble_right_hip(Workspace& w) {
   w.j_right_knee.F_on_right_thigh = f;
 }
 
-// =================================================================================================
-// Joint 5 "right_knee": revolute, between links "right_thigh" and "right_shank"
-// =================================================================================================
+// ---- joint 5 "right_knee": revolute, between links "right_thigh" and "right_shank"
 
 void kinematics_right_knee(Workspace& w) {
   auto& i = w.j_right_knee;
   require_finite(w, w.q + 20, 1, 5);
   require_finite(w, w.v + 16, 1, 5);
-  const Real q = Real(w.q[20]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[20]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -600,9 +573,7 @@ void disassemble_right_knee(Workspace& w) {
   w.j_right_ankle.F_on_right_shank = f;
 }
 
-// =================================================================================================
-// Joint 6 "right_ankle": spherical, between links "right_shank" and "right_foot"
-// =================================================================================================
+// ---- joint 6 "right_ankle": spherical, between links "right_shank" and "right_foot"
 
 void kinematics_right_ankle(Workspace& w) {
   auto& i = w.j_right_ankle;
@@ -643,9 +614,7 @@ void disassemble_right_ankle(Workspace& w) {
   store_acceleration(w, 6, 17, release.qdd());  // Eq. (9)
 }
 
-// =================================================================================================
-// Joint 7 "spine": spherical, between links "pelvis" and "trunk"
-// =================================================================================================
+// ---- joint 7 "spine": spherical, between links "pelvis" and "trunk"
 
 void kinematics_spine(Workspace& w) {
   auto& i = w.j_spine;
@@ -683,9 +652,7 @@ void disassemble_spine(Workspace& w) {
   w.j_left_shoulder.F_on_trunk = f;
 }
 
-// =================================================================================================
-// Joint 8 "left_shoulder": spherical, between links "trunk" and "left_upper_arm"
-// =================================================================================================
+// ---- joint 8 "left_shoulder": spherical, between links "trunk" and "left_upper_arm"
 
 void kinematics_left_shoulder(Workspace& w) {
   auto& i = w.j_left_shoulder;
@@ -724,16 +691,13 @@ void disassemble_left_shoulder(Workspace& w) {
   w.j_left_elbow.F_on_left_upper_arm = f;
 }
 
-// =================================================================================================
-// Joint 9 "left_elbow": revolute, between links "left_upper_arm" and "left_forearm"
-// =================================================================================================
+// ---- joint 9 "left_elbow": revolute, between links "left_upper_arm" and "left_forearm"
 
 void kinematics_left_elbow(Workspace& w) {
   auto& i = w.j_left_elbow;
   require_finite(w, w.q + 33, 1, 9);
   require_finite(w, w.v + 26, 1, 9);
-  const Real q = Real(w.q[33]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[33]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -767,9 +731,7 @@ void disassemble_left_elbow(Workspace& w) {
   w.j_left_wrist.F_on_left_forearm = f;
 }
 
-// =================================================================================================
-// Joint 10 "left_wrist": spherical, between links "left_forearm" and "left_hand"
-// =================================================================================================
+// ---- joint 10 "left_wrist": spherical, between links "left_forearm" and "left_hand"
 
 void kinematics_left_wrist(Workspace& w) {
   auto& i = w.j_left_wrist;
@@ -810,9 +772,7 @@ void disassemble_left_wrist(Workspace& w) {
   store_acceleration(w, 10, 27, release.qdd());  // Eq. (9)
 }
 
-// =================================================================================================
-// Joint 11 "neck": spherical, between links "trunk" and "head"
-// =================================================================================================
+// ---- joint 11 "neck": spherical, between links "trunk" and "head"
 
 void kinematics_neck(Workspace& w) {
   auto& i = w.j_neck;
@@ -850,9 +810,7 @@ void disassemble_neck(Workspace& w) {
   w.j_right_shoulder.F_on_trunk = w.j_neck.F_on_trunk - i.X.transposed_times(f);
 }
 
-// =================================================================================================
-// Joint 12 "right_shoulder": spherical, between links "trunk" and "right_upper_arm"
-// =================================================================================================
+// ---- joint 12 "right_shoulder": spherical, between links "trunk" and "right_upper_arm"
 
 void kinematics_right_shoulder(Workspace& w) {
   auto& i = w.j_right_shoulder;
@@ -890,16 +848,13 @@ void disassemble_right_shoulder(Workspace& w) {
   w.j_right_elbow.F_on_right_upper_arm = f;
 }
 
-// =================================================================================================
-// Joint 13 "right_elbow": revolute, between links "right_upper_arm" and "right_forearm"
-// =================================================================================================
+// ---- joint 13 "right_elbow": revolute, between links "right_upper_arm" and "right_forearm"
 
 void kinematics_right_elbow(Workspace& w) {
   auto& i = w.j_right_elbow;
   require_finite(w, w.q + 46, 1, 13);
   require_finite(w, w.v + 36, 1, 13);
-  const Real q = Real(w.q[46]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[46]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -933,9 +888,7 @@ void disassemble_right_elbow(Workspace& w) {
   w.j_right_wrist.F_on_right_forearm = f;
 }
 
-// =================================================================================================
-// Joint 14 "right_wrist": spherical, between links "right_forearm" and "right_hand"
-// =================================================================================================
+// ---- joint 14 "right_wrist": spherical, between links "right_forearm" and "right_hand"
 
 void kinematics_right_wrist(Workspace& w) {
   auto& i = w.j_right_wrist;
@@ -1048,6 +1001,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(3);
 }
 
+[[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 14, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1}} };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
 
 }  // namespace
@@ -1060,21 +1014,5 @@ struct human40_p1_solver : Solver {};
 // Description of this solver for the program around it (adagen_program.cpp), the same for all robots.
 
 #ifndef ADAGEN_NO_MAIN
-#include "adagen/measured_alone.hpp"
-#include "adagen/tell.hpp"
-
-namespace {
-
-constexpr std::array<adagen::Stage, 3> kStages_0{ {
-    {"kinematics", 14, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1},
-} };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 3}} };
-
-adagen::Description<Number> description() {
-  return plain_description("human40", kStages.data());
-}
-
-}  // namespace
-
-#include "adagen/entry.hpp"
+#include "adagen/program_alone.hpp"
 #endif  // ADAGEN_NO_MAIN

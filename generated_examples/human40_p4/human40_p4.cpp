@@ -1,5 +1,4 @@
 // Forward dynamics of "human40" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
-//
 // robot     "human40", 15 joints, 40 degrees of freedom, description sha256 bdc16488e5ef4610f46ad114b2f2b09a8601d7b212cf0d9aa1794a195cd4ce35
 // command   adagen ../models/human40.urdf --procs 4 --schedule=balanced --shape=kernels
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
@@ -44,6 +43,7 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 15, kNq = 51, kNv = 40;
+  static constexpr const char* kRobot = "human40";
   static constexpr int kProcesses = 4;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 6;
@@ -151,7 +151,6 @@ namespace {
 }  // namespace
 
 #include "adagen/channel.hpp"
-#include "adagen/stamp.hpp"
 
 // ---- 4. kernels ---------------------------------------------------------------------------------
 
@@ -556,6 +555,24 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   give(w, 26, 4);
 }
 
+[[maybe_unused]] constexpr std::array<StageInfo, 11> kStages_0{ {
+    {"kinematics", 7, -1}, {"assembly", 4, -1}, {"receive", -1, 0}, {"assembly", 1, -1},
+    {"receive", -1, 2}, {"assembly", 7, -1}, {"disassembly", 7, -1}, {"send", -1, 3},
+    {"disassembly", 1, -1}, {"send", -1, 4}, {"disassembly", 4, -1}
+} };
+[[maybe_unused]] constexpr std::array<StageInfo, 5> kStages_1{ {
+    {"kinematics", 3, -1}, {"assembly", 2, -1}, {"send", -1, 0}, {"receive", -1, 4},
+    {"disassembly", 2, -1}
+} };
+[[maybe_unused]] constexpr std::array<StageInfo, 9> kStages_2{ {
+    {"kinematics", 14, -1}, {"assembly", 11, -1}, {"receive", -1, 1}, {"assembly", 8, -1},
+    {"send", -1, 2}, {"receive", -1, 3}, {"disassembly", 8, -1}, {"send", -1, 5},
+    {"disassembly", 11, -1}
+} };
+[[maybe_unused]] constexpr std::array<StageInfo, 5> kStages_3{ {
+    {"kinematics", 10, -1}, {"assembly", 9, -1}, {"send", -1, 1}, {"receive", -1, 5},
+    {"disassembly", 9, -1}
+} };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2, run_3};
 
 // What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
@@ -587,32 +604,13 @@ struct human40_p4_solver : Solver {};
 
 namespace {
 
-constexpr std::array<adagen::Stage, 11> kStages_0{ {
-    {"kinematics", 7, -1}, {"assembly", 4, -1}, {"receive", -1, 0}, {"assembly", 1, -1},
-    {"receive", -1, 2}, {"assembly", 7, -1}, {"disassembly", 7, -1}, {"send", -1, 3},
-    {"disassembly", 1, -1}, {"send", -1, 4}, {"disassembly", 4, -1},
-} };
-constexpr std::array<adagen::Stage, 5> kStages_1{ {
-    {"kinematics", 3, -1}, {"assembly", 2, -1}, {"send", -1, 0}, {"receive", -1, 4},
-    {"disassembly", 2, -1},
-} };
-constexpr std::array<adagen::Stage, 9> kStages_2{ {
-    {"kinematics", 14, -1}, {"assembly", 11, -1}, {"receive", -1, 1}, {"assembly", 8, -1},
-    {"send", -1, 2}, {"receive", -1, 3}, {"disassembly", 8, -1}, {"send", -1, 5},
-    {"disassembly", 11, -1},
-} };
-constexpr std::array<adagen::Stage, 5> kStages_3{ {
-    {"kinematics", 10, -1}, {"assembly", 9, -1}, {"send", -1, 1}, {"receive", -1, 5},
-    {"disassembly", 9, -1},
-} };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 11}, {kStages_1.data(), 5}, {kStages_2.data(), 9}, {kStages_3.data(), 5}} };
-
 // From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
 adagen::Description<Number> description() {
-  auto about = plain_description("human40", kStages.data());
+  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>(), table<kStages_2>(), table<kStages_3>()} };
+  auto about = plain_description(stages.data());
   about.window_hop = kWindowHop, about.message_hop = kMessageHop;
   return about;
 }

@@ -1,5 +1,4 @@
 // Forward dynamics of "humanoid" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
-//
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 2 --shape=kernels --batch --name=humanoid_batch
 // options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
@@ -37,6 +36,8 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 30, kNq = 36, kNv = 35;
+  static constexpr const char* kRobot = "humanoid";
+  static constexpr bool kFloating = true;
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
   static constexpr bool kBatch = true;
@@ -190,7 +191,6 @@ namespace {
 }  // namespace
 
 #include "adagen/channel.hpp"
-#include "adagen/stamp.hpp"
 
 // ---- 4. kernels ---------------------------------------------------------------------------------
 
@@ -310,6 +310,7 @@ void run_0([[maybe_unused]] Workspace& w) {
 }
 
 constexpr std::array kParts{run_0};  // what is done for a group of states, in order
+[[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 29, -1}, {"assembly", 1, -1}, {"disassembly", 1, -1}} };
 
 // What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
 constexpr std::array<Range, 4> kRanges_0{ {{0, 36}, {0, 35}, {0, 35}, {0, 35}} };
@@ -336,21 +337,13 @@ struct humanoid_batch_p2_solver : Solver {};
 
 namespace {
 
-constexpr std::array<adagen::Stage, 3> kStages_0{ {
-    {"kinematics", 29, -1}, {"assembly", 1, -1}, {"disassembly", 1, -1},
-} };
-constexpr std::array<adagen::Stage, 3> kStages_1{ {
-    {"kinematics", 29, -1}, {"assembly", 1, -1}, {"disassembly", 1, -1},
-} };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 3}, {kStages_1.data(), 3}} };
-
 // From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
 adagen::Description<Number> description() {
-  auto about = plain_description("humanoid", kStages.data());
-  about.floating = true;
+  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_0>()} };
+  auto about = plain_description(stages.data());
   about.window_hop = kWindowHop, about.message_hop = kMessageHop;
   return about;
 }

@@ -1,5 +1,4 @@
 // Forward dynamics of "humanoid" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
-//
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 1 --shape=kernels
 // options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
@@ -34,6 +33,8 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 30, kNq = 36, kNv = 35;
+  static constexpr const char* kRobot = "humanoid";
+  static constexpr bool kFloating = true;
 };
 
 }  // namespace
@@ -177,7 +178,6 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 #include "adagen/far_angles.hpp"
 
 #include "adagen/no_channel.hpp"
-#include "adagen/stamp.hpp"
 
 // ---- 4. kernels ---------------------------------------------------------------------------------
 
@@ -307,6 +307,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   give(w, 0, 35);
 }
 
+[[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 29, -1}, {"assembly", 1, -1}, {"disassembly", 1, -1}} };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
 
 }  // namespace
@@ -319,23 +320,5 @@ struct humanoid_p1_solver : Solver {};
 // Description of this solver for the program around it (adagen_program.cpp), the same for all robots.
 
 #ifndef ADAGEN_NO_MAIN
-#include "adagen/measured_alone.hpp"
-#include "adagen/tell.hpp"
-
-namespace {
-
-constexpr std::array<adagen::Stage, 3> kStages_0{ {
-    {"kinematics", 29, -1}, {"assembly", 1, -1}, {"disassembly", 1, -1},
-} };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 3}} };
-
-adagen::Description<Number> description() {
-  auto about = plain_description("humanoid", kStages.data());
-  about.floating = true;
-  return about;
-}
-
-}  // namespace
-
-#include "adagen/entry.hpp"
+#include "adagen/program_alone.hpp"
 #endif  // ADAGEN_NO_MAIN

@@ -1,5 +1,4 @@
 // Forward dynamics of "humanoid" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
-//
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 3 --form=ada
 // options   form ada, shape joints, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
@@ -40,6 +39,8 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 30, kNq = 36, kNv = 35;
+  static constexpr const char* kRobot = "humanoid";
+  static constexpr bool kFloating = true;
   static constexpr int kProcesses = 3;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 4;
@@ -232,14 +233,12 @@ namespace {
 }  // namespace
 
 #include "adagen/channel.hpp"
-#include "adagen/stamp.hpp"
 
 // ---- 4. joints ----------------------------------------------------------------------------------
 
-namespace {
+#include "adagen/joints_memory.hpp"
 
-// Memory of a process, joint by joint.
-struct Workspace;
+namespace {
 
 struct Joint_base {
   Transform X;  // parent link's to child link's frame
@@ -567,51 +566,41 @@ struct Joint_right_wrist_pitch {
   Columns6 F_on_right_wrist;  // outer wrench on that chain
 };
 
-struct Workspace {
-  const Number* q = nullptr;
-  const Number* v = nullptr;
-  const Number* tau = nullptr;
-  Number* qdd = nullptr;
-  int status = kFine;
-  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
-  Columns6 ground;  // its acceleration
-  Joint_base j_base;
-  Joint_left_hip_pitch j_left_hip_pitch;
-  Joint_left_hip_roll j_left_hip_roll;
-  Joint_left_hip_yaw j_left_hip_yaw;
-  Joint_left_knee j_left_knee;
-  Joint_left_ankle_pitch j_left_ankle_pitch;
-  Joint_left_ankle_roll j_left_ankle_roll;
-  Joint_right_hip_pitch j_right_hip_pitch;
-  Joint_right_hip_roll j_right_hip_roll;
-  Joint_right_hip_yaw j_right_hip_yaw;
-  Joint_right_knee j_right_knee;
-  Joint_right_ankle_pitch j_right_ankle_pitch;
-  Joint_right_ankle_roll j_right_ankle_roll;
-  Joint_waist_yaw j_waist_yaw;
-  Joint_waist_roll j_waist_roll;
-  Joint_waist_pitch j_waist_pitch;
-  Joint_left_shoulder_pitch j_left_shoulder_pitch;
-  Joint_left_shoulder_roll j_left_shoulder_roll;
-  Joint_left_shoulder_yaw j_left_shoulder_yaw;
-  Joint_left_elbow j_left_elbow;
-  Joint_left_wrist_roll j_left_wrist_roll;
-  Joint_left_wrist_pitch j_left_wrist_pitch;
-  Joint_neck_yaw j_neck_yaw;
-  Joint_neck_pitch j_neck_pitch;
-  Joint_right_shoulder_pitch j_right_shoulder_pitch;
-  Joint_right_shoulder_roll j_right_shoulder_roll;
-  Joint_right_shoulder_yaw j_right_shoulder_yaw;
-  Joint_right_elbow j_right_elbow;
-  Joint_right_wrist_roll j_right_wrist_roll;
-  Joint_right_wrist_pitch j_right_wrist_pitch;
-
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+struct Workspace : JointsMemory {
+  Joint_base j_base;  // and of link "pelvis"
+  Joint_left_hip_pitch j_left_hip_pitch;  // and of link "left_hip"
+  Joint_left_hip_roll j_left_hip_roll;  // and of link "left_groin"
+  Joint_left_hip_yaw j_left_hip_yaw;  // and of link "left_thigh"
+  Joint_left_knee j_left_knee;  // and of link "left_shank"
+  Joint_left_ankle_pitch j_left_ankle_pitch;  // and of link "left_ankle"
+  Joint_left_ankle_roll j_left_ankle_roll;  // and of link "left_foot"
+  Joint_right_hip_pitch j_right_hip_pitch;  // and of link "right_hip"
+  Joint_right_hip_roll j_right_hip_roll;  // and of link "right_groin"
+  Joint_right_hip_yaw j_right_hip_yaw;  // and of link "right_thigh"
+  Joint_right_knee j_right_knee;  // and of link "right_shank"
+  Joint_right_ankle_pitch j_right_ankle_pitch;  // and of link "right_ankle"
+  Joint_right_ankle_roll j_right_ankle_roll;  // and of link "right_foot"
+  Joint_waist_yaw j_waist_yaw;  // and of link "waist_link"
+  Joint_waist_roll j_waist_roll;  // and of link "abdomen"
+  Joint_waist_pitch j_waist_pitch;  // and of link "torso"
+  Joint_left_shoulder_pitch j_left_shoulder_pitch;  // and of link "left_shoulder"
+  Joint_left_shoulder_roll j_left_shoulder_roll;  // and of link "left_shoulder_cap"
+  Joint_left_shoulder_yaw j_left_shoulder_yaw;  // and of link "left_upper_arm"
+  Joint_left_elbow j_left_elbow;  // and of link "left_forearm"
+  Joint_left_wrist_roll j_left_wrist_roll;  // and of link "left_wrist"
+  Joint_left_wrist_pitch j_left_wrist_pitch;  // and of link "left_hand"
+  Joint_neck_yaw j_neck_yaw;  // and of link "neck"
+  Joint_neck_pitch j_neck_pitch;  // and of link "head"
+  Joint_right_shoulder_pitch j_right_shoulder_pitch;  // and of link "right_shoulder"
+  Joint_right_shoulder_roll j_right_shoulder_roll;  // and of link "right_shoulder_cap"
+  Joint_right_shoulder_yaw j_right_shoulder_yaw;  // and of link "right_upper_arm"
+  Joint_right_elbow j_right_elbow;  // and of link "right_forearm"
+  Joint_right_wrist_roll j_right_wrist_roll;  // and of link "right_wrist"
+  Joint_right_wrist_pitch j_right_wrist_pitch;  // and of link "right_hand"
 };
 
 }  // namespace
 
-#include "adagen/gravity.hpp"
 #include "adagen/memory.hpp"
 #include "adagen/exchange.hpp"
 
@@ -648,9 +637,7 @@ const Mat6 kPhi_right_forearm = symmetric({2332.3615160349855, 0.0, 0.0, 0.0, 0.
 const Mat6 kPhi_right_wrist = symmetric({11538.457100593423, 0.0, 0.0, 0.0, -115.38457100593423, 0.0, 11538.457100593423, 0.0, 115.38457100593423, 0.0, 0.0, 11111.111111111111, 0.0, 0.0, 0.0, 6.1538457100593424, 0.0, 0.0, 6.1538457100593424, 0.0, 5.0});
 const Mat6 kPhi_right_hand = symmetric({3370.7827294576073, 0.0, 0.0, 0.0, 0.0, 0.0, 1442.3083857251854, 0.0, 0.0, 0.0, -86.53850314351112, 1775.1489793780945, 0.0, 106.50893876268566, 0.0, 2.5, 0.0, 0.0, 8.89053632576114, 0.0, 7.6923101886106675});
 
-// =================================================================================================
-// Joint 0 "__base__": floating, between links "__world__" and "pelvis"
-// =================================================================================================
+// ---- joint 0 "__base__": floating, between links "__world__" and "pelvis"
 
 void kinematics_base(Workspace& w) {
   auto& i = w.j_base;
@@ -686,16 +673,13 @@ void disassemble_base(Workspace& w) {
   w.j_left_hip_pitch.F_on_pelvis = w.j_base.F_on_pelvis + f;
 }
 
-// =================================================================================================
-// Joint 1 "left_hip_pitch": revolute, between links "pelvis" and "left_hip"
-// =================================================================================================
+// ---- joint 1 "left_hip_pitch": revolute, between links "pelvis" and "left_hip"
 
 void kinematics_left_hip_pitch(Workspace& w) {
   auto& i = w.j_left_hip_pitch;
   require_finite(w, w.q + 7, 1, 1);
   require_finite(w, w.v + 6, 1, 1);
-  const Real q = Real(w.q[7]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[7]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -730,16 +714,13 @@ void disassemble_left_hip_pitch(Workspace& w) {
   w.j_left_hip_roll.F_on_left_hip = f;
 }
 
-// =================================================================================================
-// Joint 2 "left_hip_roll": revolute, between links "left_hip" and "left_groin"
-// =================================================================================================
+// ---- joint 2 "left_hip_roll": revolute, between links "left_hip" and "left_groin"
 
 void kinematics_left_hip_roll(Workspace& w) {
   auto& i = w.j_left_hip_roll;
   require_finite(w, w.q + 8, 1, 2);
   require_finite(w, w.v + 7, 1, 2);
-  const Real q = Real(w.q[8]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[8]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -773,16 +754,13 @@ void disassemble_left_hip_roll(Workspace& w) {
   w.j_left_hip_yaw.F_on_left_groin = f;
 }
 
-// =================================================================================================
-// Joint 3 "left_hip_yaw": revolute, between links "left_groin" and "left_thigh"
-// =================================================================================================
+// ---- joint 3 "left_hip_yaw": revolute, between links "left_groin" and "left_thigh"
 
 void kinematics_left_hip_yaw(Workspace& w) {
   auto& i = w.j_left_hip_yaw;
   require_finite(w, w.q + 9, 1, 3);
   require_finite(w, w.v + 8, 1, 3);
-  const Real q = Real(w.q[9]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[9]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -816,16 +794,13 @@ void disassemble_left_hip_yaw(Workspace& w) {
   w.j_left_knee.F_on_left_thigh = f;
 }
 
-// =================================================================================================
-// Joint 4 "left_knee": revolute, between links "left_thigh" and "left_shank"
-// =================================================================================================
+// ---- joint 4 "left_knee": revolute, between links "left_thigh" and "left_shank"
 
 void kinematics_left_knee(Workspace& w) {
   auto& i = w.j_left_knee;
   require_finite(w, w.q + 10, 1, 4);
   require_finite(w, w.v + 9, 1, 4);
-  const Real q = Real(w.q[10]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[10]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -859,16 +834,13 @@ void disassemble_left_knee(Workspace& w) {
   w.j_left_ankle_pitch.F_on_left_shank = f;
 }
 
-// =================================================================================================
-// Joint 5 "left_ankle_pitch": revolute, between links "left_shank" and "left_ankle"
-// =================================================================================================
+// ---- joint 5 "left_ankle_pitch": revolute, between links "left_shank" and "left_ankle"
 
 void kinematics_left_ankle_pitch(Workspace& w) {
   auto& i = w.j_left_ankle_pitch;
   require_finite(w, w.q + 11, 1, 5);
   require_finite(w, w.v + 10, 1, 5);
-  const Real q = Real(w.q[11]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[11]), c = std::cos(q), s = std::sin(q);
   i.X.E << c, s, 0.0,  //
       -s, c, 0.0,  //
       0.0, 0.0, 1.0;
@@ -902,16 +874,13 @@ void disassemble_left_ankle_pitch(Workspace& w) {
   w.j_left_ankle_roll.F_on_left_ankle = f;
 }
 
-// =================================================================================================
-// Joint 6 "left_ankle_roll": revolute, between links "left_ankle" and "left_foot"
-// =================================================================================================
+// ---- joint 6 "left_ankle_roll": revolute, between links "left_ankle" and "left_foot"
 
 void kinematics_left_ankle_roll(Workspace& w) {
   auto& i = w.j_left_ankle_roll;
   require_finite(w, w.q + 12, 1, 6);
   require_finite(w, w.v + 11, 1, 6);
-  const Real q = Real(w.q[12]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[12]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -944,16 +913,13 @@ void disassemble_left_ankle_roll(Workspace& w) {
   store_acceleration(w, 6, 11, release.qdd());  // Eq. (9)
 }
 
-// =================================================================================================
-// Joint 7 "right_hip_pitch": revolute, between links "pelvis" and "right_hip"
-// =================================================================================================
+// ---- joint 7 "right_hip_pitch": revolute, between links "pelvis" and "right_hip"
 
 void kinematics_right_hip_pitch(Workspace& w) {
   auto& i = w.j_right_hip_pitch;
   require_finite(w, w.q + 13, 1, 7);
   require_finite(w, w.v + 12, 1, 7);
-  const Real q = Real(w.q[13]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[13]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -987,16 +953,13 @@ void disassemble_right_hip_pitch(Workspace& w) {
   w.j_right_hip_roll.F_on_right_hip = f;
 }
 
-// =================================================================================================
-// Joint 8 "right_hip_roll": revolute, between links "right_hip" and "right_groin"
-// =================================================================================================
+// ---- joint 8 "right_hip_roll": revolute, between links "right_hip" and "right_groin"
 
 void kinematics_right_hip_roll(Workspace& w) {
   auto& i = w.j_right_hip_roll;
   require_finite(w, w.q + 14, 1, 8);
   require_finite(w, w.v + 13, 1, 8);
-  const Real q = Real(w.q[14]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[14]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -1030,16 +993,13 @@ void disassemble_right_hip_roll(Workspace& w) {
   w.j_right_hip_yaw.F_on_right_groin = f;
 }
 
-// =================================================================================================
-// Joint 9 "right_hip_yaw": revolute, between links "right_groin" and "right_thigh"
-// =================================================================================================
+// ---- joint 9 "right_hip_yaw": revolute, between links "right_groin" and "right_thigh"
 
 void kinematics_right_hip_yaw(Workspace& w) {
   auto& i = w.j_right_hip_yaw;
   require_finite(w, w.q + 15, 1, 9);
   require_finite(w, w.v + 14, 1, 9);
-  const Real q = Real(w.q[15]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[15]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -1073,16 +1033,13 @@ void disassemble_right_hip_yaw(Workspace& w) {
   w.j_right_knee.F_on_right_thigh = f;
 }
 
-// =================================================================================================
-// Joint 10 "right_knee": revolute, between links "right_thigh" and "right_shank"
-// =================================================================================================
+// ---- joint 10 "right_knee": revolute, between links "right_thigh" and "right_shank"
 
 void kinematics_right_knee(Workspace& w) {
   auto& i = w.j_right_knee;
   require_finite(w, w.q + 16, 1, 10);
   require_finite(w, w.v + 15, 1, 10);
-  const Real q = Real(w.q[16]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[16]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -1116,16 +1073,13 @@ void disassemble_right_knee(Workspace& w) {
   w.j_right_ankle_pitch.F_on_right_shank = f;
 }
 
-// =================================================================================================
-// Joint 11 "right_ankle_pitch": revolute, between links "right_shank" and "right_ankle"
-// =================================================================================================
+// ---- joint 11 "right_ankle_pitch": revolute, between links "right_shank" and "right_ankle"
 
 void kinematics_right_ankle_pitch(Workspace& w) {
   auto& i = w.j_right_ankle_pitch;
   require_finite(w, w.q + 17, 1, 11);
   require_finite(w, w.v + 16, 1, 11);
-  const Real q = Real(w.q[17]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[17]), c = std::cos(q), s = std::sin(q);
   i.X.E << c, s, 0.0,  //
       -s, c, 0.0,  //
       0.0, 0.0, 1.0;
@@ -1159,16 +1113,13 @@ void disassemble_right_ankle_pitch(Workspace& w) {
   w.j_right_ankle_roll.F_on_right_ankle = f;
 }
 
-// =================================================================================================
-// Joint 12 "right_ankle_roll": revolute, between links "right_ankle" and "right_foot"
-// =================================================================================================
+// ---- joint 12 "right_ankle_roll": revolute, between links "right_ankle" and "right_foot"
 
 void kinematics_right_ankle_roll(Workspace& w) {
   auto& i = w.j_right_ankle_roll;
   require_finite(w, w.q + 18, 1, 12);
   require_finite(w, w.v + 17, 1, 12);
-  const Real q = Real(w.q[18]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[18]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -1201,16 +1152,13 @@ void disassemble_right_ankle_roll(Workspace& w) {
   store_acceleration(w, 12, 17, release.qdd());  // Eq. (9)
 }
 
-// =================================================================================================
-// Joint 13 "waist_yaw": revolute, between links "pelvis" and "waist_link"
-// =================================================================================================
+// ---- joint 13 "waist_yaw": revolute, between links "pelvis" and "waist_link"
 
 void kinematics_waist_yaw(Workspace& w) {
   auto& i = w.j_waist_yaw;
   require_finite(w, w.q + 19, 1, 13);
   require_finite(w, w.v + 18, 1, 13);
-  const Real q = Real(w.q[19]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[19]), c = std::cos(q), s = std::sin(q);
   i.X.E << c, s, 0.0,  //
       -s, c, 0.0,  //
       0.0, 0.0, 1.0;
@@ -1241,16 +1189,13 @@ void disassemble_waist_yaw(Workspace& w) {
   w.j_waist_roll.F_on_waist_link = f;
 }
 
-// =================================================================================================
-// Joint 14 "waist_roll": revolute, between links "waist_link" and "abdomen"
-// =================================================================================================
+// ---- joint 14 "waist_roll": revolute, between links "waist_link" and "abdomen"
 
 void kinematics_waist_roll(Workspace& w) {
   auto& i = w.j_waist_roll;
   require_finite(w, w.q + 20, 1, 14);
   require_finite(w, w.v + 19, 1, 14);
-  const Real q = Real(w.q[20]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[20]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -1284,16 +1229,13 @@ void disassemble_waist_roll(Workspace& w) {
   w.j_waist_pitch.F_on_abdomen = f;
 }
 
-// =================================================================================================
-// Joint 15 "waist_pitch": revolute, between links "abdomen" and "torso"
-// =================================================================================================
+// ---- joint 15 "waist_pitch": revolute, between links "abdomen" and "torso"
 
 void kinematics_waist_pitch(Workspace& w) {
   auto& i = w.j_waist_pitch;
   require_finite(w, w.q + 21, 1, 15);
   require_finite(w, w.v + 20, 1, 15);
-  const Real q = Real(w.q[21]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[21]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -1327,16 +1269,13 @@ void disassemble_waist_pitch(Workspace& w) {
   w.j_left_shoulder_pitch.F_on_torso = f;
 }
 
-// =================================================================================================
-// Joint 16 "left_shoulder_pitch": revolute, between links "torso" and "left_shoulder"
-// =================================================================================================
+// ---- joint 16 "left_shoulder_pitch": revolute, between links "torso" and "left_shoulder"
 
 void kinematics_left_shoulder_pitch(Workspace& w) {
   auto& i = w.j_left_shoulder_pitch;
   require_finite(w, w.q + 22, 1, 16);
   require_finite(w, w.v + 21, 1, 16);
-  const Real q = Real(w.q[22]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[22]), c = std::cos(q), s = std::sin(q);
   i.X.E << c, s, 0.0,  //
       -s, c, 0.0,  //
       0.0, 0.0, 1.0;
@@ -1371,16 +1310,13 @@ void disassemble_left_shoulder_pitch(Workspace& w) {
   w.j_left_shoulder_roll.F_on_left_shoulder = f;
 }
 
-// =================================================================================================
-// Joint 17 "left_shoulder_roll": revolute, between links "left_shoulder" and "left_shoulder_cap"
-// =================================================================================================
+// ---- joint 17 "left_shoulder_roll": revolute, between links "left_shoulder" and "left_shoulder_cap"
 
 void kinematics_left_shoulder_roll(Workspace& w) {
   auto& i = w.j_left_shoulder_roll;
   require_finite(w, w.q + 23, 1, 17);
   require_finite(w, w.v + 22, 1, 17);
-  const Real q = Real(w.q[23]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[23]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -1414,16 +1350,13 @@ void disassemble_left_shoulder_roll(Workspace& w) {
   w.j_left_shoulder_yaw.F_on_left_shoulder_cap = f;
 }
 
-// =================================================================================================
-// Joint 18 "left_shoulder_yaw": revolute, between links "left_shoulder_cap" and "left_upper_arm"
-// =================================================================================================
+// ---- joint 18 "left_shoulder_yaw": revolute, between links "left_shoulder_cap" and "left_upper_arm"
 
 void kinematics_left_shoulder_yaw(Workspace& w) {
   auto& i = w.j_left_shoulder_yaw;
   require_finite(w, w.q + 24, 1, 18);
   require_finite(w, w.v + 23, 1, 18);
-  const Real q = Real(w.q[24]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[24]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -1457,16 +1390,13 @@ void disassemble_left_shoulder_yaw(Workspace& w) {
   w.j_left_elbow.F_on_left_upper_arm = f;
 }
 
-// =================================================================================================
-// Joint 19 "left_elbow": revolute, between links "left_upper_arm" and "left_forearm"
-// =================================================================================================
+// ---- joint 19 "left_elbow": revolute, between links "left_upper_arm" and "left_forearm"
 
 void kinematics_left_elbow(Workspace& w) {
   auto& i = w.j_left_elbow;
   require_finite(w, w.q + 25, 1, 19);
   require_finite(w, w.v + 24, 1, 19);
-  const Real q = Real(w.q[25]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[25]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -1500,16 +1430,13 @@ void disassemble_left_elbow(Workspace& w) {
   w.j_left_wrist_roll.F_on_left_forearm = f;
 }
 
-// =================================================================================================
-// Joint 20 "left_wrist_roll": revolute, between links "left_forearm" and "left_wrist"
-// =================================================================================================
+// ---- joint 20 "left_wrist_roll": revolute, between links "left_forearm" and "left_wrist"
 
 void kinematics_left_wrist_roll(Workspace& w) {
   auto& i = w.j_left_wrist_roll;
   require_finite(w, w.q + 26, 1, 20);
   require_finite(w, w.v + 25, 1, 20);
-  const Real q = Real(w.q[26]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[26]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -1543,16 +1470,13 @@ void disassemble_left_wrist_roll(Workspace& w) {
   w.j_left_wrist_pitch.F_on_left_wrist = f;
 }
 
-// =================================================================================================
-// Joint 21 "left_wrist_pitch": revolute, between links "left_wrist" and "left_hand"
-// =================================================================================================
+// ---- joint 21 "left_wrist_pitch": revolute, between links "left_wrist" and "left_hand"
 
 void kinematics_left_wrist_pitch(Workspace& w) {
   auto& i = w.j_left_wrist_pitch;
   require_finite(w, w.q + 27, 1, 21);
   require_finite(w, w.v + 26, 1, 21);
-  const Real q = Real(w.q[27]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[27]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -1585,16 +1509,13 @@ void disassemble_left_wrist_pitch(Workspace& w) {
   store_acceleration(w, 21, 26, release.qdd());  // Eq. (9)
 }
 
-// =================================================================================================
-// Joint 22 "neck_yaw": revolute, between links "torso" and "neck"
-// =================================================================================================
+// ---- joint 22 "neck_yaw": revolute, between links "torso" and "neck"
 
 void kinematics_neck_yaw(Workspace& w) {
   auto& i = w.j_neck_yaw;
   require_finite(w, w.q + 28, 1, 22);
   require_finite(w, w.v + 27, 1, 22);
-  const Real q = Real(w.q[28]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[28]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -1629,16 +1550,13 @@ void disassemble_neck_yaw(Workspace& w) {
   w.j_neck_pitch.F_on_neck = f;
 }
 
-// =================================================================================================
-// Joint 23 "neck_pitch": revolute, between links "neck" and "head"
-// =================================================================================================
+// ---- joint 23 "neck_pitch": revolute, between links "neck" and "head"
 
 void kinematics_neck_pitch(Workspace& w) {
   auto& i = w.j_neck_pitch;
   require_finite(w, w.q + 29, 1, 23);
   require_finite(w, w.v + 28, 1, 23);
-  const Real q = Real(w.q[29]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[29]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -1671,16 +1589,13 @@ void disassemble_neck_pitch(Workspace& w) {
   store_acceleration(w, 23, 28, release.qdd());  // Eq. (9)
 }
 
-// =================================================================================================
-// Joint 24 "right_shoulder_pitch": revolute, between links "torso" and "right_shoulder"
-// =================================================================================================
+// ---- joint 24 "right_shoulder_pitch": revolute, between links "torso" and "right_shoulder"
 
 void kinematics_right_shoulder_pitch(Workspace& w) {
   auto& i = w.j_right_shoulder_pitch;
   require_finite(w, w.q + 30, 1, 24);
   require_finite(w, w.v + 29, 1, 24);
-  const Real q = Real(w.q[30]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[30]), c = std::cos(q), s = std::sin(q);
   i.X.E << c, s, 0.0,  //
       -s, c, 0.0,  //
       0.0, 0.0, 1.0;
@@ -1714,16 +1629,13 @@ void disassemble_right_shoulder_pitch(Workspace& w) {
   w.j_right_shoulder_roll.F_on_right_shoulder = f;
 }
 
-// =================================================================================================
-// Joint 25 "right_shoulder_roll": revolute, between links "right_shoulder" and "right_shoulder_cap"
-// =================================================================================================
+// ---- joint 25 "right_shoulder_roll": revolute, between links "right_shoulder" and "right_shoulder_cap"
 
 void kinematics_right_shoulder_roll(Workspace& w) {
   auto& i = w.j_right_shoulder_roll;
   require_finite(w, w.q + 31, 1, 25);
   require_finite(w, w.v + 30, 1, 25);
-  const Real q = Real(w.q[31]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[31]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -1757,16 +1669,13 @@ void disassemble_right_shoulder_roll(Workspace& w) {
   w.j_right_shoulder_yaw.F_on_right_shoulder_cap = f;
 }
 
-// =================================================================================================
-// Joint 26 "right_shoulder_yaw": revolute, between links "right_shoulder_cap" and "right_upper_arm"
-// =================================================================================================
+// ---- joint 26 "right_shoulder_yaw": revolute, between links "right_shoulder_cap" and "right_upper_arm"
 
 void kinematics_right_shoulder_yaw(Workspace& w) {
   auto& i = w.j_right_shoulder_yaw;
   require_finite(w, w.q + 32, 1, 26);
   require_finite(w, w.v + 31, 1, 26);
-  const Real q = Real(w.q[32]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[32]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -1800,16 +1709,13 @@ void disassemble_right_shoulder_yaw(Workspace& w) {
   w.j_right_elbow.F_on_right_upper_arm = f;
 }
 
-// =================================================================================================
-// Joint 27 "right_elbow": revolute, between links "right_upper_arm" and "right_forearm"
-// =================================================================================================
+// ---- joint 27 "right_elbow": revolute, between links "right_upper_arm" and "right_forearm"
 
 void kinematics_right_elbow(Workspace& w) {
   auto& i = w.j_right_elbow;
   require_finite(w, w.q + 33, 1, 27);
   require_finite(w, w.v + 32, 1, 27);
-  const Real q = Real(w.q[33]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[33]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -1843,16 +1749,13 @@ void disassemble_right_elbow(Workspace& w) {
   w.j_right_wrist_roll.F_on_right_forearm = f;
 }
 
-// =================================================================================================
-// Joint 28 "right_wrist_roll": revolute, between links "right_forearm" and "right_wrist"
-// =================================================================================================
+// ---- joint 28 "right_wrist_roll": revolute, between links "right_forearm" and "right_wrist"
 
 void kinematics_right_wrist_roll(Workspace& w) {
   auto& i = w.j_right_wrist_roll;
   require_finite(w, w.q + 34, 1, 28);
   require_finite(w, w.v + 33, 1, 28);
-  const Real q = Real(w.q[34]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[34]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.0, c, s,  //
       0.0, -s, c,  //
       1.0, 0.0, 0.0;
@@ -1886,16 +1789,13 @@ void disassemble_right_wrist_roll(Workspace& w) {
   w.j_right_wrist_pitch.F_on_right_wrist = f;
 }
 
-// =================================================================================================
-// Joint 29 "right_wrist_pitch": revolute, between links "right_wrist" and "right_hand"
-// =================================================================================================
+// ---- joint 29 "right_wrist_pitch": revolute, between links "right_wrist" and "right_hand"
 
 void kinematics_right_wrist_pitch(Workspace& w) {
   auto& i = w.j_right_wrist_pitch;
   require_finite(w, w.q + 35, 1, 29);
   require_finite(w, w.v + 34, 1, 29);
-  const Real q = Real(w.q[35]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[35]), c = std::cos(q), s = std::sin(q);
   i.X.E << s, 0.0, c,  //
       c, 0.0, -s,  //
       0.0, 1.0, 0.0;
@@ -2137,6 +2037,19 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(5);
 }
 
+[[maybe_unused]] constexpr std::array<StageInfo, 7> kStages_0{ {
+    {"kinematics", 13, -1}, {"assembly", 0, -1}, {"receive", -1, 1}, {"assembly", 13, -1},
+    {"disassembly", 13, -1}, {"send", -1, 2}, {"disassembly", 0, -1}
+} };
+[[maybe_unused]] constexpr std::array<StageInfo, 9> kStages_1{ {
+    {"kinematics", 29, -1}, {"assembly", 22, -1}, {"receive", -1, 0}, {"assembly", 14, -1},
+    {"send", -1, 1}, {"receive", -1, 2}, {"disassembly", 14, -1}, {"send", -1, 3},
+    {"disassembly", 22, -1}
+} };
+[[maybe_unused]] constexpr std::array<StageInfo, 5> kStages_2{ {
+    {"kinematics", 21, -1}, {"assembly", 17, -1}, {"send", -1, 0}, {"receive", -1, 3},
+    {"disassembly", 17, -1}
+} };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2};
 
 // What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
@@ -2166,28 +2079,13 @@ struct humanoid_p3_solver : Solver {};
 
 namespace {
 
-constexpr std::array<adagen::Stage, 7> kStages_0{ {
-    {"kinematics", 13, -1}, {"assembly", 0, -1}, {"receive", -1, 1}, {"assembly", 13, -1},
-    {"disassembly", 13, -1}, {"send", -1, 2}, {"disassembly", 0, -1},
-} };
-constexpr std::array<adagen::Stage, 9> kStages_1{ {
-    {"kinematics", 29, -1}, {"assembly", 22, -1}, {"receive", -1, 0}, {"assembly", 14, -1},
-    {"send", -1, 1}, {"receive", -1, 2}, {"disassembly", 14, -1}, {"send", -1, 3},
-    {"disassembly", 22, -1},
-} };
-constexpr std::array<adagen::Stage, 5> kStages_2{ {
-    {"kinematics", 21, -1}, {"assembly", 17, -1}, {"send", -1, 0}, {"receive", -1, 3},
-    {"disassembly", 17, -1},
-} };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 7}, {kStages_1.data(), 9}, {kStages_2.data(), 5}} };
-
 // From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
 adagen::Description<Number> description() {
-  auto about = plain_description("humanoid", kStages.data());
-  about.floating = true;
+  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>(), table<kStages_2>()} };
+  auto about = plain_description(stages.data());
   about.window_hop = kWindowHop, about.message_hop = kMessageHop;
   return about;
 }

@@ -1,5 +1,4 @@
 // Forward dynamics of "mobile" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
-//
 // robot     "mobile", 6 joints, 13 degrees of freedom, description sha256 421e40d13e3d94e0ea25fa3a829795267d134cdc98cb6abe58b7ec78cf6d9704
 // command   adagen ../models/mobile.urdf --procs 1
 // options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
@@ -32,6 +31,7 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 6, kNq = 14, kNv = 13;
+  static constexpr const char* kRobot = "mobile";
 };
 
 }  // namespace
@@ -78,7 +78,6 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 
 #include "adagen/no_channel.hpp"
-#include "adagen/stamp.hpp"
 
 // ---- 4. joints ----------------------------------------------------------------------------------
 
@@ -642,6 +641,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   std::copy_n(w.result.data() + 0, 13, w.qdd + 0);
 }
 
+[[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 5, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1}} };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
 
 }  // namespace
@@ -654,21 +654,5 @@ struct mobile_p1_solver : Solver {};
 // Description of this solver for the program around it (adagen_program.cpp), the same for all robots.
 
 #ifndef ADAGEN_NO_MAIN
-#include "adagen/measured_alone.hpp"
-#include "adagen/tell.hpp"
-
-namespace {
-
-constexpr std::array<adagen::Stage, 3> kStages_0{ {
-    {"kinematics", 5, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1},
-} };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 3}} };
-
-adagen::Description<Number> description() {
-  return plain_description("mobile", kStages.data());
-}
-
-}  // namespace
-
-#include "adagen/entry.hpp"
+#include "adagen/program_alone.hpp"
 #endif  // ADAGEN_NO_MAIN

@@ -1,5 +1,4 @@
 // Forward dynamics of "mobile" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
-//
 // robot     "mobile", 6 joints, 13 degrees of freedom, description sha256 421e40d13e3d94e0ea25fa3a829795267d134cdc98cb6abe58b7ec78cf6d9704
 // command   adagen ../models/mobile.urdf --procs 3 --form=ada
 // options   form ada, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
@@ -40,6 +39,7 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 6, kNq = 14, kNv = 13;
+  static constexpr const char* kRobot = "mobile";
   static constexpr int kProcesses = 3;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 2;
@@ -110,14 +110,12 @@ namespace {
 }  // namespace
 
 #include "adagen/channel.hpp"
-#include "adagen/stamp.hpp"
 
 // ---- 4. joints ----------------------------------------------------------------------------------
 
-namespace {
+#include "adagen/joints_memory.hpp"
 
-// Memory of a process, joint by joint.
-struct Workspace;
+namespace {
 
 struct Joint_drive {
   Transform X;  // parent link's to child link's frame
@@ -181,27 +179,17 @@ struct Joint_loose {
   Columns6 F_on_bowl;  // outer wrench on that chain
 };
 
-struct Workspace {
-  const Number* q = nullptr;
-  const Number* v = nullptr;
-  const Number* tau = nullptr;
-  Number* qdd = nullptr;
-  int status = kFine;
-  int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
-  Columns6 ground;  // its acceleration
-  Joint_drive j_drive;
-  Joint_laser_spin j_laser_spin;
-  Joint_lift j_lift;
-  Joint_shoulder j_shoulder;
-  Joint_wrist j_wrist;
-  Joint_loose j_loose;
-
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
+struct Workspace : JointsMemory {
+  Joint_drive j_drive;  // and of link "cart"
+  Joint_laser_spin j_laser_spin;  // and of link "laser"
+  Joint_lift j_lift;  // and of link "carriage"
+  Joint_shoulder j_shoulder;  // and of link "boom"
+  Joint_wrist j_wrist;  // and of link "bowl"
+  Joint_loose j_loose;  // and of link "load"
 };
 
 }  // namespace
 
-#include "adagen/gravity.hpp"
 #include "adagen/memory.hpp"
 #include "adagen/exchange.hpp"
 
@@ -214,9 +202,7 @@ const Mat6 kPhi_boom = symmetric({497.5036858379399, 57.60325716354742, 86.14250
 const Mat6 kPhi_bowl = symmetric({474.4958481613286, 0.0, 0.0, 0.0, 47.44958481613286, 0.0, 260.4166666666667, 0.0, -26.041666666666668, 0.0, 0.0, 474.4958481613286, 0.0, 0.0, 0.0, 3.715277777777778, 0.0, 0.0, 5.856069592724397, 0.0, 1.1111111111111112});
 const Mat6 kPhi_load = symmetric({1666.6666666666667, 0.0, 0.0, 0.0, 25.0, 33.333333333333336, 1666.6666666666667, 0.0, -25.0, 0.0, 16.666666666666668, 1666.6666666666667, -33.333333333333336, -16.666666666666668, 0.0, 2.7083333333333335, 0.33333333333333337, -0.25, 2.2083333333333335, 0.5, 2.5});
 
-// =================================================================================================
-// Joint 0 "drive": planar, between links "floor" and "cart"
-// =================================================================================================
+// ---- joint 0 "drive": planar, between links "floor" and "cart"
 
 void kinematics_drive(Workspace& w) {
   auto& i = w.j_drive;
@@ -255,16 +241,13 @@ void disassemble_drive(Workspace& w) {
   w.j_laser_spin.F_on_cart = w.j_drive.F_on_cart + f;
 }
 
-// =================================================================================================
-// Joint 1 "laser_spin": revolute, between links "cart" and "laser"
-// =================================================================================================
+// ---- joint 1 "laser_spin": revolute, between links "cart" and "laser"
 
 void kinematics_laser_spin(Workspace& w) {
   auto& i = w.j_laser_spin;
   require_finite(w, w.q + 3, 1, 1);
   require_finite(w, w.v + 3, 1, 1);
-  const Real q = Real(w.q[3]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[3]), c = std::cos(q), s = std::sin(q);
   i.X.E << c, -s, 0.0,  //
       -s, -c, 0.0,  //
       0.0, 0.0, -1.0;
@@ -297,9 +280,7 @@ void disassemble_laser_spin(Workspace& w) {
   store_acceleration(w, 1, 3, release.qdd());  // Eq. (9)
 }
 
-// =================================================================================================
-// Joint 2 "lift": prismatic, between links "cart" and "carriage"
-// =================================================================================================
+// ---- joint 2 "lift": prismatic, between links "cart" and "carriage"
 
 void kinematics_lift(Workspace& w) {
   auto& i = w.j_lift;
@@ -339,16 +320,13 @@ void disassemble_lift(Workspace& w) {
   w.j_drive.F_on_cart = -i.X.transposed_times(f);
 }
 
-// =================================================================================================
-// Joint 3 "shoulder": revolute, between links "carriage" and "boom"
-// =================================================================================================
+// ---- joint 3 "shoulder": revolute, between links "carriage" and "boom"
 
 void kinematics_shoulder(Workspace& w) {
   auto& i = w.j_shoulder;
   require_finite(w, w.q + 5, 1, 3);
   require_finite(w, w.v + 5, 1, 3);
-  const Real q = Real(w.q[5]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[5]), c = std::cos(q), s = std::sin(q);
   i.X.E << 0.9755826296796196 * c + 0.12208685160190179 * s, -0.12208685160190179 * c - 0.3895657419904911 * s, 0.18257418583505539 * c - 0.9128709291752769 * s,  //
       0.12208685160190179 * c - 0.9755826296796196 * s, -0.3895657419904911 * c + 0.12208685160190179 * s, -0.9128709291752769 * c - 0.18257418583505539 * s,  //
       0.18257418583505539, 0.9128709291752769, -0.36514837167011077;
@@ -379,16 +357,13 @@ void disassemble_shoulder(Workspace& w) {
   w.j_wrist.F_on_boom = f;
 }
 
-// =================================================================================================
-// Joint 4 "wrist": revolute, between links "boom" and "bowl"
-// =================================================================================================
+// ---- joint 4 "wrist": revolute, between links "boom" and "bowl"
 
 void kinematics_wrist(Workspace& w) {
   auto& i = w.j_wrist;
   require_finite(w, w.q + 6, 1, 4);
   require_finite(w, w.v + 6, 1, 4);
-  const Real q = Real(w.q[6]);
-  const Real c = std::cos(q), s = std::sin(q);
+  const Real q = Real(w.q[6]), c = std::cos(q), s = std::sin(q);
   i.X.E << -0.4028214625008311 * c + 0.04136261787763011 * s, -0.4955543024180784 * c - 0.8497464879390758 * s, 0.7695198520529689 * c - 0.5255663993041366 * s,  //
       0.04136261787763011 * c + 0.4028214625008311 * s, -0.8497464879390758 * c + 0.4955543024180784 * s, -0.5255663993041366 * c - 0.7695198520529689 * s,  //
       0.9143434820629502, -0.17988007001927067, 0.3627935462750979;
@@ -422,9 +397,7 @@ void disassemble_wrist(Workspace& w) {
   w.j_loose.F_on_bowl = f;
 }
 
-// =================================================================================================
-// Joint 5 "loose": floating, between links "bowl" and "load"
-// =================================================================================================
+// ---- joint 5 "loose": floating, between links "bowl" and "load"
 
 void kinematics_loose(Workspace& w) {
   auto& i = w.j_loose;
@@ -544,6 +517,14 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
 }
 
+[[maybe_unused]] constexpr std::array<StageInfo, 7> kStages_0{ {
+    {"kinematics", 3, -1}, {"assembly", 2, -1}, {"receive", -1, 0}, {"assembly", 3, -1},
+    {"disassembly", 3, -1}, {"send", -1, 1}, {"disassembly", 2, -1}
+} };
+[[maybe_unused]] constexpr std::array<StageInfo, 5> kStages_1{ {
+    {"kinematics", 5, -1}, {"assembly", 4, -1}, {"send", -1, 0}, {"receive", -1, 1},
+    {"disassembly", 4, -1}
+} };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2};
 
 // What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
@@ -572,22 +553,13 @@ struct mobile_p3_solver : Solver {};
 
 namespace {
 
-constexpr std::array<adagen::Stage, 7> kStages_0{ {
-    {"kinematics", 3, -1}, {"assembly", 2, -1}, {"receive", -1, 0}, {"assembly", 3, -1},
-    {"disassembly", 3, -1}, {"send", -1, 1}, {"disassembly", 2, -1},
-} };
-constexpr std::array<adagen::Stage, 5> kStages_1{ {
-    {"kinematics", 5, -1}, {"assembly", 4, -1}, {"send", -1, 0}, {"receive", -1, 1},
-    {"disassembly", 4, -1},
-} };
-constexpr std::array<adagen::Table<adagen::Stage>, kProcesses> kStages{ {{kStages_0.data(), 7}, {kStages_1.data(), 5}, {nullptr, 0}} };
-
 // From the cost profile default.
 constexpr adagen::Hop kWindowHop{0, 159, 0.437};
 constexpr adagen::Hop kMessageHop{26, 228, 0.644};
 
 adagen::Description<Number> description() {
-  auto about = plain_description("mobile", kStages.data());
+  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>(), {}} };
+  auto about = plain_description(stages.data());
   about.window_hop = kWindowHop, about.message_hop = kMessageHop;
   return about;
 }

@@ -50,20 +50,16 @@ def articulate(words: Words, step: Articulate) -> list[str]:
             f"const Columns6 pA = wrench_in_child(i.X, {force});",
         ]
         inertia, force = "IA", "pA"
-    lines += [
-        "Inertia handed;",
-        "Columns6 force;",
-        f"if (!articulate(i.body, {sigma}, {inertia}, {force}, handed, force))",
-        f"  fail(w, kFactorization, {j});",
-    ]
+    call = f"hand_on(w, {j}, i.body, {sigma}, {inertia}, {force});"
     if near == 0:
-        return lines
+        return [*lines, call]
+    lines.append(f"const Handed handed = {call}")
     if step.reversed:
-        return [*lines, f"{own}.IA += handed;", f"{own}.pA += force;"]
+        return [*lines, f"{own}.IA += handed.inertia;", f"{own}.pA += handed.force;"]
     return [
         *lines,
-        f"add_in_parent(i.X, handed, {own}.IA);",
-        f"{own}.pA += i.X.transposed_times(force);",
+        f"add_in_parent(i.X, handed.inertia, {own}.IA);",
+        f"{own}.pA += i.X.transposed_times(handed.force);",
     ]
 
 
@@ -80,7 +76,7 @@ def propagate(words: Words, step: Propagate) -> list[str]:
     lines.append("carry(i.body, Omega);")
     lines.append(f"{target} = {'congruent_in_parent(i.X, Omega)' if step.reversed else 'Omega'};")
     near = "w.ground" if step.near_bias is None else words.bias(step.near_bias)
-    lines += far_acceleration(step, near, words.bias(step.bias), "")
+    lines += far_acceleration(step, near, words.bias(step.bias))
     for number, spread in enumerate(step.spreads):
         lines += _spread(words, step, spread, f"Psi_{number}")
     return lines
@@ -103,15 +99,12 @@ def _spread(words: Words, step: Propagate, spread: Spread, name: str) -> list[st
     ]
 
 
-def far_acceleration(step: Propagate | Accelerate, near: str, target: str, moved: str) -> list[str]:
-    """The far link's acceleration from the near link's, and sigma qdd where it is asked for."""
-    start = near if step.reversed else f"i.X * {near}"
-    end = "motion_in_parent(i.X, a)" if step.reversed else "a"
-    return [
-        f"Columns6 a = {start};",
-        f"{moved}accelerate(i.body, a);",
-        f"{target} = {end};",
-    ]
+def far_acceleration(step: Propagate | Accelerate, near: str, target: str) -> list[str]:
+    """The far link's acceleration from the near link's."""
+    if step.reversed:
+        moved = "accelerate(i.body, a);"
+        return [f"Columns6 a = {near};", moved, f"{target} = motion_in_parent(i.X, a);"]
+    return [f"{target} = i.X * {near};", f"accelerate(i.body, {target});"]
 
 
 def deliver(words: Words, step: Deliver) -> list[str]:
@@ -136,12 +129,15 @@ def accelerate(words: Words, step: Accelerate) -> list[str]:
     lines = [f"auto& i = {words.memory(step.joint)};"]
     target = f"{of_link(words, step.joint, far)}.a"
     if words.plan.joints[step.joint].prescribed:
-        lines += far_acceleration(step, start, target, "")
+        lines += far_acceleration(step, start, target)
         given = effects.given_acceleration(words, step.joint)
         return [*lines, *given, store(words, step.joint, "qdd")]
-    lines += far_acceleration(step, start, target, "const auto qdd = ")
-    qdd = "negated(qdd)" if step.reversed else "qdd"
-    lines.append(store(words, step.joint, qdd))
+    moved = f"accelerate(i.body, {'a' if step.reversed else target})"
+    if step.reversed:
+        lines += [f"Columns6 a = {start};", store(words, step.joint, f"negated({moved})")]
+        lines.append(f"{target} = motion_in_parent(i.X, a);")
+    else:
+        lines += [f"{target} = i.X * {start};", store(words, step.joint, moved)]
     return [*lines, *_force(words, step, far)] if words.refine else lines
 
 

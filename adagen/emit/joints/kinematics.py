@@ -30,6 +30,8 @@ def configuration(words: Words, j: int) -> list[str]:
     """Return the line that names the joint's configuration q and, for a slaved joint, velocity."""
     joint = words.plan.joints[j]
     if joint.mimic is None:
+        if words.kind(j).name == "revolute":
+            return [f"const Real q = Real(w.q[{joint.q}]), c = std::cos(q), s = std::sin(q);"]
         if words.kind(j).nq == 1:
             return [f"const Real q = Real(w.q[{joint.q}]);"]
         return [f"const Number* const q = w.q + {joint.q};"]
@@ -75,11 +77,9 @@ def _turned(words: Words, j: int) -> list[list[str]]:
 
 
 def _revolute(words: Words, j: int) -> list[str]:
-    return [
-        "const Real c = std::cos(q), s = std::sin(q);",
-        *_matrix(_turned(words, j)),
-        _origin(words, j),
-    ]
+    slaved = ["const Real c = std::cos(q), s = std::sin(q);"]
+    own = [] if words.plan.joints[j].mimic is None else slaved
+    return [*own, *_matrix(_turned(words, j)), _origin(words, j)]
 
 
 def _prismatic(words: Words, j: int) -> list[str]:

@@ -24,6 +24,14 @@ from adagen.plan.steps import (
 )
 
 
+def _of_started_link(words: Words, link: int) -> list[str]:
+    return [
+        f"Inertia IA;  // articulated-body inertia of link {words.quoted_link(link)}",
+        "Columns6 pA;  // and its bias force",
+        "Columns6 a;  // acceleration of the link, relative to free fall",
+    ]
+
+
 class Members:
     """Collects the members of every joint's memory from all processes' steps."""
 
@@ -37,6 +45,8 @@ class Members:
             ]
             for j in range(len(plan.joints))
         ]
+        self.bases = [""] * len(plan.joints)
+        """What a joint's memory is derived from, instead of these members."""
         forces: dict[int, set[Force]] = defaultdict(set)
         for process in plan.processes:
             for step in process.steps:
@@ -45,9 +55,19 @@ class Members:
             for force in sorted(named):
                 member = words.force_member(force)
                 self.lines[joint].append(f"Columns6 {member};  // outer wrench on that chain")
+        for j in range(len(plan.joints)):
+            self._derive(j)
         if plan.right_hand_sides > 1:
             for j, lines in enumerate(self.lines):
                 lines.append(f"{effects.freedoms_type(words, j)} qdd;")
+
+    def _derive(self, j: int) -> None:
+        """Leave to ArticulatedJoint what a joint has whose link starts an articulated body."""
+        lines, body = self.lines[j], effects.body_type(self.words, j)
+        kept = [*lines[:2], *_of_started_link(self.words, j + 1), f"{body} body;"]
+        if all(line in lines for line in kept):
+            self.lines[j] = [line for line in lines if line not in kept]
+            self.bases[j] = f"ArticulatedJoint<{body}>"
 
     def _add(self, step: Step, forces: dict[int, set[Force]]) -> None:
         words = self.words
@@ -65,12 +85,7 @@ class Members:
                 for update in step.updates:
                     forces[update.target.joint].add(update.target)
             case StartLink():
-                name = words.quoted_link(step.link)
-                self.lines[step.link - 1] += [
-                    f"Inertia IA;  // articulated-body inertia of link {name}",
-                    "Columns6 pA;  // and its bias force",
-                    "Columns6 a;  // acceleration of the link, relative to free fall",
-                ]
+                self.lines[step.link - 1] += _of_started_link(words, step.link)
             case Articulate():
                 self.lines[step.joint].append(f"{effects.body_type(words, step.joint)} body;")
             case Load():

@@ -57,7 +57,7 @@ def _function(words: Words, step: Step) -> list[str]:
             lines += _rearticulate(words, step)
         case Propagate():
             near = "w.ground" if step.near_bias is None else words.bias(step.near_bias)
-            lines += far_acceleration(step, near, words.bias(step.bias), "")
+            lines += far_acceleration(step, near, words.bias(step.bias))
     return lines
 
 

@@ -57,7 +57,7 @@ def function_of(words: Words, step: Step) -> str | None:
 def joint_rows(words: Words) -> list[dict[str, object]]:
     """Return a row for each joint: names, memory, functions in the order of their first use."""
     plan = words.plan
-    members = Members(words).lines
+    members = Members(words)
     functions: list[dict[str, dict[str, object]]] = [{} for _ in plan.joints]
     ends = {
         step.joint: step
@@ -85,7 +85,8 @@ def joint_rows(words: Words) -> list[dict[str, object]]:
             "kind": joint.kind,
             "parent_quoted": words.quoted_link(joint.parent),
             "child_quoted": words.quoted_link(j + 1),
-            "members": members[j],
+            "base": members.bases[j],
+            "members": members.lines[j],
             "functions": list(functions[j].values()),
         }
         for j, joint in enumerate(plan.joints)

@@ -19,6 +19,7 @@
 #include "relax.hpp"
 #include "sample/messages.hpp"
 #include "sizes.hpp"
+#include "stamp.hpp"
 #include "status.hpp"
 #include "take.hpp"
 

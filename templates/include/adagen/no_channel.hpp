@@ -6,6 +6,7 @@
 #include "constants.hpp"
 #include "sample/messages.hpp"
 #include "sizes.hpp"
+#include "stamp.hpp"
 #include "status.hpp"
 
 #define ADAGEN_CHANNEL  // there is one

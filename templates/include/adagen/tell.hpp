@@ -30,22 +30,25 @@ adagen::Link<Number> described(const LinkConstants& link) {
 [[maybe_unused]] adagen::Message described(const MessageInfo& message) {
   return {message.source, message.target, message.size};
 }
-
-// All of a table, as long as the program runs.
-template <class Own, std::size_t n>
-auto table(const std::array<Own, n>& all) {
-  using Described = decltype(described(all[0]));
-  static std::array<Described, n> items{};
-  for (std::size_t k = 0; k < n; ++k) items[k] = described(all[k]);
-  return adagen::Table<Described>{items.data(), static_cast<int>(n)};
+[[maybe_unused]] adagen::Stage described(const StageInfo& stage) {
+  return {stage.what, stage.joint, stage.message};
 }
 
-// What a solver's description has from its settings and tables, and otherwise: a robot on a fixed
-// base, in motion, without loops, and a channel chosen when it is opened.
-adagen::Description<Number> plain_description(const char* robot,
-                                              const adagen::Table<adagen::Stage>* stages) {
+// All of a table, as long as the program runs.
+template <const auto& all>
+auto table() {
+  using Described = decltype(described(all[0]));
+  static std::array<Described, all.size()> items{};
+  for (std::size_t k = 0; k < all.size(); ++k) items[k] = described(all[k]);
+  return adagen::Table<Described>{items.data(), static_cast<int>(all.size())};
+}
+
+// What a solver's description has from its settings and tables: all but loops, outputs, outer forces
+// and what messages cost. stages: a table for each process.
+adagen::Description<Number> plain_description(const adagen::Table<adagen::Stage>* stages) {
   adagen::Description<Number> about{};
-  about.robot = robot, about.channel = "auto";
+  about.robot = Settings::kRobot, about.channel = Settings::kChannel;
+  about.floating = Settings::kFloating, about.at_rest = Settings::kAtRest;
 #if defined(ADAGEN_THREADS)
   about.processes = 1, about.threads = kAlone ? 1 : kProcesses;
 #else
@@ -57,7 +60,7 @@ adagen::Description<Number> plain_description(const char* robot,
   about.nq = kNq, about.nv = kNv, about.ntau = kNtau, about.nqdd = kNqdd;
   about.refine = kRefine, about.alone = kAlone, about.batch = kBatch, about.certified = kCertified;
   about.tolerance = kTolerance, about.gravity = kGravity.data();
-  about.joints = table(kJoints), about.links = table(kLinks), about.messages = table(kMessages);
+  about.joints = table<kJoints>(), about.links = table<kLinks>(), about.messages = table<kMessages>();
   about.stages = stages;
   return about;
 }

@@ -15,6 +15,7 @@ constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{};
 constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRecover{};
 constexpr std::array<void (*)(Workspace&), 2> kParts{};
 constexpr std::array<ProcessInfo, kProcesses> kProcess{};
+constexpr std::array<StageInfo, 1> kStages_0{};
 
 }  // namespace
 
