@@ -1,4 +1,4 @@
-"""What the steps of a plan mean: the one place where it is told.
+"""What the steps of a plan mean: the one place where it is defined.
 
 The steps run over expressions (adagen/graph), one graph for each process; whoever wants numbers,
 text or counts takes them from the graphs.

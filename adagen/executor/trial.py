@@ -396,7 +396,7 @@ class _Sweep:
         )
 
     def _outwards(self, j: int, a: Array) -> Array:
-        """An acceleration of the parent's, at the child and as the child's body is told."""
+        """An acceleration of the parent's, at the child and in the axes of the child's body."""
         turn, way = self._between(j)
         turning, sliding = a[:, :3], a[:, 3:] + cross(a[:, :3], way)
         if turn is not None:
