@@ -21,6 +21,9 @@ ifneq ($(origin EIGEN),undefined)
 export EIGEN
 endif
 
+# Tests start hundreds of processes: what Python compiles of adagen is kept for the next one.
+unexport PYTHONDONTWRITEBYTECODE
+
 .DEFAULT_GOAL := help
 .PHONY: help setup demo test test-all lint format golden paper bench charts docs clean
 

@@ -48,13 +48,17 @@ def stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list[
         node = nodes[index]
         here = stretch[node.mark] if stretch else 0
         before = waits = 0
-        for k in node.args:
+        for k in node.args:  # comparisons instead of max: this loop runs for every statement
             operand = nodes[k]
-            before = max(before, operand.ready)
-            if stretch[operand.mark] == here:
-                waits = max(waits, ready[k])
-        ready[index] = waits + max(0, node.ready - before)
-        done[here] = max(done[here], ready[index])
+            if operand.ready > before:
+                before = operand.ready
+            if stretch[operand.mark] == here and ready[k] > waits:
+                waits = ready[k]
+        if node.ready > before:
+            waits += node.ready - before
+        ready[index] = waits
+        if waits > done[here]:
+            done[here] = waits
         if node.op in _COMPUTED:
             counts[here][node.mark] = counts[here].get(node.mark, 0) + 1
     operations = simulated.operations
