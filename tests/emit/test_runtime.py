@@ -107,24 +107,43 @@ def test_joined_sources_hold_each_header_once_and_no_sample() -> None:
     assert joined('#include "mine.hpp"\n') == '#include "mine.hpp"\n'
 
 
-def lines_of(stem: str) -> list[str]:
-    text = (FOLDER / stem / f"{stem}.cpp").read_text()
-    return [line for line in map(str.strip, text.splitlines()) if line]
+def source_of(stem: str) -> list[str]:
+    return (FOLDER / stem / f"{stem}.cpp").read_text().splitlines()
 
 
 @pytest.mark.parametrize(
-    ("stem", "other", "most"),
+    ("stem", "most"),
     [
-        ("arm7_p1", "human40_p1", 1000),
-        ("human40_p1", "arm7_p1", 1600),
-        ("arm7_unrolled_p1", "human40_p1", 1000),
-        ("humanoid_p1", "arm7_p2", 1600),
+        ("arm7_p1", 1000),
+        ("arm7_p2", 1000),
+        ("arm7_unrolled_p1", 1100),  # seven joints and a gripper of two
+        ("human40_p1", 1600),
+        ("humanoid_p1", 1600),
+        ("humanoid_p2", 1600),
     ],
 )
-def test_of_a_source_most_is_the_robot(stem: str, other: str, most: int) -> None:
-    """At least four of five lines are not in a source of another robot."""
-    lines, elsewhere = lines_of(stem), set(lines_of(other))
-    assert len(lines) < most
+def test_a_source_is_not_long(stem: str, most: int) -> None:
+    assert len(source_of(stem)) < most
+
+
+@pytest.mark.parametrize(
+    ("stem", "other"),
+    [
+        ("arm7_p1", "human40_p1"),
+        ("human40_p1", "arm7_p1"),
+        ("arm7_unrolled_p1", "human40_p1"),
+        ("humanoid_p1", "arm7_p2"),
+        ("mobile_p1", "humanoid_p1"),
+    ],
+)
+def test_of_a_source_most_is_the_robot(stem: str, other: str) -> None:
+    """At least four of five lines are not in a source of another robot.
+
+    Not so for loops on two processes of an arm: most of their few lines are alike.
+    """
+    lines, elsewhere = (
+        [line for line in map(str.strip, source_of(name)) if line] for name in (stem, other)
+    )
     assert sum(line not in elsewhere for line in lines) >= 0.8 * len(lines)
 
 
