@@ -21,8 +21,7 @@ template <class Body>
 Handed hand_on(Workspace& w, int joint, Body& body, Real sigma, const Inertia& I,
                const Columns6& p) {
   Handed handed;
-  if (!articulate(body, sigma, I, p, handed.inertia, handed.force))
-    fail(w, kFactorization, joint);
+  if (!articulate(body, sigma, I, p, handed.inertia, handed.force)) fail(w, kFactorization, joint);
   return handed;
 }
 

@@ -43,8 +43,8 @@ auto table() {
   return adagen::Table<Described>{items.data(), static_cast<int>(all.size())};
 }
 
-// What a solver's description has from its settings and tables: all but loops, outputs, outer forces
-// and what messages cost. stages: a table for each process.
+// What a solver's description has from its settings and tables: all but loops, outputs, outer
+// forces and what messages cost. stages: a table for each process.
 adagen::Description<Number> plain_description(const adagen::Table<adagen::Stage>* stages) {
   adagen::Description<Number> about{};
   about.robot = Settings::kRobot, about.channel = Settings::kChannel;
@@ -60,7 +60,8 @@ adagen::Description<Number> plain_description(const adagen::Table<adagen::Stage>
   about.nq = kNq, about.nv = kNv, about.ntau = kNtau, about.nqdd = kNqdd;
   about.refine = kRefine, about.alone = kAlone, about.batch = kBatch, about.certified = kCertified;
   about.tolerance = kTolerance, about.gravity = kGravity.data();
-  about.joints = table<kJoints>(), about.links = table<kLinks>(), about.messages = table<kMessages>();
+  about.joints = table<kJoints>(), about.links = table<kLinks>();
+  about.messages = table<kMessages>();
   about.stages = stages;
   return about;
 }

@@ -92,8 +92,8 @@ inline double share_size(Workspace& w, Channel& channel) {
   return size;
 }
 
-// Corrections of this size need not fall further. Where hardly anything accelerates, the answer is a
-// small difference of what holds it, which sets the size of rounding.
+// Corrections of this size need not fall further. Where hardly anything accelerates, the answer is
+// a small difference of what holds it, which sets the size of rounding.
 constexpr double kSettled = 16 * double(std::numeric_limits<Number>::epsilon());
 
 // A correction must be smaller than the one before (the first, than all that accelerates), down to
