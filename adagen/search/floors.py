@@ -15,7 +15,7 @@ from math import inf
 
 from adagen.plan.carried import may_be_carried
 from adagen.plan.robot import PlanJoint
-from adagen.plan.simd_groups import KINDS, fits_beside, longest_chains
+from adagen.plan.simd_groups import KINDS
 from adagen.program.runs import OF_ONE_FREEDOM, Run
 from adagen.schedule.costs import PRESCRIBED, StepCosts
 from adagen.search.limbs import Limb, Robot
@@ -80,7 +80,7 @@ class Floors:
         self.robot, self.costs, self.whole = robot, costs, whole
         joints = robot.joints
         self.most = {kind: self._most_in_row(kind) for kind in sorted(KINDS)}
-        run_of = {j: run for run in robot.runs for j in _within(run)}
+        in_run = {j for run in robot.runs for j in _within(run)}
         in_columns = {
             j
             for run in robot.runs
@@ -88,7 +88,8 @@ class Floors:
             for j in _within(run)
         }
         long = {j for run in robot.long for j in _within(run)}
-        lengths = [run_of[j].length if j in run_of else 0 for j in range(len(joints))]
+        ways = self._lengths_of_ways()
+        lengths = [ways[j] if j in in_run else 0 for j in range(len(joints))]
         self.pose = [
             self._pose(joint, lengths[j], j in long, "kinematics_segments")
             for j, joint in enumerate(joints)
@@ -98,9 +99,9 @@ class Floors:
             for j, joint in enumerate(joints)
         ]
         self.by_itself = [costs.joint(joint.kind) for joint in joints]
-        self._chains = self._lengths_of_chains()
+        self._chains = ways if self.whole else [len(joints)] * len(joints)
         self._alone = [
-            self._ways(joint, self.pose[j], run_of[j].length if j in run_of else 1, j in in_columns)
+            self._ways(joint, self.pose[j], ways[j] if j in in_run else 1, j in in_columns)
             for j, joint in enumerate(joints)
         ]
         # Swept from the ground a limb's first joint has no link beyond it.
@@ -192,7 +193,7 @@ class Floors:
 
         Args:
             joint: the joint.
-            length: of the longest run that it may be in; 0 for what floats on the ground.
+            length: of the longest run that it may be in, at most; 0 for what floats on the ground.
             in_long: whether that may be passed in segments.
             in_segment: the coefficients of those.
         """
@@ -205,20 +206,19 @@ class Floors:
         segment += costs["kinematics_segments.run"] / length if shared else 0.0
         return min(alone, segment)
 
-    def _lengths_of_chains(self) -> list[int]:
-        """How long the chain is at most in which each joint lies beside others.
+    def _lengths_of_ways(self) -> list[int]:
+        """How many joints there are at most from the ground to an end, through each joint.
 
-        Limbs of a process hold the ends of chains, or what is left of them. Where limbs are whole,
-        chains are those of the robot, unless a core or the way to the ground shortens them.
+        No run or chain of a process is longer. It may be longer than all of the robot's: a process
+        without a hand's other fingers goes from the arm on to its finger.
         """
         joints = self.robot.joints
-        found = [len(joints)] * len(joints)
-        if self.whole:
-            fit = {j: 0 for j, joint in enumerate(joints) if fits_beside(joint)}
-            for chain in longest_chains(joints, fit):
-                for j in chain:
-                    found[j] = len(chain)
-        return found
+        before, beyond = [0] * (len(joints) + 1), [0] * (len(joints) + 1)
+        for j, joint in enumerate(joints):
+            before[j + 1] = before[joint.parent] + 1
+        for j in reversed(range(len(joints))):
+            beyond[joints[j].parent] = max(beyond[joints[j].parent], beyond[j + 1] + 1)
+        return [before[j + 1] + beyond[j + 1] for j in range(len(joints))]
 
     def _ways(
         self, joint: PlanJoint, pose: float, length: int, in_columns: bool
@@ -228,7 +228,7 @@ class Floors:
         Args:
             joint: the joint.
             pose: its kinematics.
-            length: of the longest run that it may be in.
+            length: of the longest run that it may be in, at most.
             in_columns: whether that may be computed by columns.
         """
         costs, kind = self.costs, joint.kind
