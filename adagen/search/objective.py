@@ -214,6 +214,7 @@ def _tried(plan: Plan) -> float:
     for seed in range(1, _TRIALS + 1):
         q = generic_configuration(plan.joints, seed)
         v, tau = (np.sin(step * seed * np.arange(1, count + 1)) for step in (2.3, 3.1))
+        v *= not plan.at_rest
         with suppress(UsageError, FloatingPointError):
             sizes += interpret_refined(plan, q, v, tau, steps=1).corrections
     in_double = EPSILON[plan.scalar] / EPSILON["double"]

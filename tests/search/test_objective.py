@@ -33,7 +33,7 @@ from adagen.states import States, random_states
 from adagen.studies.stability import robots
 from tests.emitted import Builder, plan_of
 from tests.golden.examples import FOLDER
-from tests.models import serial_chain
+from tests.models import serial_chain, star
 from tests.slow import all_but, slow
 
 DEFAULT = load_profile("default")
@@ -153,6 +153,14 @@ def test_a_float_solver_is_predicted_to_lose_as_many_digits_of_fewer() -> None:
     double, single = (predicted_digits("time", model, plan).error for plan in plans)
     assert double < 1e-2
     assert single == 1.0
+
+
+def test_robots_at_rest_keep_their_digits() -> None:
+    """What refines an answer knows that they do not move."""
+    model = replace(star(4, 3), at_rest=True)
+    plan = plan_of(model, 2, meeting="gather")
+    assert sum(bool(process.owns) for process in plan.processes) == 2
+    assert predicted_digits("both", model, plan, "unrolled").error < 1e-13
 
 
 def test_ordinary_robots_are_cut_alike_for_time_and_for_both() -> None:
