@@ -75,7 +75,7 @@ EMITTED = {
 }
 """Options that say how code is emitted: what only schedules does not know them."""
 COMPANIONS = {
-    ("--residual", "own"): {"--refine": "1"},
+    ("--residual", "own"): {"--refine": "1", "--procs": "1"},
     ("--residual", "wide"): {"--refine": "1"},
 }
 """What a value needs beside it."""

@@ -6,12 +6,15 @@ from collections.abc import Iterable, Mapping
 
 Setting = tuple[str, str, object, object]
 """C++ type, name, value, and the value that the runtime has for it."""
+_DESCRIBED = {"kRobot", "kFloating", "kAtRest", "kChannel"}
+"""What only the description for the program around a solver reads; clang would call it unused."""
 
 
 def overridden(settings: Iterable[Setting]) -> list[str]:
     """Return the members of a struct that override those of a plain one, none that are alike."""
     return [
-        f"static constexpr {kind} {name} = {_text(value)};"
+        "[[maybe_unused]] " * (name in _DESCRIBED)
+        + f"static constexpr {kind} {name} = {_text(value)};"
         for kind, name, value, plain in settings
         if value != plain
     ]

@@ -35,7 +35,7 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 8, kNq = 14, kNv = 12;
-  static constexpr const char* kRobot = "ankle";
+  [[maybe_unused]] static constexpr const char* kRobot = "ankle";
 };
 
 }  // namespace

@@ -31,7 +31,7 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
-  static constexpr const char* kRobot = "arm7";
+  [[maybe_unused]] static constexpr const char* kRobot = "arm7";
 };
 
 }  // namespace

@@ -42,7 +42,7 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 16, kNq = 16, kNv = 16;
-  static constexpr const char* kRobot = "chain16";
+  [[maybe_unused]] static constexpr const char* kRobot = "chain16";
   static constexpr int kProcesses = 3;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 4;

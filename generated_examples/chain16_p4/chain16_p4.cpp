@@ -40,8 +40,8 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 16, kNq = 16, kNv = 16;
-  static constexpr const char* kRobot = "chain16";
-  static constexpr const char* kChannel = "message";
+  [[maybe_unused]] static constexpr const char* kRobot = "chain16";
+  [[maybe_unused]] static constexpr const char* kChannel = "message";
   static constexpr int kProcesses = 4;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 6;

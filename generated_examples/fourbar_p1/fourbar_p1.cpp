@@ -35,7 +35,7 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 3, kNq = 3, kNv = 3;
-  static constexpr const char* kRobot = "fourbar";
+  [[maybe_unused]] static constexpr const char* kRobot = "fourbar";
 };
 
 }  // namespace

@@ -34,7 +34,7 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 15, kNq = 51, kNv = 40;
-  static constexpr const char* kRobot = "human40";
+  [[maybe_unused]] static constexpr const char* kRobot = "human40";
 };
 
 }  // namespace

@@ -43,7 +43,7 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 15, kNq = 51, kNv = 40;
-  static constexpr const char* kRobot = "human40";
+  [[maybe_unused]] static constexpr const char* kRobot = "human40";
   static constexpr int kProcesses = 4;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 6;

@@ -39,8 +39,8 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 30, kNq = 36, kNv = 35;
-  static constexpr const char* kRobot = "humanoid";
-  static constexpr bool kFloating = true;
+  [[maybe_unused]] static constexpr const char* kRobot = "humanoid";
+  [[maybe_unused]] static constexpr bool kFloating = true;
   static constexpr int kProcesses = 3;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 4;

@@ -31,7 +31,7 @@ namespace {
 
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 6, kNq = 14, kNv = 13;
-  static constexpr const char* kRobot = "mobile";
+  [[maybe_unused]] static constexpr const char* kRobot = "mobile";
 };
 
 }  // namespace

@@ -84,6 +84,7 @@ def records() -> dict[str, Callable[[], None]]:
         **{
             path.stem: lambda path=path: chart._show(read_chart(path))  # type: ignore[misc]
             for path in sorted(pictures.glob("chart_*.json"))
+            if not path.stem.startswith("chart_motion_")
         },
     }
 

@@ -140,7 +140,7 @@ def test_what_depends_on_the_processes_is_refused() -> None:
         make_plan(model, schedule, meeting="join", reproducible=True)
     with pytest.raises(UsageError, match="reproducible ones gather at the ground"):
         make_plan(model, schedule, meeting="gather", reproducible=True)
-    with pytest.raises(UsageError, match="only form segment in one number type"):
+    with pytest.raises(UsageError, match="only form segment is reproducible"):
         make_plan(model, schedule, form="ada", reproducible=True)
     with pytest.raises(UsageError, match="loops and couplings are solved in loops of code"):
         reproducible_plan(four_bar())

@@ -32,7 +32,9 @@ def solver(builder: Builder) -> Solver:
 
 def evaluation(text: str) -> str:
     """Return the functions of process 0 in a straight line's source, without comments."""
-    code = text[text.index("void part_0_0") :].partition("kRun{")[0].partition("kRead_1{")[0]
+    code = text[text.index("void part_0_0") :]
+    for table in ("kRun{", "kRead_1{", "kStages_"):
+        code = code.partition(table)[0]
     return "\n".join(line for line in code.splitlines()[:-1] if line.strip() and line[:2] != "//")
 
 
