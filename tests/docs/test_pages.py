@@ -16,6 +16,7 @@ from tests.docs.blocks import PAGES, ROOT
 
 PICTURES = ROOT / "docs" / "records" / "pictures"
 MEASURED_BEFORE = ("scale_joints",)
+QUOTED = r"<!-- quoted: (\S+) -->\n```cpp\n(.*?)```"
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 
 
@@ -34,6 +35,19 @@ def test_links_lead_somewhere(page: Path) -> None:
         target = (page.parent / name).resolve() if name else page
         assert target.exists(), link
         assert not anchor or anchor in anchors(target), link
+
+
+def test_quoted_code_is_what_is_emitted() -> None:
+    quoted = 0
+    for page in PAGES:
+        text = page.read_text(encoding="utf-8")
+        for source, block in re.findall(QUOTED, text, flags=re.DOTALL):
+            emitted = iter((ROOT / source).read_text(encoding="utf-8").splitlines())
+            for line in block.splitlines():
+                code = line.split("//")[0].rstrip()
+                assert any(code == other.split("//")[0].rstrip() for other in emitted), line
+            quoted += 1
+    assert quoted
 
 
 def test_every_picture_is_shown() -> None:
