@@ -59,6 +59,12 @@ def check_model(model: Model, lines: Lines, notes: Notes) -> None:
     if weak.singular and any(joint.mimic for joint in model.joints):
         weak = weakest_slaved(model)
     if weak.singular:
+        if not any(link.inertia.mass or link.inertia.tensor.any() for link in model.links):
+            raise notes.error(
+                "no link has mass or inertia: the file describes kinematics alone; give the links "
+                "that move an <inertial>",
+                lines.robot,
+            )
         raise notes.error(_why_singular(model, weak), lines.of(model, weak.joint))
     if weak.ratio < WEAK:
         notes.warn(

@@ -111,6 +111,7 @@ def describe(root: Element, default_name: str, notes: Notes) -> Description:
     links = tuple(_link(part, notes) for part in parts if part.tag == "link")
     joints = tuple(_joint(part, notes) for part in parts if part.tag == "joint")
     _tell_turned_axes(parts, notes)
+    _tell_moments_given_twice(parts, notes)
     if not links:
         raise notes.error("<robot> has no <link>: give a robot with links", line_of(root))
     _check_unique("link", links, notes)
@@ -173,8 +174,11 @@ def _inertial(element: Element, where: str, notes: Notes) -> Inertial:
     return Inertial(origin, mass, _moments(inertia, where, notes), line_of(element))
 
 
+_MIRRORED = {"iyx": "ixy", "izx": "ixz", "izy": "iyz"}
+
+
 def _moments(element: Element, where: str, notes: Notes) -> tuple[float, ...]:
-    check_attributes(element, MOMENTS, where, notes)
+    check_attributes(element, (*MOMENTS, *_MIRRORED), where, notes)
     values = {key: scalar(element, key, where, notes) for key in MOMENTS}
     missing = [key for key, value in values.items() if value is None]
     if missing:
@@ -182,6 +186,13 @@ def _moments(element: Element, where: str, notes: Notes) -> tuple[float, ...]:
             f"{where}: {', '.join(missing)} of <inertia> missing: give all six moments",
             line_of(element),
         )
+    for key, same in _MIRRORED.items():
+        if scalar(element, key, where, notes) not in (None, values[same]):
+            raise notes.error(
+                f'{where}: {key}="{element.get(key)}" differs from {same}="{element.get(same)}": '
+                f"a tensor is symmetric, leave out {key}",
+                line_of(element),
+            )
     return tuple(value for value in values.values() if value is not None)
 
 
@@ -249,6 +260,11 @@ def _one_axis(found: list[Element], where: str, notes: Notes) -> Element | None:
 def _axis(element: Element | None, kind: str, where: str, notes: Notes) -> Triple:
     if element is None:
         return (1.0, 0.0, 0.0)
+    if kind == "fixed" and "xyz" not in element.attrib:
+        notes.slip(
+            f"{where}: an <axis> without xyz", "left out, as the joint is fixed", line_of(element)
+        )
+        return (1.0, 0.0, 0.0)
     if any(vector(element, "rpy", 3, where, notes) or ()):
         check_attributes(element, ("xyz",), where, notes)  # whoever wrote it meant to turn the axis
     check_attributes(element, ("xyz", "rpy"), where, notes)
@@ -271,6 +287,18 @@ def _tell_turned_axes(parts: list[Element], notes: Notes) -> None:
             name = part.get("name", "")
             found.append((name, f'joint "{name}": an <axis> has no rpy', line_of(axis)))
     notes.slips(found, "left out, as it is zero", "axes")
+
+
+def _tell_moments_given_twice(parts: list[Element], notes: Notes) -> None:
+    """An <inertia> has six moments; some tools write all nine entries of the tensor."""
+    found: list[tuple[str, str, int | None]] = []
+    for part in parts:
+        inertia = part.find("inertial/inertia") if part.tag == "link" else None
+        if inertia is not None and any(key in inertia.attrib for key in _MIRRORED):
+            name = part.get("name", "")
+            problem = f'link "{name}": an <inertia> has no {", ".join(_MIRRORED)}'
+            found.append((name, problem, line_of(inertia)))
+    notes.slips(found, "left out, as the tensor is symmetric", "links")
 
 
 def _mimic(element: Element | None, where: str, notes: Notes) -> MimicElement | None:

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import pytest
 
 from adagen.urdf import Reading
-from tests.urdf.texts import Y, joint, link, pair, robot
+from tests.urdf.texts import BODY, Y, joint, link, pair, robot
 
 Read = Callable[..., Reading]
 GOOD = pair()
@@ -34,6 +34,11 @@ CASES = {
         "does not exist: independent here",
     ),
     "an axis told twice": (pair(j=Y + Y), 5, "has 2 <axis>: read as one, as they agree"),
+    "moments given twice": (
+        pair(BODY.replace("iyy=", 'iyx="0.0" izx="-0" iyy=')),
+        4,
+        'link "b": an <inertia> has no iyx, izx, izy: left out, as the tensor is symmetric',
+    ),
     "a zero byte at the end": (GOOD + "\0", 7, "ends in a zero byte: left out"),
 }
 
@@ -67,9 +72,24 @@ def test_many_slips_of_one_kind_take_one_line(read: Read, refusal: Callable[...,
     assert 'joint "j0": an <axis> has no rpy: correct it' in refusal(text, strict=True)
 
 
+def test_the_axis_of_a_fixed_joint_is_not_used(read: Read, refusal: Callable[..., str]) -> None:
+    misspelt = '<axis xzy="0 0 1"/>'
+    text = robot(
+        link("a"), link("b"), link("c"),
+        joint("j1", "a", "b"), joint("f", "b", "c", "fixed", misspelt),
+    )  # fmt: skip
+    (warning,) = read(text).warnings
+    assert ':7: warning: joint "f": an <axis> without xyz: left out, as the joint' in warning
+    assert 'unknown attribute "xzy"' in refusal(pair(j=misspelt))
+
+
 def test_what_could_change_the_dynamics_is_refused(refusal: Callable[..., str]) -> None:
     turned = GOOD.replace("<axis", '<axis rpy="0 0 1"')
     assert 'unknown attribute "rpy"' in refusal(turned)
+    skew = pair(BODY.replace("iyy=", 'iyx="0.001" iyy='))
+    assert 'iyx="0.001" differs from ixy="0": a tensor is symmetric' in refusal(skew)
+    alone = pair(BODY.replace('ixy="0"', 'iyx="0"'))
+    assert "ixy of <inertia> missing" in refusal(alone)
     body = GOOD.replace("<inertial>", "<f:inertial>", 1).replace("</inertial>", "</f:inertial>", 1)
     assert "unknown element <inertial>" in refusal(body)
     joint = GOOD.replace("<joint ", "<f:joint ").replace("</joint>", "</f:joint>")

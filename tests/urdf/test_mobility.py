@@ -69,6 +69,15 @@ def test_a_massless_subtree(refusal: Refusal) -> None:
     assert 'joint "j2" moves no mass' in refusal(text)
 
 
+def test_a_file_of_kinematics_alone(refusal: Refusal) -> None:
+    text = robot(
+        link("a", ""), link("b", ""), link("c", ""), joint("j1", "a", "b"), joint("j2", "b", "c")
+    )
+    for floating in (False, True):
+        said = refusal(text, floating=floating)
+        assert said.startswith("robot.urdf:2: error: no link has mass or inertia")
+
+
 def test_point_masses(read: Read, refusal: Refusal) -> None:
     pendulum = robot(
         link("a", ""), link("b", POINT.replace(MASS, '<origin xyz="0 0 1"/>' + MASS)),
