@@ -44,8 +44,9 @@ def refuse_closed(robot: Compiled, notes: Notes) -> None:
         if kind != _JOINT:
             name = _KINDS[kind] if kind < len(_KINDS) else "equality"
             raise notes.error(
-                f"<{name}> {quoted([robot.named('EQUALITY', which)])}: closed loops are not "
-                "modelled; remove it to solve the open chain"
+                f"<{name}> {quoted([robot.named('EQUALITY', which)])} closes a loop as a soft "
+                "constraint, which is not modelled: remove it, and close the loop exactly by "
+                "[[loops]] or [[couplings]] in a scene"
             )
 
 

@@ -64,10 +64,10 @@ def test_a_plain_tree_says_nothing(reading: Read) -> None:
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        (beside('<equality><weld name="w" body1="shank"/></equality>'), '<weld> "w": closed loops'),
+        (beside('<equality><weld name="w" body1="shank"/></equality>'), '<weld> "w" closes a loop'),
         (
             beside('<equality><connect body1="shank" anchor="0 0 0"/></equality>'),
-            '<connect> "number 1": closed loops',
+            '"number 1" closes a loop as a soft',
         ),
         (
             beside('<equality><joint name="c" joint1="hip" joint2="knee"/></equality>'),
