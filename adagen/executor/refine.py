@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from adagen.executor.solve import Run
 from adagen.model.kinds import KINDS
-from adagen.plan.placement import placement
+from adagen.plan.placement import cross_motion, placement
 from adagen.plan.refine import handed_on, refinable
 from adagen.plan.types import Plan
 
@@ -126,7 +126,7 @@ class WideLinks:
             self.shift[j] = np.array(joint.translation, dtype=wide) + base @ shift
             motion = self._along(j, v.astype(wide))
             self.velocity[j + 1] = self._carried(j, self.velocity[joint.parent]) + motion
-            self.product[j] = _cross_motion(self.velocity[j + 1], motion)
+            self.product[j] = cross_motion(self.velocity[j + 1], motion)
 
     def follow(self, qdd: Array) -> Array:
         """Return accelerations, shape (nv,), with those of slaved joints from their sources."""
@@ -204,11 +204,6 @@ class WideLinks:
         force = self.wide(link.mass) * (motion[3:] + np.cross(motion[:3], c))
         moment = np.array(link.tensor, dtype=self.wide) @ motion[:3] + np.cross(c, force)
         return np.concatenate([moment, force])
-
-
-def _cross_motion(v: Array, m: Array) -> Array:
-    linear = np.cross(v[:3], m[3:]) + np.cross(v[3:], m[:3])
-    return np.concatenate([np.cross(v[:3], m[:3]), linear])
 
 
 def _cross_force(v: Array, f: Array) -> Array:

@@ -40,11 +40,6 @@ def played(model: Model, schedule: Schedule, profile: CostProfile) -> float:
     return predict(make_plan(model, schedule), profile, "kernels").makespan
 
 
-def is_emitted(model: Model, schedule: Schedule) -> bool:
-    """Return whether the shape that gathers takes the plan of a schedule."""
-    return SHAPES["kernels"].why_not(make_plan(model, schedule)) is None
-
-
 @dataclass(frozen=True)
 class Share:
     """What one process takes on a core of speed 1, without messages; microseconds.
