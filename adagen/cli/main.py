@@ -32,6 +32,9 @@ ALLOCATIONS = 200_000
 """Objects after which Python looks for cycles: expressions have none and live until they are
 emitted, so that to look through them again and again takes a fifth of the time."""
 
+ALONE = "OPENBLAS_NUM_THREADS"
+"""Matrices are small here, and numpy's threads wait longer for each other than they compute."""
+
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line and return the exit status.
@@ -45,6 +48,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     _end_by_exception()
     start(quiet=not {"-q", "--quiet"}.isdisjoint(takewhile("--".__ne__, words)))
     gc.set_threshold(ALLOCATIONS)
+    os.environ.setdefault(ALONE, "1")  # numpy, which is imported later, reads it
     try:
         return _status(words)
     finally:

@@ -17,7 +17,7 @@ import pytest
 
 import adagen
 from adagen.cli import env, main
-from adagen.cli.main import VERBS
+from adagen.cli.main import ALONE, VERBS
 from adagen.errors import InputError
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -39,6 +39,13 @@ def fail_with(monkeypatch: pytest.MonkeyPatch, error: BaseException) -> None:
         raise error
 
     monkeypatch.setattr(env, "run", run)
+
+
+def test_numpy_computes_on_one_core_unless_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv(ALONE)
+    assert (main(["--version"]), os.environ[ALONE]) == (0, "1")
+    monkeypatch.setenv(ALONE, "2")
+    assert (main(["--version"]), os.environ[ALONE]) == (0, "2")
 
 
 class TestUsage:

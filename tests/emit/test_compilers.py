@@ -15,6 +15,7 @@ from adagen.errors import EnvironmentFault
 from adagen.states import random_states
 from tests.emitted import QUICK, ROUNDING, Builder, Solver, forward_error, states_text, truth_of
 from tests.golden.examples import EXAMPLES, FOLDER, Example
+from tests.slow import slow
 from tests.spoilt import SPOILT, spoil
 
 BY_STEM = {example.stem: example for example in EXAMPLES}
@@ -25,7 +26,7 @@ SAMPLE = {
     "mobile_p1": "program",
 }
 PARTS: dict[str, tuple[str, ...]] = {"program": (), "linked": ("-DADAGEN_NO_MAIN",)}
-SANITIZED = ("arm7_slaved_p2", "mobile_p1")
+SANITIZED = ("arm7_slaved_p2", slow("mobile_p1"))
 
 clang = pytest.mark.skipif(shutil.which("clang++") is None, reason="clang++ is not installed")
 
