@@ -44,8 +44,12 @@ def shared() -> Path:
 
 @pytest.fixture(scope="session", autouse=True)
 def _builds_of_the_tool(request: pytest.FixtureRequest) -> Iterator[None]:
-    """What the tool itself builds is found again by any test or worker, and not in ~/.cache."""
+    """What the tool itself builds is found again by any test or worker, and not in ~/.cache.
+
+    Little is optimised: the compiler's time counts, not the program's.
+    """
     with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("CXXFLAGS", "-O1")
         patch.setenv("XDG_CACHE_HOME", str(request.config.cache.mkdir("adagen-home")))
         yield
 

@@ -99,10 +99,7 @@ def test_estimates_are_within_a_factor_three_on_robots_with_known_answers(path: 
 
 
 @pytest.mark.slow
-def test_a_record_is_added_to_and_told(
-    arm: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.setenv("CXXFLAGS", "-O1")
+def test_a_record_is_added_to_and_told(arm: Path, capsys: pytest.CaptureFixture[str]) -> None:
     record = arm.with_suffix(".jsonl")
     words = ["measure", str(record), str(arm), "--procs", "1"]
     assert main([*words, "--forms", "ada"]) == 0

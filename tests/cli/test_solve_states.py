@@ -15,10 +15,6 @@ from tests.cli.robots import Said
 
 
 class TestSolve:
-    @pytest.fixture(autouse=True)
-    def _fast(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        monkeypatch.setenv("CXXFLAGS", "-O1")  # the compiler's time, not the program's
-
     @pytest.mark.parametrize("processes", ["2", "3", "auto"])
     def test_states_of_a_batch_are_shared_by_the_processes(
         self, processes: str, arm: Path, tmp_path: Path

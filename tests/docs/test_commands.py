@@ -134,7 +134,7 @@ def is_run(block: Block, *, slow: bool) -> bool:
 
 
 def run_block(page: Path, block: Block, folder: Path) -> None:
-    """Run one block, compiled with little optimisation, since nothing here is timed."""
+    """Run one block."""
     shell = ["bash", "-eu", "-o", "pipefail", "-c", block.text]
     done = subprocess.run(
         [sys.executable, "-c", block.text] if block.language == "python" else shell,
@@ -146,7 +146,6 @@ def run_block(page: Path, block: Block, folder: Path) -> None:
             **os.environ,
             "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
             "PYTHONPATH": str(ROOT),
-            "CXXFLAGS": "-O1",
             "XDG_CONFIG_HOME": str(folder / "config"),
         },
     )

@@ -27,14 +27,6 @@ ARM, MOBILE, HUMANOID = (MODELS / f"{name}.urdf" for name in ("arm7", "mobile", 
 MOON = np.array([0.1, -0.2, -1.62])
 
 
-@pytest.fixture(autouse=True, scope="module")
-def _fast() -> Any:
-    """The compiler's time, not the program's."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("CXXFLAGS", "-O1")
-        yield
-
-
 def build(path: Path, floating: bool = False, **asked: Any) -> adagen.Solver:
     return adagen.compile(adagen.read(path, floating=floating), **asked).build()
 

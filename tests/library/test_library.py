@@ -27,14 +27,6 @@ from tests.golden.make_models import MODELS
 ARM, MOBILE = MODELS / "arm7.urdf", MODELS / "mobile.urdf"
 
 
-@pytest.fixture(autouse=True, scope="module")
-def _fast() -> Any:
-    """The compiler's time, not the program's."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("CXXFLAGS", "-O1")
-        yield
-
-
 def build(path: Path, **asked: Any) -> adagen.Solver:
     return adagen.compile(adagen.read(path), **asked).build()
 
