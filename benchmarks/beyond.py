@@ -104,7 +104,7 @@ def of_batches(profile: CostProfile, fabric: Fabric) -> Iterator[str]:
             ]
             for one in predicted_batches(model, fabric, profile.steps, state)
         ]
-    head = ("joints", "ns a state", "hosts", "P", "own states/s", "handed out/s", "limited by")
+    head = ("joints", "ns a state", "hosts", "P", "own states/s", "distributed/s", "limited by")
     yield from table(head, rows)
 
 

@@ -287,11 +287,11 @@ def main() -> None:
     text = table(record)
     print(text)
     if options.page:
-        told = json.loads(RECORD.read_text(encoding="utf-8"))
-        where, by = told["machine"], ", ".join(told["machine"]["compilers"].values())
+        record = json.loads(RECORD.read_text(encoding="utf-8"))
+        where, by = record["machine"], ", ".join(record["machine"]["compilers"].values())
         about = (
-            f"{where['processor']}, {by}; {told['rounds']} rounds by turns; profile "
-            f"{told['profile']}."
+            f"{where['processor']}, {by}; {record['rounds']} rounds by turns; profile "
+            f"{record['profile']}."
         )
         write_between_marks(PAGE, "choice", f"{about}\n\n{text}")
 
@@ -316,7 +316,7 @@ def _build(name: str, only: Sequence[str] | None) -> None:
 
 
 def _time(rounds: int) -> None:
-    told = json.loads(RECORD.read_text(encoding="utf-8"))
+    record = json.loads(RECORD.read_text(encoding="utf-8"))
     cases, toolchain = _read(), find_toolchain()
     for case in cases:
         for way in case.ways:
@@ -326,13 +326,13 @@ def _time(rounds: int) -> None:
             for way in case.ways:
                 way.times.append(measured(way, case.processes, toolchain))
         print(f"round {k + 1} of {rounds}", file=sys.stderr, flush=True)
-        told |= {"machine": machine(), "rounds": k + 1, "cases": list(map(asdict, cases))}
-        _write(told)
+        record |= {"machine": machine(), "rounds": k + 1, "cases": list(map(asdict, cases))}
+        _write(record)
 
 
 def _read() -> list[Case]:
-    told = json.loads(RECORD.read_text(encoding="utf-8"))
-    return [Case(**c | {"ways": [Way(**way) for way in c["ways"]]}) for c in told["cases"]]
+    record = json.loads(RECORD.read_text(encoding="utf-8"))
+    return [Case(**c | {"ways": [Way(**way) for way in c["ways"]]}) for c in record["cases"]]
 
 
 def _write(record: dict[str, object]) -> None:

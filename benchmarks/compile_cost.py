@@ -117,9 +117,9 @@ def solvers() -> list[str]:
             alike = {n: other for n, other in sources.items() if chosen[n] == chosen[name]}
             share = f"{own_lines(name, alike):.0%}" if len(alike) > 1 else "-"
             cost = compiled_in(name, text, (), LIBRARY)
-            told = f"auto: `{chosen[name]}`" if shape == "auto" else f"`{shape}`"
+            shown = f"auto: `{chosen[name]}`" if shape == "auto" else f"`{shape}`"
             rows.append(
-                f"| {name} | {len(robots[name].model.joints)} | {told} | {len(text.splitlines())} "
+                f"| {name} | {len(robots[name].model.joints)} | {shown} | {len(text.splitlines())} "
                 f"| {share} | {seconds[name]:.1f} | {cost.wall:.2f} | {cost.memory:.0f} |"
             )
             print(rows[-1], file=sys.stderr)

@@ -108,7 +108,7 @@ def planned(model: Model, form: str, scalar: str, processes: int) -> Plan:
 
 
 def measured(subject: Subject, form: str, scalar: str, processes: int) -> dict[str, Any]:
-    """Return what one variant said of its errors, and what they are, state by state."""
+    """Return what one variant reported of its errors, and what they are, state by state."""
     model, states = subject.model, subject.states
     try:
         plan = planned(model, form, scalar, processes)

@@ -42,8 +42,8 @@ def fastest(programs: Sequence[Path], toolchain: Toolchain) -> list[float]:
     for _ in range(ROUNDS):
         for k, program in enumerate(programs):
             ran = launch(program, 1, ["--time", "--json"], toolchain, timeout=120)
-            told = json.loads(ran.stdout)["time"]["in_place"]["min_ns"]
-            least[k] = min(least[k], told)
+            time = json.loads(ran.stdout)["time"]["in_place"]["min_ns"]
+            least[k] = min(least[k], time)
     return least
 
 

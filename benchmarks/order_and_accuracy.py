@@ -87,12 +87,12 @@ def order_rows(truth: Truth, count: int) -> str:
     """Return a table row: how errors of form ada spread over schedules."""
     plans = [make_plan(truth.model, s, form="ada") for s in orders(truth.model, count)]
     errors = np.array([truth.error(plan) for plan in plans])
-    told = np.median([predicted_growth(plan).error for plan in plans])
+    predicted = np.median([predicted_growth(plan).error for plan in plans])
     alone = truth.error(make_plan(truth.model, next(orders(truth.model, 0)), form="segment"))
     spread = np.log10(errors.max() / errors.min())
     return (
         f"| {truth.name} | {len(plans)} | {errors.min():.0e} | {np.median(errors):.0e} | "
-        f"{errors.max():.0e} | {spread:.1f} | {told:.0e} | {alone:.0e} |"
+        f"{errors.max():.0e} | {spread:.1f} | {predicted:.0e} | {alone:.0e} |"
     )
 
 

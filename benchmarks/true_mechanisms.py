@@ -50,9 +50,9 @@ def _worst(model: Model, form: str, processes: int, joints: dict[str, Any]) -> f
     return worst
 
 
-def examined(folder: Path, name: str, mode: str, told: dict[str, Any]) -> dict[str, Any]:
+def examined(folder: Path, name: str, mode: str, expected: dict[str, Any]) -> dict[str, Any]:
     """Return what was found of a mechanism on a fixed or floating base."""
-    answer, joints = told.get("answer", "qdd"), told.get("joints") or {}
+    answer, joints = expected.get("answer", "qdd"), expected.get("joints") or {}
     for joint in joints.values():
         joint.setdefault("qdd", joint["v"])
     found: list[float | str] = []
@@ -62,7 +62,7 @@ def examined(folder: Path, name: str, mode: str, told: dict[str, Any]) -> dict[s
         found = [_worst(model, form, count, joints) for form, count in WAYS]
     except InputError as refusal:
         found = [str(refusal).removeprefix("error: ")] * len(WAYS)
-    limit = told.get("tolerance")
+    limit = expected.get("tolerance")
     return {"name": name, "mode": mode, "answer": answer, "limit": limit, "found": found}
 
 
@@ -79,11 +79,11 @@ def good(row: dict[str, Any]) -> bool:
 
 def _cells(row: dict[str, Any]) -> str:
     limit = row["limit"]
-    told = ["refused" if isinstance(x, str) else f"{x:.0e}" for x in row["found"]]
+    errors = ["refused" if isinstance(x, str) else f"{x:.0e}" for x in row["found"]]
     errors = [x for x in row["found"] if not isinstance(x, str)]
     share = f"{max(errors) / limit:.0e}" if errors and limit else "-"
     limits = f"{limit:.0e}" if limit else "refusal"
-    cells = (row["name"], row["mode"], limits, *told, share)
+    cells = (row["name"], row["mode"], limits, *errors, share)
     return f"| {' | '.join(cells)} |"
 
 
@@ -105,10 +105,10 @@ def main() -> int:
     for scene in scenes[options.first : options.to]:
         name = scene.name.removesuffix(".scene.toml")
         modes = json.loads(scene.with_name(f"{name}.json").read_text(encoding="utf-8"))["modes"]
-        for mode, told in modes.items():
+        for mode, expected in modes.items():
             if (name, mode) in rows:
                 continue
-            row = rows[name, mode] = examined(options.folder, name, mode, told)
+            row = rows[name, mode] = examined(options.folder, name, mode, expected)
             print(_cells(row), file=sys.stderr)
             if options.kept is not None:
                 with options.kept.open("a", encoding="utf-8") as file:

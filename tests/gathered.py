@@ -1,4 +1,4 @@
-"""Schedules of processes that gather at the base or the ground, dealt out at random."""
+"""Schedules of processes that gather at the base or the ground, distributed at random."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def reproducible_plan(model: Model, gathered: Gathered | None = None, **options:
 
     Args:
         model: the robot.
-        gathered: where processes gather, as ``dealt`` returns it.
+        gathered: where processes gather, as ``distributed`` returns it.
         options: of ``make_plan``.
     """
     scalar = options.get("scalar", "double")
@@ -36,8 +36,10 @@ def reproducible_plan(model: Model, gathered: Gathered | None = None, **options:
     return make_plan(model, schedule, scalar=scalar, channel=channel, reproducible=True)
 
 
-def dealt(model: Model, processes: int, rng: np.random.Generator, core: float = 0.3) -> Gathered:
-    """Return limbs dealt out to processes that gather at the base or the ground.
+def distributed(
+    model: Model, processes: int, rng: np.random.Generator, core: float = 0.3
+) -> Gathered:
+    """Return limbs distributed to processes that gather at the base or the ground.
 
     Args:
         model: the robot.

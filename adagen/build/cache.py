@@ -265,7 +265,7 @@ def _why(done: subprocess.CompletedProcess[str], work: Path) -> str:
     """Return in one line why a compilation failed."""
     said = done.stderr.replace(f"{work}{os.sep}", "")
     if "Killed signal" in said or "out of memory" in said.lower() or done.returncode < 0:
-        return "the compiler was ended by the system, most likely for want of memory"
+        return "the compiler was ended by the system, most likely because memory ran out"
     errors = [line.strip() for line in said.splitlines() if "error" in line.lower()]
     if not errors:
         errors = [line.strip() for line in said.splitlines() if line.strip()] or ["no message"]

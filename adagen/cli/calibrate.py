@@ -116,7 +116,7 @@ def _measure_network(options: argparse.Namespace, toolchain: Toolchain, path: Pa
     write_file(path, profile_text(found, remark))
     bandwidth = 8 / costs.number if costs.number > 0 else None
     if options.json:
-        told = {
+        report = {
             "profile": str(path),
             "send_us": costs.send,
             "latency_us": costs.latency,
@@ -124,7 +124,7 @@ def _measure_network(options: argparse.Namespace, toolchain: Toolchain, path: Pa
             "megabytes_per_second": bandwidth,
             "messages": [dataclasses.asdict(time) for time in times],
         }
-        print(json.dumps(told, indent=1))
+        print(json.dumps(report, indent=1))
     else:
         speed = "" if bandwidth is None else f", {bandwidth:.0f} MB/s"
         way = costs.send + costs.latency

@@ -23,7 +23,7 @@ _SILENCE_SECONDS = 10.0  # between two lines that tell how far the same work is
 
 
 class _Said:
-    """What this command has said, and whether it says more than warnings."""
+    """What this command has printed, and whether it prints more than warnings."""
 
     quiet = False
     warnings: ClassVar[list[str]] = []
@@ -40,11 +40,11 @@ def start(*, quiet: bool) -> None:
 
 
 def warn(message: str) -> None:
-    """Print a warning to stderr."""
+    """Print a warning to stderr: one line, which is wrapped on a terminal."""
     text = printable(message)
     text = text if "warning:" in text else f"warning: {text}"
     _Said.warnings.append(text)
-    print(text, file=sys.stderr)
+    say(text)
 
 
 def warned() -> list[str]:
@@ -72,8 +72,12 @@ def wrote(paths: Sequence[Path]) -> None:
 
 
 def say(message: str) -> None:
-    """Print a line to stderr that quiet commands say, too: it reports a failure."""
-    print(printable(message), file=sys.stderr)
+    """Print a line to stderr that quiet commands print, too: it reports a failure.
+
+    On a terminal it is wrapped between words; programs that read it get one line.
+    """
+    text = printable(message)
+    print(wrapped(text, indent=2) if sys.stderr.isatty() else text, file=sys.stderr, flush=True)
 
 
 def tell(reading: Reading, verbose: bool) -> None:

@@ -52,7 +52,7 @@ def run(argv: Sequence[str]) -> int:
         "variables": " ".join(shlex.quote(f"{n}={v}") for n, v in toolchain.environment),
     }
     if options.which == "json":
-        told: dict[str, object] = {
+        report: dict[str, object] = {
             "cxx": list(toolchain.cxx),
             "mpicxx": list(toolchain.mpicxx),
             "mpiexec": list(toolchain.mpiexec),
@@ -62,7 +62,7 @@ def run(argv: Sequence[str]) -> int:
             "wheel": toolchain.wheel,
             "cache": str(cache_folder()),
         }
-        print(json.dumps(told, indent=2))
+        print(json.dumps(report, indent=2))
     elif options.which is not None:
         print(lines[options.which])
     else:

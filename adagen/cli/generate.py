@@ -16,11 +16,21 @@ if TYPE_CHECKING:
     from adagen.library import Compiled
 
 _DESCRIPTION = """\
-Compile a robot description into one C++/MPI source file for P processes, which
-computes joint accelerations from positions, velocities and joint torques."""
+Compile a robot description into C++ code for its forward dynamics."""
+
+_SHORT_EPILOG = """\
+commands, each with --help (exit status: 0 done, 1 input, 2 usage, 3 tool):
+  info MODEL       joints, coordinates    report MODEL      an HTML report
+  schedule MODEL   who computes what      chart MODEL       error against time
+  solve MODEL      build, run on states   bench MODEL       compare with others
+  verify DIR       generate, compare      stability         where methods fail
+  calibrate        this machine's costs   completion SHELL  bash, zsh, fish
+  env              compiler, MPI, Eigen
+examples:
+  adagen robot.urdf --out robot_solver && make -C robot_solver check time"""
 
 _EPILOG = """\
-other commands (each has a --help of its own):
+commands (each has a --help of its own):
   adagen info MODEL                     joints, coordinates, what is ignored
   adagen schedule MODEL                 which process does what; predicted time
   adagen verify DIR ...                 generate again and compare
@@ -39,6 +49,11 @@ examples:
 
 exit status: 0 done, 1 bad input, 2 wrong usage, 3 fault of tool or environment"""
 
+_LESS_COMMON = frozenset(
+    ["--mimic", "--scalar", "--batch", "--certify", "--help", "--version", "-v"]
+)
+"""What --help leaves to --help-all, so that it fits a screen of 24 lines."""
+
 
 class _CMakeFolder(argparse.Action):
     """Prints the folder and ends."""
@@ -54,6 +69,7 @@ def command_parser() -> Parser:
     """Return the parser of ``adagen MODEL``."""
     parser = make_parser("adagen", _DESCRIPTION, _EPILOG)
     parser.usage = "adagen MODEL [--procs P] [--out DIR] [option ...]"
+    parser.short_epilog = _SHORT_EPILOG
     add_model(parser)
     add_schedule(parser)
     add_emission(parser)
@@ -86,6 +102,7 @@ def command_parser() -> Parser:
     parser.add_argument(
         "--json", action="store_true", help="print what was written and predicted as JSON"
     )
+    parser.rare |= _LESS_COMMON
     return parser
 
 
@@ -112,7 +129,7 @@ def run(argv: Sequence[str]) -> int:
     try:
         model = pipeline.read_model(options, stages, options.gravity)
         made = pipeline.generate(model, options, stages)
-        told = prediction(made.schedule, made.timeline)
+        line = prediction(made.schedule, made.timeline)
         with stages.stage("write"):
             written = made.write(options.out)
     finally:
@@ -122,7 +139,7 @@ def run(argv: Sequence[str]) -> int:
         print(json.dumps(_report(made, written), indent=1))
     else:
         wrote(written)
-        note(told)
+        note(line)
     return 0
 
 

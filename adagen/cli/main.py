@@ -15,7 +15,7 @@ from importlib import import_module
 from itertools import takewhile
 from types import FrameType
 
-from adagen.cli.console import start
+from adagen.cli.console import say, start
 from adagen.errors import AdagenError, UsageError, printable
 
 VERBS = (
@@ -63,22 +63,22 @@ def _status(words: Sequence[str]) -> int:
     except SystemExit as leaving:
         return leaving.code if isinstance(leaving.code, int) else INTERNAL
     except AdagenError as error:
-        return _say(str(error), error.status, _debugging(words))
+        return _fail(str(error), error.status, _debugging(words))
     except BrokenPipeError:
         _silence_stdout()
         return 128 + int(signal.SIGPIPE)
     except KeyboardInterrupt:
-        return _say("interrupted", INTERRUPTED, False)
+        return _fail("interrupted", INTERRUPTED, False)
     except OSError as error:
         what = f"{error.strerror or error}{f' ({error.filename})' if error.filename else ''}"
-        return _say(f"error: {printable(what)}", INTERNAL, _debugging(words))
+        return _fail(f"error: {printable(what)}", INTERNAL, _debugging(words))
     except MemoryError:
-        return _say("error: not enough memory", INTERNAL, _debugging(words))
+        return _fail("error: not enough memory", INTERNAL, _debugging(words))
     except RecursionError:
-        return _say("error: the input is nested too deeply", INTERNAL, _debugging(words))
+        return _fail("error: the input is nested too deeply", INTERNAL, _debugging(words))
     except Exception as error:
         what = printable(f"{type(error).__name__}: {error}")
-        return _say(
+        return _fail(
             f"error: internal error ({what}); please report it with the command and its input "
             "(ADAGEN_DEBUG=1 shows where)",
             INTERNAL,
@@ -111,11 +111,11 @@ def _command(words: Sequence[str]) -> Callable[[Sequence[str]], int]:
     return run
 
 
-def _say(line: str, status: int, with_traceback: bool) -> int:
+def _fail(line: str, status: int, with_traceback: bool) -> int:
     with suppress(BrokenPipeError):
         if with_traceback:
             traceback.print_exc()
-        print(line, file=sys.stderr, flush=True)
+        say(line)
     return status
 
 

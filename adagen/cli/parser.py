@@ -25,6 +25,9 @@ class Parser(argparse.ArgumentParser):
     rare: frozenset[str] = frozenset()
     """Options that --help leaves to --help-all."""
 
+    short_epilog: str | None = None
+    """What --help ends with where --help-all ends otherwise."""
+
     def format_help(self) -> str:
         """Return what --help prints: one list without the rare options, what all have last."""
         shown = [each for each in self._actions if not self._is_rare(each)]
@@ -36,7 +39,7 @@ class Parser(argparse.ArgumentParser):
         formatter.start_section("options")
         formatter.add_arguments(shown)
         formatter.end_section()
-        formatter.add_text(self.epilog)
+        formatter.add_text(self.short_epilog or self.epilog)
         return formatter.format_help()
 
     def _is_rare(self, action: argparse.Action) -> bool:

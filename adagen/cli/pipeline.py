@@ -195,7 +195,7 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Compi
 
 def _warn_of_idle(plan: Plan, options: argparse.Namespace) -> None:
     idle = sum(not process.owns for process in plan.processes)
-    if idle and not getattr(options, "told_to_use_fewer", False):
+    if idle and not getattr(options, "warned_of_fewer", False):
         few = len(plan.processes) - idle
         warn(
             f"{options.model}: warning: {idle} of {len(plan.processes)} processes will have"

@@ -60,11 +60,11 @@ def scheduled(
         )
         if many > (1 - margin(profile)) * one:
             warn(
-                f"{options.model}: warning: {options.procs} processes do not pay: predicted "
-                f"{many:.2f} us, and {one:.2f} us on one ({profile.name} profile); use --procs "
-                "1 or auto"
+                f"{options.model}: warning: {options.procs} processes do not pay: "
+                f"{many:.2f} us predicted, {one:.2f} us on one ({profile.name} profile); use "
+                "--procs 1 or auto"
             )
-            options.told_to_use_fewer = True
+            options.warned_of_fewer = True
     return chosen
 
 

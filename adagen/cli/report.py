@@ -73,7 +73,7 @@ def run(argv: Sequence[str]) -> int:
         if options.run:
             with stages.stage("run"):
                 measured, accuracy = _measured(made)
-        told = document(
+        data = document(
             made,
             _commands(made, argv, run=options.run),
             measured=measured,
@@ -84,7 +84,7 @@ def run(argv: Sequence[str]) -> int:
         )
         name = f"{made.stem}_report.html"
         with stages.stage("write"):
-            write_files(options.out, {name: page(told)})
+            write_files(options.out, {name: page(data)})
     finally:
         if options.verbose:
             long_note(str(stages))
@@ -108,8 +108,11 @@ def _scene(made: Compiled, options: argparse.Namespace) -> Scene | None:
     from adagen.report import Scene
     from adagen.scene.report import removed
 
-    line, _ = predicted_savings(made.plan, made.schedule, options)
-    lines = [*removed(options.reduction), line]
+    lines = removed(options.reduction)
+    if options.reduction.all_left:
+        lines.append("it leaves out nothing of the robot")
+    else:
+        lines.append(predicted_savings(made.plan, made.schedule, options)[0])
     return Scene(str(options.scene), tuple(each.removeprefix("scene: ") for each in lines))
 
 

@@ -156,8 +156,8 @@ def _tell(report: dict[str, Any], options: argparse.Namespace) -> None:
     place = f"state {report['state']}, joint {quoted([report['joint']])}"
     if report["fault"] == "solver":
         error = report["backward_error_max"]
-        told = "no number" if error is None else f"a backward error of {error:.0e}"
-        warn(f"{options.states}: warning: WRONG answers, {told}: {place}; another form may work")
+        what = "no number" if error is None else f"a backward error of {error:.0e}"
+        warn(f"{options.states}: warning: WRONG answers, {what}: {place}; another form may work")
         return
     warn(
         f"{options.states}: warning: {report['digits']:.1f} digits of the accelerations are "

@@ -25,17 +25,17 @@ def schedule_document(
         program: what is emitted of it.
         line: how that is predicted to go; None where the profile prices joins alone.
     """
-    told = schedule_to_dict(schedule, topology)
-    tail = {key: told.pop(key) for key in ("root", "gathered") if key in told}
+    data = schedule_to_dict(schedule, topology)
+    tail = {key: data.pop(key) for key in ("root", "gathered") if key in data}
     names = topology.names
     if not schedule.families:
-        told["families"] = ["alone" if schedule.processes == 1 else schedule.strategy]
-    told["shape"] = program.shape
+        data["families"] = ["alone" if schedule.processes == 1 else schedule.strategy]
+    data["shape"] = program.shape
     if program.plan.reproducible:
-        told["reproducible"] = True
-    told["at_work"] = meeting(program)
-    told["owners"] = owners(program)
-    told["lanes"] = [
+        data["reproducible"] = True
+    data["at_work"] = meeting(program)
+    data["owners"] = owners(program)
+    data["lanes"] = [
         {
             "process": p,
             "lanes": limbs.lanes,
@@ -44,8 +44,8 @@ def schedule_document(
         for p, limbs in lanes(program)
     ]
     if line is not None:
-        told |= _priced(schedule, line, len(program.processes))
-    return deepjson.dumps(told | tail)
+        data |= _priced(schedule, line, len(program.processes))
+    return deepjson.dumps(data | tail)
 
 
 def _priced(schedule: Schedule, line: Timeline, processes: int) -> dict[str, Any]:

@@ -97,7 +97,7 @@ def step_features(step: Step, joints: Sequence[PlanJoint]) -> Features:
             return {f"disassemble.{kind}": 1, "disassemble.coupling": len(step.forces)}
         case Articulate():
             grounded = not step.reversed and joint.parent == 0
-            if grounded and joint.prescribed:  # nothing is handed to the ground
+            if grounded and joint.prescribed:  # nothing is passed to the ground
                 return {}
             return _turned("articulate", "ground" if grounded else kind, step.reversed)
         case Propagate():
@@ -140,7 +140,7 @@ def _without_joint(step: Step, joints: Sequence[PlanJoint]) -> Features | None:
 
 
 def _weighed(joint: PlanJoint) -> Features:
-    """Of a joint's share of a residual: as much as forces that are handed on, and a bias."""
+    """Of a joint's share of a residual: as much as forces that are passed on, and a bias."""
     if joint.parent == 0 and joint.kind == "floating":
         return {"root.solve": 1, "link.bias": 1}
     return {f"deliver.{joint.kind}": 1, "link.bias": 1}

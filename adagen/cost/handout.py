@@ -1,4 +1,4 @@
-"""A batch handed out by process 0, played through in time: templates/runtime/handout.hpp."""
+"""A batch distributed by process 0, played through in time: templates/runtime/handout.hpp."""
 
 from __future__ import annotations
 

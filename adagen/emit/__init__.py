@@ -370,7 +370,7 @@ def check_reproducible(form: str, refine: int, shape: str) -> None:
         )
     if shape not in ("auto", "unrolled"):
         raise UsageError(
-            f"shape {shape} has other digits for each number of lanes: only straight lines are "
+            f"shape {shape} rounds differently for each number of lanes: only straight lines are "
             f"reproducible; leave out --reproducible or --shape {shape}"
         )
 

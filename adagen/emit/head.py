@@ -42,7 +42,8 @@ _JOINED = (
     "(3)-(7), and its force follows from Eq. (8)-(10)."
 )
 _EXCHANGED = (
-    "Both sides of a cut tell each other what they show, and both join it: no forces are sent back."
+    "Both sides of a cut exchange their mobilities and bias accelerations, and both join it: no "
+    "forces are sent back."
 )
 _ADA = (
     "Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body "

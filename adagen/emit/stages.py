@@ -16,10 +16,10 @@ def stage_lines(process: Process) -> list[str]:
     lines = [""]
     for stage in stages(process):
         numbers = (-1 if number is None else number for number in (stage.joint, stage.message))
-        told = f'{{"{stage.what}", {", ".join(map(str, numbers))}}}, '
-        if len(lines[-1]) + len(told) > _WIDTH:
+        entry = f'{{"{stage.what}", {", ".join(map(str, numbers))}}}, '
+        if len(lines[-1]) + len(entry) > _WIDTH:
             lines.append("")
-        lines[-1] += told
+        lines[-1] += entry
     lines[-1] = lines[-1].removesuffix(", ")
     return [line.rstrip() for line in lines if line]
 

@@ -7,7 +7,7 @@ residual, r^T H^-1 r, without its accelerations. So are errors of the factors se
 cause. What the sweep cannot see is its own rounding, and that of the kinematics that it shares with
 the answer. Two terms allow for that (docs/explanation/certificates.md has the derivation):
 
-* Wrenches that are handed on are uncertain by some units in their last place; squares of all that
+* Wrenches that are passed on are uncertain by some units in their last place; squares of all that
   comes together at a joint, N, are summed inwards, and N / D are added to those of u.
 * Accelerations of links are uncertain by some units in the last place of the largest on the way
   from the ground. An error of them costs no more energy than it has itself: H^-1 J^T I projects.
@@ -37,7 +37,7 @@ class Certificate:
 
     What is kept of links: ``("size", link)``, squares of angular and linear accelerations, shape
     (2,); ``("left", link)``, the wrench that the motion of the link and of all beyond takes, shape
-    (6,); ``("noise", link)``, squares of moments (3) and forces that are handed on to it, shape
+    (6,); ``("noise", link)``, squares of moments (3) and forces that are passed on to it, shape
     (4,); ``("bare", link)``, under floating bases, force that the reference field takes of the link
     and all beyond (3), and their mass, shape (4,).
 
@@ -140,9 +140,9 @@ class Certificate:
 
     def _noise(self, link: int) -> Array:
         """Squares of the moments and forces that come together at a link, shape (4,)."""
-        left, handed = self.memory["left", link], self.memory["noise", link]
-        moments = [total([handed[k], left[k] * left[k]]) for k in range(3)]
-        force = total([handed[3], *(x * x for x in left[3:])])
+        left, passed = self.memory["left", link], self.memory["noise", link]
+        moments = [total([passed[k], left[k] * left[k]]) for k in range(3)]
+        force = total([passed[3], *(x * x for x in left[3:])])
         return np.array([*moments, force], dtype=object)
 
     def _inwards(self, j: int) -> None:

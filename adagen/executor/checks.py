@@ -19,7 +19,7 @@ class Check:
         least: what it must exceed.
         joint: what fails otherwise.
         failure: how.
-        near: below this it is no failure yet, but digits are lost; 0: nothing is told.
+        near: below this it is no failure yet, but digits are lost; 0: nothing is reported.
     """
 
     pivot: Expression

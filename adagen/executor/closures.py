@@ -285,8 +285,8 @@ class Closures:
             front.add_column(parent, step.first + k, x.force(inertia[:, row]))
         for unknown, column in columns.items():
             front.add_column(parent, unknown, x.force(column))
-        handed = {"IA": x.inertia(inertia), "pA": columnwise(x.force, p)}
-        for name, value in handed.items():
+        passed = {"IA": x.inertia(inertia), "pA": columnwise(x.force, p)}
+        for name, value in passed.items():
             if parent == self._top(step.closure):
                 front.hand(name, value)
             else:
@@ -328,15 +328,15 @@ class Closures:
             moved = column[free]
             if free:
                 front.add_bias(unknown, matrix_times(moved[None, :], body.moved)[0])
-            handed = column.copy()
-            handed[free] = self.state.zeros(len(free))
+            passed = column.copy()
+            passed[free] = self.state.zeros(len(free))
             for row in constrained:
                 terms = [-(body.scaled[k, row] * moved[k]) for k in range(len(free))]
-                handed[row] = total([column[row], *terms])
+                passed[row] = total([column[row], *terms])
             if drift is not None:
-                front.add_bias(unknown, matrix_times(handed[None, :], drift)[0])
+                front.add_bias(unknown, matrix_times(passed[None, :], drift)[0])
             if parent > 0:
-                front.add_column(parent, unknown, x.force(handed))
+                front.add_column(parent, unknown, x.force(passed))
 
     # -- outwards ---------------------------------------------------------------------------------
 

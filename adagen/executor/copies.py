@@ -146,11 +146,11 @@ class _Copy:
     def _send(self) -> None:
         for number, message in enumerate(self.want.plan.messages):
             if message.source == self.want.process:
-                told = self.want.sends.get(message.target, {})
+                wanted = self.want.sends.get(message.target, {})
                 self.machine.sent[number] = [
                     self.number(pair)
-                    for pair, teller in told.items()
-                    if teller.link in message.inertias
+                    for pair, sender in wanted.items()
+                    if sender.link in message.inertias
                 ]
 
     def _receive(self, ends: list[int]) -> int:
@@ -161,12 +161,12 @@ class _Copy:
                 continue
             self.graph.mark = last = place
             message = self.want.plan.messages[step.message]
-            told = (
+            pairs = (
                 pair
-                for pair, teller in missing.items()
-                if teller.process == message.source and teller.link in message.inertias
+                for pair, sender in missing.items()
+                if sender.process == message.source and sender.link in message.inertias
             )
-            for k, pair in enumerate(told):
+            for k, pair in enumerate(pairs):
                 self._single[pair] = self.graph.input(f"{RECEIVED}[{step.message}][{k}]")
             ends[place:] = [len(self.graph.nodes)] * len(ends[place:])
         assert missing.keys() <= self._single.keys()  # everything is received

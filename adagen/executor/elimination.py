@@ -76,7 +76,7 @@ class Elimination:
         if step.link:
             tops = [lane.link for lane in self.lanes]
             count = len(dict.fromkeys(lane.closure for lane in self.lanes))
-            for name, value in self.front.handed.items():
+            for name, value in self.front.passed.items():
                 self.state.rows.add(name, tops, count, value)
 
     # -- the closure's function -------------------------------------------------------------------

@@ -108,7 +108,7 @@ class Front:
         opening: loops of which is looked at how fast they open, once all is held back.
         speeds: of freedoms that are held back, by unknown.
         lanes: loops and couplings that share lanes, by the place of the first.
-        handed: what joints next to the top hand on to it, "IA" and "pA", until its unknowns are
+        passed: what joints next to the top hand on to it, "IA" and "pA", until its unknowns are
             eliminated.
         ends: of its loops, on links that move.
         forces: of kept rows, by number, where answers are corrected.
@@ -129,13 +129,13 @@ class Front:
     opening: list[Opening] = field(default_factory=list)
     speeds: dict[int, Expression] = field(default_factory=dict)
     lanes: dict[int, tuple[int, ...]] = field(default_factory=dict)
-    handed: dict[str, Array] = field(default_factory=dict)
+    passed: dict[str, Array] = field(default_factory=dict)
     ends: list[End] = field(default_factory=list)
     forces: dict[int, Expression] = field(default_factory=dict)
 
     def hand(self, name: str, value: Array) -> None:
-        """Add to what the top is handed."""
-        self.handed[name] = self.handed[name] + value if name in self.handed else value
+        """Add to what is passed to the top."""
+        self.passed[name] = self.passed[name] + value if name in self.passed else value
 
     def add_column(self, link: int, unknown: int, column: Array) -> None:
         """Add to what an unknown and a link's acceleration do to each other."""

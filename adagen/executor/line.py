@@ -80,20 +80,20 @@ class Line:
         ]
 
     @cached_property
-    def handed(self) -> dict[int, list[Pair]]:
+    def passed(self) -> dict[int, list[Pair]]:
         """What each joint hands inwards, but for what is known beforehand."""
         found: dict[int, list[Pair]] = {}
-        for (_, lead), value in self.machine.handed.items():
+        for (_, lead), value in self.machine.passed.items():
             for k, j in enumerate(self.machine.rows.own(lead)):
                 own = found.setdefault(j, [])
-                own += [self.told(x, k) for x in value.flat if x.constant is None]
+                own += [self.pair_of(x, k) for x in value.flat if x.constant is None]
         return found
 
     def pair(self, x: Expression, k: int) -> Pair:
         """Return the number that a value has in a lane; a single one has it in all."""
         return (x.index, k if x.node.width > 1 else 0)
 
-    def told(self, x: Expression, k: int) -> Pair:
+    def pair_of(self, x: Expression, k: int) -> Pair:
         """Return the number that is sent where one has to be: itself, or what it is minus."""
         pair = self.unpacked(self.pair(x, k))
         while self.nodes[pair[0]].op == "neg":

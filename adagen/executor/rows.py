@@ -160,7 +160,7 @@ class Rows:
 
     def hand_on(self, name: str, j: int, value: Array) -> None:
         """Add what joint j hands inwards to what is kept of the links on its near side."""
-        self.state.handed[name, j] = value
+        self.state.passed[name, j] = value
         self.add(name, self.near_links(j), len(self.own(j)), value)
 
     def add(self, name: str, links: Sequence[int], count: int, value: Array) -> None:

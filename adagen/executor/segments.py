@@ -155,32 +155,32 @@ class Segments:
         self.memory["articulated", step.joint] = Articulated(factors, u, moved, scaled, kept)
         if near == 0 and not any(self.state.rows.near_links(step.joint)):
             return  # the ground does not feel it
-        handed = self.state.zeros(6, 6)  # exact projection: rows and columns of S stay zero
+        passed = self.state.zeros(6, 6)  # exact projection: rows and columns of S stay zero
         for i, row in enumerate(constrained):
             for k, column in enumerate(constrained[i:], start=i):
                 terms = [-(a * b) for a, b in zip(half[:, i], over[:, k], strict=True)]
                 value = total([inertia[row, column], *terms])
-                handed[row, column] = handed[column, row] = value
+                passed[row, column] = passed[column, row] = value
         force = p.copy()
         force[free] = pull
         if rotor is not None:  # they hold what the rotor hands on
-            handed[free] = scaled * rotor
-            handed[:, free] = handed[free].T
-            handed[np.ix_(free, free)] = _mirrored(handed[np.ix_(free, free)])
+            passed[free] = scaled * rotor
+            passed[:, free] = passed[free].T
+            passed[np.ix_(free, free)] = _mirrored(passed[np.ix_(free, free)])
             force[free] = pull - moved * rotor
         for row in constrained:
             for c in range(p.shape[1]):
                 force[row, c] = total([p[row, c], *(inertia[row, free] * moved[:, c])])
         drift = self.motion.drift(step.joint)
         if drift is not None:
-            force = force + matrix_times(handed, drift * sigma)
+            force = force + matrix_times(passed, drift * sigma)
         if not step.reversed:
-            handed, force = x.inertia(handed), columnwise(x.force, force)
+            passed, force = x.inertia(passed), columnwise(x.force, force)
         if step.reversed:
-            self.memory["IA", near] = self.memory["IA", near] + handed
+            self.memory["IA", near] = self.memory["IA", near] + passed
             self.memory["pA", near] = self.memory["pA", near] + force
         else:
-            self.state.rows.hand_on("IA", step.joint, handed)
+            self.state.rows.hand_on("IA", step.joint, passed)
             self.state.rows.hand_on("pA", step.joint, force)
 
     def _diagonal(self, n: int, entry: Expression) -> Array:

@@ -19,7 +19,7 @@ from adagen.executor.copies import copied
 from adagen.executor.lanes import Grouping
 from adagen.executor.line import Line, Pair, line_of
 from adagen.executor.run import Simulated
-from adagen.executor.wants import Teller, Want
+from adagen.executor.wants import Sender, Want
 from adagen.plan.edges import is_free_base
 from adagen.plan.serial import serial_plan
 from adagen.plan.simd_groups import Limbs
@@ -61,27 +61,27 @@ def shared_line(plan: Plan, grouping: Grouping | None = None) -> tuple[Simulated
             None for none at all.
     """
     line = line_of(serial_plan(plan))
-    told = _told(plan, line)
-    wants = [Want(plan, line, p, told) for p in range(len(plan.processes))]
+    senders = _senders(plan, line)
+    wants = [Want(plan, line, p, senders) for p in range(len(plan.processes))]
     for want in wants:
-        for pair, teller in want.missing.items():
-            wants[teller.process].sends.setdefault(want.process, {})[pair] = teller
+        for pair, sender in want.missing.items():
+            wants[sender.process].sends.setdefault(want.process, {})[pair] = sender
     limbs = grouping or tuple(() for _ in plan.processes)
     return tuple(copied(want, own) for want, own in zip(wants, limbs, strict=True))
 
 
-def _told(plan: Plan, line: Line) -> dict[Pair, Teller]:
+def _senders(plan: Plan, line: Line) -> dict[Pair, Sender]:
     """What one process alone knows of a link of the core.
 
     It is what its limbs hand to the core, and sums of that.
     """
     core = _core(plan) | {j for j, joint in enumerate(plan.joints) if is_free_base(joint)}
     found = {
-        pair: Teller(p, plan.joints[j].parent)
+        pair: Sender(p, plan.joints[j].parent)
         for p, process in enumerate(plan.processes)
         for j in process.owns
         if plan.joints[j].parent - 1 in core and j not in core
-        for pair in line.handed.get(j, [])
+        for pair in line.passed.get(j, [])
     }
     for pair in line.sums():
         first, second = (found.get(line.unpacked(each)) for each in line.operands(pair))

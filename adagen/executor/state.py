@@ -54,7 +54,7 @@ class State:
         forces: of loops and couplings, by where they are given behind the accelerations.
         limbs: those that share code, one in each lane.
         rows: joints that are treated as one.
-        handed: what joints hand inwards, "IA" or "pA", by name and joint.
+        passed: what joints hand inwards, "IA" or "pA", by name and joint.
         asks_up: whether links' accelerations are asked for, which need gravity in their axes.
         left: what an answer leaves over, where it is corrected: links, joints and loops feel
             nothing else.
@@ -88,7 +88,7 @@ class State:
         self.tied_links: dict[int, list[tuple[int, Array]]] = {}
         self.outputs: dict[int, Array] = {}
         self.limbs = tuple(all_limbs)
-        self.handed: dict[tuple[str, int], Array] = {}
+        self.passed: dict[tuple[str, int], Array] = {}
         self.rows = Rows(self, rows_of(all_limbs))
         self.left: LeftOver | None = None
         self._exact = losing_joints(plan)

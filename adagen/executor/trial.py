@@ -363,8 +363,8 @@ class _Sweep:
             if exact and not joint.rotor_inertia and joint.kind != "planar":
                 free = list(KINDS[joint.kind].free)  # nothing is subtracted there
                 body[:, free], body[:, :, free] = 0, 0
-                told = np.einsum("smf,sf->sm", axes, self.tau[:, joint.v : joint.v + count])
-                force[:, free] = told[:, free]
+                along = np.einsum("smf,sf->sm", axes, self.tau[:, joint.v : joint.v + count])
+                force[:, free] = along[:, free]
             body = (body + body.transpose(0, 2, 1)) / 2
             kept = (axes, u, over)
         if joint.parent > 0:
@@ -381,9 +381,9 @@ class _Sweep:
     def _turns_quickly(self, j: int) -> bool:
         """Whether a joint turns bodies by as few operations as in straight lines (frames.py)."""
         joint = self.plan.joints[j]
-        told = self.own[j + 1] and self.own[joint.parent]
+        known = self.own[j + 1] and self.own[joint.parent]
         turns = joint.kind in ("revolute", "planar") and is_turn(np.array(joint.rotation))
-        return told and turns and self.rounded is not None and j not in self.exact
+        return known and turns and self.rounded is not None and j not in self.exact
 
     def _turned_quickly(self, j: int, body: Array, force: Array) -> tuple[Array, Array]:
         """A body turned about its joint's axis, and on into its parent's axes."""

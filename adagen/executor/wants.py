@@ -12,7 +12,7 @@ from adagen.plan.types import Plan, Process
 
 
 @dataclass(frozen=True)
-class Teller:
+class Sender:
     """Who tells others a number, and which link of the core it is about."""
 
     process: int
@@ -28,15 +28,15 @@ class Want:
         sends: numbers that it tells others, by process, likewise.
     """
 
-    def __init__(self, plan: Plan, line: Line, p: int, told: Mapping[Pair, Teller]) -> None:
+    def __init__(self, plan: Plan, line: Line, p: int, senders: Mapping[Pair, Sender]) -> None:
         self.plan, self.line, self.process = plan, line, p
         self.own: Process = plan.processes[p]
-        self.sends: dict[int, dict[Pair, Teller]] = {}
-        alone = line.needs((pair for pair, teller in told.items() if teller.process == p), ())
+        self.sends: dict[int, dict[Pair, Sender]] = {}
+        alone = line.needs((pair for pair, sender in senders.items() if sender.process == p), ())
         self._others = {
-            pair: teller
-            for pair, teller in told.items()
-            if teller.process != p and pair not in alone
+            pair: sender
+            for pair, sender in senders.items()
+            if sender.process != p and pair not in alone
         }
         for pair, entry in line.torques():
             readers = _readers(plan, entry)
@@ -70,19 +70,19 @@ class Want:
         return self._found | sent | more, looked
 
 
-def _readers(plan: Plan, entry: int) -> list[Teller]:
+def _readers(plan: Plan, entry: int) -> list[Sender]:
     """Return who is given an entry of tau, and for which link."""
     for j, joint in enumerate(plan.joints):
         if joint.v <= entry < joint.v + KINDS[joint.kind].nv:
             return [
-                Teller(p, j + 1)
+                Sender(p, j + 1)
                 for p, process in enumerate(plan.processes)
                 if j in process.owns or j in process.shares
             ]
     for k, wrench in enumerate(plan.wrenches):
         if plan.entry_of_wrench(k) <= entry < plan.entry_of_wrench(k) + 6:
             return [
-                Teller(p, wrench.link)
+                Sender(p, wrench.link)
                 for p, process in enumerate(plan.processes)
                 for step in process.steps
                 if isinstance(step, LinkBias | StartLink) and step.link == wrench.link

@@ -6,7 +6,7 @@ import json
 import os
 import re
 import shlex
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import fields
 from pathlib import Path
 
@@ -78,13 +78,14 @@ def _seen_from(folder: Path, path: Path) -> str:
     return Path(os.path.relpath(path, folder)).as_posix()
 
 
-def with_command(source: str, command: list[str]) -> str:
-    """Return an emitted source with a command in its head."""
+def with_command(source: str, command: list[str], inputs: Iterable[str] = ()) -> str:
+    """Return an emitted source with a command in its head, and lines on what it reads."""
     text = shlex.join(command)
     if not (text.isascii() and text.isprintable()):
         text = json.dumps(text)
     place = source.index("// options ")
-    return f"{source[:place]}{_MARK}{text}\n{source[place:]}"
+    lines = "".join(f"{line}\n" for line in (f"{_MARK}{text}", *inputs))
+    return f"{source[:place]}{lines}{source[place:]}"
 
 
 def command_in(source: str) -> list[str] | None:

@@ -15,6 +15,7 @@ from adagen.emit import emit, program_of
 from adagen.emit.runtime import FOLDER
 from adagen.errors import InputError, UsageError
 from adagen.library.command import command_of, refuse_another, with_command
+from adagen.library.inputs import Input, head_lines, inputs_of, with_inputs
 from adagen.library.request import Request
 from adagen.library.robot import Origin, Robot
 from adagen.library.scheduling import given_schedule, schedule_of
@@ -46,6 +47,7 @@ class Compiled:
         timeline: the predicted course of an evaluation; None if the profile or a batch leaves it
             open.
         files: file name to text: source, header, plan, drawing, Makefile, CMakeLists.txt, ...
+        inputs: what it was made from beside the robot, such as scene and cost profile.
     """
 
     model: Model
@@ -56,6 +58,7 @@ class Compiled:
     program: Program
     timeline: Timeline | None
     files: dict[str, str] = field(repr=False)
+    inputs: tuple[Input, ...] = field(default=(), repr=False)
 
     @property
     def stem(self) -> str:
@@ -91,10 +94,16 @@ class Compiled:
     def in_folder(self, folder: str | os.PathLike[str]) -> dict[str, str]:
         """Return the files as they are written into a folder.
 
-        The head of the source has the command that makes them, with paths relative to the folder.
+        The head of the source has the command that makes them, with paths relative to the folder,
+        and the hashes of scene and profile; the plan has their texts, too.
         """
         command = command_of(self.origin, self.request, Path(folder))
-        return {**self.files, f"{self.stem}.cpp": with_command(self.source, command)}
+        plan = f"{self.stem}.plan.json"
+        return {
+            **self.files,
+            f"{self.stem}.cpp": with_command(self.source, command, head_lines(self.inputs)),
+            plan: with_inputs(self.files[plan], command, self.inputs),
+        }
 
     def write(self, folder: str | os.PathLike[str]) -> list[Path]:
         """Write the files, all or none, and return their paths; files that are up to date stay.
@@ -233,4 +242,5 @@ def emitted(
         target=request.target,
     )
     line = timeline(program, profile) if priced else None
-    return Compiled(model, origin, request, schedule, plan, program, line, files)
+    inputs = inputs_of(origin, request)
+    return Compiled(model, origin, request, schedule, plan, program, line, files, inputs)

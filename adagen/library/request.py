@@ -102,7 +102,7 @@ class Request:
         )
         checked_shape(self.refinement, self.shape)
         if self.residual != "auto" and not self.refinement:
-            raise UsageError("--residual is for answers that are refined: say --refine, too")
+            raise UsageError("--residual needs --refine")
         if self.batch:
             check_batch(self.shape, self.refinement, self.channel)
         if self.certify:

@@ -32,7 +32,7 @@ def schedule_of(model: Model, request: Request) -> Schedule:
         if found.processes != request.sharing:
             raise InputError(
                 f"this schedule is for {found.processes} processes, not {request.sharing}; "
-                f"say --procs {found.processes}",
+                f"use --procs {found.processes}",
                 request.schedule,
             )
         return as_gathered(model, found)
@@ -100,7 +100,7 @@ def given_schedule(model: Model, request: Request) -> Schedule:
         text = Path(request.schedule).read_text(encoding="utf-8")
     except FileNotFoundError:
         raise UsageError(
-            f"--schedule: '{request.schedule}' is no file and none of {', '.join(KNOWN)}"
+            f"--schedule: '{request.schedule}' is neither a file nor one of {', '.join(KNOWN)}"
         ) from None
     except OSError as error:
         raise InputError(f"cannot read it: {error.strerror}", request.schedule) from None

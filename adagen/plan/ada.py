@@ -256,8 +256,8 @@ class AdaPlanner:
         """Tell the process of a part which forces act on its handles."""
         if part.process == chain.process or not forces:
             return
-        told = tuple(forces[h] for h in sorted(forces))
-        self._message(Message(chain.process, part.process, "disassembly", part.joint, forces=told))
+        sent = tuple(forces[h] for h in sorted(forces))
+        self._message(Message(chain.process, part.process, "disassembly", part.joint, forces=sent))
 
     # --- slaved joints -------------------------------------------------------------------------
 

@@ -25,8 +25,8 @@ def check_joints(model: Model) -> None:
         joint = model.joints[j]
         if joint.mimic is not None or j in sources:
             raise InputError(
-                f'joint "{joint.name}" is part of a closed loop and of a mimic: say the mimic as a '
-                "coupling of the scene instead of --mimic"
+                f'joint "{joint.name}" is part of a closed loop and of a mimic: write the mimic '
+                "as a coupling of the scene instead of --mimic"
             )
 
 

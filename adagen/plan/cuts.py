@@ -123,11 +123,11 @@ class _Robot:
         n = len(self.joints)
         frames = self._frames(seed)
         below = [inertia.copy() for inertia in self.inertia]
-        handed = [np.zeros((6, 6))] * n
+        passed = [np.zeros((6, 6))] * n
         for k in reversed(range(n)):
             joint, (x, y) = self.joints[k], frames[k]
-            handed[k] = x.T @ self._projected(joint, _seen(below[joint.child], y)) @ x
-            below[joint.parent] += handed[k]
+            passed[k] = x.T @ self._projected(joint, _seen(below[joint.child], y)) @ x
+            below[joint.parent] += passed[k]
         above: dict[int, Array | None] = {0: None}  # what reaches a link from above; None: ground
         result = np.ones(n)
         for k, (joint, (x, y)) in enumerate(zip(self.joints, frames, strict=True)):
@@ -137,7 +137,7 @@ class _Robot:
             if joint.free_floating:
                 above[joint.child] = np.zeros((6, 6))  # nothing holds the link
             elif joint.parent > 0 and coming is not None:
-                rest = below[joint.parent] - handed[k] + coming
+                rest = below[joint.parent] - passed[k] + coming
                 result[k] = max(result[k], _scaled_condition(rest))
                 above[joint.child] = y.T @ self._projected(joint, _seen(rest, x)) @ y
         return result

@@ -83,11 +83,11 @@ class ExchangePlanner(SegmentPlanner):
     def plan(self) -> tuple[tuple[Process, ...], tuple[Message, ...]]:
         """Return every process's steps, and the messages between them."""
         parts = self._parts(self.schedule.root)
-        told = None if parts is None else Told(self, parts)
+        passages = None if parts is None else Passages(self, parts)
         top = self._assemble()
         self._disassemble(top)
-        owns = self._owned() if told is None else told.owns()
-        return self._processes(owns, told), tuple(self.messages)
+        owns = self._owned() if passages is None else passages.owns()
+        return self._processes(owns, passages), tuple(self.messages)
 
     def _owned(self) -> list[list[int]]:
         """The joints that each process gives the accelerations of: the first one that knows."""
@@ -97,18 +97,20 @@ class ExchangePlanner(SegmentPlanner):
                 owns[self.knowing.get(j, (p,))[0]].append(j)
         return [sorted(own) for own in owns]
 
-    def _processes(self, owns: Sequence[list[int]], told: Told | None) -> tuple[Process, ...]:
+    def _processes(
+        self, owns: Sequence[list[int]], passages: Passages | None
+    ) -> tuple[Process, ...]:
         found = []
         for p, (steps, own) in enumerate(zip(self.steps, owns, strict=True)):
             shares = sorted(
                 j for j, knowing in self.knowing.items() if p in knowing and j not in own
             )
-            if told is None:
+            if passages is None:
                 reads = on_the_way(self.joints, (*own, *shares))
                 moving: list[Step] = [Kinematics(j) for j in reads]
             else:
                 reads = tuple(sorted((*own, *shares)))
-                moving = [*told.steps[p], *(Kinematics(j) for j in reads)]
+                moving = [*passages.steps[p], *(Kinematics(j) for j in reads)]
             found.append(Process((*moving, *steps), reads, tuple(own), tuple(shares)))
         return tuple(found)
 
@@ -205,7 +207,7 @@ class ExchangePlanner(SegmentPlanner):
             yield from self._inner_cuts(child, node.joint if child.joint > node.joint else cut)
 
 
-class Told:
+class Passages:
     """How the motions of a serial chain are passed on, level by level.
 
     Args:
@@ -247,11 +249,11 @@ class Told:
         for child in node.children:
             self._put_together(child)
         near, far = self._sides(node)
-        told = [(near, far)] if outermost else [(near, far), (far, near)]
+        ways = [(near, far)] if outermost else [(near, far), (far, near)]
         self.planner.exchange(
             [
                 self._message(self._passage(own), source, target)
-                for own, others in told
+                for own, others in ways
                 for source, target in pairs(own, others)
             ],
             self.steps,
@@ -284,6 +286,6 @@ class Told:
 
 
 def pairs(sources: Sequence[int], targets: Sequence[int]) -> Iterator[tuple[int, int]]:
-    """Yield for each target the source that tells it, sources taking turns."""
+    """Yield for each target the source that sends to it, sources taking turns."""
     for k, target in enumerate(targets):
         yield sources[k % len(sources)], target

@@ -20,7 +20,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from adagen.errors import InputError
-from adagen.plan.gather_steps import ProcessSteps, about, told
+from adagen.plan.gather_steps import ProcessSteps, about, contribution
 from adagen.plan.gather_trees import Tree, given_trees, laid_out_trees
 from adagen.plan.robot import PlanJoint
 from adagen.plan.segment import SegmentPlanner
@@ -123,6 +123,6 @@ def exchange(trees: Iterable[Tree]) -> Iterator[Message]:
     for tree in trees:
         if len(tree.participants) > 1:
             for p in tree.participants:
-                if (own := told(tree, p)) is not None:
+                if (own := contribution(tree, p)) is not None:
                     others = (other for other in tree.participants if other != p)
                     yield from (own.message(p, other, about(tree)) for other in others)

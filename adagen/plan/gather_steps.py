@@ -37,13 +37,13 @@ from adagen.plan.types import Message, Process
 
 
 @dataclass(frozen=True)
-class Told:
-    """What a process tells all others of a tree.
+class Contribution:
+    """What a process sends to all others of a tree.
 
     Attributes:
         blocks: the mobility that it found at the root, where the ground shows one.
         biases: the root's bias, likewise.
-        inertias: links of the core whose I^A and p^A, as far as it knows them, it tells.
+        inertias: links of the core whose I^A and p^A, as far as it knows them, it sends.
     """
 
     blocks: tuple[Block, ...]
@@ -63,8 +63,8 @@ class Told:
         )
 
 
-def told(tree: Tree, process: int) -> Told | None:
-    """Return what a process tells the others of a tree; None for nothing."""
+def contribution(tree: Tree, process: int) -> Contribution | None:
+    """Return what a process sends to the others of a tree; None for nothing."""
     shown: set[int] = {
         edge.near
         for edge in tree.edges
@@ -78,7 +78,7 @@ def told(tree: Tree, process: int) -> Told | None:
         block, bias = _shown(tree.root)
         blocks, biases = (block,), (bias,)
     inertias = tuple(sorted(shown - {0}))
-    return Told(blocks, biases, inertias) if inertias or blocks else None
+    return Contribution(blocks, biases, inertias) if inertias or blocks else None
 
 
 def about(tree: Tree) -> int:

@@ -97,9 +97,9 @@ def _of_joint(
             return _PLACE[plan.joints[step.joint].kind] + moved
         case Articulate():
             inner = _FACTORIZE[n] + _solve(n) * (m + columns)
-            handed = n * m * (m + 1) + (2 * m * (n + m) + n) * columns
+            passed = n * m * (m + 1) + (2 * m * (n + m) + n) * columns
             beyond = _MOVE_INERTIA + 21 + (_MOVE + 6) * columns + 2 * _CROSS
-            return inner + (0 if grounded and not step.reversed else handed + beyond)
+            return inner + (0 if grounded and not step.reversed else passed + beyond)
         case Propagate():
             own = _FACTORIZE[n] + 2 * _MOVE_BLOCK + 4 * 6 * n * m + n * n
             return own + (_MOVE + 12) * columns + len(step.spreads) * (_MOVE_BLOCK + 12 * n * m)

@@ -82,10 +82,10 @@ def corrected(plan: Plan, count: int) -> Plan:
 
 def _corrected_lines(plan: Plan, count: int) -> Plan:
     """The plan with all steps again for each correction, and their messages."""
-    told = plan.messages
-    messages = list(told)
+    once = plan.messages
+    messages = list(once)
     for _ in range(count):
-        messages += [replace(message, repeats=n) for n, message in enumerate(told)]
+        messages += [replace(message, repeats=n) for n, message in enumerate(once)]
     others = [p for p, process in enumerate(plan.processes) if p and process.steps]
     first = len(messages)
     messages += [Message(p, 0, ENERGIES, None) for p in others]
@@ -98,7 +98,7 @@ def _corrected_lines(plan: Plan, count: int) -> Plan:
     processes = tuple(
         replace(
             process,
-            steps=_again(process.steps, count, len(told), ends.get(p, ())),
+            steps=_again(process.steps, count, len(once), ends.get(p, ())),
             recovery=_again(process.recovery, count, 0, ()),
             others=tuple(_again(steps, count, 0, ()) for steps in process.others),
         )

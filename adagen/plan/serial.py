@@ -78,7 +78,7 @@ def check_reproducible(plan: Plan, gathered: Gathered | None) -> None:
         return
     if gathered is None:
         raise UsageError(
-            "processes that are joined at a cut have other digits than one process: reproducible "
+            "processes that are joined at a cut round differently from one process: reproducible "
             "ones gather at the base or the ground; leave out --schedule or --reproducible"
         )
     for tree, root in zip(moving_trees(plan.joints), gathered.roots, strict=True):
@@ -87,7 +87,7 @@ def check_reproducible(plan: Plan, gathered: Gathered | None) -> None:
         if root != base and len(owners) > 1:
             where = "the base" if base else "the ground"
             raise UsageError(
-                f"processes that gather at link {plan.links[root].name!r} have other digits than "
+                f"processes that gather at link {plan.links[root].name!r} round differently from "
                 f"one process: reproducible ones gather at {where}; leave out --schedule or "
                 "--reproducible"
             )

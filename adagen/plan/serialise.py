@@ -93,6 +93,7 @@ def plan_from_json(text: str) -> Plan:
     data = json.loads(text)
     if not isinstance(data, dict) or data.pop("format", None) != FORMAT:
         raise ValueError(f"not a plan of format {FORMAT}")
+    data.pop("made", None)  # from what, and by which command
     plan = _decode(Plan, data)
     assert isinstance(plan, Plan)
     return plan

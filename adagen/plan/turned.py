@@ -78,7 +78,7 @@ def turned_joints(plan: Plan) -> Turned:
     sides = _sides(plan.joints, plan.links)
     usual |= {step for step in worst if sides[step].usual > ENOUGH}
     fused = any(isinstance(step, FusedJoin) for p in plan.processes for step in p.steps)
-    for j, backwards in worst:  # mobilities of fused runs take away most of what is handed to them
+    for j, backwards in worst:  # mobilities of fused runs take away most of what is passed to them
         far = plan.joints[j].parent if backwards else j + 1
         if fused or not plan.links[far].mass:
             usual.add((j, backwards))
@@ -261,21 +261,21 @@ def _sides(
             found[j, backwards] = Side(float(trace.max()), least, float(np.median(usual)))
         return inertia - u @ np.linalg.pinv(d, hermitian=True) @ u.transpose(0, 2, 1)
 
-    handed: list[Any] = [None] * len(joints)
+    passed: list[Any] = [None] * len(joints)
     whole = [np.broadcast_to(inertia, (len(SEEDS), 6, 6)) for inertia in bare]
     for j in reversed(range(len(joints))):
         x = transforms[j]
         own = np.broadcast_to(bare[j + 1], whole[j + 1].shape)
-        handed[j] = x.transpose(0, 2, 1) @ look(j, False, whole[j + 1], own) @ x
+        passed[j] = x.transpose(0, 2, 1) @ look(j, False, whole[j + 1], own) @ x
         if joints[j].parent > 0:
-            whole[joints[j].parent] = whole[joints[j].parent] + handed[j]
+            whole[joints[j].parent] = whole[joints[j].parent] + passed[j]
     for j, joint in enumerate(joints):  # the ground's side, without what the joint itself carries
         if joint.parent == 0:
             continue
         back = np.linalg.inv(transforms[j])
-        told = back.transpose(0, 2, 1) @ (whole[joint.parent] - handed[j]) @ back
+        seen = back.transpose(0, 2, 1) @ (whole[joint.parent] - passed[j]) @ back
         own = back.transpose(0, 2, 1) @ bare[joint.parent] @ back
-        whole[j + 1] = whole[j + 1] + look(j, True, told, own)
+        whole[j + 1] = whole[j + 1] + look(j, True, seen, own)
     return found
 
 

@@ -45,7 +45,7 @@ def refuse_outputs(model: Model, form: str) -> None:
             continue
         if model.closed or any(joint.mimic for joint in model.joints):
             raise UsageError(
-                f"the {output.what} at '{output.name}' is not computed of robots with {tied}: "
+                f"the {output.what} at '{output.name}' is not computed for robots with {tied}: "
                 "leave it out of [outputs]"
             )
 

@@ -89,13 +89,13 @@ def _rest(model: Model) -> list[list[float]]:
         near = closest(model, q)
         found, _ = closed_states(model, 1) if _open(model, near) else (near, None)
         q = found if len(found) else near
-    told = []
+    described = []
     for j, joint in enumerate(model.joints):
         own = q[0, columns(model, j, "q")].tolist()
         if joint.kind.quaternion is not None:
             own = [*own[: joint.kind.quaternion], *_rotation_vector(own[joint.kind.quaternion :])]
-        told.append(own)
-    return told
+        described.append(own)
+    return described
 
 
 def _open(model: Model, q: Array) -> bool:

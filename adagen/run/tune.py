@@ -136,8 +136,8 @@ def _median(executable: Path, processes: int, toolchain: Toolchain) -> tuple[flo
     done = launch(executable, processes, words, toolchain, _TIMEOUT)
     if done.status != 0:
         raise EnvironmentFault(f"{executable.name} cannot be timed: {done.stderr}")
-    told = json.loads(done.stdout)["time"]
-    return float(told["in_place"]["median_ns"]), str(told["source"])
+    times = json.loads(done.stdout)["time"]
+    return float(times["in_place"]["median_ns"]), str(times["source"])
 
 
 def table(trials: Sequence[Trial]) -> str:

@@ -266,7 +266,7 @@ def _outputs(model: Model, scene: Scene, locked: Mapping[str, object]) -> tuple[
             else:
                 number, frame = names.link(name, "outputs", key, k)
             if number == 0:
-                message = f"link '{name}' is fixed to the ground: nothing is computed of it"
+                message = f"link '{name}' is fixed to the ground: nothing is computed for it"
                 raise scene.error(message, "outputs", key, k)
             found.append(Output(what, number, here(name) if frame is None else frame, name))
     return tuple(found)
@@ -298,7 +298,7 @@ def _pruned(
     wanted = set()
     for k, name in enumerate(scene.accelerations or ()):
         if name in locked:
-            message = f"joint '{name}' is locked: it has no acceleration to want"
+            message = f"joint '{name}' is locked: its acceleration cannot be asked for"
             raise scene.error(message, "accelerations", k)
         wanted.add(names.joint(name, "accelerations", k))
     kept = {names.link(name, "keep", k)[0] for k, name in enumerate(scene.keep)}
@@ -319,6 +319,6 @@ def _pruned(
     }
     for k, name in enumerate(scene.forces):
         if name not in still:
-            message = f"a force on link '{name}' cannot influence what is wanted: leave it out"
+            message = f"a force on link '{name}' changes nothing that the scene asks for"
             raise scene.error(message, "forces", k)
     return replace(smaller, floating=model.floating and smaller.joints[0].kind is FLOATING), dropped

@@ -40,12 +40,12 @@ def removed(reduction: Reduction) -> list[str]:
     """Return lines on what was removed."""
     lines = []
     if reduction.locked:
-        locked = [f'"{name}" at {_told(q)}' for name, q in reduction.locked.items()]
+        locked = [f'"{name}" at {_written(q)}' for name, q in reduction.locked.items()]
         lines.append(f"scene: {len(locked)} joints locked: {_listed(locked)}")
     if reduction.dropped:
         names = [f'"{name}"' for name in reduction.dropped]
         lines.append(
-            f"scene: {len(names)} joints left out, on which nothing wanted depends: "
+            f"scene: {len(names)} joints left out, as no requested result depends on them: "
             f"{_listed(names)}"
         )
     model = reduction.model
@@ -56,8 +56,8 @@ def removed(reduction: Reduction) -> list[str]:
             f"{_listed(names)}"
         )
     if model.outputs:
-        told = [f'{output.what} at "{output.name}"' for output in model.outputs]
-        lines.append(f"scene: computed beside accelerations: {_listed(told)}")
+        named = [f'{output.what} at "{output.name}"' for output in model.outputs]
+        lines.append(f"scene: other outputs: {_listed(named)}")
     if model.at_rest:
         lines.append("scene: at rest, all velocities are zero")
     if not reduction.model.gravity.any():
@@ -96,8 +96,8 @@ def measured(before: float, after: float) -> str:
 
 def accurate(digits: float, whole: float | None) -> str:
     """Return a line on the digits that are predicted of what is left, and of the whole robot."""
-    told = "" if whole is None else f", of the whole robot {whole:.1f}"
-    return f"scene: {digits:.1f} digits are predicted of what is left{told}"
+    beside = "" if whole is None else f", of the whole robot {whole:.1f}"
+    return f"scene: {digits:.1f} digits are predicted for what is left{beside}"
 
 
 def differs(simplification: Simplification) -> str:
@@ -113,7 +113,7 @@ def _change(share: float, less: str) -> str:
     return f"{abs(share):.0%} {less if share >= 0 else 'more'}"
 
 
-def _told(q: tuple[float, ...]) -> str:
+def _written(q: tuple[float, ...]) -> str:
     return f"{q[0]:g}" if len(q) == 1 else "[" + ", ".join(f"{x:g}" for x in q) + "]"
 
 

@@ -60,5 +60,5 @@ def read_hosts(path: Path) -> tuple[Host, ...]:
 def _slots(line: re.Match[str]) -> int:
     if line["colon"]:
         return int(line["colon"])
-    told = _SLOTS.search(line["words"] or "")
-    return int(told[1]) if told else 1
+    slots = _SLOTS.search(line["words"] or "")
+    return int(slots[1]) if slots else 1

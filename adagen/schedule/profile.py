@@ -121,14 +121,22 @@ def load_profile(name: str) -> CostProfile:
         UsageError: there is no such profile.
         InputError: the file cannot be read or is not a valid profile.
     """
+    return parse_profile(*profile_text(name))
+
+
+def profile_text(name: str) -> tuple[str, str]:
+    """Return the text of the profile that ``load_profile`` reads, and what messages call its file.
+
+    Raises:
+        UsageError: there is no such profile.
+        InputError: the file cannot be read.
+    """
     if name in SHIPPED:
-        text = (resources.files("adagen.schedule") / "profiles" / f"{name}.toml").read_text("utf-8")
-        return parse_profile(text, f"{name}.toml")
-    path = Path(name)
-    if name in stored_profiles():  # never SHIPPED, which are done with
-        path = profiles_folder() / f"{name}.toml"
+        path = resources.files("adagen.schedule") / "profiles" / f"{name}.toml"
+        return path.read_text("utf-8"), f"{name}.toml"
+    own = profiles_folder() / f"{name}.toml" if name in stored_profiles() else Path(name)
     try:
-        return parse_profile(path.read_text("utf-8"), str(path))
+        return own.read_bytes().decode("utf-8"), str(own)
     except FileNotFoundError:
         known = ", ".join(dict.fromkeys((*SHIPPED, *stored_profiles())))
         raise UsageError(

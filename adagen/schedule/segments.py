@@ -103,7 +103,7 @@ class SegmentCosts:
             return Price(self._ticks("link.start", "free.base"), self._ticks("free.acceleration"))
         sweep = [f"articulate.{'ground' if grounded else kind}"]
         if grounded and kind == PRESCRIBED:
-            sweep = []  # nothing is handed to the ground, and nothing gives way
+            sweep = []  # nothing is passed to the ground, and nothing gives way
         return Price(self._ticks("link.start", *sweep), self._ticks(f"accelerate.{kind}"))
 
     def _outward(self, kind: str, grounded: bool, free: bool) -> Price:

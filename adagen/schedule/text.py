@@ -33,9 +33,9 @@ def schedule_to_dict(schedule: Schedule, topology: Topology) -> dict[str, Any]:
                 below = made[node.joint]["children"]
                 entry = below[0] if side == "root" else below[-1]
                 entry["side"] = side
-    told: dict[str, Any] = {"root": made[schedule.root.joint]}
+    meeting: dict[str, Any] = {"root": made[schedule.root.joint]}
     if schedule.gathered is not None:  # the tree is one of several that say the same
-        told = {"gathered": _gathered_to_dict(schedule.gathered, topology)}
+        meeting = {"gathered": _gathered_to_dict(schedule.gathered, topology)}
     return {
         "makespan": schedule.makespan,
         "verdict": schedule.verdict,
@@ -53,7 +53,7 @@ def schedule_to_dict(schedule: Schedule, topology: Topology) -> dict[str, Any]:
         "candidates": schedule.candidates,
         "straight_lines": schedule.straight_lines,
         "expanded": schedule.expanded,
-        **told,
+        **meeting,
     }
 
 

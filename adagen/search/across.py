@@ -1,4 +1,4 @@
-"""What several hosts bring: one evaluation shared by them, and batches handed out to them."""
+"""What several hosts bring: one evaluation shared by them, and batches distributed to them."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class Shared:
 
 @dataclass(frozen=True)
 class HandedOut:
-    """Batches handed out by process 0 to so many hosts; predicted.
+    """Batches distributed by process 0 to so many hosts; predicted.
 
     Attributes:
         hosts: how many.

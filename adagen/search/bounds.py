@@ -17,7 +17,7 @@ from adagen.search.floors import NOTHING, Floors
 from adagen.search.limbs import Core, Limb, Robot
 from adagen.search.side_by_side import SideBySide
 
-_TELLS = 27
+_NUMBERS = 27
 """Numbers that a process tells another at least: a link's inertia and bias force."""
 
 
@@ -59,8 +59,8 @@ class Bounds:
         self.fastest = max(costs.speed(p) for p in range(processes))
         self.start = costs["process.evaluation"] / self.fastest
         self.latency = channel.latency
-        self.taking = _TELLS * channel.number / 2
-        self.telling = channel.send + self.taking
+        self.receiving_one = _NUMBERS * channel.number / 2
+        self.sending_one = channel.send + self.receiving_one
         self.solve = costs["root.solve"]
         self.outwards = min(floor.outwards for floor in floors.row)
         self.side_by_side = SideBySide(floors)
@@ -100,7 +100,7 @@ class Bounds:
             arounds: what cores take besides, by their trees.
             whole: trees of lower numbers that have no core will have none.
         """
-        most, messages = 0.0, self.telling + self.taking
+        most, messages = 0.0, self.sending_one + self.receiving_one
         for limb in limbs:
             long, around = self.floors.entered(limb), arounds.get(limb.tree)
             if around is None:
@@ -140,9 +140,13 @@ class Bounds:
         least = float("inf")
         for count in range(fewest, most + 1):
             ways = around.way * (count - up) / count + around.before + around.after
-            told = (count - 1) * self.telling
-            alone = (work.both / count + ways) / self.fastest + told + (count - 1) * self.taking
+            sending = (count - 1) * self.sending_one
+            alone = (
+                (work.both / count + ways) / self.fastest
+                + sending
+                + (count - 1) * self.receiving_one
+            )
             inwards = (work.inwards / count + ways + self.outwards) / self.fastest
-            waited = inwards + told + self.latency + self.taking
+            waited = inwards + sending + self.latency + self.receiving_one
             least = min(least, max(alone, waited))
         return self.start + least

@@ -1,7 +1,7 @@
 """Schedules of robots with closed loops: who has which limbs and which closures.
 
 Each closure is one process's (adagen/plan/closed.py). Limbs around the base, or around the middle
-of a long way, are dealt out; each of these layouts is priced as the straight lines that it makes,
+of a long way, are distributed; each of these layouts is priced as the straight lines that it makes,
 beside one process that does everything.
 """
 
@@ -19,7 +19,7 @@ from adagen.plan.gather_trees import Tree, moving_trees
 from adagen.plan.types import Plan
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.tree import Gathered
-from adagen.search.dealt import cheapest_of, joint_weights, layouts_at
+from adagen.search.distribution import cheapest_of, joint_weights, layouts_at
 from adagen.search.schedules import find_schedule
 
 _SHARES = (0.46, 0.38, 0.31)

@@ -204,8 +204,8 @@ def _first_sweep(costs: StepCosts, kind: str, outermost: bool) -> float:
     kinematics = min(costs[f"kinematics.{kind}"], costs[f"kinematics_segments.{kind}"])
     sweep = min(costs[f"articulate.{kind}"], costs[f"articulate_columns.{kind}"])
     own = kinematics + costs["link.start"] + sweep
-    told = costs[f"passing_segments.{kind}"] + costs[f"propagate_run.{kind}"]
-    return own if outermost else own + told
+    passing = costs[f"passing_segments.{kind}"] + costs[f"propagate_run.{kind}"]
+    return own if outermost else own + passing
 
 
 def _ready(plan: Plan, line: Timeline) -> list[float]:

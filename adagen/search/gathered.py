@@ -1,7 +1,7 @@
 """Branch and bound over layouts: where processes meet, and who takes which limbs.
 
 Frames (frames.py) are tried by their bounds, the smallest first, until none can be faster than the
-best layout found; the limbs of each are handed out by branch and bound as well (handout.py).
+best layout found; the limbs of each are distributed by branch and bound as well (handout.py).
 Layouts that differ in the numbers of their processes only count as one.
 """
 

@@ -54,23 +54,23 @@ def schedule_from_json(
 
 def _read_gathered(data: dict[str, Any], topology: Topology, profile: CostProfile) -> Schedule:
     """The schedule of processes that gather; its tree stands for nothing."""
-    told, processes = data["gathered"], data.get("processes")
+    gathered, processes = data["gathered"], data.get("processes")
     if not isinstance(processes, int) or isinstance(processes, bool) or not 1 <= processes <= 1024:
         raise InvalidSchedule('"processes" is a number from 1 to 1024')
-    if not isinstance(told, dict) or not isinstance(told.get("owners"), dict):
+    if not isinstance(gathered, dict) or not isinstance(gathered.get("owners"), dict):
         raise InvalidSchedule('"gathered" holds "roots" and "owners"')
     index = {name: j + 1 for j, name in enumerate(topology.names)}
     owners: list[int | None] = []
     for name in topology.names:
-        if name not in told["owners"]:
+        if name not in gathered["owners"]:
             raise InvalidSchedule(f"joint '{name}' has no owner; null: the core")
-        owner = told["owners"][name]
+        owner = gathered["owners"][name]
         if owner is not None and not (type(owner) is int and 0 <= owner < processes):
             raise InvalidSchedule(f"the owner of joint '{name}' is no process of {processes}")
         owners.append(owner)
-    if unknown := sorted(set(told["owners"]) - set(index)):
+    if unknown := sorted(set(gathered["owners"]) - set(index)):
         raise InvalidSchedule(f"the robot has no joint '{unknown[0]}'")
-    roots = told.get("roots")
+    roots = gathered.get("roots")
     if not isinstance(roots, list) or any(r is not None and r not in index for r in roots):
         raise InvalidSchedule('"roots" names the joint above each root; null: the ground')
     gathered = Gathered(tuple(0 if r is None else index[r] for r in roots), tuple(owners))

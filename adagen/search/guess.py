@@ -1,4 +1,4 @@
-"""First layouts: limbs handed out by what they take by themselves, before anything is proven."""
+"""First layouts: limbs distributed by what they take by themselves, before anything is proven."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def halves(processes: int) -> list[int]:
 
 @dataclass(frozen=True)
 class Guess:
-    """Limbs handed out evenly.
+    """Limbs distributed evenly.
 
     Attributes:
         time: of the busiest process.

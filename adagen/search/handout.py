@@ -209,11 +209,11 @@ class HandOut:
                 up = any(limb.up for limb in own)
                 total += count * (around.before + around.after) + (count - up) * around.way
                 shared = count
-        messages = shared * (bounds.telling + bounds.taking)
+        messages = shared * (bounds.sending_one + bounds.receiving_one)
         return total / processes, messages / processes
 
     def _leads(self, c: int, lead: int) -> bool:
-        """Whether limbs of a class are handed out before those of another."""
+        """Whether limbs of a class are distributed before those of another."""
         return (-self.weights[c], c) < (-self.weights[lead], lead)
 
     @staticmethod
@@ -250,7 +250,7 @@ class HandOut:
         limbs = [k for own, n in zip(self.classes, remaining, strict=True) for k in own[:n]]
         if limbs and not processes:
             return float("inf")
-        messages = bounds.telling + bounds.taking if self.around is not None else 0.0
+        messages = bounds.sending_one + bounds.receiving_one if self.around is not None else 0.0
         least = bounds.start + alone + messages * bool(blocks)
         if limbs:
             cores, messages = self._beside(limbs, processes)
@@ -261,7 +261,7 @@ class HandOut:
             floor = (around.after + bounds.outwards) / bounds.fastest
             known = [block.after for block in blocks]
             after = min([*known, *([floor] if limbs or not known else [])])
-            waited = bounds.telling + bounds.taking + bounds.latency
+            waited = bounds.sending_one + bounds.receiving_one + bounds.latency
             least = max(least, bounds.start + before + waited + after)
             rest = self._slowest(core.tree, around, limbs, (), processes)
             least = max(least, bounds.start + waited + _last(core.tree, blocks, rest))

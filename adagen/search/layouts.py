@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from adagen.plan.gather_steps import ProcessSteps, told
+from adagen.plan.gather_steps import ProcessSteps, contribution
 from adagen.plan.gather_trees import Tree, least_busy
 from adagen.plan.steps import Step
 from adagen.schedule.tree import Gathered
@@ -116,8 +116,8 @@ class LayoutPrices:
         if frame is not self._frame:
             self._frame, self._pieces = frame, {}
         # Where processes part each other's runs, it matters which joints they have.
-        told = own if self._parted else (frame.limbs[k].kind for k in own)
-        key = (tuple(told), owned)
+        kinds = own if self._parted else (frame.limbs[k].kind for k in own)
+        key = (tuple(kinds), owned)
         if key not in self._pieces:
             self.priced += 1
             self._pieces[key] = self._priced(frame, own, owned)
@@ -128,7 +128,7 @@ class LayoutPrices:
         numbers, messages = [], []
         for core in frame.cores:
             tree = trees.get(core.tree)
-            found = told(tree, _HERE) if tree is not None else None
+            found = contribution(tree, _HERE) if tree is not None else None
             if tree is None or found is None:
                 numbers.append(0)
                 continue

@@ -155,12 +155,12 @@ class Robot:
             span = range(joint, self.last[joint] + 1)
             if len(span) > _COMPARED or joint in self.prolonging:
                 return ("own", joint)
-            told = tuple(
+            features = tuple(
                 (j - self.joints[j].parent if j > joint else 0, self.joints[j].kind)
                 + ((True,) if self.joints[j].prescribed else ())
                 for j in span
             )
-            self._kind_of[joint] = self._kinds.setdefault(told, len(self._kinds))
+            self._kind_of[joint] = self._kinds.setdefault(features, len(self._kinds))
         return self._kind_of[joint]
 
     def stretch(self, joint: int) -> tuple[int, ...]:

@@ -1,8 +1,8 @@
 """Schedules of reproducible programs: shares of the straight line of one process.
 
-Processes gather at the base or the ground (adagen/plan/serial.py), where limbs are dealt out to
-them (adagen/search/dealt.py). Each of these layouts is priced as the straight lines that it makes,
-beside one process that does everything.
+Processes gather at the base or the ground (adagen/plan/serial.py), where limbs are distributed to
+them (adagen/search/distribution.py). Each of these layouts is priced as the straight lines that
+it makes, beside one process that does everything.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from adagen.plan.clusters import fold_of
 from adagen.plan.gather_trees import moving_trees
 from adagen.plan.serial import serial_plan
 from adagen.schedule import CostProfile, Schedule, Topology
-from adagen.search.dealt import cheapest_of, joint_weights, layouts_at
+from adagen.search.distribution import cheapest_of, joint_weights, layouts_at
 from adagen.search.schedules import find_schedule
 
 

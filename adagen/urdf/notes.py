@@ -87,6 +87,19 @@ class Notes:
             names = quoted([name for name, _, _ in others])
             self.warn(f"{len(others)} more {rest}: {names}", others[0][2])
 
+    def warn_together(self, found: Sequence[tuple[str, str, int | None]], rest: str) -> None:
+        """Record warnings of one kind in one line: the first one in full, names of the others.
+
+        Args:
+            found: (name, message, line) of each.
+            rest: what the others have in common.
+        """
+        for _, message, line in found[:1]:
+            others = quoted([name for name, _, _ in found[1:]])
+            self.warn(
+                f"{message}; {len(found) - 1} more {rest}: {others}" if others else message, line
+            )
+
     def ignore(self, text: str) -> None:
         """Record something that was read and is not modelled."""
         self.ignored.append(printable(shortened(text)))

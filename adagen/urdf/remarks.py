@@ -138,7 +138,7 @@ def warn_limits(root: Element, notes: Notes) -> None:
             if lower > upper:
                 text = f'joint "{name}": lower limit {lower:g} is above the upper one {upper:g}'
                 found.append((name, f"{text} (not used)", line_of(limit)))
-    notes.warn_each(found, "joints have odd limits (not used)")
+    notes.warn_together(found, "joints have such limits")
 
 
 def warn_inertias(description: Description, notes: Notes) -> None:

@@ -83,9 +83,9 @@ def _run(program: Program, repeat: int) -> Times:
     done = launch(program.executable, program.processes, words, program.toolchain, TIMEOUT)
     if done.status != 0:
         raise SystemExit(f"error: {program.executable.name}: {done.stderr}")
-    told = json.loads(done.stdout)["time"]
-    times = told["in_place"]
-    played = told["source"] == "stretches"
+    record = json.loads(done.stdout)["time"]
+    times = record["in_place"]
+    played = record["source"] == "stretches"
     return Times(float(times["median_ns"]) / 1e3, float(times["min_ns"]) / 1e3, played)
 
 

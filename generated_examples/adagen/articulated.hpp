@@ -79,7 +79,7 @@ struct ArticulatedJoint {
 // where D cannot be factorized.
 template <class Kind>
 ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Inertia& I,
-                                const Columns6& p, Inertia& handed, Columns6& force) {
+                                const Columns6& p, Inertia& passed, Columns6& force) {
   constexpr int n = kFree<Kind>, m = kConstrained<Kind>;
   constexpr auto& free = Kind::Free::row;
   [[maybe_unused]] constexpr auto& constrained = Kind::Constrained::row;
@@ -104,19 +104,19 @@ ADAGEN_NOINLINE bool articulate(Articulated<Kind>& i, Real sigma, const Inertia&
   auto moved = i.u;
   i.solve(moved);
   ADAGEN_FOR (k, 0, n)
-    ADAGEN_FOR (l, 0, 6) handed.set(free[k], l, 0);
+    ADAGEN_FOR (l, 0, 6) passed.set(free[k], l, 0);
   if constexpr (m > 0) {
     ADAGEN_FOR (r, 0, m)
       ADAGEN_FOR (s, r, m) {
         Real x = I(constrained[r], constrained[s]);
         ADAGEN_FOR (k, 0, n) x -= I(constrained[r], free[k]) * i.E[k][constrained[s]];
-        handed.set(constrained[r], constrained[s], x);
+        passed.set(constrained[r], constrained[s], x);
       }
     ADAGEN_FOR (c, 0, kColumns)
       ADAGEN_FOR (r, 0, m) {
         Real x = p(constrained[r], c);
         ADAGEN_FOR (k, 0, n) x += I(constrained[r], free[k]) * moved[k][c];
-        ADAGEN_FOR (s, 0, m) x += handed(constrained[r], constrained[s]) * i.c(constrained[s], c);
+        ADAGEN_FOR (s, 0, m) x += passed(constrained[r], constrained[s]) * i.c(constrained[s], c);
         force(constrained[r], c) = x;
       }
   }

@@ -1,5 +1,5 @@
 // adagen's runtime, the same for all robots.
-// What the program around it is told of a solver for one process, without loops, outer forces or
+// What the program around it knows of a solver for one process, without loops, outer forces or
 // outputs; and its main.
 #pragma once
 

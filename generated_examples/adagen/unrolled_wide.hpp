@@ -38,7 +38,7 @@ using Half =
 #endif
 
 template <class T>
-ADAGEN_INLINE T taken(const Real* from) {
+ADAGEN_INLINE T load(const Real* from) {
   T x;
   std::memcpy(&x, from, sizeof x);
   return x;
@@ -74,7 +74,7 @@ template <class T, int rows>
 ADAGEN_INLINE Real unlike_zero(const Real* from) {
   T sum{};
   ADAGEN_FOR (k, 0, rows) {
-    const T x = taken<T>(from + k * kWidth<T>);
+    const T x = load<T>(from + k * kWidth<T>);
     sum += x - x;
   }
   return across<kWidth<T>>(sum);

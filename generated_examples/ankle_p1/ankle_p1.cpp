@@ -1,6 +1,8 @@
 // Forward dynamics of "ankle" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 // robot     "ankle", 8 joints, 12 degrees of freedom, description sha256 ddb900f3e284309ae668afcdcf39b2b2f8b0b30c7e4b7984814bb0e23c113d8c
 // command   adagen ../models/ankle.urdf --scene=../models/ankle.toml --procs 1
+// input     scene, sha256 11c8028c5b54b9020d35bd5ac03db5bc865ea05a389c3bc7c7df6b476153c181
+// input     profile default, sha256 4d2e57544ec8b0d6db724e39fbb20a173aae29f19e91072390d4f16f8137ebaa
 // options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp
 // program   1 process; 0.232 us predicted (default profile)
@@ -270,7 +272,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Real x519 = x296 * 0.15 - x323 * 0.01725;
   const Real x523 = x299 * 0.15 - x317 * 0.01725;
   const Real x527 = x302 * 0.15 + x319 * 0.01725;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x530 = cosine[3] * 0.05;
   const Real x531 = sine[3] * 0.05;
   const Real x532 = cosine[2] * x531;
@@ -321,7 +323,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Real x709 = 0.05 * x695;
   const Real x701 = x618 * x691 + x624 * x688 + x619 * x695;
   const Real x710 = x701 - (x187 + x204 * 0.15);
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x721 = x272 * 0.23;
   const Real x727 = -0.06 - x261 * 0.23;
   const Real x738 = -0.17 - (cosine[5] * x721 + sine[5] * x727);
@@ -844,11 +846,11 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
   const Real x259 = q[12] * x249;
   const Real x260 = q[13] * x250;
   const Real x269 = x259 - x260;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x572 = v[2] * v[2];
   const Real x574 = v[4] * v[4] + v[5] * v[5] + v[6] * v[6];
   const Real x580 = v[7] * v[7] + x574 + x572 + x80 + 1.0;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x757 = v[8] * v[8] + v[9] * v[9] + v[10] * v[10];
   // joint 5 "left_ball": placement, velocity and reference acceleration of its link
   const Real x155 = 1.0 - (x135 + x146);
@@ -857,7 +859,7 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
   const Real x256 = q[11] * x249;
   const Real x257 = q[13] * x251;
   const Real x262 = x256 + x257;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x642 = cosine[4] * x153 - sine[4] * x141;
   const Real x587 = cosine[4] * x152 - sine[4] * x138;
   const Real x590 = sine[4] * x152 + cosine[4] * x138;
@@ -879,7 +881,7 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
   const Real x691 = cosine[3] * x151 + sine[3] * x684;
   const Real x695 = cosine[3] * x684 - sine[3] * x151;
   const Real x709 = 0.05 * x695;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x767 = cosine[5] * x269 - sine[5] * x255;
   const Real x770 = sine[5] * x269 + cosine[5] * x255;
   // joint 5 "left_ball": inertia and bias force of what is beyond, its own motion left open
@@ -910,7 +912,7 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
   const Real x268 = x266 - x267;
   const Real x265 = 1.0 - (x253 + x263);
   const Real x272 = 1.0 - (x252 + x263);
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x773 = cosine[2] * x767 + sine[2] * x770;
   const Real x777 = cosine[2] * x770 - sine[2] * x767;
   const Real x780 = cosine[3] * x262 + sine[3] * x773;
@@ -972,10 +974,10 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
   const Real x159 = x99 * x151;
   const Real x160 = v[5] + x157;
   const Real x162 = v[7] + x159;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x620 = 2.0 * x70 * 0.05;
   const Real x621 = x89 * 0.06;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x868 = cosine[3] * x268 + sine[3] * x861;
   const Real x872 = cosine[3] * x861 - sine[3] * x268;
   const Real x886 = 0.05 * x872;
@@ -1045,7 +1047,7 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
   const Real x321 = x276 * x278;
   // link 4 "foot": force that the reference field takes
   const Real x412 = x83 * 0.05;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x616 = (x78 + x80) * 0.05;
   const Real x618 = x72 - x616;
   const Real x624 = x620 + x621 - x55;
@@ -1068,10 +1070,10 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
   const Real x317 = x316 - x282;
   const Real x299 = x224 * x270 + x258 * x293;
   const Real x319 = x276 * x276 + x277 * x277;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x665 = x618 * x655 + x624 * x652 + x619 * x659;
   const Real x701 = x618 * x691 + x624 * x688 + x619 * x695;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x795 = x72 + x616;
   const Real x799 = x621 - x620 - x55;
   const Real x796 = x73 + x412;
@@ -1107,9 +1109,9 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
   const Real x2707 = x2552 * x2697 - x2606;
   // joint 7 "right_ball": placement, velocity and reference acceleration of its link
   const Real x302 = x224 * x272 + x261 * x293;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x541 = x155 * 0.15;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x841 = x795 * x831 + x799 * x828 + x796 * x835;
   const Real x878 = x795 * x868 + x799 * x865 + x796 * x872;
   // joint 7 "right_ball": inertia and bias force of what is beyond, its own motion left open
@@ -1148,7 +1150,7 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
   const Real x2948 = x2874 + (x2519 - x2534 * x2603) * x2883;
   const Real x2718 = x2647 + x2717;
   const Real x2721 = x2712 + x2713 + x2718 * x2718;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x530 = cosine[3] * 0.05;
   // joint 7 "right_ball": inertia and bias force of what is beyond, its own motion left open
   const Real x1147 = x1028 + 0.06 * x990 + 0.06 * x1073 + 0.0002466667;
@@ -1200,7 +1202,7 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
   const Real x512 = x282 * 0.00264635 - x316 * 0.00264365 + x299 * 0.01725;
   const Real x527 = x302 * 0.15 + x319 * 0.01725;
   const Real x515 = x286 * 0.00264635 + x321 * 0.00264365 - x296 * 0.01725;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x531 = sine[3] * 0.05;
   const Real x536 = sine[2] * x531;
   // joint 7 "right_ball": inertia and bias force of what is beyond, its own motion left open
@@ -1244,7 +1246,7 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
   const Real x467 = x166 * 0.00112635 - x201 * 0.00112365 + x184 * 0.01125;
   const Real x482 = x187 * 0.15 + x204 * 0.01125;
   const Real x470 = x170 * 0.00112635 + x206 * 0.00112365 - x181 * 0.01125;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x543 = x144 * 0.15;
   const Real x532 = cosine[2] * x531;
   // joint 7 "right_ball": inertia and bias force of what is beyond, its own motion left open
@@ -1329,11 +1331,11 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
   const Real x2951 = x2950 - (x2707 - x2718 * x2753) * x2903;
   const Real x2820 = sign_of(x2789) * sqrt_of(x2789 * x2789 + x2816 + x2812);
   const Real x2821 = x2789 + x2820;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x547 = -0.06 - x543;
   const Real x533 = sine[2] * 0.06;
   const Real x537 = cosine[2] * 0.06;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x721 = x272 * 0.23;
   const Real x727 = -0.06 - x261 * 0.23;
   // joint 6 "right_motor": inertia and bias force of what is beyond, its own motion left open
@@ -1359,7 +1361,7 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
   const Real x2838 = 0.92 * x2834;
   const Real x2843 = x2790 * x2834 - x2806;
   const Real x2844 = x2787 * x2834 - x2803;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x561 = x536 - x537 - (cosine[4] * x547 - sine[4] * x541);
   const Real x562 = x530 - (0.05 - x151 * 0.15);
   const Real x558 = -0.25 - (cosine[4] * x541 + sine[4] * x547);
@@ -1367,7 +1369,7 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
   const Real x567 = x561 * x561 + x562 * x562 + x560 * x560;
   const Real x579 = 1e-08 - x567;
   require_more(w, x579, 0.0, kLoopOpen, 8);
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x741 = x536 + x537 + (cosine[5] * x727 - sine[5] * x721);
   const Real x743 = -0.05 - x268 * 0.23 + x530;
   const Real x738 = -0.17 - (cosine[5] * x721 + sine[5] * x727);

@@ -1,6 +1,7 @@
 // Forward dynamics of "arm7" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 1 --shape=joints
+// input     profile default, sha256 4d2e57544ec8b0d6db724e39fbb20a173aae29f19e91072390d4f16f8137ebaa
 // options   form segment, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp
 // program   1 process; 0.324 us predicted (default profile)
@@ -174,9 +175,9 @@ void articulate_shoulder_pitch(Workspace& w) {
   auto& i = w.j_shoulder_pitch;
   load_torque(w, 1, 1, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 1);
-  const Handed handed = hand_on(w, 1, i.body, 1, i.IA, i.pA);
-  add_in_parent(i.X, handed.inertia, w.j_base_yaw.IA);
-  w.j_base_yaw.pA += i.X.transposed_times(handed.force);
+  const Passed passed = hand_on(w, 1, i.body, 1, i.IA, i.pA);
+  add_in_parent(i.X, passed.inertia, w.j_base_yaw.IA);
+  w.j_base_yaw.pA += i.X.transposed_times(passed.force);
 }
 
 void accelerate_shoulder_pitch(Workspace& w) {
@@ -203,9 +204,9 @@ void articulate_upper_arm_roll(Workspace& w) {
   auto& i = w.j_upper_arm_roll;
   load_torque(w, 2, 2, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 2);
-  const Handed handed = hand_on(w, 2, i.body, 1, i.IA, i.pA);
-  add_in_parent(i.X, handed.inertia, w.j_shoulder_pitch.IA);
-  w.j_shoulder_pitch.pA += i.X.transposed_times(handed.force);
+  const Passed passed = hand_on(w, 2, i.body, 1, i.IA, i.pA);
+  add_in_parent(i.X, passed.inertia, w.j_shoulder_pitch.IA);
+  w.j_shoulder_pitch.pA += i.X.transposed_times(passed.force);
 }
 
 void accelerate_upper_arm_roll(Workspace& w) {
@@ -232,9 +233,9 @@ void articulate_elbow_pitch(Workspace& w) {
   auto& i = w.j_elbow_pitch;
   load_torque(w, 3, 3, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 3);
-  const Handed handed = hand_on(w, 3, i.body, 1, i.IA, i.pA);
-  add_in_parent(i.X, handed.inertia, w.j_upper_arm_roll.IA);
-  w.j_upper_arm_roll.pA += i.X.transposed_times(handed.force);
+  const Passed passed = hand_on(w, 3, i.body, 1, i.IA, i.pA);
+  add_in_parent(i.X, passed.inertia, w.j_upper_arm_roll.IA);
+  w.j_upper_arm_roll.pA += i.X.transposed_times(passed.force);
 }
 
 void accelerate_elbow_pitch(Workspace& w) {
@@ -261,9 +262,9 @@ void articulate_forearm_roll(Workspace& w) {
   auto& i = w.j_forearm_roll;
   load_torque(w, 4, 4, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 4);
-  const Handed handed = hand_on(w, 4, i.body, 1, i.IA, i.pA);
-  add_in_parent(i.X, handed.inertia, w.j_elbow_pitch.IA);
-  w.j_elbow_pitch.pA += i.X.transposed_times(handed.force);
+  const Passed passed = hand_on(w, 4, i.body, 1, i.IA, i.pA);
+  add_in_parent(i.X, passed.inertia, w.j_elbow_pitch.IA);
+  w.j_elbow_pitch.pA += i.X.transposed_times(passed.force);
 }
 
 void accelerate_forearm_roll(Workspace& w) {
@@ -290,9 +291,9 @@ void articulate_wrist_pitch(Workspace& w) {
   auto& i = w.j_wrist_pitch;
   load_torque(w, 5, 5, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 5);
-  const Handed handed = hand_on(w, 5, i.body, 1, i.IA, i.pA);
-  add_in_parent(i.X, handed.inertia, w.j_forearm_roll.IA);
-  w.j_forearm_roll.pA += i.X.transposed_times(handed.force);
+  const Passed passed = hand_on(w, 5, i.body, 1, i.IA, i.pA);
+  add_in_parent(i.X, passed.inertia, w.j_forearm_roll.IA);
+  w.j_forearm_roll.pA += i.X.transposed_times(passed.force);
 }
 
 void accelerate_wrist_pitch(Workspace& w) {
@@ -319,9 +320,9 @@ void articulate_flange_roll(Workspace& w) {
   auto& i = w.j_flange_roll;
   load_torque(w, 6, 6, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 6);
-  const Handed handed = hand_on(w, 6, i.body, 1, i.IA, i.pA);
-  add_in_parent(i.X, handed.inertia, w.j_wrist_pitch.IA);
-  w.j_wrist_pitch.pA += i.X.transposed_times(handed.force);
+  const Passed passed = hand_on(w, 6, i.body, 1, i.IA, i.pA);
+  add_in_parent(i.X, passed.inertia, w.j_wrist_pitch.IA);
+  w.j_wrist_pitch.pA += i.X.transposed_times(passed.force);
 }
 
 void accelerate_flange_roll(Workspace& w) {
@@ -348,9 +349,9 @@ void articulate_left_finger_slide(Workspace& w) {
   auto& i = w.j_left_finger_slide;
   load_torque(w, 7, 7, i.body.tau);
   i.body.c = velocity_product<Prismatic>(i.v, w.v + 7);
-  const Handed handed = hand_on(w, 7, i.body, 1, i.IA, i.pA);
-  add_in_parent(i.X, handed.inertia, w.j_flange_roll.IA);
-  w.j_flange_roll.pA += i.X.transposed_times(handed.force);
+  const Passed passed = hand_on(w, 7, i.body, 1, i.IA, i.pA);
+  add_in_parent(i.X, passed.inertia, w.j_flange_roll.IA);
+  w.j_flange_roll.pA += i.X.transposed_times(passed.force);
 }
 
 void accelerate_left_finger_slide(Workspace& w) {
@@ -377,9 +378,9 @@ void articulate_right_finger_slide(Workspace& w) {
   auto& i = w.j_right_finger_slide;
   load_torque(w, 8, 8, i.body.tau);
   i.body.c = velocity_product<Prismatic>(i.v, w.v + 8);
-  const Handed handed = hand_on(w, 8, i.body, 1, i.IA, i.pA);
-  add_in_parent(i.X, handed.inertia, w.j_flange_roll.IA);
-  w.j_flange_roll.pA += i.X.transposed_times(handed.force);
+  const Passed passed = hand_on(w, 8, i.body, 1, i.IA, i.pA);
+  add_in_parent(i.X, passed.inertia, w.j_flange_roll.IA);
+  w.j_flange_roll.pA += i.X.transposed_times(passed.force);
 }
 
 void accelerate_right_finger_slide(Workspace& w) {

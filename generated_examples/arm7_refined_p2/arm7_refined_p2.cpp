@@ -1,6 +1,7 @@
 // Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 2 --schedule=balanced --shape=kernels --refine=1 --name=arm7_refined
+// input     profile default, sha256 4d2e57544ec8b0d6db724e39fbb20a173aae29f19e91072390d4f16f8137ebaa
 // options   form segment, shape kernels, scalar double, refine 1 (wide residual), channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI
 // program   2 processes, joined at cuts; 0.953 us predicted (default profile)

@@ -1,6 +1,7 @@
 // Forward dynamics of "chain16" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // command   adagen ../models/chain16.urdf --procs 3 --schedule=balanced --shape=kernels
+// input     profile default, sha256 4d2e57544ec8b0d6db724e39fbb20a173aae29f19e91072390d4f16f8137ebaa
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI
 // program   3 processes, joined at cuts; 1.61 us predicted (default profile)

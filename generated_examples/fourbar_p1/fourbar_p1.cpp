@@ -1,6 +1,8 @@
 // Forward dynamics of "fourbar" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 // robot     "fourbar", 3 joints, 3 degrees of freedom, description sha256 4800d9bbec7e9c8eaf1d028c5dcc2b2c9b4ac7410509da822ae29051a7391834
 // command   adagen ../models/fourbar.urdf --scene=../models/fourbar.toml --procs 1
+// input     scene, sha256 0325233a36e76e4c778daddeedd8a5bf9b6954f1680ed02dfb94e4ffe29019ee
+// input     profile default, sha256 4d2e57544ec8b0d6db724e39fbb20a173aae29f19e91072390d4f16f8137ebaa
 // options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp
 // program   1 process; 0.0725 us predicted (default profile)
@@ -120,7 +122,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Real x44 = 9.81 * cosine[2];
   // link 2 "coupler": force that the reference field takes
   const Real x76 = x27 * 0.25;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x137 = cosine[0] * cosine[1] - sine[0] * sine[1];
   const Real x106 = sine[1] * 0.5;
   const Real x140 = sine[0] * cosine[1] + cosine[0] * sine[1];
@@ -147,7 +149,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Real x249 = v[1] * 0.5 + v[0] * x197 - v[2] * x163;
   const Real x263 = 1 / x262;
   const Real x253 = v[2] * x178 - v[0] * x198;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x129 = 1e-08 - (x120 * x120 + x121 * x121);
   require_more(w, x129, 0.0, kLoopOpen, 3);
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
@@ -158,7 +160,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   require_more(w, x284, 9.999999999999998e-15, kSingularPose, 3);
   const Real x286 = x283 * 16.0;
   require_more(w, x286, 9.999999999999998e-15, kSingularPose, 3);
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x133 = (x11 + v[1] * v[1] + x47 + 1.0) * 1.0000000000000002e-06;
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x257 = x133 - (x249 * x249 + x253 * x253);
@@ -214,7 +216,7 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
   const Real x44 = 9.81 * cosine[2];
   // link 2 "coupler": force that the reference field takes
   const Real x76 = x27 * 0.25;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x137 = cosine[0] * cosine[1] - sine[0] * sine[1];
   const Real x106 = sine[1] * 0.5;
   const Real x140 = sine[0] * cosine[1] + cosine[0] * sine[1];
@@ -239,14 +241,14 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
   const Real x260 = 2.0 * x163;
   const Real x264 = x178 * 4.0;
   const Real x267 = x260 * x260;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x121 = cosine[0] * x106 + sine[0] * x109 - sine[2] * 0.4;
   const Real x129 = 1e-08 - (x120 * x120 + x121 * x121);
   require_more(w, x129, 0.0, kLoopOpen, 3);
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x249 = v[1] * 0.5 + v[0] * x197 - v[2] * x163;
   const Real x253 = v[2] * x178 - v[0] * x198;
-  // what a loop holds its two links by
+  // directions in which a loop holds its two links
   const Real x133 = (x11 + v[1] * v[1] + x47 + 1.0) * 1.0000000000000002e-06;
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x257 = x133 - (x249 * x249 + x253 * x253);

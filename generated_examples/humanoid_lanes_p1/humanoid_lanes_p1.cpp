@@ -1,6 +1,7 @@
 // Forward dynamics of "humanoid" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 1 --shape=unrolled --name=humanoid_lanes
+// input     profile default, sha256 4d2e57544ec8b0d6db724e39fbb20a173aae29f19e91072390d4f16f8137ebaa
 // options   form segment, shape unrolled, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp
 // program   1 process; 0.43 us predicted (default profile)
@@ -306,13 +307,13 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x329 = x311 * x312;
   const Four x334 = x310 * x312;
   const Four x343 = Four{1.0, 1.0, 0.0, 0.0} * x312 - Four{0.0, 0.0, 1.0, 1.0} * x311;
-  const Four x346 = taken<Four>(cosine + 0) * x343 + taken<Four>(sine + 0) * x310;
-  const Four x350 = taken<Four>(cosine + 0) * x310 - taken<Four>(sine + 0) * x343;
+  const Four x346 = load<Four>(cosine + 0) * x343 + load<Four>(sine + 0) * x310;
+  const Four x350 = load<Four>(cosine + 0) * x310 - load<Four>(sine + 0) * x343;
   const Four x351 = Four{1.0, 1.0, 0.0, 0.0} * x311 + Four{0.0, 0.0, 1.0, 1.0} * x312 + x296;
   const Four x354 = Four{1.0, 1.0, 0.0, 0.0} * x314 + Four{0.0, 0.0, 1.0, 1.0} * x315;
   const Four x358 = Four{1.0, 1.0, 0.0, 0.0} * x315 - Four{0.0, 0.0, 1.0, 1.0} * x314;
-  const Four x367 = taken<Four>(cosine + 0) * x358 + taken<Four>(sine + 0) * x313 + x296 * x350;
-  const Four x370 = taken<Four>(cosine + 0) * x313 - taken<Four>(sine + 0) * x358 - x296 * x346;
+  const Four x367 = load<Four>(cosine + 0) * x358 + load<Four>(sine + 0) * x313 + x296 * x350;
+  const Four x370 = load<Four>(cosine + 0) * x313 - load<Four>(sine + 0) * x358 - x296 * x346;
   const Four x377 = Four{0.09, -0.09, 0.0, 0.0} * (x324 - x315) - Four{0.0, 0.0, 0.29, 0.29} * (x320 + x321);
   const Four x379 = Four{0.0, 0.0, x267, x267} + x377 - (x314 + x334) * Four{0.05, 0.05, -0.15, 0.15};
   const Four x385 = Four{0.0, 0.0, 0.29, 0.29} * (x315 + x324) - Four{0.09, -0.09, 0.0, 0.0} * (x319 + x321);
@@ -322,8 +323,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x394 = Four{0.09, -0.09, 0.0, 0.0} * (x313 + x329) + x393;
   const Four x397 = Four{1.0, 1.0, 0.0, 0.0} * x387 + Four{0.0, 0.0, 1.0, 1.0} * x394;
   const Four x401 = Four{1.0, 1.0, 0.0, 0.0} * x394 - Four{0.0, 0.0, 1.0, 1.0} * x387;
-  const Four x404 = taken<Four>(cosine + 0) * x401 + taken<Four>(sine + 0) * x379;
-  const Four x408 = taken<Four>(cosine + 0) * x379 - taken<Four>(sine + 0) * x401;
+  const Four x404 = load<Four>(cosine + 0) * x401 + load<Four>(sine + 0) * x379;
+  const Four x408 = load<Four>(cosine + 0) * x379 - load<Four>(sine + 0) * x401;
   const Four x422 = x350 * x351;
   const Four x423 = x422 - x367;
   const Four x425 = x346 * x346 + x350 * x350;
@@ -332,20 +333,20 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": placement, velocity and reference acceleration of their links
   const Four x434 = Four{v[7], v[13], v[22], v[30]};
   const Four x440 = Four{1.0, 1.0, 0.0, 0.0} * x346 + Four{0.0, 0.0, 1.0, 1.0} * x350;
-  const Four x447 = taken<Four>(cosine + 4) * x351 + taken<Four>(sine + 4) * x440;
-  const Four x451 = taken<Four>(cosine + 4) * x440 - taken<Four>(sine + 4) * x351;
+  const Four x447 = load<Four>(cosine + 4) * x351 + load<Four>(sine + 4) * x440;
+  const Four x451 = load<Four>(cosine + 4) * x440 - load<Four>(sine + 4) * x351;
   const Four x452 = Four{1.0, 1.0, 0.0, 0.0} * x350 - Four{0.0, 0.0, 1.0, 1.0} * x346 + x434;
   const Four x455 = Four{1.0, 1.0, 0.0, 0.0} * x367 + Four{0.0, 0.0, 1.0, 1.0} * x370;
   const Four x459 = Four{1.0, 1.0, 0.0, 0.0} * x370 - Four{0.0, 0.0, 1.0, 1.0} * x367;
-  const Four x468 = taken<Four>(cosine + 4) * x354 + taken<Four>(sine + 4) * x455 + x434 * x451;
-  const Four x471 = taken<Four>(cosine + 4) * x455 - taken<Four>(sine + 4) * x354 - x434 * x447;
+  const Four x468 = load<Four>(cosine + 4) * x354 + load<Four>(sine + 4) * x455 + x434 * x451;
+  const Four x471 = load<Four>(cosine + 4) * x455 - load<Four>(sine + 4) * x354 - x434 * x447;
   const Four x473 = x404 + x429 * Four{0.04, -0.04, 0.05, -0.05};
   const Four x475 = x408 + x423 * Four{0.04, -0.04, 0.05, -0.05};
   const Four x478 = x397 - x425 * Four{0.04, -0.04, 0.05, -0.05};
   const Four x481 = Four{1.0, 1.0, 0.0, 0.0} * x473 + Four{0.0, 0.0, 1.0, 1.0} * x475;
   const Four x485 = Four{1.0, 1.0, 0.0, 0.0} * x475 - Four{0.0, 0.0, 1.0, 1.0} * x473;
-  const Four x488 = taken<Four>(cosine + 4) * x478 + taken<Four>(sine + 4) * x481;
-  const Four x492 = taken<Four>(cosine + 4) * x481 - taken<Four>(sine + 4) * x478;
+  const Four x488 = load<Four>(cosine + 4) * x478 + load<Four>(sine + 4) * x481;
+  const Four x492 = load<Four>(cosine + 4) * x481 - load<Four>(sine + 4) * x478;
   const Four x496 = x447 * x447;
   const Four x497 = x451 * x451;
   const Four x498 = x452 * x452;
@@ -371,16 +372,16 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x1125 = x485 * Four{1.2, 1.2, 0.7, 0.7} - x509 * Four{0.024, 0.024, 0.0, 0.0} + x512 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999};
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": placement, velocity and reference acceleration of their links
   const Four x518 = Four{v[8], v[14], v[23], v[31]};
-  const Four x525 = taken<Four>(cosine + 8) * x452 + taken<Four>(sine + 8) * x447;
-  const Four x529 = taken<Four>(cosine + 8) * x447 - taken<Four>(sine + 8) * x452;
+  const Four x525 = load<Four>(cosine + 8) * x452 + load<Four>(sine + 8) * x447;
+  const Four x529 = load<Four>(cosine + 8) * x447 - load<Four>(sine + 8) * x452;
   const Four x530 = x451 + x518;
-  const Four x539 = taken<Four>(cosine + 8) * x459 + taken<Four>(sine + 8) * x468 + x518 * x529;
-  const Four x542 = taken<Four>(cosine + 8) * x468 - taken<Four>(sine + 8) * x459 - x518 * x525;
+  const Four x539 = load<Four>(cosine + 8) * x459 + load<Four>(sine + 8) * x468 + x518 * x529;
+  const Four x542 = load<Four>(cosine + 8) * x468 - load<Four>(sine + 8) * x459 - x518 * x525;
   const Four x546 = x488 - x502 * Four{0.12, 0.12, 0.1, 0.1};
   const Four x549 = x492 + x504 * Four{0.12, 0.12, 0.1, 0.1};
   const Four x552 = x485 - x508 * Four{0.12, 0.12, 0.1, 0.1};
-  const Four x555 = taken<Four>(cosine + 8) * x552 + taken<Four>(sine + 8) * x546;
-  const Four x559 = taken<Four>(cosine + 8) * x546 - taken<Four>(sine + 8) * x552;
+  const Four x555 = load<Four>(cosine + 8) * x552 + load<Four>(sine + 8) * x546;
+  const Four x559 = load<Four>(cosine + 8) * x546 - load<Four>(sine + 8) * x552;
   const Four x572 = x529 * x530;
   const Four x573 = x572 - x539;
   const Four x575 = x525 * x525 + x529 * x529;
@@ -388,8 +389,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x579 = x542 + x577;
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": placement, velocity and reference acceleration of their links
   const Four x584 = Four{v[9], v[15], v[24], v[32]};
-  const Four x592 = taken<Four>(cosine + 12) * Four{1.0, 1.0, 0.0, 0.0} - taken<Four>(sine + 12) * Four{0.0, 0.0, 1.0, 1.0};
-  const Four x597 = taken<Four>(sine + 12) * Four{1.0, 1.0, 0.0, 0.0} + taken<Four>(cosine + 12) * Four{0.0, 0.0, 1.0, 1.0};
+  const Four x592 = load<Four>(cosine + 12) * Four{1.0, 1.0, 0.0, 0.0} - load<Four>(sine + 12) * Four{0.0, 0.0, 1.0, 1.0};
+  const Four x597 = load<Four>(sine + 12) * Four{1.0, 1.0, 0.0, 0.0} + load<Four>(cosine + 12) * Four{0.0, 0.0, 1.0, 1.0};
   const Four x601 = x530 * x592 + x525 * x597;
   const Four x605 = x525 * x592 - x530 * x597;
   const Four x606 = x529 + x584;
@@ -418,20 +419,20 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": placement, velocity and reference acceleration of their links
   const Four x660 = Four{v[10], v[16], v[25], v[33]};
   const Four x669 = Four{1.0, 1.0, 0.0, 0.0} * x605 + Four{0.0, 0.0, 1.0, 1.0} * x606;
-  const Four x676 = taken<Four>(cosine + 16) * x601 + taken<Four>(sine + 16) * x669;
-  const Four x680 = taken<Four>(cosine + 16) * x669 - taken<Four>(sine + 16) * x601;
+  const Four x676 = load<Four>(cosine + 16) * x601 + load<Four>(sine + 16) * x669;
+  const Four x680 = load<Four>(cosine + 16) * x669 - load<Four>(sine + 16) * x601;
   const Four x681 = Four{1.0, 1.0, 0.0, 0.0} * x606 - Four{0.0, 0.0, 1.0, 1.0} * x605 + x660;
   const Four x684 = Four{1.0, 1.0, 0.0, 0.0} * x618 + Four{0.0, 0.0, 1.0, 1.0} * x542;
   const Four x688 = Four{1.0, 1.0, 0.0, 0.0} * x542 - Four{0.0, 0.0, 1.0, 1.0} * x618;
-  const Four x697 = taken<Four>(cosine + 16) * x615 + taken<Four>(sine + 16) * x684 + x660 * x680;
-  const Four x700 = taken<Four>(cosine + 16) * x684 - taken<Four>(sine + 16) * x615 - x660 * x676;
+  const Four x697 = load<Four>(cosine + 16) * x615 + load<Four>(sine + 16) * x684 + x660 * x680;
+  const Four x700 = load<Four>(cosine + 16) * x684 - load<Four>(sine + 16) * x615 - x660 * x676;
   const Four x706 = x641 * Four{0.3, 0.3, -0.01, -0.01} + x644 * Four{0.0, 0.0, 0.16, 0.16} + x631;
   const Four x713 = x635 - (x645 * Four{0.3, 0.3, -0.01, -0.01} + x646 * Four{0.0, 0.0, 0.16, 0.16});
   const Four x718 = x625 - x654 * Four{0.3, 0.3, -0.01, -0.01} + x650 * Four{0.0, 0.0, 0.16, 0.16};
   const Four x721 = Four{1.0, 1.0, 0.0, 0.0} * x713 + Four{0.0, 0.0, 1.0, 1.0} * x718;
   const Four x725 = Four{1.0, 1.0, 0.0, 0.0} * x718 - Four{0.0, 0.0, 1.0, 1.0} * x713;
-  const Four x728 = taken<Four>(cosine + 16) * x706 + taken<Four>(sine + 16) * x721;
-  const Four x732 = taken<Four>(cosine + 16) * x721 - taken<Four>(sine + 16) * x706;
+  const Four x728 = load<Four>(cosine + 16) * x706 + load<Four>(sine + 16) * x721;
+  const Four x732 = load<Four>(cosine + 16) * x721 - load<Four>(sine + 16) * x706;
   const Four x737 = x680 * x680;
   const Four x746 = x680 * x681;
   const Four x747 = x746 - x697;
@@ -440,18 +441,18 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x753 = x700 + x751;
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": placement, velocity and reference acceleration of their links
   const Four x758 = Four{v[11], v[17], v[26], v[34]};
-  const Four x765 = taken<Four>(cosine + 20) * x681 + taken<Four>(sine + 20) * x676;
-  const Four x769 = taken<Four>(cosine + 20) * x676 - taken<Four>(sine + 20) * x681;
+  const Four x765 = load<Four>(cosine + 20) * x681 + load<Four>(sine + 20) * x676;
+  const Four x769 = load<Four>(cosine + 20) * x676 - load<Four>(sine + 20) * x681;
   const Four x770 = x680 + x758;
-  const Four x779 = taken<Four>(cosine + 20) * x688 + taken<Four>(sine + 20) * x697 + x758 * x769;
-  const Four x782 = taken<Four>(cosine + 20) * x697 - taken<Four>(sine + 20) * x688 - x758 * x765;
+  const Four x779 = load<Four>(cosine + 20) * x688 + load<Four>(sine + 20) * x697 + x758 * x769;
+  const Four x782 = load<Four>(cosine + 20) * x697 - load<Four>(sine + 20) * x688 - x758 * x765;
   const Four x789 = (x737 + x681 * x681) * Four{0.02, 0.02, 0.0, 0.0} - x753 * Four{0.0, 0.0, 0.04, 0.04};
   const Four x790 = x728 + x789;
   const Four x795 = (x688 + x676 * x680) * Four{0.02, 0.02, 0.0, 0.0} + x747 * Four{0.0, 0.0, 0.04, 0.04};
   const Four x797 = x732 - x795;
   const Four x803 = x725 + x749 * Four{0.0, 0.0, 0.04, 0.04} - (x751 - x700) * Four{0.02, 0.02, 0.0, 0.0};
-  const Four x806 = taken<Four>(cosine + 20) * x803 + taken<Four>(sine + 20) * x790;
-  const Four x810 = taken<Four>(cosine + 20) * x790 - taken<Four>(sine + 20) * x803;
+  const Four x806 = load<Four>(cosine + 20) * x803 + load<Four>(sine + 20) * x790;
+  const Four x810 = load<Four>(cosine + 20) * x790 - load<Four>(sine + 20) * x803;
   const Four x813 = x765 * x765;
   const Four x814 = x769 * x769;
   const Four x815 = x770 * x770;
@@ -606,14 +607,14 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x3465 = cosine[27] * x3372 - sine[27] * x3393;
   const Real x3468 = sine[27] * x3372 + cosine[27] * x3393;
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
-  const Four x1708 = taken<Four>(cosine + 20) * Four{0.47734793443427226, 0.47734793443427226, -0.28752084650929227, -0.28752084650929227};
-  const Four x1712 = taken<Four>(cosine + 20) * x1708;
+  const Four x1708 = load<Four>(cosine + 20) * Four{0.47734793443427226, 0.47734793443427226, -0.28752084650929227, -0.28752084650929227};
+  const Four x1712 = load<Four>(cosine + 20) * x1708;
   const Four x1714 = Four{0.8, 0.8, 0.11247915349070774, 0.11247915349070774} - x1712;
-  const Four x1689 = taken<Four>(sine + 20) * Four{0.014320438033028168, 0.014320438033028168, 0.0, 0.0};
-  const Four x1695 = taken<Four>(cosine + 20) * x1689;
-  const Four x1698 = taken<Four>(cosine + 20) * Four{0.000782953140990845, 0.000782953140990845, -0.0018366659999999998, -0.0018366659999999998};
-  const Four x1703 = taken<Four>(cosine + 20) * x1698;
-  const Four x1683 = taken<Four>(cosine + 20) * Four{0.024, 0.024, 0.0, 0.0} + taken<Four>(sine + 20) * Four{0.0, 0.0, 0.024, 0.024};
+  const Four x1689 = load<Four>(sine + 20) * Four{0.014320438033028168, 0.014320438033028168, 0.0, 0.0};
+  const Four x1695 = load<Four>(cosine + 20) * x1689;
+  const Four x1698 = load<Four>(cosine + 20) * Four{0.000782953140990845, 0.000782953140990845, -0.0018366659999999998, -0.0018366659999999998};
+  const Four x1703 = load<Four>(cosine + 20) * x1698;
+  const Four x1683 = load<Four>(cosine + 20) * Four{0.024, 0.024, 0.0, 0.0} + load<Four>(sine + 20) * Four{0.0, 0.0, 0.024, 0.024};
   const Four x1726 = Four{-0.016, -0.016, 0.0, 0.0} - x1683;
   const Four x1764 = Four{0.003383716859009155, 0.003383716859009155, 0.002133333, 0.002133333} + x1703 + Four{0.02, 0.02, 0.0, 0.0} * x1683 - Four{0.02, 0.02, 0.0, 0.0} * x1726;
   const Four x1795 = Four{7.2e-05, 7.2e-05, 9e-05, 9e-05} + x1764;
@@ -623,13 +624,13 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x1817 = x1695 * x1810;
   const Four x1861 = 0.2 + x1714 - x1695 * x1817;
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
-  const Four x1710 = taken<Four>(sine + 20) * x1708;
-  const Four x1691 = taken<Four>(sine + 20) * x1689;
+  const Four x1710 = load<Four>(sine + 20) * x1708;
+  const Four x1691 = load<Four>(sine + 20) * x1689;
   const Four x1693 = Four{-0.024, -0.024, 0.0, 0.0} + x1691;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1852 = x1710 + x1693 * x1817;
   const Four x1857 = x1726 * x1817;
-  const Four x1945 = taken<Four>(sine + 16) * x1852 + taken<Four>(cosine + 16) * x1857;
+  const Four x1945 = load<Four>(sine + 16) * x1852 + load<Four>(cosine + 16) * x1857;
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1715 = Four{0.3226520655657278, 0.3226520655657278, 0.4, 0.4} + x1712;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
@@ -638,9 +639,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x1816 = x1726 * x1810;
   const Four x1856 = Four{1.0, 1.0, 0.6000000000000001, 0.6000000000000001} - x1726 * x1816;
   const Four x1848 = x1693 * x1816;
-  const Four x1915 = taken<Four>(sine + 16) * 2.0;
-  const Four x1951 = taken<Four>(cosine + 16) * (x1847 - x1856) + x1848 * x1915;
-  const Four x1955 = taken<Four>(cosine + 16) * x1951;
+  const Four x1915 = load<Four>(sine + 16) * 2.0;
+  const Four x1951 = load<Four>(cosine + 16) * (x1847 - x1856) + x1848 * x1915;
+  const Four x1955 = load<Four>(cosine + 16) * x1951;
   const Four x1957 = x1847 - x1955;
   const Four x1970 = Four{2.0, 2.0, 0.0, 0.0} * x1945 - Four{0.0, 0.0, 1.0, 1.0} * (x1957 - x1861);
   const Four x1974 = Four{0.0, 0.0, 1.0, 1.0} * x1970;
@@ -648,9 +649,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x1973 = x1945 - Four{1.0, 1.0, 0.0, 0.0} * x1970;
   const Four x1991 = Four{0.3, 0.3, -0.01, -0.01} * x1973;
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
-  const Four x1688 = taken<Four>(cosine + 20) * Four{0.0, 0.0, 0.024, 0.024} - taken<Four>(sine + 20) * Four{0.024, 0.024, 0.0, 0.0};
+  const Four x1688 = load<Four>(cosine + 20) * Four{0.0, 0.0, 0.024, 0.024} - load<Four>(sine + 20) * Four{0.024, 0.024, 0.0, 0.0};
   const Four x1724 = x1688 + Four{0.0, 0.0, 0.016, 0.016};
-  const Four x1748 = taken<Four>(sine + 20) * x1698 - Four{0.0, 0.0, 0.04, 0.04} * x1683 - Four{0.02, 0.02, 0.0, 0.0} * x1724;
+  const Four x1748 = load<Four>(sine + 20) * x1698 - Four{0.0, 0.0, 0.04, 0.04} * x1683 - Four{0.02, 0.02, 0.0, 0.0} * x1724;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1826 = x1695 + x1748 * x1815;
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
@@ -662,8 +663,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x1720 = Four{0.0, 0.0, 0.04, 0.04} * x1715 + Four{0.02, 0.02, 0.0, 0.0} * x1710;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1839 = Four{0.0, 0.0, -0.002, -0.002} - x1720 - x1758 * x1815;
-  const Four x1884 = taken<Four>(cosine + 16) * (x1840 - x1826) - taken<Four>(sine + 16) * (x1830 + x1839);
-  const Four x1889 = taken<Four>(cosine + 16) * x1884;
+  const Four x1884 = load<Four>(cosine + 16) * (x1840 - x1826) - load<Four>(sine + 16) * (x1830 + x1839);
+  const Four x1889 = load<Four>(cosine + 16) * x1884;
   const Four x1891 = x1826 + x1889;
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1694 = Four{0.009679561966971832, 0.009679561966971832, 0.0, 0.0} + x1691;
@@ -673,11 +674,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x1731 = Four{0.0, 0.0, 0.04, 0.04} * x1710 + Four{0.02, 0.02, 0.0, 0.0} * x1714;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1844 = x1731 - x1758 * x1817;
-  const Four x1878 = taken<Four>(sine + 16) * x1833 + taken<Four>(cosine + 16) * x1844;
+  const Four x1878 = load<Four>(sine + 16) * x1833 + load<Four>(cosine + 16) * x1844;
   const Four x1905 = Four{0.0, 0.0, 1.0, 1.0} * x1891 - Four{1.0, 1.0, 0.0, 0.0} * x1878;
   const Four x1910 = Four{0.0, 0.0, 1.0, 1.0} * x1905;
-  const Four x1954 = taken<Four>(sine + 16) * x1951 - x1848;
-  const Four x1940 = taken<Four>(sine + 16) * x1857 - taken<Four>(cosine + 16) * x1852;
+  const Four x1954 = load<Four>(sine + 16) * x1951 - x1848;
+  const Four x1940 = load<Four>(sine + 16) * x1857 - load<Four>(cosine + 16) * x1852;
   const Four x1964 = Four{0.0, 0.0, 1.0, 1.0} * x1954 + Four{1.0, 1.0, 0.0, 0.0} * x1940;
   const Four x1978 = Four{0.0, 0.0, 0.16, 0.16} * x1964;
   const Four x2010 = x1910 + x1978 + x1991;
@@ -697,12 +698,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1836 = x1793 - x1758 * x1814;
   const Four x1823 = Four{0.0, 0.0, 0.04, 0.04} * x1695 + Four{0.02, 0.02, 0.0, 0.0} * x1694 - x1748 * x1814;
-  const Four x1919 = taken<Four>(cosine + 16) * (x1820 - x1836) - x1823 * x1915;
-  const Four x1923 = taken<Four>(cosine + 16) * x1919;
+  const Four x1919 = load<Four>(cosine + 16) * (x1820 - x1836) - x1823 * x1915;
+  const Four x1923 = load<Four>(cosine + 16) * x1919;
   const Four x1925 = x1820 - x1923;
   const Four x1928 = Four{0.0, 0.0, 1.0, 1.0} * x1925;
   const Four x1933 = Four{0.0, 0.0, 1.0, 1.0} * x1928;
-  const Four x1885 = taken<Four>(sine + 16) * x1884;
+  const Four x1885 = load<Four>(sine + 16) * x1884;
   const Four x1888 = x1839 + x1885;
   const Four x1894 = Four{0.0, 0.0, 1.0, 1.0} * x1888;
   const Four x1956 = x1856 + x1955;
@@ -716,10 +717,10 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2172 = Four{1.8, 1.8, 0.7, 0.7} + x1977 - x2010 * x2126;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1887 = x1830 + x1885;
-  const Four x1875 = taken<Four>(cosine + 16) * x1833 - taken<Four>(sine + 16) * x1844;
+  const Four x1875 = load<Four>(cosine + 16) * x1833 - load<Four>(sine + 16) * x1844;
   const Four x1901 = Four{0.0, 0.0, 1.0, 1.0} * x1887 + Four{1.0, 1.0, 0.0, 0.0} * x1875;
   const Four x2003 = x1901 + Four{0.0, 0.0, 0.16, 0.16} * x1977;
-  const Four x1922 = x1823 + taken<Four>(sine + 16) * x1919;
+  const Four x1922 = x1823 + load<Four>(sine + 16) * x1919;
   const Four x1979 = x1889 - x1840 + x1978;
   const Four x1990 = Four{1.0, 1.0, 0.0, 0.0} * x1887 - Four{0.0, 0.0, 1.0, 1.0} * x1875 + Four{0.0, 0.0, 0.16, 0.16} * x1973;
   const Four x2029 = Four{0.0, 0.0, 1.0, 1.0} * x1922 - Four{0.0, 0.0, 0.16, 0.16} * x1910 - Four{0.0, 0.0, 0.16, 0.16} * x1979;
@@ -788,9 +789,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2223 = x597 * x2163 + x592 * x2169;
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2343 = x2223 - x2199 * x2309;
-  const Four x2389 = taken<Four>(sine + 8) * 2.0;
-  const Four x2411 = taken<Four>(cosine + 8) * (x2340 - x2349) - x2343 * x2389;
-  const Four x2415 = taken<Four>(cosine + 8) * x2411;
+  const Four x2389 = load<Four>(sine + 8) * 2.0;
+  const Four x2411 = load<Four>(cosine + 8) * (x2340 - x2349) - x2343 * x2389;
+  const Four x2415 = load<Four>(cosine + 8) * x2411;
   const Four x2416 = x2349 + x2415;
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2261 = Four{0.24, 0.24, 0.11, 0.11} * x2199;
@@ -812,13 +813,13 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2238 = Four{0.24, 0.24, 0.11, 0.11} * x2234;
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2331 = Four{-0.26, -0.26, -0.04000000000000001, -0.04000000000000001} - x2238 + x2261 * x2308;
-  const Four x2379 = taken<Four>(cosine + 8) * (x2319 - x2334) - taken<Four>(sine + 8) * (x2322 + x2331);
-  const Four x2384 = taken<Four>(cosine + 8) * x2379;
+  const Four x2379 = load<Four>(cosine + 8) * (x2319 - x2334) - load<Four>(sine + 8) * (x2322 + x2331);
+  const Four x2384 = load<Four>(cosine + 8) * x2379;
   const Four x2385 = x2334 + x2384;
-  const Four x2414 = x2343 + taken<Four>(sine + 8) * x2411;
+  const Four x2414 = x2343 + load<Four>(sine + 8) * x2411;
   const Four x2418 = Four{0.12, 0.12, 0.1, 0.1} * x2414;
   const Four x2433 = x2385 + x2418;
-  const Four x2380 = taken<Four>(sine + 8) * x2379;
+  const Four x2380 = load<Four>(sine + 8) * x2379;
   const Four x2382 = x2322 + x2380;
   const Four x2417 = x2340 - x2415;
   const Four x2423 = x2382 + Four{0.12, 0.12, 0.1, 0.1} * x2417;
@@ -830,8 +831,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2305 = x2258 * x2302;
   const Four x2313 = Four{0.0429867, 0.0429867, 0.0036266700000000002, 0.0036266700000000002} + x2253 - x2258 * x2305;
   const Four x2316 = x2258 * x2306 - Four{0.24, 0.24, 0.11, 0.11} * x2237;
-  const Four x2393 = taken<Four>(cosine + 8) * (x2313 - x2328) - x2316 * x2389;
-  const Four x2397 = taken<Four>(cosine + 8) * x2393;
+  const Four x2393 = load<Four>(cosine + 8) * (x2313 - x2328) - x2316 * x2389;
+  const Four x2397 = load<Four>(cosine + 8) * x2393;
   const Four x2451 = x2328 + x2397 + Four{0.12, 0.12, 0.1, 0.1} * x2382 + Four{0.12, 0.12, 0.1, 0.1} * x2423;
   const Four x2475 = Four{0.00342, 0.00342, 0.0014, 0.0014} + x2451;
   require_more(w, x2475, 0.0, kFactorization, {2, 8, 17, 25});
@@ -858,8 +859,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2337 = x2261 * x2310 - Four{0.24, 0.24, 0.11, 0.11} * x2231;
   const Four x2346 = x2231 - x2199 * x2310;
   const Four x2352 = x2220 - x2187 * x2310;
-  const Four x2406 = taken<Four>(sine + 8) * x2346 + taken<Four>(cosine + 8) * x2352;
-  const Four x2429 = taken<Four>(cosine + 8) * x2325 - taken<Four>(sine + 8) * x2337 + Four{0.12, 0.12, 0.1, 0.1} * x2406;
+  const Four x2406 = load<Four>(sine + 8) * x2346 + load<Four>(cosine + 8) * x2352;
+  const Four x2429 = load<Four>(cosine + 8) * x2325 - load<Four>(sine + 8) * x2337 + Four{0.12, 0.12, 0.1, 0.1} * x2406;
   const Four x2477 = Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999} + x2429;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2498 = x2477 * x2492;
@@ -868,31 +869,31 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2537 = x2479 - x2477 * x2498;
   const Four x2531 = x2406 - x2476 * x2498;
-  const Four x2596 = taken<Four>(sine + 4) * 2.0;
-  const Four x2627 = taken<Four>(cosine + 4) * (x2528 - x2537) - x2531 * x2596;
-  const Four x2631 = taken<Four>(cosine + 4) * x2627;
+  const Four x2596 = load<Four>(sine + 4) * 2.0;
+  const Four x2627 = load<Four>(cosine + 4) * (x2528 - x2537) - x2531 * x2596;
+  const Four x2631 = load<Four>(cosine + 4) * x2627;
   const Four x2633 = x2528 - x2631;
   const Four x2534 = x2414 - x2476 * x2499;
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Four x2403 = taken<Four>(cosine + 8) * x2346 - taken<Four>(sine + 8) * x2352;
+  const Four x2403 = load<Four>(cosine + 8) * x2346 - load<Four>(sine + 8) * x2352;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2540 = x2403 - x2477 * x2499;
-  const Four x2622 = taken<Four>(sine + 4) * x2534 + taken<Four>(cosine + 4) * x2540;
+  const Four x2622 = load<Four>(sine + 4) * x2534 + load<Four>(cosine + 4) * x2540;
   const Four x2645 = Four{0.0, 0.0, 1.0, 1.0} * (x2633 - x2543) + Four{2.0, 2.0, 0.0, 0.0} * x2622;
   const Four x2650 = Four{0.0, 0.0, 1.0, 1.0} * x2645;
   const Four x2653 = x2543 + x2650;
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Four x2426 = taken<Four>(sine + 8) * x2325 + taken<Four>(cosine + 8) * x2337 - Four{0.12, 0.12, 0.1, 0.1} * x2403;
+  const Four x2426 = load<Four>(sine + 8) * x2325 + load<Four>(cosine + 8) * x2337 - Four{0.12, 0.12, 0.1, 0.1} * x2403;
   const Four x2420 = x2319 - x2384 - x2418;
-  const Four x2444 = x2316 + taken<Four>(sine + 8) * x2393 - Four{0.12, 0.12, 0.1, 0.1} * x2385;
+  const Four x2444 = x2316 + load<Four>(sine + 8) * x2393 - Four{0.12, 0.12, 0.1, 0.1} * x2385;
   const Four x2445 = Four{0.12, 0.12, 0.1, 0.1} * x2420 + x2444;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2511 = Four{-0.024, -0.024, 0.0, 0.0} + x2426 - x2445 * x2498;
   const Four x2508 = x2420 - x2445 * x2497;
   const Four x2521 = Four{0.00096, 0.00096, 0.0, 0.0} * x2498;
   const Four x2520 = Four{0.024, 0.024, 0.0, 0.0} - Four{0.00096, 0.00096, 0.0, 0.0} * x2497;
-  const Four x2566 = taken<Four>(cosine + 4) * (x2508 + x2521) - taken<Four>(sine + 4) * (x2511 + x2520);
-  const Four x2567 = taken<Four>(sine + 4) * x2566;
+  const Four x2566 = load<Four>(cosine + 4) * (x2508 + x2521) - load<Four>(sine + 4) * (x2511 + x2520);
+  const Four x2567 = load<Four>(sine + 4) * x2566;
   const Four x2569 = x2511 + x2567;
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2383 = x2331 + x2380;
@@ -900,7 +901,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2514 = Four{-0.048, -0.048, -0.020999999999999998, -0.020999999999999998} + x2432 - x2445 * x2499;
   const Four x2525 = Four{0.0, 0.0, -0.006999999999999999, 0.006999999999999999} - Four{0.00096, 0.00096, 0.0, 0.0} * x2499;
-  const Four x2557 = taken<Four>(cosine + 4) * x2514 - taken<Four>(sine + 4) * x2525;
+  const Four x2557 = load<Four>(cosine + 4) * x2514 - load<Four>(sine + 4) * x2525;
   const Four x2582 = Four{0.0, 0.0, 1.0, 1.0} * x2569 + Four{1.0, 1.0, 0.0, 0.0} * x2557;
   const Four x2496 = Four{0.00096, 0.00096, 0.0, 0.0} * x2492;
   const Four x2517 = Four{0.00187, 0.00187, 0.00077, 0.00077} - Four{0.00096, 0.00096, 0.0, 0.0} * x2496;
@@ -910,8 +911,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2495 = x2445 * x2492;
   const Four x2502 = Four{0.00379, 0.00379, 0.0013299999999999998, 0.0013299999999999998} + x2439 - x2445 * x2495;
   const Four x2505 = Four{0.0, 0.0, 0.00020999999999999998, -0.00020999999999999998} - x2445 * x2496;
-  const Four x2600 = taken<Four>(cosine + 4) * (x2502 - x2517) - x2505 * x2596;
-  const Four x2604 = taken<Four>(cosine + 4) * x2600;
+  const Four x2600 = load<Four>(cosine + 4) * (x2502 - x2517) - x2505 * x2596;
+  const Four x2604 = load<Four>(cosine + 4) * x2600;
   const Four x2725 = x2517 + x2604 + Four{0.00175, 0.00175, 0.00064, 0.00064};
   require_more(w, x2725, 0.0, kFactorization, {1, 7, 16, 24});
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
@@ -928,19 +929,19 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2649 = Four{1.0, 1.0, 0.0, 0.0} * x2645 - x2622;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2780 = x2649 - x2579 * x2746;
-  const Four x2847 = taken<Four>(sine + 0) * 2.0;
-  const Four x2880 = taken<Four>(cosine + 0) * (x2777 - x2786) - x2780 * x2847;
-  const Four x2884 = taken<Four>(cosine + 0) * x2880;
+  const Four x2847 = load<Four>(sine + 0) * 2.0;
+  const Four x2880 = load<Four>(cosine + 0) * (x2777 - x2786) - x2780 * x2847;
+  const Four x2884 = load<Four>(cosine + 0) * x2880;
   const Four x2885 = x2786 + x2884;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Four x2571 = taken<Four>(cosine + 4) * x2566;
+  const Four x2571 = load<Four>(cosine + 4) * x2566;
   const Four x2572 = x2571 - x2521;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2747 = x2572 * x2740;
   const Four x2792 = x2537 + x2631 + Four{1.4, 1.4, 0.8, 0.8} - x2572 * x2747;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Four x2630 = x2531 + taken<Four>(sine + 4) * x2627;
-  const Four x2619 = taken<Four>(cosine + 4) * x2534 - taken<Four>(sine + 4) * x2540;
+  const Four x2630 = x2531 + load<Four>(sine + 4) * x2627;
+  const Four x2619 = load<Four>(cosine + 4) * x2534 - load<Four>(sine + 4) * x2540;
   const Four x2637 = Four{1.0, 1.0, 0.0, 0.0} * x2630 - Four{0.0, 0.0, 1.0, 1.0} * x2619;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2783 = x2637 - x2579 * x2747;
@@ -948,13 +949,13 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2640 = Four{0.0, 0.0, 1.0, 1.0} * x2630 + Four{1.0, 1.0, 0.0, 0.0} * x2619;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2789 = x2640 - x2582 * x2747;
-  const Four x2872 = taken<Four>(cosine + 0) * x2783 - taken<Four>(sine + 0) * x2789;
+  const Four x2872 = load<Four>(cosine + 0) * x2783 - load<Four>(sine + 0) * x2789;
   const Four x2898 = Four{0.0, 0.0, 1.0, 1.0} * (x2792 - x2885) + Four{2.0, 2.0, 0.0, 0.0} * x2872;
   const Four x2903 = Four{0.0, 0.0, 1.0, 1.0} * x2898;
   const Four x2906 = x2885 + x2903;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2570 = x2520 + x2567;
-  const Four x2603 = x2505 + taken<Four>(sine + 4) * x2600;
+  const Four x2603 = x2505 + load<Four>(sine + 4) * x2600;
   const Four x2681 = Four{1.0, 1.0, 0.0, 0.0} * x2603 - Four{0.04, -0.04, 0.05, -0.05} * x2582;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2762 = Four{1.0, 1.0, 0.0, 0.0} * x2570 - Four{0.04, -0.04, 0.05, -0.05} * x2640 - x2681 * x2747;
@@ -962,10 +963,10 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2687 = Four{0.0, 0.0, 1.0, 1.0} * x2603 + Four{0.04, -0.04, 0.05, -0.05} * x2579;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2774 = Four{0.0, 0.0, 1.0, 1.0} * x2570 + Four{0.04, -0.04, 0.05, -0.05} * x2637 - x2687 * x2747;
-  const Four x2806 = taken<Four>(cosine + 0) * x2762 - taken<Four>(sine + 0) * x2774;
+  const Four x2806 = load<Four>(cosine + 0) * x2762 - load<Four>(sine + 0) * x2774;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2573 = x2508 - x2571;
-  const Four x2560 = taken<Four>(sine + 4) * x2514 + taken<Four>(cosine + 4) * x2525;
+  const Four x2560 = load<Four>(sine + 4) * x2514 + load<Four>(cosine + 4) * x2525;
   const Four x2586 = Four{0.0, 0.0, 1.0, 1.0} * x2573 + Four{1.0, 1.0, 0.0, 0.0} * x2560;
   const Four x2591 = Four{0.0, 0.0, 1.0, 1.0} * x2586;
   const Four x2654 = Four{0.04, -0.04, 0.05, -0.05} * x2649;
@@ -985,17 +986,17 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2658 = x2590 + Four{0.04, -0.04, 0.05, -0.05} * x2652;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2768 = Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024} + x2658 - x2687 * x2745;
-  const Four x2815 = taken<Four>(cosine + 0) * (x2756 - x2771) - taken<Four>(sine + 0) * (x2759 + x2768);
-  const Four x2820 = taken<Four>(cosine + 0) * x2815;
+  const Four x2815 = load<Four>(cosine + 0) * (x2756 - x2771) - load<Four>(sine + 0) * (x2759 + x2768);
+  const Four x2820 = load<Four>(cosine + 0) * x2815;
   const Four x2821 = x2771 + x2820;
   const Four x2837 = Four{0.0, 0.0, 1.0, 1.0} * x2821 - Four{1.0, 1.0, 0.0, 0.0} * x2806;
   const Four x2838 = Four{1.0, 1.0, 0.0, 0.0} * x2837;
   const Four x2840 = x2806 + x2838;
-  const Four x2875 = taken<Four>(sine + 0) * x2783 + taken<Four>(cosine + 0) * x2789;
-  const Four x2883 = x2780 + taken<Four>(sine + 0) * x2880;
+  const Four x2875 = load<Four>(sine + 0) * x2783 + load<Four>(cosine + 0) * x2789;
+  const Four x2883 = x2780 + load<Four>(sine + 0) * x2880;
   const Four x2893 = Four{0.0, 0.0, 1.0, 1.0} * x2875 + Four{1.0, 1.0, 0.0, 0.0} * x2883;
   const Four x2951 = x2840 + Four{0.05, 0.05, -0.15, 0.15} * x2893 + Four{0.0, 0.0, 0.29, 0.29} * x2906;
-  const Four x2816 = taken<Four>(sine + 0) * x2815;
+  const Four x2816 = load<Four>(sine + 0) * x2815;
   const Four x2818 = x2759 + x2816;
   const Four x2823 = Four{0.0, 0.0, 1.0, 1.0} * x2818;
   const Four x2886 = x2777 - x2884;
@@ -1019,8 +1020,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2678 = Four{1.0, 1.0, 0.0, 0.0} * x2609 - Four{0.04, -0.04, 0.05, -0.05} * x2591 + Four{0.04, -0.04, 0.05, -0.05} * x2656;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2753 = x2678 - x2681 * x2744;
-  const Four x2851 = taken<Four>(cosine + 0) * (x2750 - x2765) - x2753 * x2847;
-  const Four x2855 = taken<Four>(cosine + 0) * x2851;
+  const Four x2851 = load<Four>(cosine + 0) * (x2750 - x2765) - x2753 * x2847;
+  const Four x2855 = load<Four>(cosine + 0) * x2851;
   const Four x2856 = x2765 + x2855;
   const Four x2862 = Four{0.0, 0.0, 1.0, 1.0} * x2856;
   const Four x2866 = Four{0.0, 0.0, 1.0, 1.0} * x2862;
@@ -1071,12 +1072,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x1379 = (x823 - x779) * Four{0.024, 0.024, 0.0, 0.0} + x1377 + x810 * Four{0.8, 0.8, 0.4, 0.4};
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1678 = x1379 - Four{0.0, 0.0, 0.024, 0.024} * x1656;
-  const Four x1778 = taken<Four>(sine + 20) * x1675 + taken<Four>(cosine + 20) * x1678;
+  const Four x1778 = load<Four>(sine + 20) * x1675 + load<Four>(cosine + 20) * x1678;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1809 = Four{tau[10], tau[16], tau[25], tau[33]};
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1673 = x1336 + x797 * Four{0.0, 0.0, 0.024, 0.024} + x1352 + Four{0.0007199999999999999, 0.0007199999999999999, 0.0, 0.0} * x1656;
-  const Four x1790 = taken<Four>(cosine + 20) * x1351 - taken<Four>(sine + 20) * x1673 - Four{0.02, 0.02, 0.0, 0.0} * x1389;
+  const Four x1790 = load<Four>(cosine + 20) * x1351 - load<Four>(sine + 20) * x1673 - Four{0.02, 0.02, 0.0, 0.0} * x1389;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1812 = x1810 * (x1809 - (x688 * Four{7.2e-05, 7.2e-05, 9e-05, 9e-05} + x1790));
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
@@ -1087,7 +1088,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x1803 = x732 * 0.2 - x747 * Four{0.0, 0.0, 0.002, 0.002} + x1389;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1869 = x1803 + x1726 * x1812;
-  const Four x2075 = taken<Four>(cosine + 16) * x1867 - taken<Four>(sine + 16) * x1869;
+  const Four x2075 = load<Four>(cosine + 16) * x1867 - load<Four>(sine + 16) * x1869;
   // links 5 "left_shank", 11 "right_shank", 20 "left_forearm", 28 "right_forearm": force that the reference field takes
   const Four x1235 = x641 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x644 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049} + x631 * Four{1.8, 1.8, 0.7, 0.7};
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
@@ -1095,19 +1096,19 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // links 6 "left_ankle", 12 "right_ankle", 21 "left_wrist", 29 "right_wrist": force that the reference field takes
   const Four x1276 = x697 * Four{7.2e-05, 7.2e-05, 0.00010666669999999999, 0.00010666669999999999} - x746 * Four{0.0, 0.0, 1.666669999999999e-05, 1.666669999999999e-05} + x732 * Four{0.0, 0.0, 0.002, 0.002};
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
-  const Four x1781 = taken<Four>(sine + 20) * x1351 + taken<Four>(cosine + 20) * x1673 + Four{0.0, 0.0, 0.04, 0.04} * x1389;
+  const Four x1781 = load<Four>(sine + 20) * x1351 + load<Four>(cosine + 20) * x1673 + Four{0.0, 0.0, 0.04, 0.04} * x1389;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1863 = x1276 + x1781 + x1748 * x1812;
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
-  const Four x1775 = taken<Four>(cosine + 20) * x1675 - taken<Four>(sine + 20) * x1678;
+  const Four x1775 = load<Four>(cosine + 20) * x1675 - load<Four>(sine + 20) * x1678;
   // links 6 "left_ankle", 12 "right_ankle", 21 "left_wrist", 29 "right_wrist": force that the reference field takes
   const Four x1279 = x700 * Four{7.2e-05, 7.2e-05, 0.00010666669999999999, 0.00010666669999999999} + x751 * Four{0.0, 0.0, 1.666669999999999e-05, 1.666669999999999e-05} - x728 * Four{0.0, 0.0, 0.002, 0.002};
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1800 = x1653 - Four{0.0, 0.0, 0.04, 0.04} * x1778 + Four{0.02, 0.02, 0.0, 0.0} * x1775 + x1279;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1865 = x1800 + x1758 * x1812;
-  const Four x2064 = taken<Four>(sine + 16) * x1863 + taken<Four>(cosine + 16) * x1865;
-  const Four x2078 = taken<Four>(sine + 16) * x1867 + taken<Four>(cosine + 16) * x1869;
+  const Four x2064 = load<Four>(sine + 16) * x1863 + load<Four>(cosine + 16) * x1865;
+  const Four x2078 = load<Four>(sine + 16) * x1867 + load<Four>(cosine + 16) * x1869;
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1804 = x725 * 0.2 + x749 * Four{0.0, 0.0, 0.002, 0.002} + x1775;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
@@ -1127,7 +1128,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2301 = Four{tau[8], tau[14], tau[23], tau[31]};
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x2085 = Four{0.0, 0.0, 1.0, 1.0} * x2078 + Four{1.0, 1.0, 0.0, 0.0} * x1871;
-  const Four x2087 = taken<Four>(cosine + 16) * x1863 - taken<Four>(sine + 16) * x1865 + Four{0.0, 0.0, 0.16, 0.16} * x2085;
+  const Four x2087 = load<Four>(cosine + 16) * x1863 - load<Four>(sine + 16) * x1865 + Four{0.0, 0.0, 0.16, 0.16} * x2085;
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2174 = x1202 + x625 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049} + x2087 + x2030 * x2121;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
@@ -1148,7 +1149,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2295 = x559 * Four{2.6, 2.6, 0.8, 0.8} - x573 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001} + x2183;
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2364 = x2295 + x2187 * x2304;
-  const Four x2465 = taken<Four>(sine + 8) * x2362 + taken<Four>(cosine + 8) * x2364;
+  const Four x2465 = load<Four>(sine + 8) * x2362 + load<Four>(cosine + 8) * x2364;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2491 = Four{tau[7], tau[13], tau[22], tau[30]};
   // links 4 "left_thigh", 10 "right_thigh", 19 "left_upper_arm", 27 "right_upper_arm": force that the reference field takes
@@ -1161,7 +1162,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x1157 = x542 * Four{0.0429867, 0.0429867, 0.0036266700000000002, 0.0036266700000000002} + x577 * Four{0.038306700000000006, 0.038306700000000006, 0.0029866700000000003, 0.0029866700000000003} - x555 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2360 = x2118 - Four{0.24, 0.24, 0.11, 0.11} * x2276 + x1157 - x2261 * x2304;
-  const Four x2471 = taken<Four>(cosine + 8) * x2357 - taken<Four>(sine + 8) * x2360 + Four{0.12, 0.12, 0.1, 0.1} * x2465;
+  const Four x2471 = load<Four>(cosine + 8) * x2357 - load<Four>(sine + 8) * x2360 + Four{0.12, 0.12, 0.1, 0.1} * x2465;
   const Four x2483 = x1083 + x492 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999} + x488 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998} + x2471;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2494 = x2492 * (x2491 - x2483);
@@ -1179,21 +1180,21 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2739 = Four{tau[6], tau[12], tau[21], tau[29]};
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Four x2462 = taken<Four>(cosine + 8) * x2362 - taken<Four>(sine + 8) * x2364;
-  const Four x2468 = taken<Four>(sine + 8) * x2357 + taken<Four>(cosine + 8) * x2360 - Four{0.12, 0.12, 0.1, 0.1} * x2462;
+  const Four x2462 = load<Four>(cosine + 8) * x2362 - load<Four>(sine + 8) * x2364;
+  const Four x2468 = load<Four>(sine + 8) * x2357 + load<Four>(cosine + 8) * x2360 - Four{0.12, 0.12, 0.1, 0.1} * x2462;
   const Four x2481 = x1062 - x485 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998} - x492 * Four{0.024, 0.024, 0.0, 0.0} + x2468;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2545 = x2481 + x2445 * x2494;
   const Four x2547 = x488 * Four{0.024, 0.024, 0.0, 0.0} + x1093 + x2301 + Four{0.00096, 0.00096, 0.0, 0.0} * x2494;
-  const Four x2731 = taken<Four>(cosine + 4) * x2545 - taken<Four>(sine + 4) * x2547 + x354 * Four{0.00175, 0.00175, 0.00064, 0.00064};
+  const Four x2731 = load<Four>(cosine + 4) * x2545 - load<Four>(sine + 4) * x2547 + x354 * Four{0.00175, 0.00175, 0.00064, 0.00064};
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2742 = x2740 * (x2739 - x2731);
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Four x2734 = taken<Four>(cosine + 4) * x2549 - taken<Four>(sine + 4) * x2551 + x1021;
+  const Four x2734 = load<Four>(cosine + 4) * x2549 - load<Four>(sine + 4) * x2551 + x1021;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2802 = x2734 + x2572 * x2742;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Four x2708 = taken<Four>(sine + 4) * x2549 + taken<Four>(cosine + 4) * x2551;
+  const Four x2708 = load<Four>(sine + 4) * x2549 + load<Four>(cosine + 4) * x2551;
   const Four x2553 = x1125 - x508 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998} + x2462 + x2433 * x2494;
   const Four x2712 = Four{1.0, 1.0, 0.0, 0.0} * x2708 - Four{0.0, 0.0, 1.0, 1.0} * x2553;
   const Four x2732 = x404 * Four{1.4, 1.4, 0.8, 0.8} + x429 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024} + x2712;
@@ -1204,10 +1205,10 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2733 = x408 * Four{1.4, 1.4, 0.8, 0.8} + x423 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024} + x2715;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2800 = x2733 + x2582 * x2742;
-  const Four x3042 = taken<Four>(cosine + 0) * x2798 - taken<Four>(sine + 0) * x2800;
+  const Four x3042 = load<Four>(cosine + 0) * x2798 - load<Four>(sine + 0) * x2800;
   const Four x3049 = Four{1.0, 1.0, 0.0, 0.0} * x2802 - Four{0.0, 0.0, 1.0, 1.0} * x3042;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Four x2694 = taken<Four>(sine + 4) * x2545 + taken<Four>(cosine + 4) * x2547;
+  const Four x2694 = load<Four>(sine + 4) * x2545 + load<Four>(cosine + 4) * x2547;
   // links 2 "left_hip", 8 "right_hip", 17 "left_shoulder", 25 "right_shoulder": force that the reference field takes
   const Four x1009 = x367 * Four{0.00308, 0.00308, 0.001366667, 0.001366667} - x422 * Four{0.0013299999999999998, 0.0013299999999999998, 0.0007266669999999999, 0.0007266669999999999} - x408 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024};
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
@@ -1221,10 +1222,10 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2796 = x1011 + x2720 + x2687 * x2742;
   const Four x3052 = Four{0.0, 0.0, 1.0, 1.0} * x2802 + Four{1.0, 1.0, 0.0, 0.0} * x3042;
-  const Four x3056 = taken<Four>(sine + 0) * x2794 + taken<Four>(cosine + 0) * x2796 + Four{0.09, -0.09, 0.0, 0.0} * x3052;
+  const Four x3056 = load<Four>(sine + 0) * x2794 + load<Four>(cosine + 0) * x2796 + Four{0.09, -0.09, 0.0, 0.0} * x3052;
   const Four x3057 = Four{0.05, 0.05, -0.15, 0.15} * x3049 + x3056;
-  const Four x3028 = taken<Four>(cosine + 0) * x2794 - taken<Four>(sine + 0) * x2796;
-  const Four x3045 = taken<Four>(sine + 0) * x2798 + taken<Four>(cosine + 0) * x2800;
+  const Four x3028 = load<Four>(cosine + 0) * x2794 - load<Four>(sine + 0) * x2796;
+  const Four x3045 = load<Four>(sine + 0) * x2798 + load<Four>(cosine + 0) * x2800;
   const Four x3062 = Four{1.0, 1.0, 0.0, 0.0} * x2739 - Four{0.0, 0.0, 1.0, 1.0} * x3028 - Four{0.05, 0.05, -0.15, 0.15} * x3045;
   const Four x3063 = x3062 - Four{0.0, 0.0, 0.29, 0.29} * x3052;
   // joint 22 "neck_yaw": articulated-body inertia and bias force through it
@@ -1246,11 +1247,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joint 15 "waist_pitch": articulated-body inertia and bias force through it
   const Real x3499 = x3497 * (tau[20] - x3492);
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Four x2809 = taken<Four>(sine + 0) * x2762 + taken<Four>(cosine + 0) * x2774;
+  const Four x2809 = load<Four>(sine + 0) * x2762 + load<Four>(cosine + 0) * x2774;
   const Four x2819 = x2768 + x2816;
   const Four x2829 = Four{1.0, 1.0, 0.0, 0.0} * x2809 - Four{0.0, 0.0, 1.0, 1.0} * x2819;
   const Four x2929 = x2829 + Four{0.09, -0.09, 0.0, 0.0} * x2902 + Four{0.05, 0.05, -0.15, 0.15} * x2905;
-  const Four x2854 = x2753 + taken<Four>(sine + 0) * x2851;
+  const Four x2854 = x2753 + load<Four>(sine + 0) * x2851;
   const Four x2911 = x2756 - x2820 + x2907 + x2908;
   const Four x2985 = Four{1.0, 1.0, 0.0, 0.0} * x2854 - Four{0.05, 0.05, -0.15, 0.15} * x2838 - Four{0.09, -0.09, 0.0, 0.0} * x2911;
   const Four x2987 = Four{0.09, -0.09, 0.0, 0.0} * x2844 + x2985 + Four{0.0, 0.0, 0.29, 0.29} * x2929;
@@ -1620,12 +1621,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x4399 = Four{x4224, x4224, x4364, x4364} + Four{0.05, 0.05, -0.15, 0.15} * x4381 + Four{0.0, 0.0, 0.29, 0.29} * x4383;
   const Four x4405 = Four{x4221, x4221, x4347, x4347} - Four{0.0, 0.0, 0.29, 0.29} * x4382 + Four{0.09, -0.09, 0.0, 0.0} * x4381;
   const Four x4412 = Four{1.0, 1.0, 0.0, 0.0} * x4383 - Four{0.0, 0.0, 1.0, 1.0} * x4382;
-  const Four x4415 = taken<Four>(cosine + 0) * x4412 + taken<Four>(sine + 0) * x4381;
-  const Four x4419 = taken<Four>(cosine + 0) * x4381 - taken<Four>(sine + 0) * x4412;
+  const Four x4415 = load<Four>(cosine + 0) * x4412 + load<Four>(sine + 0) * x4381;
+  const Four x4419 = load<Four>(cosine + 0) * x4381 - load<Four>(sine + 0) * x4412;
   const Four x4422 = Four{1.0, 1.0, 0.0, 0.0} * x4399 + Four{0.0, 0.0, 1.0, 1.0} * x4405;
   const Four x4426 = Four{1.0, 1.0, 0.0, 0.0} * x4405 - Four{0.0, 0.0, 1.0, 1.0} * x4399;
-  const Four x4429 = taken<Four>(cosine + 0) * x4426 + taken<Four>(sine + 0) * x4394;
-  const Four x4433 = taken<Four>(cosine + 0) * x4394 - taken<Four>(sine + 0) * x4426;
+  const Four x4429 = load<Four>(cosine + 0) * x4426 + load<Four>(sine + 0) * x4394;
+  const Four x4433 = load<Four>(cosine + 0) * x4394 - load<Four>(sine + 0) * x4426;
   const Four x4445 = x2742 - x2743 * x4415 - x2744 * x4419;
   const Four x4447 = x4445 - x2747 * x4422 - x2745 * x4429;
   const Four x4448 = x4447 - x2746 * x4433;
@@ -1635,12 +1636,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x4457 = x4429 + Four{0.04, -0.04, 0.05, -0.05} * x4419;
   const Four x4460 = x4433 - Four{0.04, -0.04, 0.05, -0.05} * x4415;
   const Four x4463 = Four{1.0, 1.0, 0.0, 0.0} * x4415 + Four{0.0, 0.0, 1.0, 1.0} * x4419;
-  const Four x4470 = taken<Four>(cosine + 4) * x4448 + taken<Four>(sine + 4) * x4463;
-  const Four x4474 = taken<Four>(cosine + 4) * x4463 - taken<Four>(sine + 4) * x4448;
+  const Four x4470 = load<Four>(cosine + 4) * x4448 + load<Four>(sine + 4) * x4463;
+  const Four x4474 = load<Four>(cosine + 4) * x4463 - load<Four>(sine + 4) * x4448;
   const Four x4477 = Four{1.0, 1.0, 0.0, 0.0} * x4457 + Four{0.0, 0.0, 1.0, 1.0} * x4460;
   const Four x4481 = Four{1.0, 1.0, 0.0, 0.0} * x4460 - Four{0.0, 0.0, 1.0, 1.0} * x4457;
-  const Four x4484 = taken<Four>(cosine + 4) * x4422 + taken<Four>(sine + 4) * x4477;
-  const Four x4488 = taken<Four>(cosine + 4) * x4477 - taken<Four>(sine + 4) * x4422;
+  const Four x4484 = load<Four>(cosine + 4) * x4422 + load<Four>(sine + 4) * x4477;
+  const Four x4488 = load<Four>(cosine + 4) * x4477 - load<Four>(sine + 4) * x4422;
   const Four x4500 = x2494 - x2499 * x4481 - x2497 * x4484;
   const Four x4502 = x4500 - x2498 * x4488 - x2495 * x4470;
   const Four x4503 = x4502 - x2496 * x4474;
@@ -1649,10 +1650,10 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": their accelerations, and those of the links beyond
   const Four x4510 = x4484 + Four{0.12, 0.12, 0.1, 0.1} * x4503;
   const Four x4513 = x4481 - Four{0.12, 0.12, 0.1, 0.1} * x4470;
-  const Four x4516 = taken<Four>(cosine + 8) * x4503 + taken<Four>(sine + 8) * x4470;
-  const Four x4520 = taken<Four>(cosine + 8) * x4470 - taken<Four>(sine + 8) * x4503;
-  const Four x4523 = taken<Four>(cosine + 8) * x4513 + taken<Four>(sine + 8) * x4510;
-  const Four x4527 = taken<Four>(cosine + 8) * x4510 - taken<Four>(sine + 8) * x4513;
+  const Four x4516 = load<Four>(cosine + 8) * x4503 + load<Four>(sine + 8) * x4470;
+  const Four x4520 = load<Four>(cosine + 8) * x4470 - load<Four>(sine + 8) * x4503;
+  const Four x4523 = load<Four>(cosine + 8) * x4513 + load<Four>(sine + 8) * x4510;
+  const Four x4527 = load<Four>(cosine + 8) * x4510 - load<Four>(sine + 8) * x4513;
   const Four x4539 = x2304 - x2310 * x4488 - x2305 * x4516;
   const Four x4541 = x2306 * x4520 + x4539 - x2308 * x4523;
   const Four x4542 = x4541 - x2309 * x4527;
@@ -1675,22 +1676,22 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x4593 = x4566 - Four{0.3, 0.3, -0.01, -0.01} * x4581;
   const Four x4598 = x4552 + Four{0.3, 0.3, -0.01, -0.01} * x4559 + Four{0.0, 0.0, 0.16, 0.16} * x4555;
   const Four x4601 = Four{1.0, 1.0, 0.0, 0.0} * x4559 + Four{0.0, 0.0, 1.0, 1.0} * x4581;
-  const Four x4608 = taken<Four>(cosine + 16) * x4555 + taken<Four>(sine + 16) * x4601;
-  const Four x4612 = taken<Four>(cosine + 16) * x4601 - taken<Four>(sine + 16) * x4555;
+  const Four x4608 = load<Four>(cosine + 16) * x4555 + load<Four>(sine + 16) * x4601;
+  const Four x4612 = load<Four>(cosine + 16) * x4601 - load<Four>(sine + 16) * x4555;
   const Four x4615 = Four{1.0, 1.0, 0.0, 0.0} * x4593 + Four{0.0, 0.0, 1.0, 1.0} * x4598;
   const Four x4619 = Four{1.0, 1.0, 0.0, 0.0} * x4598 - Four{0.0, 0.0, 1.0, 1.0} * x4593;
-  const Four x4622 = taken<Four>(cosine + 16) * x4590 + taken<Four>(sine + 16) * x4615;
+  const Four x4622 = load<Four>(cosine + 16) * x4590 + load<Four>(sine + 16) * x4615;
   const Four x4638 = x1812 - x1813 * x4608 - x1814 * x4612;
   const Four x4640 = x4638 - x1817 * x4619 - x1815 * x4622;
-  const Four x4641 = x4640 - x1816 * (taken<Four>(cosine + 16) * x4615 - taken<Four>(sine + 16) * x4590);
+  const Four x4641 = x4640 - x1816 * (load<Four>(cosine + 16) * x4615 - load<Four>(sine + 16) * x4590);
   const Four x4642 = x4641 - (Four{1.0, 1.0, 0.0, 0.0} * x4581 - Four{0.0, 0.0, 1.0, 1.0} * x4559);
   put(x4642, w.lanes.data() + 16);
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": their accelerations, and those of the links beyond
   const Four x4649 = x4622 - Four{0.0, 0.0, 0.04, 0.04} * x4612;
   const Four x4656 = x4619 + Four{0.02, 0.02, 0.0, 0.0} * x4612;
-  const Four x4678 = x1656 - Four{19.88949726809468, 19.88949726809468, 0.0, 0.0} * (taken<Four>(cosine + 20) * x4656 + taken<Four>(sine + 20) * x4649);
-  const Four x4679 = (taken<Four>(cosine + 20) * x4649 - taken<Four>(sine + 20) * x4656) * Four{0.0, 0.0, 11.980035271220512, 11.980035271220512} + x4678;
-  const Four x4680 = x4679 - Four{0.5966849180428403, 0.5966849180428403, 0.0, 0.0} * (taken<Four>(cosine + 20) * x4608 - taken<Four>(sine + 20) * x4641);
+  const Four x4678 = x1656 - Four{19.88949726809468, 19.88949726809468, 0.0, 0.0} * (load<Four>(cosine + 20) * x4656 + load<Four>(sine + 20) * x4649);
+  const Four x4679 = (load<Four>(cosine + 20) * x4649 - load<Four>(sine + 20) * x4656) * Four{0.0, 0.0, 11.980035271220512, 11.980035271220512} + x4678;
+  const Four x4680 = x4679 - Four{0.5966849180428403, 0.5966849180428403, 0.0, 0.0} * (load<Four>(cosine + 20) * x4608 - load<Four>(sine + 20) * x4641);
   const Four x4681 = x4680 - x4612;
   put(x4681, w.lanes.data() + 20);
   // joint 13 "waist_yaw": its acceleration, and that of the link beyond

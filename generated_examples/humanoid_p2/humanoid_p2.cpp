@@ -1,6 +1,8 @@
 // Forward dynamics of "humanoid" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 2 --schedule=../models/humanoid_at_torso.json --shape=kernels
+// input     schedule, sha256 35c4c70f0b4c25ef442163ea2ff1fb2b75e983f3e3c7bd1a57b0eace91566f4f
+// input     profile default, sha256 4d2e57544ec8b0d6db724e39fbb20a173aae29f19e91072390d4f16f8137ebaa
 // options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI
 // program   2 processes, gathered at torso; 0.636 us predicted (default profile)

@@ -83,6 +83,30 @@ function showRobot() {
   home();
 }
 
+/** Return the joints on a link as a list; it is nested where the robot branches. */
+function treeFrom(link, children, item) {
+  const list = element("ul");
+  let on = children[link];
+  for (; on.length === 1; on = children[on[0]]) list.append(item(on[0]));
+  on.forEach((child) => {
+    const own = list.appendChild(item(child));
+    if (children[child].length) own.append(treeFrom(child, children, item));
+  });
+  return list;
+}
+
+function showTree() {
+  const { robot, program } = data, several = program.colours.length > 1;
+  byId("tree").append(treeFrom(0, childrenOf(robot), (child) => {
+    const joint = robot.joints[child - 1], { name, mass } = robot.links[child];
+    const item = element("li"), mark = element("span", undefined, { class: "mark", "aria-hidden": "true" });
+    mark.style.background = program.colours[joint.owner][0];
+    const process = several ? `, process ${joint.owner}` : "";
+    item.append(mark, element("strong", joint.name), ` ${joint.kind}: ${robot.links[joint.parent].name} to ${name}, ${Number(mass.toPrecision(4))} kg${process}`);
+    return item;
+  }));
+}
+
 function showProgram() {
   const { program } = data, processes = program.colours.length;
   byId("program-said").textContent = `${program.title}; form ${program.form}, shape ${program.shape}, ${program.scalar}`;
@@ -166,6 +190,7 @@ function showCommands() {
 }
 
 showRobot();
+showTree();
 showProgram();
 showRest();
 showAccuracy();

@@ -54,7 +54,7 @@ def test_a_schedule_says_so_and_is_taken_back(
         (("--form", "ada"), "form ada joins in an order that depends on the number of processes"),
         (("--refine", "1"), "answers are refined in loops"),
         (("--shape", "kernels"), "only straight lines are reproducible"),
-        (("--schedule", "balanced"), "joined at a cut have other digits than one process"),
+        (("--schedule", "balanced"), "joined at a cut round differently from one process"),
         (("--runtime", "gravity"), "reproducible solvers are not emitted with --runtime"),
     ],
 )

@@ -27,7 +27,7 @@ from adagen.urdf import read_robot
 from adagen.wholefile import write_files
 from tests.emitted import Builder, plan_of, text_of
 from tests.executor.test_lane_bits import affected, limbs
-from tests.gathered import dealt, reproducible_plan
+from tests.gathered import distributed, reproducible_plan
 from tests.models import human_figure, serial_chain
 
 FLAGS = (
@@ -87,7 +87,7 @@ def test_real_robots(robot: str, builder: Builder, shared: Path, tmp_path: Path)
         assert answer(builder, plan, flags, model, tmp_path) == expected, flags
     assert answer(builder, plan, FLAGS[1], model, tmp_path, batch=1) == expected
     for processes in (2, 4):
-        gathered = dealt(model, processes, np.random.default_rng(processes))
+        gathered = distributed(model, processes, np.random.default_rng(processes))
         shares = replace(reproducible_plan(model, gathered, scalar=scalar), channel=THREADS)
         for grouping, flags in zip(groupings(shares), FLAGS[1:], strict=False):
             found = answer(builder, shares, flags, model, tmp_path, limbs=grouping)
@@ -104,7 +104,7 @@ def test_lanes_processes_and_processors(builder: Builder, tmp_path: Path) -> Non
     wide = ("-O1", "-march=native", "-ffp-contract=fast")
     assert answer(builder, plan, wide, model, tmp_path) == expected
     assert answer(builder, plan, wide, model, tmp_path, batch=1) == expected
-    shares = reproducible_plan(model, dealt(model, 2, np.random.default_rng(2), core=0.0))
+    shares = reproducible_plan(model, distributed(model, 2, np.random.default_rng(2), core=0.0))
     assert any(len(own) for own in groupings(shares)[-1])
     assert answer(builder, shares, wide, model, tmp_path) == expected
 
@@ -112,7 +112,7 @@ def test_lanes_processes_and_processors(builder: Builder, tmp_path: Path) -> Non
 def test_no_product_is_fused(builder: Builder, tmp_path: Path) -> None:
     """g++ 12 makes vfmaddsub of neighbours, whatever -ffp-contract says; sines fuse by default."""
     model, rng = human_figure(), np.random.default_rng(4)
-    plan = replace(reproducible_plan(model, dealt(model, 4, rng)), channel=THREADS)
+    plan = replace(reproducible_plan(model, distributed(model, 4, rng)), channel=THREADS)
     source, made = tmp_path / "solver.cpp", tmp_path / "solver.s"
     command = builder.toolchain.compile_command(source, made, False)
     fused = []

@@ -130,7 +130,7 @@ class TestStructure:
 
     def test_wide_values_lie_aligned(self) -> None:
         text = text_of(plan_of(star(4, 3), 1), shape="unrolled", chunk=40)
-        places = re.findall(r"taken<Four>\(w\.x\.data\(\) \+ (\d+)\)", text)
+        places = re.findall(r"load<Four>\(w\.x\.data\(\) \+ (\d+)\)", text)
         assert len(places) > 20
         assert all(int(place) % 4 == 0 for place in places)
 

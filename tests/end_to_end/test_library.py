@@ -171,7 +171,7 @@ class TestWorkers:
     ) -> None:
         batch = BY_STEM[stem].batch
         if batch and channel == "window":
-            channel = "auto"  # states are handed out in messages
+            channel = "auto"  # states are distributed in messages
         source, header = ((FOLDER / stem / f"{stem}.{end}").read_text() for end in ("cpp", "h"))
         lines = self.lines(builder, stem, source, header, channel, tmp_path, 2, batch)
         answers = [line.split()[4:] for line in lines if line.startswith("process 0 asked 1")]

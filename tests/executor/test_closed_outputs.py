@@ -65,5 +65,5 @@ def test_reaction_forces_at_loops_are_refused_by_name() -> None:
     model = four_bar()
     output = Output(REACTION_FORCE, 1, Frame("", np.eye(3), np.zeros(3)), "p0")
     schedule = best_schedule(model, 1, load_profile("default"))
-    with pytest.raises(UsageError, match="'p0' is not computed of robots with closed loops"):
+    with pytest.raises(UsageError, match="'p0' is not computed for robots with closed loops"):
         make_plan(replace(model, outputs=(output,)), schedule)

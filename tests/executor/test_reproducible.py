@@ -20,7 +20,7 @@ from adagen.states import random_states
 from tests.emit.limbs import alike
 from tests.emitted import ROUNDING, forward_error, truth_of
 from tests.executor.test_lane_bits import affected, limbs, slaved
-from tests.gathered import dealt, reproducible_plan
+from tests.gathered import distributed, reproducible_plan
 from tests.mechanisms import four_bar
 from tests.models import Array, human_figure, random_tree, serial_chain
 from tests.scene.effects import with_effects, with_wrenches
@@ -60,7 +60,7 @@ def test_any_number_of_processes_in_lanes_or_not(seed: int, scalar: str) -> None
     rng = np.random.default_rng(seed)
     plans = [
         alone,
-        *(reproducible_plan(model, dealt(model, p, rng), scalar=scalar) for p in (2, 3)),
+        *(reproducible_plan(model, distributed(model, p, rng), scalar=scalar) for p in (2, 3)),
     ]
     for plan in plans:
         for grouping in groupings(plan):
@@ -75,9 +75,9 @@ def test_what_is_the_same_is_true(seed: int) -> None:
 
 
 def test_lanes_and_messages_are_looked_at_above() -> None:
-    """Some plan has lanes on several processes that tell each other something."""
+    """Some plan has lanes on several processes that send each other something."""
     model = limbs(8, REVOLUTE, REVOLUTE, REVOLUTE, trunk=1, beside=0)
-    plan = reproducible_plan(model, dealt(model, 2, np.random.default_rng(0), core=0.0))
+    plan = reproducible_plan(model, distributed(model, 2, np.random.default_rng(0), core=0.0))
     line = simulate(plan, groupings(plan)[-1])
     assert all(one.machine.rows.rows for one in line)
     assert all(any(one.machine.sent.values()) for one in line)
@@ -89,7 +89,7 @@ def test_lanes_and_messages_are_looked_at_above() -> None:
 def test_others_are_not_the_same() -> None:
     """What is promised does not come by itself."""
     model = limbs(8, REVOLUTE, REVOLUTE, REVOLUTE, trunk=1, beside=0)
-    gathered = dealt(model, 2, np.random.default_rng(0), core=0.0)
+    gathered = distributed(model, 2, np.random.default_rng(0), core=0.0)
     alone, shared = reproducible_plan(model), reproducible_plan(model, gathered)
     of_one, of_two = (answers(replace(p, reproducible=False), model) for p in (alone, shared))
     assert not np.array_equal(of_one, of_two)
@@ -108,7 +108,7 @@ def test_effects_of_limbs_are_the_same() -> None:
     model = affected(limbs(3, REVOLUTE, PRISMATIC, REVOLUTE))
     rng = np.random.default_rng(1)
     expected = answers(reproducible_plan(model), model)
-    plan = reproducible_plan(model, dealt(model, 3, rng))
+    plan = reproducible_plan(model, distributed(model, 3, rng))
     np.testing.assert_array_equal(answers(plan, model, lanes=True), expected)
 
 
@@ -136,7 +136,7 @@ def test_what_depends_on_the_processes_is_refused() -> None:
     model = serial_chain(8, axes="xyz")
     profile, topology = load_profile("default"), Topology.of(model)
     schedule = named_schedule("balanced", topology, 2, profile=profile)
-    with pytest.raises(UsageError, match="joined at a cut have other digits"):
+    with pytest.raises(UsageError, match="joined at a cut round differently"):
         make_plan(model, schedule, meeting="join", reproducible=True)
     with pytest.raises(UsageError, match="reproducible ones gather at the ground"):
         make_plan(model, schedule, meeting="gather", reproducible=True)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import copy
+import hashlib
 import inspect
+import json
 import pickle
 import subprocess
 import sys
@@ -20,6 +22,7 @@ import pytest
 import adagen
 from adagen.errors import SolveError, UsageError
 from adagen.library.request import Request
+from adagen.plan import plan_from_json
 from adagen.states import random_states
 from tests.emitted import ROUNDING, cores, energy_errors, forward_error, truth_of
 from tests.golden.make_models import MODELS
@@ -46,6 +49,23 @@ def states(solver: adagen.Solver, count: int) -> tuple[Any, Any, Any, Any]:
     model = solver.compiled.model
     some = random_states(model, count, seed=2)
     return some.q, some.v, some.tau, truth_of(model, some)
+
+
+def test_scene_and_profile_are_in_head_and_plan(tmp_path: Path) -> None:
+    scene = tmp_path / "s.toml"
+    scene.write_text("gravity = [0, 0, 0]\r\n", newline="")
+    made = adagen.compile(adagen.read(ARM, scene=scene))
+    files = made.in_folder(tmp_path / "out")
+    plan, head = files["arm7_p1.plan.json"], files["arm7_p1.cpp"][:3000]
+    origin = json.loads(plan)["made"]
+    assert origin["command"][:3] == ["adagen", origin["command"][1], "--scene=../s.toml"]
+    inputs = {each["what"]: each for each in origin["inputs"]}
+    assert inputs["scene"]["text"].encode() == scene.read_bytes()
+    assert 'name = "default"' in inputs["profile default"]["text"]
+    for what, each in inputs.items():
+        digest = hashlib.sha256(each["text"].encode()).hexdigest()
+        assert f"// input     {what}, sha256 {digest}\n" in head
+    assert plan_from_json(plan).gravity == plan_from_json(made.files["arm7_p1.plan.json"]).gravity
 
 
 class TestRead:
@@ -100,7 +120,7 @@ class TestCompile:
             ({"procs": 0}, "procs is from 1 to 1024"),
             ({"scalr": "float"}, "unexpected keyword argument 'scalr'"),
             ({"batch": True, "refine": 1}, "batches are not refined"),
-            ({"schedule": "nowhere.json"}, "is no file and none of auto, balanced"),
+            ({"schedule": "nowhere.json"}, "is neither a file nor one of auto, balanced"),
             ({"naive": True}, "naive is for strategy astar or paper"),
         ],
     )

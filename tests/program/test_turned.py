@@ -18,7 +18,7 @@ def test_a_run_swept_at_once_turns_where_digits_are_lost() -> None:
 
 
 def test_joints_told_to_another_unit_always_turn() -> None:
-    # Joints 1 and 2 in lanes are handed to joint 0, along whose axis they may come to lie; the link
+    # Joints 1 and 2 in lanes are passed to joint 0, along whose axis they may come to lie; the link
     # beyond joint 2 is solid.
     plan = plan_of(three_axis_chain(2, POINT), 1)
     found = turned_in_loops(plan, ((Limbs(((1,), (2,))),),))

@@ -90,6 +90,10 @@ def test_it_is_shown_without_a_complaint(
     for part in ("robot", "program", "figures", "accuracy", "chart", "scene", "remarks"):
         assert tab.locator(f"#{part}").is_visible()
     assert tab.locator("#skeleton circle").count() == len(report[1].joints)
+    assert tab.locator("#tree li").count() == len(report[1].joints)
+    assert tab.locator("#tree li strong").all_text_contents() == [
+        joint.name for joint in report[1].joints
+    ]
     assert tab.locator("#timelines figure").count() == 2
     assert tab.locator("#chart-d circle").count() == 6 + 2  # and two in the legend
     assert tab.locator("#accuracy-d circle.error").count() == 3 + 1

@@ -141,6 +141,13 @@ def test_the_command_writes_one_page(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert main(["report", *words]) == 2
 
 
+def test_a_scene_that_only_closes_loops_saves_nothing(tmp_path: Path) -> None:
+    words = [str(MODELS / "fourbar.urdf"), "--scene", str(MODELS / "fourbar.toml")]
+    assert main(["report", *words, "--out", str(tmp_path)]) == 0
+    data = data_of((tmp_path / "fourbar_p1_report.html").read_text())
+    assert data["scene"]["lines"] == ["it leaves out nothing of the robot"]
+
+
 def test_a_record_of_another_robot_is_refused(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -138,13 +138,13 @@ TEST_CASE_TEMPLATE("an articulated body is the Schur complement of its joint", K
   constexpr int n = kFree<Kind>;
   Dense tau(n, 1);
   for (int k = 0; k < n; ++k) tau(k, 0) = joint.tau[static_cast<std::size_t>(k)][0] = 0.5 + k;
-  Inertia handed{};
+  Inertia passed{};
   Columns6 force;
-  REQUIRE(articulate(joint, 1.0, I, p, handed, force));
+  REQUIRE(articulate(joint, 1.0, I, p, passed, force));
   const Dense S = rows<typename Kind::Free>(), M = matrix(I);
   const Dense D = S.transpose() * M * S, U = M * S, solved = D.inverse();
   const Dense Ia = M - U * solved * U.transpose();
-  CHECK((matrix(handed) - Ia).norm() < 10 * kClose);
+  CHECK((matrix(passed) - Ia).norm() < 10 * kClose);
   const Dense due = p + Ia * c + U * solved * (tau - S.transpose() * p);
   CHECK((force - due).norm() < 10 * kClose);
   // Joint accelerations, and that of the far link.

@@ -224,7 +224,7 @@ NAMES = {
     "[joints.j001]\nprescribed = true": (2, "a joint that is followed cannot be prescribed"),
     '[[point_masses]]\nlink = "hand"\nmass = 1': (2, "'hand' is not a link"),
     '[[point_masses]]\nlink = "ground"\nmass = 1': (2, "a mass there has no effect"),
-    'accelerations = ["j000"]\n[lock]\nj000 = 1': (1, "is locked: it has no acceleration"),
+    'accelerations = ["j000"]\n[lock]\nj000 = 1': (1, "is locked: its acceleration"),
     "accelerations = []": (1, "names no joint"),
 }
 

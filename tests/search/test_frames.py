@@ -61,9 +61,9 @@ def to_the_hands(case: Case, _: np.random.Generator) -> list[Frame]:
 
 
 def handed_out(case: Case, frame: Frame, rng: np.random.Generator) -> float | None:
-    """Return the time of a layout of a frame whose limbs are handed out by chance, if it has one.
+    """Return the time of a layout of a frame whose limbs are distributed by chance, if it has one.
 
-    Limbs are dealt out in turn, which loads processes about evenly.
+    Limbs are distributed in turn, which loads processes about evenly.
     """
     order = rng.permutation(len(frame.limbs))
     processes = int(rng.integers(2, case.processes + 1))

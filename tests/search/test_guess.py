@@ -1,4 +1,4 @@
-"""Limbs handed out evenly."""
+"""Limbs distributed evenly."""
 
 from __future__ import annotations
 

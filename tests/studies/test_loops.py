@@ -14,7 +14,7 @@ from adagen.library import read
 from adagen.model import canonical
 from adagen.studies.bench import Judge
 from adagen.studies.bench.peers import contestants, missing
-from adagen.studies.bench.peers.pinocchio_loops import told
+from adagen.studies.bench.peers.pinocchio_loops import constraint_lines
 from adagen.studies.chart.motion import Played, drifts
 from adagen.studies.drawn import drawn_states
 from tests.mechanisms import four_bar, geared, looped_tree, quadruped, slider_crank
@@ -63,18 +63,18 @@ def test_stability_judges_a_linkage(capsys: pytest.CaptureFixture[str]) -> None:
     assert cell["error"] < 1e-9
 
 
-def test_what_pinocchio_is_told() -> None:
+def test_what_pinocchio_gets() -> None:
     model = canonical(four_bar())
-    lines, shift = told(model, drawn_states(model, 1).q[0])
+    lines, shift = constraint_lines(model, drawn_states(model, 1).q[0])
     assert [line.split()[0] for line in lines] == ["point"]  # it takes no more in a plane
     assert shift > 0  # and one of its rows is zero
     model = canonical(looped_tree("weld", 3, joints=9))
-    assert told(model, drawn_states(model, 1).q[0])[0][0].startswith("weld")
+    assert constraint_lines(model, drawn_states(model, 1).q[0])[0][0].startswith("weld")
     model = canonical(quadruped())
-    assert told(model, drawn_states(model, 1).q[0])[1] == 0.0
+    assert constraint_lines(model, drawn_states(model, 1).q[0])[1] == 0.0
     model = canonical(geared())
     with pytest.raises(EnvironmentFault, match="no couplings"):
-        told(model, drawn_states(model, 1).q[0])
+        constraint_lines(model, drawn_states(model, 1).q[0])
 
 
 @pytest.mark.slow

@@ -119,6 +119,15 @@ def test_what_is_ignored_is_told(read: Read) -> None:
     assert 'robot.urdf:5: warning: damping of joint "j1" is not modelled' in reading.warnings[1]
 
 
+def test_limits_that_cannot_be_meant_are_one_warning(read: Read) -> None:
+    reversed_limit = Y + '<limit lower="1" upper="-1"/>'
+    links = "".join(link(f"l{k}") for k in range(4))
+    joints = [joint(f"j{k}", f"l{k}", f"l{k + 1}", inside=reversed_limit) for k in range(3)]
+    (warning,) = read(robot(links, *joints)).warnings
+    assert "lower limit 1 is above the upper one -1 (not used)" in warning
+    assert warning.endswith('; 2 more joints have such limits: "j1", "j2"')
+
+
 def test_a_thousand_unknown_names_take_few_lines(read: Read) -> None:
     odd = "".join(f"<t{i}/>" for i in range(1000))
     ignored = read(pair().replace("</robot>", odd + "</robot>")).ignored

@@ -53,13 +53,13 @@ def articulate(words: Words, step: Articulate) -> list[str]:
     call = f"hand_on(w, {j}, i.body, {sigma}, {inertia}, {force});"
     if near == 0:
         return [*lines, call]
-    lines.append(f"const Handed handed = {call}")
+    lines.append(f"const Passed passed = {call}")
     if step.reversed:
-        return [*lines, f"{own}.IA += handed.inertia;", f"{own}.pA += handed.force;"]
+        return [*lines, f"{own}.IA += passed.inertia;", f"{own}.pA += passed.force;"]
     return [
         *lines,
-        f"add_in_parent(i.X, handed.inertia, {own}.IA);",
-        f"{own}.pA += i.X.transposed_times(handed.force);",
+        f"add_in_parent(i.X, passed.inertia, {own}.IA);",
+        f"{own}.pA += i.X.transposed_times(passed.force);",
     ]
 
 
@@ -117,8 +117,8 @@ def deliver(words: Words, step: Deliver) -> list[str]:
         "deliver(i.body, load);",
     ]
     if near > 0:
-        handed = "load" if step.reversed else "i.X.transposed_times(load)"
-        lines.append(f"{of_link(words, step.joint, near)}.load += {handed};")
+        passed = "load" if step.reversed else "i.X.transposed_times(load)"
+        lines.append(f"{of_link(words, step.joint, near)}.load += {passed};")
     return lines
 
 

@@ -71,8 +71,8 @@ def _rearticulate(words: Words, step: Articulate) -> list[str]:
     call = f"rearticulate(i.body, {sigma}, {bias})"
     if near == 0:
         return [f"{call};"]
-    handed = call if step.reversed else f"i.X.transposed_times({call})"
-    return [f"{of_link(words, step.joint, near)}.pA += {handed};"]
+    passed = call if step.reversed else f"i.X.transposed_times({call})"
+    return [f"{of_link(words, step.joint, near)}.pA += {passed};"]
 
 
 def _correction(words: Words, process: Process, step: Step) -> list[str]:

@@ -32,7 +32,7 @@ def assembly(words: Words, join: FusedJoin) -> list[str]:
     phi_a, b_a = "kZero", "kGround"
     if join.a is not None:
         assert join.a_bias is not None
-        lines.append(f"i.run.BX = of_told(w, {near}, i.run.BX);")
+        lines.append(f"i.run.BX = for_expressed(w, {near}, i.run.BX);")
         lines.append(f"const Mat6 X_Phi_A = i.run.BX * {words.block(join.a)};")
         lines.append("const Mat6 Phi_A = X_Phi_A * i.run.BX.transpose();")
         phi_a, b_a = "Phi_A", words.bias(join.a_bias)

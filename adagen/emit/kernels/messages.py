@@ -1,4 +1,4 @@
-"""What processes of shape kernels tell each other, and the torques that hold slaved joints."""
+"""What processes of shape kernels send each other, and the torques that hold slaved joints."""
 
 from __future__ import annotations
 

@@ -54,7 +54,7 @@ def values(words: Words, chunk: int = 0) -> dict[str, object]:
         for p, (process, simulated) in enumerate(zip(processes, line, strict=True))
     ]
     angles = max(len(row.machine.angles) for row in rows)
-    told = [row.values() for row in rows]
+    texts = [row.values() for row in rows]
     functions = any(row.calls_functions() for row in rows)
     own = plan.reproducible  # sines and tangents, not those of the C library
     lanes = ["far_angles_reduced.hpp" if own else "far_angles.hpp", "kernels/lanes.hpp"]
@@ -66,8 +66,8 @@ def values(words: Words, chunk: int = 0) -> dict[str, object]:
         "functions": ["tanh_own.hpp" if own else "tanh_library.hpp", "unrolled_functions.hpp"]
         * functions
         + ["unrolled_lane_functions.hpp"] * (functions and words.batch),
-        "unrolled": told[: len(plan.processes)],
-        "recovery": told[len(plan.processes) :],
+        "unrolled": texts[: len(plan.processes)],
+        "recovery": texts[len(plan.processes) :],
         "places": max((row.layout.places for row in rows), default=0),
         "angle_count": -(-angles // _ANGLES_AT_ONCE) * _ANGLES_AT_ONCE
         if sines_in_lanes
@@ -221,7 +221,7 @@ class _ProcessText:
             source = "w.angle.data()" if first is None else f"q + {first}"
             take = f"take_sines_and_cosines<{len(angles)}>"
             lines.append(f"{take}({source}, w.sine.data(), w.cosine.data());")
-        # What is known beforehand, or is an input as it stands, is handed on right away.
+        # What is known beforehand, or is an input as it stands, is passed on right away.
         for index, followers in self.followers.items():
             node = self.graph.nodes[index]
             if node.op == "constant" or is_given(node):
@@ -256,9 +256,9 @@ class _ProcessText:
             "tau": entries_of(words, "v", process.owns),
         }
         if not guards.talks(process):
-            told = self._told_of()
+            stored = self._stored_in()
             looked_at = {
-                name: [k for k in entries if f"{name}[{k}]" not in told]
+                name: [k for k in entries if f"{name}[{k}]" not in stored]
                 for name, entries in looked_at.items()
             }
         terms = [
@@ -270,7 +270,7 @@ class _ProcessText:
         lines = [amiss, f"  {names_state(self.owner)}"] * bool(terms)
         return [*lines, *self._look_at_outer_forces()]
 
-    def _told_of(self) -> set[str]:
+    def _stored_in(self) -> set[str]:
         """Inputs that are not finite only if an acceleration or what is checked is not, either.
 
         All that is reckoned from them is spoilt: only a division by what is infinite would mend it,
@@ -356,7 +356,7 @@ class _ProcessText:
         if self.graph.nodes[index].width == 1:
             return f"const {self._type(index)} x{index} = w.x[{place}];"
         kind = self._type(index)
-        return f"const {kind} x{index} = taken<{kind}>(w.x.data() + {place});"
+        return f"const {kind} x{index} = load<{kind}>(w.x.data() + {place});"
 
     def _stored(self, index: int, right: str, place: int) -> str:
         """A value that is left to another function where it is computed."""

@@ -66,7 +66,7 @@ class Text:
         if node.width == 1:
             return str(node.value)
         array, place = str(node.value).removesuffix("]").split("[")
-        return f"taken<{TYPES[node.width]}>({array} + {place})"
+        return f"load<{TYPES[node.width]}>({array} + {place})"
 
     def statements(self, chunk: Sequence[int]) -> dict[int, str]:
         """Return the right-hand sides of those values of a chunk that get a name, in order.

@@ -23,7 +23,7 @@ class StartEmpty:
     """I^A and p^A of a link start as zero: the link itself is another process's to add."""
 
     does: ClassVar[str] = "clear_inertia"
-    about: ClassVar[str] = "nothing: it is another process's to add"
+    about: ClassVar[str] = "nothing: another process adds it"
 
     link: int
 
@@ -98,7 +98,7 @@ class HoldMobility:
     """
 
     does: ClassVar[str] = "hold_mobility"
-    about: ClassVar[str] = "what holds it, taken for a body"
+    about: ClassVar[str] = "what holds it, treated as a body"
 
     link: int
     block: Block

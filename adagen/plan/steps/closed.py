@@ -24,7 +24,7 @@ class CloseLoop:
     """
 
     does: ClassVar[str] = "close_loop"
-    about: ClassVar[str] = "what a loop holds its two links by"
+    about: ClassVar[str] = "directions in which a loop holds its two links"
 
     loop: int
     closure: int
@@ -43,7 +43,7 @@ class CloseCoupling:
     """
 
     does: ClassVar[str] = "close_coupling"
-    about: ClassVar[str] = "what holds coupled joints in step"
+    about: ClassVar[str] = "constraint that couples joints"
 
     coupling: int
     closure: int
@@ -74,8 +74,8 @@ class CarryRows:
     """What a closure holds back beyond a joint that was articulated, through that joint."""
 
     does: ClassVar[str] = "carry_rows"
-    about: ClassVar[str] = "what loops hold back beyond it"
-    about_row: ClassVar[str] = "what loops hold back beyond them"
+    about: ClassVar[str] = "constraint forces of loops beyond it"
+    about_row: ClassVar[str] = "constraint forces of loops beyond them"
 
     joint: int
     closure: int

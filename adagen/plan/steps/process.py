@@ -24,7 +24,7 @@ class Traverse:
     """How a run of joints moves its last link, seen from the link that it hangs on."""
 
     does: ClassVar[str] = "traverse"
-    about: ClassVar[str] = "how they move their last link, seen from where they hang"
+    about: ClassVar[str] = "motion of their last link, relative to the link that they hang on"
 
     passage: Passage
 
@@ -40,7 +40,7 @@ class Append:
     """
 
     does: ClassVar[str] = "append"
-    about: ClassVar[str] = "how they move their last link, from what is known of both parts"
+    about: ClassVar[str] = "motion of their last link, from those of both parts"
 
     passage: Passage
     near: Passage
@@ -88,7 +88,7 @@ class GiveOutput:
     """What is asked for beside accelerations: one of the plan's outputs."""
 
     does: ClassVar[str] = "output"
-    about: ClassVar[str] = "what is asked for beside accelerations"
+    about: ClassVar[str] = "outputs other than accelerations"
 
     output: int
 
@@ -123,7 +123,7 @@ class Correct:
     """
 
     does: ClassVar[str] = "correct"
-    about: ClassVar[str] = "a correction by what equations of motion and loops leave over"
+    about: ClassVar[str] = "correction from the residuals of equations of motion and loops"
 
     round: int
     first: int
@@ -142,7 +142,7 @@ class Refine:
 
     count: int
     does: ClassVar[str] = "refine"
-    about: ClassVar[str] = "corrections by what equations of motion leave over"
+    about: ClassVar[str] = "corrections from the residuals of the equations of motion"
 
 
 @dataclass(frozen=True)

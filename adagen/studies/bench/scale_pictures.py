@@ -15,7 +15,7 @@ from adagen.studies.bench.scale_record import CLOCK, PREDICTED, STRETCHES, Batch
 
 COLOURS = ("#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#333333", "#999999")
 """Of P = 1, 2, 4, ... in turn; those of SERIES as far as it has them."""
-PLACES = {"in_place": ("o", "each process its own"), "distributed": ("D", "handed out")}
+PLACES = {"in_place": ("o", "each process its own"), "distributed": ("D", "distributed")}
 
 
 def draw_scale(scale: Scale, folder: Path, endings: Sequence[str] = ("svg",)) -> list[Path]:

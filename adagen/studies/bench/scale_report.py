@@ -9,7 +9,7 @@ from adagen.studies.bench.scale_record import PREDICTED, STRETCHES, Scale, Scale
 
 TIMES = ("joints", "P", "us", "saved", "ideal", "predicted", "off", "at speed", "residual")
 """Heads of ``times``: what is saved and the ideal are shares of the time on one process."""
-BATCHES = ("hosts", "P", "own states/s", "handed out/s", "limited by")
+BATCHES = ("hosts", "P", "own states/s", "distributed/s", "limited by")
 NOTE = (
     "us: the fastest evaluation of all turns; ≈: from stretches of computing. Ideal: P processes "
     "save all but the P-th part. Off: measured beside predicted; at speed: beside what is "

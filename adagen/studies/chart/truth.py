@@ -95,7 +95,7 @@ def truth_of(
     check_closed(model, states)
     exact, inertias = [], []
     for s, state in enumerate(zip(states.q, states.v, states.tau, strict=True)):
-        said(f"truth to {digits} digits: state {s + 1} of {states.count}")
+        said(f"exact accelerations to {digits} digits: state {s + 1} of {states.count}")
         exact.append(exact_forward_dynamics(model, *state, digits=digits).raw)
         inertias.append(joint_space_inertia(model, state[0]))
     return Truth(model, states, np.array(exact), np.array(inertias), digits)

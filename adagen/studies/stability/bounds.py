@@ -51,7 +51,7 @@ class Bounded:
 
     Attributes:
         errors: true relative errors in the energy norm, shape (S,).
-        bounds: what the solver said of them, shape (S,).
+        bounds: those of the solver, shape (S,).
         refused: how many states were not answered, or have no answer.
     """
 
@@ -107,8 +107,8 @@ def bounded(
             for k, true in enumerate(truth)
             if true is not None and np.isfinite(answers[k]).all()
         ]
-        errors, told = np.array(rows, dtype=float).reshape(-1, 2).T
-        found[way] = Bounded(errors, told, len(truth) - len(rows))
+        errors, bounds = np.array(rows, dtype=float).reshape(-1, 2).T
+        found[way] = Bounded(errors, bounds, len(truth) - len(rows))
     return found
 
 

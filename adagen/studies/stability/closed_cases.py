@@ -53,8 +53,8 @@ class Tally:
         """For people."""
         if self.refused == self.states:
             return self.reason or "fails"
-        told = f"{self.error:.1e}"
-        return f"{told}; refuses {self.refused} of {self.states}" if self.refused else told
+        text = f"{self.error:.1e}"
+        return f"{text}; refuses {self.refused} of {self.states}" if self.refused else text
 
 
 @dataclass(frozen=True)

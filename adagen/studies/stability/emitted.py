@@ -363,7 +363,7 @@ def tables(cells: Sequence[Cell]) -> Iterator[list[str]]:
     for cell in cells:
         scalar = cell.way.scalar
 
-        def told(error: float | None, scalar: str = scalar) -> str:
+        def cell_text(error: float | None, scalar: str = scalar) -> str:
             return "-" if error is None else f"{digits(error, scalar):.1f}"
 
         said = cell.why or cell.verdict
@@ -376,8 +376,8 @@ def tables(cells: Sequence[Cell]) -> Iterator[list[str]]:
         yield [
             cell.robot,
             cell.way.words,
-            told(cell.error),
-            told(cell.executor),
-            told(cell.predicted),
+            cell_text(cell.error),
+            cell_text(cell.executor),
+            cell_text(cell.predicted),
             said,
         ]

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from adagen.errors import EnvironmentFault
 from adagen.model import Model, canonical
-from adagen.studies.bench.peers.pinocchio_loops import told
+from adagen.studies.bench.peers.pinocchio_loops import constraint_lines
 
 Array = NDArray[np.float64]
 MU = 1e-4
@@ -37,7 +37,7 @@ def solvers(model: Model, q: Array) -> dict[str, Solve]:
     import pinocchio as pin
 
     robot = canonical(model)
-    lines, shift = told(robot, q)
+    lines, shift = constraint_lines(robot, q)
     built = _built(pin, robot)
     held = pin.StdVec_RigidConstraintModel()
     held.extend([_constraint(pin, built, line.split()) for line in lines])

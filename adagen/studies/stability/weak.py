@@ -180,9 +180,9 @@ def _sweep(model: Model, tree: _Tree, tau: Array) -> Array:
         u = tau[own] - s.T.dot(force[j])
         kept[j] = (u_matrix, inverse, u)
         if parent:
-            handed = body[j] - u_matrix.dot(inverse).dot(u_matrix.T)
-            bias = force[j] + handed.dot(tree.c[j]) + u_matrix.dot(inverse.dot(u))
-            body[parent - 1] = body[parent - 1] + tree.x[j].T.dot(handed).dot(tree.x[j])
+            passed = body[j] - u_matrix.dot(inverse).dot(u_matrix.T)
+            bias = force[j] + passed.dot(tree.c[j]) + u_matrix.dot(inverse.dot(u))
+            body[parent - 1] = body[parent - 1] + tree.x[j].T.dot(passed).dot(tree.x[j])
             force[parent - 1] = force[parent - 1] + tree.x[j].T.dot(bias)
     result, a = tau.copy(), list[Array]()
     for j in range(n):

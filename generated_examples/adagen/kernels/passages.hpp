@@ -21,7 +21,7 @@
 
 namespace {
 
-// Processes tell each other how their runs of joints move, so that none passes those of others.
+// Processes send each other how their runs of joints move, so that none passes those of others.
 
 // The passage of two runs, the second one on the last link of the first. Seen from a link that
 // turns, what moves there has the acceleration of Coriolis besides, 2 omega x v, and its spin

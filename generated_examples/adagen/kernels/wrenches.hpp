@@ -80,7 +80,7 @@ ADAGEN_INLINE Driven<T> hand_on(Workspace& w, int j, JointKind kind, Vector<T>& 
   return driven;
 }
 
-// What a link is loaded with is added to what is handed on to it.
+// What a link is loaded with is added to what is passed on to it.
 ADAGEN_INLINE void take_load(const Workspace& w, int link, Vector<Value>& n, Vector<Value>& f) {
   const Columns6& load = w.loads[static_cast<std::size_t>(link)];
   n += Vector<Value>{load[0], load[1], load[2]};

@@ -33,27 +33,27 @@ bool hand_on(Body& body, const Real* tau, Columns6& force) {
   backward_substitute(D, E);
   forward_substitute(D, u);
   backward_substitute(D, u);
-  Inertia handed = body.I;
+  Inertia passed = body.I;
   for (int r : Kind::Constrained::row)
     for (int s : Kind::Constrained::row) {
       if (s < r) continue;
       Real x = body.I(r, s);
       for (int k = 0; k < n; ++k) x -= body.I(r, free[k]) * E[k][s];
-      handed.set(r, s, x);
+      passed.set(r, s, x);
     }
   for (int k = 0; k < n; ++k)
-    for (int l = 0; l < 6; ++l) handed.set(free[k], l, 0);
+    for (int l = 0; l < 6; ++l) passed.set(free[k], l, 0);
   for (int r : Kind::Constrained::row) {
     Real x = body.p(r, 0);
     for (int k = 0; k < n; ++k) x += body.I(r, free[k]) * u[k][0];
-    for (int s : Kind::Constrained::row) x += handed(r, s) * body.c(s, 0);
+    for (int s : Kind::Constrained::row) x += passed(r, s) * body.c(s, 0);
     force(r, 0) = x;
   }
   for (int k = 0; k < n; ++k) {
     force(free[k], 0) = tau[k];
     for (int l = 0; l < n; ++l) E[k][free[l]] = k == l ? 1 : 0;
   }
-  body.I = handed;
+  body.I = passed;
   std::copy(E.begin(), E.end(), body.E.begin());
   std::copy(u.begin(), u.end(), body.u.begin());
   return good;

@@ -23,7 +23,7 @@ struct Geared : Articulated<Kind> {
 };
 
 template <class Kind>
-bool articulate(Geared<Kind>& i, Real sigma, const Inertia& I, const Columns6& p, Inertia& handed,
+bool articulate(Geared<Kind>& i, Real sigma, const Inertia& I, const Columns6& p, Inertia& passed,
                 Columns6& force) {
   constexpr int n = kFree<Kind>;
   constexpr auto& free = Kind::Free::row;
@@ -36,21 +36,21 @@ bool articulate(Geared<Kind>& i, Real sigma, const Inertia& I, const Columns6& p
     }
   }
   Articulated<Kind>& body = i;
-  const bool good = articulate(body, sigma, with, p, handed, force);
+  const bool good = articulate(body, sigma, with, p, passed, force);
   body.solve(i.of_rotor);
   body.solve(i.of_body);
   auto moved = body.u;
   body.solve(moved);
   ADAGEN_FOR (k, 0, n) {
-    ADAGEN_FOR (l, k, n) handed.set(free[k], free[l], i.J * i.of_body[k][l]);
-    for (int r : Kind::Constrained::row) handed.set(free[k], r, i.J * body.E[k][r]);
+    ADAGEN_FOR (l, k, n) passed.set(free[k], free[l], i.J * i.of_body[k][l]);
+    for (int r : Kind::Constrained::row) passed.set(free[k], r, i.J * body.E[k][r]);
   }
   ADAGEN_FOR (c, 0, kColumns)
     ADAGEN_FOR (k, 0, n) {
       Real& along = force(free[k], c);
       along -= i.J * moved[k][c];
-      ADAGEN_FOR (r, 0, 6) along += handed(free[k], r) * body.c(r, c);
-      for (int r : Kind::Constrained::row) force(r, c) += handed(r, free[k]) * body.c(free[k], c);
+      ADAGEN_FOR (r, 0, 6) along += passed(free[k], r) * body.c(r, c);
+      for (int r : Kind::Constrained::row) force(r, c) += passed(r, free[k]) * body.c(free[k], c);
     }
   return good;
 }

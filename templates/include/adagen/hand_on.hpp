@@ -12,17 +12,17 @@
 namespace {
 
 // What a joint hands on to its near side: an articulated body's inertia and bias force.
-struct Handed {
+struct Passed {
   Inertia inertia;
   Columns6 force;
 };
 
 template <class Body>
-Handed hand_on(Workspace& w, int joint, Body& body, Real sigma, const Inertia& I,
+Passed hand_on(Workspace& w, int joint, Body& body, Real sigma, const Inertia& I,
                const Columns6& p) {
-  Handed handed;
-  if (!articulate(body, sigma, I, p, handed.inertia, handed.force)) fail(w, kFactorization, joint);
-  return handed;
+  Passed passed;
+  if (!articulate(body, sigma, I, p, passed.inertia, passed.force)) fail(w, kFactorization, joint);
+  return passed;
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ States random_states(int count, std::uint64_t seed, Solver& solver) {
   return states;
 }
 
-// The states file, read by process 0 and handed to all.
+// The states file, read by process 0 and passed to all.
 int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
   int status = kDone;
   if (rank == 0) {
@@ -133,7 +133,7 @@ int load(const std::string& path, MPI_Comm comm, int rank, States& states) {
     x.resize(static_cast<std::size_t>(states.count) * static_cast<std::size_t>(n));
     MPI_Bcast(x.data(), static_cast<int>(x.size()), kMpiNumber, 0, comm);
   };
-  if (about.batch) return status;  // handed out as they are solved
+  if (about.batch) return status;  // distributed as they are solved
   share(states.q, about.nq);
   share(states.v, about.nv);
   share(states.tau, about.ntau);

@@ -112,7 +112,7 @@ def test_the_pictures_hold_every_line_and_the_ideal_ones(scale: Scale, tmp_path:
     assert heights == sorted(heights)
     assert "Abacus 3000, 2 cores" in joints
     batched = points(held)
-    assert len(batched["handed out, measured"]) == 2
+    assert len(batched["distributed, measured"]) == 2
     assert len(batched["each process its own, predicted"]) == 1
     assert "2 hosts" in held
 
@@ -121,7 +121,7 @@ def points(svg: str) -> dict[str, list[tuple[float, float]]]:
     """Return the points of the lines of a picture that have a name, by it."""
     found = {}
     for name, path in re.findall(
-        r'<g id="((?:adagen|ideal|pin|each|hand)[^"]*)">\s*<path d="([^"]*)"', svg
+        r'<g id="((?:adagen|ideal|pin|each|distributed)[^"]*)">\s*<path d="([^"]*)"', svg
     ):
         pairs = re.findall(r"[ML] ([-\d.]+) ([-\d.]+)", path)
         found[name] = [(float(x), float(y)) for x, y in pairs]

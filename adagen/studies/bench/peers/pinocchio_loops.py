@@ -35,7 +35,7 @@ def closed_contestants(model: Model, states: States, folder: Path) -> Sequence[C
         EnvironmentFault: the robot has loops that Pinocchio has not, or nothing compiles it.
     """
     file, held, given = (folder / f"pinocchio.{end}" for end in ("txt", "loops", "states"))
-    lines, shift = told(model, states.q[0])
+    lines, shift = constraint_lines(model, states.q[0])
     file.write_text(described(model), encoding="utf-8")
     held.write_text("\n".join([*lines, ""]), encoding="utf-8")
     coordinates(model, states).write(given)
@@ -61,7 +61,7 @@ def closed_contestants(model: Model, states: States, folder: Path) -> Sequence[C
     return found
 
 
-def told(model: Model, q: Array) -> tuple[list[str], float]:
+def constraint_lines(model: Model, q: Array) -> tuple[list[str], float]:
     """Return the loops as the program reads them, and its proximal parameter.
 
     Args:

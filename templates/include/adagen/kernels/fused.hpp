@@ -42,7 +42,7 @@ inline Transform own_transform(Workspace& w, int j) {
 [[maybe_unused]] inline Columns6 to_expressed(Workspace& w, int link, const Columns6& f) {
   return turned_link(link) ? f : rotated(mat3_of(matrix_at(w.of(link - 1, kAxes))), f);
 }
-[[maybe_unused]] inline Mat6 of_told(Workspace& w, int link, const Mat6& m) {
+[[maybe_unused]] inline Mat6 for_expressed(Workspace& w, int link, const Mat6& m) {
   if (turned_link(link)) return m;
   return rotated(mat3_of(matrix_at(w.of(link - 1, kAxes))), Mat6(m.transpose())).transpose();
 }

@@ -25,7 +25,7 @@
 namespace {
 
 // Inwards: articulated bodies. A joint is treated at its own origin, the child link's, and the body
-// is handed on about the near link's origin. Seen from the sweep's root, the child link may be the
+// is passed on about the near link's origin. Seen from the sweep's root, the child link may be the
 // near one (the joint is reversed): then sigma = -1, and -qdd takes the place of qdd.
 
 template <class T>

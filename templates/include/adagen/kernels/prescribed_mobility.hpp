@@ -45,12 +45,12 @@ void propagate_prescribed(Workspace& w, int j, const Mat6& near, const Columns6&
 }
 
 template <bool reversed>
-void deliver_prescribed(Workspace& w, int j, const Columns6& load, Columns6& handed) {
+void deliver_prescribed(Workspace& w, int j, const Columns6& load, Columns6& passed) {
   const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
   Vector<Value> n{load[0], load[1], load[2]};
   const Vector<Value> f{load[3], load[4], load[5]};
   n += reversed ? cross(f, r) : cross(r, f);
-  handed += columns_of({n, f});
+  passed += columns_of({n, f});
 }
 
 }  // namespace

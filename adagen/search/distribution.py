@@ -1,4 +1,4 @@
-"""Layouts of straight lines: limbs around a root dealt out, each layout priced as it is emitted."""
+"""Layouts of straight lines: limbs around a root, distributed; each priced as it is emitted."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def _played(
 
 @dataclass(frozen=True)
 class _Limb:
-    """What is dealt out together.
+    """What is distributed together.
 
     Attributes:
         first: its joints at the core.
@@ -147,8 +147,9 @@ def layouts_at(
 ) -> Iterator[Gathered]:
     """Yield layouts on as many processes and on two, from the limbs at the roots on inwards.
 
-    Limbs are dealt out, the heaviest first, each to who has least; then the heaviest one is opened:
-    its joints up to where it branches become part of the core, and its branches are dealt out.
+    Limbs are distributed, the heaviest first, each to who has least; then the heaviest one is
+    opened: its joints up to where it branches become part of the core, its branches are
+    distributed.
 
     Args:
         joints: the robot's joints.
@@ -178,7 +179,7 @@ def layouts_at(
 
 
 def _dealt(limbs: Sequence[_Limb], count: int) -> list[list[_Limb]]:
-    """Limbs dealt out: the heaviest first, each to who has least."""
+    """Limbs distributed: the heaviest first, each to who has least."""
     shares: list[list[_Limb]] = [[] for _ in range(count)]
     loads = [0.0] * count
     for each in sorted(limbs, key=lambda each: (-each.weight, each.first[0].joint)):
