@@ -13,10 +13,11 @@ constexpr const auto& kSlots = Layout::kSlots;
 constexpr bool kInLanes = Layout::kInLanes, kPrescribedInLanes = Layout::kPrescribedInLanes;
 constexpr bool kByColumns = Layout::kByColumns;
 constexpr int kBlockKindCount = Layout::kBlockKindCount;
-[[maybe_unused]] constexpr const auto &kBlockKinds = Layout::kBlockKinds,
-                                      &kFirstOfKind = Layout::kFirstOfKind;
+[[maybe_unused]] constexpr const auto& kBlockKinds = Layout::kBlockKinds;
+[[maybe_unused]] constexpr const auto& kFirstOfKind = Layout::kFirstOfKind;
 constexpr bool kAnyTurned = Layout::kAnyTurned, kAnyTurnedIfLost = Layout::kAnyTurnedIfLost;
-constexpr const auto &kTurned = Layout::kTurned, &kTurnedIfLost = Layout::kTurnedIfLost;
+constexpr const auto& kTurned = Layout::kTurned;
+constexpr const auto& kTurnedIfLost = Layout::kTurnedIfLost;
 constexpr double kLosing = Layout::kLosing;
 constexpr bool kPassesFree = Layout::kPassesFree;
 [[maybe_unused]] constexpr bool kFloats = Layout::kFloats;
