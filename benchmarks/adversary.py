@@ -15,18 +15,20 @@ the robots that are not there yet.
 from __future__ import annotations
 
 import argparse
-import json
 import platform
 import sys
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import asdict
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-from adagen.build import find_toolchain
-from adagen.studies.stability.adversary import hard_states, robots
+from adagen.build import Toolchain, find_toolchain
+from adagen.model import Model
+from adagen.states import States
 from adagen.studies.stability.audit import Audit, Way, audited
+from benchmarks.hard import Asked, Record, hard_robots
 from benchmarks.page import write_between_marks
 
 WAYS = [
@@ -50,6 +52,10 @@ def figures(found: dict[Way, Audit]) -> dict[str, dict[str, Any]]:
         }
         for way, audit in found.items()
     }
+
+
+def _figures(model: Model, states: States, toolchain: Toolchain) -> dict[str, dict[str, Any]]:
+    return figures(audited(model, states, WAYS, toolchain))
 
 
 def summed(records: Iterable[dict[str, dict[str, Any]]]) -> dict[str, Counter[str]]:
@@ -90,14 +96,6 @@ def table(sums: dict[str, Counter[str]]) -> list[str]:
     return [*lines, "", f"{evaluations} evaluations, {wrong} wrong in silence."]
 
 
-def recorded(path: Path | None) -> dict[tuple[int, int, int], dict[str, dict[str, Any]]]:
-    """Return what a record has, by seed, number of states and robot."""
-    if path is None or not path.exists():
-        return {}
-    rows = map(json.loads, path.read_text().splitlines())
-    return {(row["seed"], row["states"], row["robot"]): row["ways"] for row in rows}
-
-
 def tell_wrong(k: int, name: str, found: dict[str, dict[str, Any]]) -> None:
     """Say which ways have answered wrongly."""
     for way, one in found.items():
@@ -123,23 +121,15 @@ def main() -> int:
     parser.add_argument("--record", type=Path)
     parser.add_argument("--write", type=Path)
     options = parser.parse_args()
-    toolchain, known, records = find_toolchain(), recorded(options.record), []
-    for k, model in enumerate(robots(options.robots, options.seed)):
-        found = known.get((options.seed, options.states, k))
-        if found is None:
-            states = hard_states(model, options.states, options.seed)
-            found = figures(audited(model, states, WAYS, toolchain))
-            if options.record is not None:
-                row = {"seed": options.seed, "states": options.states, "robot": k, "ways": found}
-                with options.record.open("a") as record:
-                    record.write(json.dumps(row) + "\n")
+    toolchain, record, records = find_toolchain(), Record(options.record), []
+    asked = Asked(options.robots, options.states, options.seed)
+    for k, (_, model, states) in enumerate(hard_robots(asked)):
+        found = record.of(asked, k, partial(_figures, model, states, toolchain))
         records.append(found)
         tell_wrong(k, model.name, found)
-        print(f"{k + 1} of {options.robots} robots", end="\r", file=sys.stderr)
     lines = [
-        f"{options.robots} robots, {options.states} states each, {platform.machine()}, "
-        f"`python -m benchmarks.adversary --robots {options.robots} --states {options.states} "
-        f"--seed {options.seed}`",
+        f"{asked.robots} robots, {asked.states} states each, {platform.machine()}, "
+        f"`python -m benchmarks.adversary {asked}`",
         "",
         *table(summed(records)),
     ]

@@ -1,27 +1,32 @@
 """Certificates of emitted solvers: bounds beside true errors, and what they take in time.
 
-    python -m benchmarks.certificates errors [--robots 24] [--states 400] [--seed 1] [--write FILE]
+    python -m benchmarks.certificates errors [--robots 24] [--states 400] [--seed 1]
+                                             [--record FILE] [--write FILE]
     python -m benchmarks.certificates times [ROBOT.urdf ...] [--write FILE]
 
 Errors are those of hard states of random robots of twelve families (adagen/studies/stability), in
 the energy norm against certified accelerations. Times are minima of runs with and without
-certificates by turns.
+certificates by turns. With --record, what was found of each robot is a line of JSON in a file: the
+command again goes on with the robots that are not there yet.
 """
 
 from __future__ import annotations
 
-import argparse
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 import adagen
 from adagen.build import Toolchain, build_executable
 from adagen.errors import AdagenError
+from adagen.model import Model
+from adagen.states import States
 from adagen.studies.stability.bounds import FACTOR, Bounded, Certified, bounded
-from benchmarks.hard import MODELS, NAMES, fastest, hard_robots, study
+from benchmarks.hard import MODELS, NAMES, Asked, Record, fastest, hard_robots, study
 
 WAYS = [
     Certified("unrolled"),
@@ -35,7 +40,7 @@ ROBOTS = [MODELS / f"{name}.urdf" for name in ("arm7", "chain16", "humanoid", "h
 SHAPES = [(shape, batch) for batch in (False, True) for shape in ("unrolled", "kernels")]
 
 
-def errors_table(found: dict[tuple[str, str], list[Bounded]]) -> list[str]:
+def errors_table(found: Mapping[tuple[str, str], Sequence[Bounded]]) -> list[str]:
     """Return the table of bounds and errors, by way and family."""
     lines = [
         "| emitted | robots | evaluations | refused | largest error | largest bound "
@@ -60,15 +65,28 @@ def errors_table(found: dict[tuple[str, str], list[Bounded]]) -> list[str]:
     return [*lines, "", f"{evaluations} evaluations, {exceeded} bounds exceeded by more than 3."]
 
 
-def measured_errors(count: int, states: int, seed: int, toolchain: Toolchain) -> list[str]:
+def measured_errors(asked: Asked, record: Record, toolchain: Toolchain) -> list[str]:
     """Return the table of random robots."""
     found: dict[tuple[str, str], list[Bounded]] = {
         (str(way), family): [] for way in WAYS for family in NAMES
     }
-    for family, model, hard in hard_robots(count, states, seed):
-        for way, one in bounded(model, hard, WAYS, toolchain).items():
-            found[str(way), family].append(one)
+    for k, (family, model, hard) in enumerate(hard_robots(asked)):
+        for way, one in record.of(asked, k, partial(_figures, model, hard, toolchain)).items():
+            errors, bounds = np.array(one["errors"]), np.array(one["bounds"])
+            found[way, family].append(Bounded(errors, bounds, one["refused"]))
     return errors_table({key: parts for key, parts in found.items() if parts})
+
+
+def _figures(model: Model, states: States, toolchain: Toolchain) -> dict[str, dict[str, Any]]:
+    """What became of a robot's states, for each way, as JSON has it."""
+    return {
+        str(way): {
+            "errors": [float(f"{x:.4g}") for x in one.errors],
+            "bounds": [float(f"{x:.4g}") for x in one.bounds],
+            "refused": one.refused,
+        }
+        for way, one in bounded(model, states, WAYS, toolchain).items()
+    }
 
 
 def measured_times(paths: Iterable[Path], toolchain: Toolchain) -> list[str]:
@@ -104,8 +122,8 @@ def measured_times(paths: Iterable[Path], toolchain: Toolchain) -> list[str]:
 
 def main() -> int:
     """Print a table, or put it into a document."""
-    usual = argparse.Namespace(robots=24, states=400, seed=1, urdf=ROBOTS)
-    return study("certificates", __doc__, usual, measured_errors, measured_times)
+    usual = Asked(24, 400, 1)
+    return study("certificates", __doc__, usual, ROBOTS, measured_errors, measured_times)
 
 
 if __name__ == "__main__":

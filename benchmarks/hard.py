@@ -1,4 +1,4 @@
-"""What studies of hard states have in common: families of robots, fastest runs, and their words."""
+"""What studies of hard states share: families of robots, records, fastest runs, and their words."""
 
 from __future__ import annotations
 
@@ -7,7 +7,9 @@ import json
 import platform
 import sys
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -23,17 +25,62 @@ NAMES = tuple(family.__name__.replace("_", " ") for family in FAMILIES)
 """The families of robots, as tables have them."""
 ROUNDS = 5
 
-Errors = Callable[[int, int, int, Toolchain], list[str]]
-"""The table of errors of so many robots, in so many states each, from a seed."""
+
+@dataclass(frozen=True)
+class Asked:
+    """Which robots and states a study takes.
+
+    Attributes:
+        robots: how many.
+        states: of each.
+        seed: what they are drawn from.
+    """
+
+    robots: int
+    states: int
+    seed: int
+
+    def __str__(self) -> str:
+        return f"--robots {self.robots} --states {self.states} --seed {self.seed}"
+
+
+class Record:
+    """A file of what was found of each robot, a line of JSON for each: a study can go on with it.
+
+    Args:
+        path: of the file, which need not be there yet; without it nothing is kept.
+    """
+
+    def __init__(self, path: Path | None) -> None:
+        there = path is not None and path.exists()
+        rows = map(json.loads, path.read_text().splitlines()) if path and there else ()
+        self.path = path
+        self.known = {(row["seed"], row["states"], row["robot"]): row["ways"] for row in rows}
+
+    def of(self, asked: Asked, robot: int, find: Callable[[], Any]) -> Any:
+        """Return what the record has of a robot, by its number, or find it and keep that."""
+        known = self.known.get((asked.seed, asked.states, robot))
+        if known is not None:
+            return known
+        found = find()
+        if self.path is not None:
+            row = {"seed": asked.seed, "states": asked.states, "robot": robot, "ways": found}
+            with self.path.open("a") as record:
+                record.write(json.dumps(row) + "\n")
+        return found
+
+
+Errors = Callable[[Asked, Record, Toolchain], list[str]]
+"""The table of errors of hard states of random robots."""
 Times = Callable[[Sequence[Path], Toolchain], list[str]]
 """The table of times of robots."""
 
 
-def hard_robots(count: int, states: int, seed: int) -> Iterator[tuple[str, Model, States]]:
+def hard_robots(asked: Asked) -> Iterator[tuple[str, Model, States]]:
     """Yield random robots with their family and hard states; how far it is goes to stderr."""
-    for k, model in enumerate(robots(count, seed)):
-        yield NAMES[k % len(NAMES)], model, hard_states(model, states, seed)
-        print(f"{k + 1} of {count} robots", end="\r", file=sys.stderr)
+    for k, model in enumerate(robots(asked.robots, asked.seed)):
+        yield NAMES[k % len(NAMES)], model, hard_states(model, asked.states, asked.seed)
+        print(f"{k + 1} of {asked.robots} robots", end="\r", file=sys.stderr)
 
 
 def fastest(programs: Sequence[Path], toolchain: Toolchain) -> list[float]:
@@ -48,14 +95,20 @@ def fastest(programs: Sequence[Path], toolchain: Toolchain) -> list[float]:
 
 
 def study(
-    name: str, about: str | None, usual: argparse.Namespace, errors: Errors, times: Times
+    name: str,
+    about: str | None,
+    usual: Asked,
+    timed: Sequence[Path],
+    errors: Errors,
+    times: Times,
 ) -> int:
     """Print a table, or put it into a document; what the command line of a study does.
 
     Args:
         name: of the study, as in ``python -m benchmarks.NAME``.
         about: what ``--help`` says.
-        usual: how many robots and states, seed, and robots to time, where nothing is said.
+        usual: how many robots and states, and seed, where nothing is said.
+        timed: robots to time, likewise.
         errors: makes the table of errors.
         times: makes the table of times.
     """
@@ -64,16 +117,17 @@ def study(
     )
     parser.add_argument("what", choices=("errors", "times"))
     parser.add_argument("urdf", nargs="*", type=Path)
-    for option in ("robots", "states", "seed"):
-        parser.add_argument(f"--{option}", type=int, default=getattr(usual, option))
+    for option, value in asdict(usual).items():
+        parser.add_argument(f"--{option}", type=int, default=value)
+    parser.add_argument("--record", type=Path, help="what is there already; it is gone on with")
     parser.add_argument("--write", type=Path)
     options = parser.parse_args()
     toolchain = find_toolchain()
     if options.what == "errors":
-        asked = f"--robots {options.robots} --states {options.states} --seed {options.seed}"
-        lines = errors(options.robots, options.states, options.seed, toolchain)
+        wanted = Asked(options.robots, options.states, options.seed)
+        asked, lines = str(wanted), errors(wanted, Record(options.record), toolchain)
     else:
-        paths = options.urdf or usual.urdf
+        paths = options.urdf or timed
         asked = " ".join(path.name for path in paths)
         lines = times(paths, toolchain)
     command = f"`python -m benchmarks.{name} {options.what} {asked}`"

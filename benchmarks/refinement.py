@@ -1,6 +1,7 @@
 """Refinement in loops: what one step makes good in hard states, and what it takes in time.
 
-    python -m benchmarks.refinement errors [--robots 24] [--states 100] [--seed 2] [--write FILE]
+    python -m benchmarks.refinement errors [--robots 24] [--states 100] [--seed 2]
+                                           [--record FILE] [--write FILE]
     python -m benchmarks.refinement times [ROBOT.urdf ...] [--write FILE]
 
 Errors are those of hard states of random robots of twelve families (adagen/studies/stability), in
@@ -10,9 +11,9 @@ in their own numbers. Times are minima of runs by turns, those of wider residual
 
 from __future__ import annotations
 
-import argparse
 import sys
 from collections.abc import Iterable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -27,7 +28,7 @@ from adagen.reference import energy_norm_error, joint_space_inertia
 from adagen.states import States
 from adagen.studies.stability.audit import Way, planned, solved, truths
 from benchmarks.certificates import ROBOTS
-from benchmarks.hard import MODELS, NAMES, fastest, hard_robots, study
+from benchmarks.hard import MODELS, NAMES, Asked, Record, fastest, hard_robots, study
 
 RESIDUALS = ("", "own", "wide")
 """How answers are refined: not at all, or by residuals in these numbers."""
@@ -56,13 +57,14 @@ def _errors(model: Model, plan: Plan, states: States, toolchain: Toolchain) -> l
     return found
 
 
-def errors_table(count: int, states: int, seed: int, toolchain: Toolchain) -> list[str]:
+def errors_table(asked: Asked, record: Record, toolchain: Toolchain) -> list[str]:
     """Return the table of random robots."""
     found: dict[str, list[list[float]]] = {family: [] for family in NAMES}
-    for family, model, hard in hard_robots(count, states, seed):
+    for k, (family, model, hard) in enumerate(hard_robots(asked)):
         plan = planned(model, Way("kernels"))
         assert plan is not None  # one process has all
-        found[family] += _errors(model, plan, hard, toolchain)
+        find = partial(_errors, model, plan, hard, toolchain)
+        found[family] += record.of(asked, k, find)
     lines = [
         "| robots | states | plain, largest | median | refined, largest | median |",
         "|---|--:|--:|--:|--:|--:|",
@@ -99,8 +101,7 @@ def times_table(paths: Iterable[Path], toolchain: Toolchain) -> list[str]:
 def main() -> int:
     """Print a table, or put it into a document."""
     timed = [*ROBOTS, MODELS / "mobile.urdf"]
-    usual = argparse.Namespace(robots=24, states=100, seed=2, urdf=timed)
-    return study("refinement", __doc__, usual, errors_table, times_table)
+    return study("refinement", __doc__, Asked(24, 100, 2), timed, errors_table, times_table)
 
 
 if __name__ == "__main__":

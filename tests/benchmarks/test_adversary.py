@@ -1,4 +1,4 @@
-"""The benchmark of hard states goes on with what its record has."""
+"""Benchmarks of hard states go on with what their records have."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks import adversary
+from benchmarks import adversary, certificates
+from benchmarks.hard import Asked, Record
 
 
 def test_what_is_recorded_is_not_solved_again(
@@ -26,3 +27,18 @@ def test_what_is_recorded_is_not_solved_again(
     assert "16 evaluations, 2 wrong in silence." in out
     assert "1 wrong, silent, the worst inf in state 3" in err
     assert len(record.read_text().splitlines()) == 2
+
+
+def test_bounds_that_are_recorded_are_not_measured_again(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ways = {"kernels": {"errors": [1e-15, 4e-13], "bounds": [2e-14, 1e-13], "refused": 1}}
+    record, asked = tmp_path / "record.jsonl", Asked(robots=2, states=3, seed=1)
+    for k in range(2):
+        assert Record(record).of(asked, k, lambda: ways) == ways
+    words = ["certificates", "errors", "--robots", "2", "--states", "3", "--record", str(record)]
+    monkeypatch.setattr("sys.argv", words)
+    assert certificates.main() == 0
+    out = capsys.readouterr().out
+    assert "| kernels | slender tools | 2 | 1 | 4e-13 | 1e-13 | 10 | 4.00 | 1 |" in out
+    assert "4 evaluations, 2 bounds exceeded by more than 3." in out

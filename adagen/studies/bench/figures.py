@@ -5,6 +5,7 @@ Bodies are of plausible size and mass.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 KINDS = {1: "revolute", 3: "spherical", 6: "floating"}
@@ -19,14 +20,20 @@ class Joint(NamedTuple):
     dofs: int
 
 
-def chain(joints: int) -> str:
-    """Return a serial chain of hinges about x, y and z by turns, its root link fixed (URDF)."""
+def chain(joints: int, axes: Sequence[str] = AXES) -> str:
+    """Return a serial chain of hinges about axes by turns, its root link fixed (URDF)."""
     rows = [Joint(f"q{j}", f"q{j - 1}" if j else "ground", 1) for j in range(joints)]
-    return urdf(f"chain{joints}", rows)
+    return urdf(f"chain{joints}", rows, axes)
 
 
-def urdf(name: str, joints: list[Joint]) -> str:
-    """Return a robot of capsule-like links, one for each joint, as URDF."""
+def urdf(name: str, joints: list[Joint], axes: Sequence[str] = AXES) -> str:
+    """Return a robot of capsule-like links, one for each joint, hinges about axes by turns (URDF).
+
+    Args:
+        name: of the robot.
+        joints: its joints, after those above them.
+        axes: of hinges, each as URDF writes it.
+    """
     lines = ['<?xml version="1.0"?>', f'<robot name="{name}">', '  <link name="ground"/>']
     for i, joint in enumerate(joints):
         mass = 0.8 + 0.1 * (i % 5)
@@ -44,7 +51,7 @@ def urdf(name: str, joints: list[Joint]) -> str:
             f'    <origin xyz="{place}"/>',
         ]
         if joint.dofs == 1:
-            lines.append(f'    <axis xyz="{AXES[i % 3]}"/>')
+            lines.append(f'    <axis xyz="{axes[i % len(axes)]}"/>')
             lines.append('    <limit lower="-3" upper="3" effort="100" velocity="10"/>')
         lines.append("  </joint>")
     return "\n".join([*lines, "</robot>", ""])
