@@ -9,7 +9,7 @@ from adagen.executor.lanes import Grouping, fit_for_lanes, steps_in_order
 from adagen.executor.run import Simulated, each_for_itself
 from adagen.executor.stretches import stretches
 from adagen.plan import Plan
-from adagen.plan.alike import alike_closures, limbs_of
+from adagen.plan.alike import alike_closures, limbs_of, without_unlike
 from adagen.plan.simd_groups import COUNTS, OFFERED, Limbs, more_alike, nearly_fewest, simd_groups
 from adagen.plan.types import Process
 from adagen.schedule import step_costs
@@ -34,7 +34,10 @@ def _alike(plan: Plan, process: Process, counts: Sequence[int]) -> tuple[Limbs, 
     limbs = fit_for_lanes(plan, process, found)
     groups = alike_closures(plan, process.steps, counts)
     closed = tuple(one for group in groups for one in limbs_of(plan, group))
-    offers = ((*limbs, *closed), limbs, closed)
+    offers = (
+        tuple(without_unlike(plan, process.steps, offer))
+        for offer in ((*limbs, *closed), limbs, closed)
+    )
     return next((offer for offer in offers if _in_order(plan, process, offer)), ())
 
 

@@ -186,11 +186,17 @@ def side_by_side(
 
 
 def without_unlike(plan: Plan, steps: Sequence[Step], all_limbs: Iterable[Limbs]) -> list[Limbs]:
-    """Return limbs without those that closures which are not alike have joints in."""
+    """Return limbs without those that closures which are not alike have joints in.
+
+    Rows of what the ground holds are seen from it, so that the way there is not in lanes either.
+    """
     limbs = tuple(all_limbs)
     together = side_by_side(plan, steps, limbs)
     lanes = {lane.number for row in together.values() for lane in row}
-    apart = {j for one in closures_in(steps).values() if one.number not in lanes for j in one.path}
+    apart: set[int] = set()
+    for one in closures_in(steps).values():
+        if one.number not in lanes:
+            apart.update(plan.paths(one.path) if one.eliminate.grounded else one.path)
     found: list[Limbs] = []
     for each in limbs:
         rows = [row for row in each.rows if apart.isdisjoint(row)]

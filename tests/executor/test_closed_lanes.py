@@ -151,6 +151,22 @@ def test_alike_closures_share_lanes(name: str) -> None:
         assert np.abs(found - exact).max() < 1e-12 * np.abs(exact).max()
 
 
+def test_feet_that_are_held_unlike_keep_their_hips_out_of_lanes() -> None:
+    """What the ground holds is seen from it, by way of the hips."""
+    feet = (("point", "left_ankle_link"), ("planar", "right_ankle_link"))
+    model = human_figure()
+    loops = [loop for kind, foot in feet for loop in standing(model, kind, foot).loops]
+    model = replace(standing(model, "point", feet[0][1]), loops=tuple(loops))
+    plan, states = plan_of(model), states_of(model, 2)
+    grouping = chosen_grouping(plan)
+    assert grouping[0]
+    assert lanes_of(plan, grouping) == []
+    for state in zip(states.q, states.v, states.tau, strict=True):
+        exact = interpret(plan, *state)
+        found = interpret(plan, *state, lanes=grouping)
+        assert np.abs(found - exact).max() < 1e-12 * np.abs(exact).max()
+
+
 def test_an_open_loop_in_a_lane_is_refused_by_its_name() -> None:
     model = linkages(3, hips=1, geared=True)
     plan, states = plan_of(model), states_of(model, 1)
