@@ -34,8 +34,13 @@ LARGE = 200.0
 """Size of G up to which a choice loses hardly any digits, and nothing else is tried."""
 
 
+COVERED = 1e3
+"""How much larger than its pivots the inertia of what is left free may be, where that can be had:
+so much of a light link's inertia is rounded away beside that of a heavy one."""
+
+
 def chosen(
-    samples: Array, depths: Sequence[int], *, whole: bool
+    samples: Array, depths: Sequence[int], inertias: Sequence[Array] = (), *, whole: bool
 ) -> tuple[tuple[Numbers, Numbers], list[Numbers]]:
     """Return columns that follow with rows that they follow by, and rows for other poses.
 
@@ -46,7 +51,13 @@ def chosen(
     pattern = np.abs(samples).max(axis=0) > 0.0
     offers = offers_of(samples, depths, whole=whole)
     losses = [np.array([largest(offer, each) for each in samples]) for offer in offers]
-    best = min(range(len(offers)), key=lambda k: expected(offers[k], pattern, losses[k]))
+    covers = [
+        max((covered(offer, *of) for of in zip(samples, inertias, strict=False)), default=1.0)
+        for offer in offers
+    ]
+    most = max(COVERED, 10 * min(covers))
+    fine = [k for k, cover in enumerate(covers) if cover <= most]
+    best = min(fine, key=lambda k: expected(offers[k], pattern, losses[k]))
     kept = list(dict.fromkeys(rows for _, rows in offers))
     apart = np.array([[_apart(rows, each) for each in samples] for rows in kept])
     taken: list[Numbers] = []
@@ -149,6 +160,32 @@ def largest(
     if counted is not None:
         follows = follows[:, [k for k, c in enumerate(others) if c in counted]]
     return float(np.abs(follows).max(initial=0.0))
+
+
+def covered(offer: tuple[Numbers, Numbers], matrix: Array, inertia: Array) -> float:
+    """Return how much larger than its pivots the inertia of what a choice leaves free is.
+
+    Args:
+        offer: columns and rows.
+        matrix: J of one state, shape (rows, columns).
+        inertia: of the columns, shape (columns, columns).
+    """
+    columns, rows = map(list, offer)
+    others = [c for c in range(matrix.shape[1]) if c not in columns]
+    square = matrix[np.ix_(rows, columns)]
+    if len(square) and np.linalg.svd(square, compute_uv=False)[-1] < VANISHING:
+        return 1.0  # that is another matter
+    basis = np.zeros((matrix.shape[1], len(others)))
+    basis[others, range(len(others))] = 1.0
+    basis[columns] = -np.linalg.solve(square, matrix[np.ix_(rows, others)])
+    left = basis.T @ inertia @ basis
+    sizes, worst = np.diag(left).copy(), 1.0
+    for k, size in enumerate(sizes):
+        if size > 0.0:
+            worst = max(worst, size / max(left[k, k], 1e-30 * size))
+        if left[k, k] > 0.0:
+            left = left - np.outer(left[:, k], left[k]) / left[k, k]
+    return float(worst)
 
 
 def _pivots(matrix: Array, weights: Sequence[int], near: float = NEAR) -> tuple[Numbers, Numbers]:

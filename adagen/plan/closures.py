@@ -3,7 +3,8 @@
 Loops that share joints are one closure. Its constraints are J qdd = -Jdot v; often some rows follow
 from others (planar loops, mechanisms that move though they are overconstrained). Which do, and
 which freedoms follow from the rest, is found at consistent states that are drawn at random, by
-elimination with complete pivoting of J alone: no mass, however light, decides it. Solved is then
+elimination with complete pivoting of J: masses decide only between choices that this offers, where
+one would hide the inertia of light links behind that of heavy ones. Solved is then
 z = G y + g for the freedoms that follow. In poses in which G is large, they follow from an
 orthogonal basis of what the rows leave free instead. Where a closure has many freedoms, those of z
 alone are held back, and all others are articulated on the way inwards.
@@ -24,6 +25,7 @@ from adagen.plan.choices import NO_PIVOT, Numbers, chosen
 from adagen.plan.closable import check_inertia, check_joints, check_prescribed, why_open
 from adagen.plan.tied import Tied, connected, freedoms_of, joints_from, rows_of, tied_by
 from adagen.reference.closed import closed_states, constraints_of_all
+from adagen.reference.double import joint_space_inertia
 
 Array = NDArray[np.float64]
 
@@ -31,6 +33,8 @@ SAMPLES = 64
 """Consistent states at which choices are made; of many freedoms fewer."""
 MOST_SAMPLED = 2000
 """Freedoms of all samples together, so that choices take seconds."""
+WEIGHED = 4
+"""Of them, those at which inertias are looked at."""
 MOST_HELD = 30
 """Freedoms of a closure up to which all of them are held back."""
 
@@ -178,12 +182,20 @@ def with_choices(model: Model, tied: Tied, samples: Array) -> Closure:
     """Choose what follows from what: so that G is least where it is largest."""
     found = sampled_rows(model, tied, samples)
     whole = len(found.columns) <= MOST_HELD
-    (moved, kept), others = chosen(found.own, depths_of(model, tied.path), whole=whole)
+    inertias = _inertias(model, found.columns) if whole else []
+    (moved, kept), others = chosen(found.own, depths_of(model, tied.path), inertias, whole=whole)
     choices = [found.choice(moved, kept)]
     looped = any(k < len(model.loops) for k in tied.members)
     if whole and 0 < len(moved) < len(found.columns) and looped:
         choices += [found.choice((), each) for each in others]
     return closure_of(model, tied, found.rows, choices, whole=whole)
+
+
+def _inertias(model: Model, columns: Sequence[int]) -> list[Array]:
+    """The inertias of some freedoms at the first samples, all beyond them held fast."""
+    q, _ = sampled(model)
+    found = [joint_space_inertia(model, each) for each in q[:WEIGHED]]
+    return [each[np.ix_(columns, columns)] for each in found]
 
 
 def depths_of(model: Model, path: Sequence[int]) -> list[int]:

@@ -1,0 +1,34 @@
+"""What follows from what in a closure."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from adagen.plan.choices import chosen, covered
+
+ROW = np.array([[1.0, 0.9, 0.8]])
+LIGHT = 1e-8
+SAMPLES = np.array([ROW, ROW, [[0.95, 1.0, 0.9]]])
+DEPTHS = [1, 1, 1]
+
+
+def test_a_heavy_link_does_not_follow_light_ones() -> None:
+    """Its inertia would hide theirs: 42 + 1e-8 has not half of the digits of 1e-8."""
+    (alone, _), _ = chosen(SAMPLES, DEPTHS, whole=True)
+    assert alone == (0,)
+    inertia = np.diag([42.0, LIGHT, LIGHT])
+    (beside, rows), _ = chosen(SAMPLES, DEPTHS, [inertia], whole=True)
+    assert (beside, rows) == ((1,), (0,))
+
+
+def test_masses_decide_nothing_else() -> None:
+    for inertia in (np.zeros((3, 3)), np.diag([3.0, 1.0, 1.0]), np.diag([0.0, 1.0, LIGHT])):
+        assert chosen(SAMPLES, DEPTHS, [inertia], whole=True)[0] == ((0,), (0,))
+
+
+def test_what_a_choice_hides() -> None:
+    inertia = np.diag([42.0, LIGHT, LIGHT])
+    hidden = covered(((0,), (0,)), ROW, inertia)
+    assert hidden == pytest.approx(42.0 * 0.8**2 / (LIGHT * (1 + 0.64 / 0.81)), rel=1e-6)
+    assert covered(((1,), (0,)), ROW, inertia) == pytest.approx(1.0, rel=1e-6)
