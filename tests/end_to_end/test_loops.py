@@ -142,6 +142,10 @@ def test_a_simulation_stays_closed(builder: Builder, tmp_path: Path) -> None:
     assert max(gaps) < 1e-10
     assert max(rates) < 1e-10
     assert np.ptp(motion["q"][:, 0]) > 0.1
+    torn = solver.run("--simulate", "20", "--step", "0.5")
+    assert torn.status == 1
+    assert "within this step it opens" in torn.stderr and "at t = " in torn.stderr
+    assert torn.stderr.endswith("take a smaller --step")
 
 
 def test_mechanisms_with_true_answers(shared: Path) -> None:

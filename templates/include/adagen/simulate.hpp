@@ -136,7 +136,7 @@ class Simulation {
                                       [this](const auto& q, const auto& v, const auto& extra,
                                              auto& a) { return accelerate(q, v, extra, a); });
       on_.give_up_if_broken(failed);
-      if (failed != kFine) return on_.solver.in_words(failed) + at(time) + (k > 0 ? kSmaller : "");
+      if (failed != kFine) return on_.solver.in_words(failed) + at(time) + remedy(failed);
       slave(about.joints, q_.data(), v_.data());
       if (loops::any() && !loops::settle(q_, v_))
         return "the loops cannot be closed again" + at(next) + kSmaller;
@@ -148,6 +148,21 @@ class Simulation {
       show(next);
     }
     return "";
+  }
+
+  // What helps against a failure; nothing where the given state is what fails.
+  const char* remedy(int failed) const {
+    if (evaluations_ == 1) return "";
+    switch (failure_kind(failed)) {
+      case kLoopOpen:
+      case kLoopTorn:
+        return "; within this step it opens, as near singular poses (a straight leg); take a "
+               "smaller --step";
+      case kLoopSingular:
+        return "; a start or torques that keep clear of it help, or another --step";
+      default:
+        return kSmaller;
+    }
   }
 
   static std::string at(double time) {
