@@ -150,6 +150,7 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
 
 struct Layout : PlainLayout {
   static constexpr bool kByColumns = true;
+  static constexpr bool kCarriesAlong = true;
 };
 
 constexpr LinkRole kRoles[2][kLinkCount]{
@@ -196,6 +197,7 @@ struct Cuts {
 #include "adagen/kernels/mobility.hpp"
 #include "adagen/kernels/wrenches.hpp"
 #include "adagen/kernels/carry.hpp"
+#include "adagen/kernels/inward_carrying.hpp"
 #include "adagen/exchange.hpp"
 
 namespace {
@@ -214,11 +216,8 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(1);
   set_up_links<block(0), block(3) + 1>(w);
   set_up_columns<block(0), block(3) + 1>(w);
-  inward_in_columns<0, 0, 3, true>(w);  // "base_yaw" .. "elbow_pitch"
-  {  // "base_yaw" .. "elbow_pitch"
-    const Way way = carry<false, 0, 3>(w);
-    show<4>(w, way, w.j_shoulder_pitch.Phi_forearm, w.j_shoulder_pitch.b_forearm);
-  }
+  const Way way_0 = inward_and_carry<0, 0, 3, true>(w);  // "base_yaw" .. "elbow_pitch"
+  show<4>(w, way_0, w.j_shoulder_pitch.Phi_forearm, w.j_shoulder_pitch.b_forearm);
   stamp(2);
   {  // from process 1: assembled: chain of "flange_roll"
     const Number* from = channel.receive(0, w.status);
@@ -254,7 +253,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   }
   stamp(6);
   w.loads[4] = in_base(w, 4, w.j_shoulder_pitch.F_on_forearm);
-  deliver<0, 3, true>(w);  // "base_yaw" .. "elbow_pitch"
+  deliver_along<0, 3>(w, way_0);  // "base_yaw" .. "elbow_pitch"
   accelerate<0, 0, 3>(w);  // "base_yaw" .. "elbow_pitch"
   stamp(7);
   require_finite(w, w.answer.data(), 0, 5, &JointConstants::v, kOverflow);

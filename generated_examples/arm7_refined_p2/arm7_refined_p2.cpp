@@ -223,8 +223,8 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   set_up_columns<block(0), block(3) + 1>(w);
   inward_in_columns<0, 0, 3, true>(w);  // "base_yaw" .. "elbow_pitch"
   {  // "base_yaw" .. "elbow_pitch"
-    const Way way = carry<false, 0, 3>(w);
-    show<4>(w, way, w.j_shoulder_pitch.Phi_forearm, w.j_shoulder_pitch.b_forearm);
+    const Way way_0 = carry<false, 0, 3>(w);
+    show<4>(w, way_0, w.j_shoulder_pitch.Phi_forearm, w.j_shoulder_pitch.b_forearm);
   }
   stamp(2);
   {  // from process 1: assembled: chain of "flange_roll"
@@ -316,8 +316,8 @@ void correct_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel)
   set_up_columns<block(0), block(3) + 1>(w);
   inward_in_columns<0, 0, 3, true>(w);  // "base_yaw" .. "elbow_pitch"
   {  // "base_yaw" .. "elbow_pitch"
-    const Way way = carry<false, 0, 3>(w);
-    show<4>(w, way, w.j_shoulder_pitch.Phi_forearm, w.j_shoulder_pitch.b_forearm);
+    const Way way_0 = carry<false, 0, 3>(w);
+    show<4>(w, way_0, w.j_shoulder_pitch.Phi_forearm, w.j_shoulder_pitch.b_forearm);
   }
   {  // from process 1: assembled: chain of "flange_roll"
     const Number* from = channel.receive(0, w.status);

@@ -195,6 +195,7 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
 
 struct Layout : PlainLayout {
   static constexpr bool kByColumns = true;
+  static constexpr bool kCarriesAlong = true;
 };
 
 constexpr LinkRole kRoles[3][kLinkCount]{
@@ -260,6 +261,7 @@ struct Cuts {
 #include "adagen/kernels/mobility.hpp"
 #include "adagen/kernels/wrenches.hpp"
 #include "adagen/kernels/carry.hpp"
+#include "adagen/kernels/inward_carrying.hpp"
 #include "adagen/exchange.hpp"
 
 namespace {
@@ -278,11 +280,8 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(1);
   set_up_links<block(0), block(6) + 1>(w);
   set_up_columns<block(0), block(6) + 1>(w);
-  inward_in_columns<0, 0, 6, true>(w);  // "joint01" .. "joint07"
-  {  // "joint01" .. "joint07"
-    const Way way = carry<false, 0, 6>(w);
-    show<7>(w, way, w.j_joint04.Phi_rod07, w.j_joint04.b_rod07);
-  }
+  const Way way_0 = inward_and_carry<0, 0, 6, true>(w);  // "joint01" .. "joint07"
+  show<7>(w, way_0, w.j_joint04.Phi_rod07, w.j_joint04.b_rod07);
   stamp(2);
   {  // from process 1: assembled: chain of "joint12"
     const Number* from = channel.receive(1, w.status);
@@ -318,7 +317,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   }
   stamp(6);
   w.loads[7] = in_base(w, 7, w.j_joint04.F_on_rod07);
-  deliver<0, 6, true>(w);  // "joint01" .. "joint07"
+  deliver_along<0, 6>(w, way_0);  // "joint01" .. "joint07"
   accelerate<0, 0, 6>(w);  // "joint01" .. "joint07"
   stamp(7);
   require_finite(w, w.answer.data(), 0, 8, &JointConstants::v, kOverflow);
@@ -338,13 +337,10 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(1);
   set_up_links<block(7), block(10) + 1>(w);
   set_up_columns<block(8), block(10) + 1>(w);
-  inward_in_columns<1, 8, 10, true>(w);  // "joint09" .. "joint11"
+  const Way way_8 = inward_and_carry<1, 8, 10, true>(w);  // "joint09" .. "joint11"
   invert_root<1, 8>(w, w.j_joint10.Phi_rod08, w.j_joint10.b_rod08);
-  {  // "joint09" .. "joint11"
-    const Way way = carry<false, 8, 10>(w);
-    show(way, w.j_joint10.Phi_rod08, w.j_joint10.b_rod08, w.j_joint10.Phi_rod11, w.j_joint10.b_rod11);
-    w.j_joint10.Phi_rod08_rod11 = (way.moved * w.j_joint10.Phi_rod08).transpose();  // with link "rod08"
-  }
+  show(way_8, w.j_joint10.Phi_rod08, w.j_joint10.b_rod08, w.j_joint10.Phi_rod11, w.j_joint10.b_rod11);
+  w.j_joint10.Phi_rod08_rod11 = (way_8.moved * w.j_joint10.Phi_rod08).transpose();  // with link "rod08"
   stamp(2);
   {  // from process 2: assembled: chain of "joint14"
     const Number* from = channel.receive(0, w.status);
@@ -397,7 +393,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(8);
   w.loads[8] = in_base(w, 8, w.j_joint12.F_on_rod08);
   w.loads[11] = in_base(w, 11, w.j_joint10.F_on_rod11);
-  deliver<8, 10, true>(w);  // "joint09" .. "joint11"
+  deliver_along<8, 10>(w, way_8);  // "joint09" .. "joint11"
   accelerate_root<8>(w, w.j_joint10.Phi_rod08, w.j_joint10.b_rod08);
   accelerate<1, 8, 10>(w);  // "joint09" .. "joint11"
   stamp(9);

@@ -15,7 +15,7 @@ from adagen.plan.steps import Propagate
 from adagen.program import lower
 from adagen.schedule import Topology, load_profile
 from adagen.search import named_schedule
-from tests.emitted import kernels_of
+from tests.emitted import kernels_of, text_of
 from tests.models import random_tree, serial_chain
 
 PROFILE = load_profile("default")
@@ -45,7 +45,16 @@ def test_what_holds_a_chain_is_asked_for_at_one_link(seed: int) -> None:
     assert list(run) == steps
     assert len(steps) > 1
     text = kernels_of(plan)
-    assert f"carry<false, {run[0].joint}, {run[-1].joint}>(w);" in text
+    ends = f"{run[0].joint}, {run[-1].joint}"
+    assert f" carry<false, {ends}>(w);" in text or f" inward_and_carry<{p}, {ends}, " in text
+
+
+def test_wrenches_go_along_with_a_sweep_that_is_not_repeated() -> None:
+    plan = gathered(serial_chain(20))
+    once, again = kernels_of(plan), text_of(plan, shape="kernels", refine=1)
+    assert "= inward_and_carry<" in once and " deliver_along<" in once
+    assert " carry<" not in once
+    assert " carry<" in again and "_along<" not in again
 
 
 def test_a_mobility_that_is_asked_for_is_computed() -> None:

@@ -7,7 +7,7 @@ into its joint's frame (adagen/kernels/mobility.hpp) and then is that of shape `
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from dataclasses import replace
 
 from adagen.emit import effects
@@ -202,8 +202,21 @@ def _disassembly(words: Words, step: Disassemble) -> list[str]:
     return lines
 
 
-def propagation(words: Words, operation: Operation) -> list[str]:
-    """Return the lines of an operation that takes mobilities outwards."""
+def way_of(run: Run) -> str:
+    """Return the variable that tells what wrenches carried through a run find."""
+    return f"way_{run.first}"
+
+
+def propagation(
+    words: Words, operation: Operation, along: Container[Run] = frozenset()
+) -> list[str]:
+    """Return the lines of an operation that takes mobilities outwards.
+
+    Args:
+        words: the plan's names.
+        operation: the operation.
+        along: runs that wrenches were carried through along with the sweep inwards.
+    """
     steps = [step for step in operation.steps if isinstance(step, Propagate)]
     first, last = steps[0], steps[-1]
     if operation.method != "carried":
@@ -211,25 +224,28 @@ def propagation(words: Words, operation: Operation) -> list[str]:
     run = operation.block
     assert isinstance(run, Run)
     target = f"{words.block(last.block)}, {words.bias(last.bias)}"
+    way = way_of(run)
     if first.near is None or first.near_bias is None:
-        shown = f"show<{run.last + 1}>(w, way, {target});"
+        shown = f"show<{run.last + 1}>(w, {way}, {target});"
     else:
-        shown = f"show(way, {words.block(first.near)}, {words.bias(first.near_bias)}, {target});"
+        shown = f"show({way}, {words.block(first.near)}, {words.bias(first.near_bias)}, {target});"
+    lines = [shown, *_coupled(words, run, first, last)]
+    if run in along:
+        return lines
     turned = "true" if run.reversed else "false"
     return [
         f"{{  // {words.span(run.first, run.last)}",
-        f"  const Way way = carry<{turned}, {run.first}, {run.last}>(w);",
-        f"  {shown}",
-        *(f"  {line}" for line in _coupled(words, first, last)),
+        f"  const Way {way} = carry<{turned}, {run.first}, {run.last}>(w);",
+        *(f"  {line}" for line in lines),
         "}",
     ]
 
 
-def _coupled(words: Words, first: Propagate, last: Propagate) -> Iterator[str]:
+def _coupled(words: Words, run: Run, first: Propagate, last: Propagate) -> Iterator[str]:
     """How handles that a run's first link is coupled with feel its last one."""
     for spread, begun in zip(last.spreads, first.spreads, strict=True):
         source = words.block(begun.source) + ".transpose()" * begun.source_transposed
-        product = f"way.moved * {source}"
+        product = f"{way_of(run)}.moved * {source}"
         if spread.target_transposed:
             product = f"({product}).transpose()"
         handle = words.quoted_link(spread.handle)

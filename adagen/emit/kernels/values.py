@@ -82,6 +82,7 @@ def values(words: Words) -> dict[str, object]:
         ]
     lines = [writer.all_lines() for writer in writers]
     by_columns = any(writer.columns for writer in writers)
+    along = any(writer.along for writer in writers)
     runtime = [*RUNTIME, *(mobility.runtime(plan) if cuts else ())]
     if plan.slaved:
         runtime += [part for part in ("spatial.hpp", "joins.hpp") if part not in runtime]
@@ -101,13 +102,14 @@ def values(words: Words) -> dict[str, object]:
         "fused": mobility.has_fused(plan),
         "holds": mobility.holds_ground(plan),
         "carries": mobility.carries(program),
+        "carries_along": along,
         "passages": [words.span(run.first, run.last) for run in words.passages],
         "cut_joints": [
             {"type": f"Joint_{words.joints[j]}", "id": f"j_{words.joints[j]}", "members": lines}
             for j, lines in mobility.members(words).items()
         ],
         "turned": bool(turned.always or turned.if_lost),
-        "layout": _layout(words, turned, by_columns),
+        "layout": _layout(words, turned, by_columns, along),
         "inertias": [_inertia(words, link) for link in plan.links[1:]],
         "roles": [writer.roles() for writer in writers],
         "steps": lines[: len(plan.processes)],
@@ -120,7 +122,7 @@ def values(words: Words) -> dict[str, object]:
     }
 
 
-def _layout(words: Words, turned: Turned, by_columns: bool) -> list[str]:
+def _layout(words: Words, turned: Turned, by_columns: bool, along: bool) -> list[str]:
     """What a solver's Layout overrides: how its loops lie in memory, and what they do."""
     plan, slots = words.plan, words.program.slots
     block_kinds = _block_kinds(words)
@@ -146,6 +148,7 @@ def _layout(words: Words, turned: Turned, by_columns: bool) -> list[str]:
                 for none in (_braced(0 for _ in joints),)
             ),
             ("double", "kLosing", ENOUGH if turned.if_lost else 1, 1),
+            ("bool", "kCarriesAlong", along, False),
             ("bool", "kPassesFree", mobility.passes_free(plan), False),
         ]
     )

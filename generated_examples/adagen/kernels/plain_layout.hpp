@@ -31,6 +31,8 @@ struct PlainLayout {
   [[maybe_unused]] static constexpr bool kAnyTurned = false, kAnyTurnedIfLost = false;
   [[maybe_unused]] static constexpr bool kTurned[kJointCount]{}, kTurnedIfLost[kJointCount]{};
   [[maybe_unused]] static constexpr double kLosing = 1;
+  // Whether wrenches are carried through runs along with their sweep inwards.
+  [[maybe_unused]] static constexpr bool kCarriesAlong = false;
   // Whether mobilities pass floating joints.
   [[maybe_unused]] static constexpr bool kPassesFree = false;
   // Of solvers that sweep residuals inwards: whether a base floats, and ..

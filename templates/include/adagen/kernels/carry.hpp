@@ -29,21 +29,26 @@ struct Way {
   Columns6 free;  // acceleration of the far link by itself, the near one being held
 };
 
-// Joints first .. last, each on the link of the one before. With x = S^T times the wrenches on a
-// joint, its share of the mobility is x^T D^-1 x, and of the acceleration x^T times the joint's.
-template <bool reversed, int first, int last>
-ADAGEN_NOINLINE Way carry(Workspace& w) {
-  static_assert(sizeof(Value) == sizeof(Real));
+// On the way from the far link: with x = S^T times the wrenches on a joint, its share of the
+// mobility is x^T D^-1 x, and of the acceleration x^T times the joint's. kept: x is kept.
+template <bool reversed, bool kept = false>
+struct UnitWrenches {
   Vector<Lanes> n{}, f{};
-  n.x[0] = 1, n.y[1] = 1, n.z[2] = 1, f.x[3] = 1, f.y[4] = 1, f.z[5] = 1;
   Lanes own[6]{}, free{};
-  each_row<RunRows<first, last>, !reversed>([&](int k, auto kind) ADAGEN_ALWAYS {
-    const Value* const e = w.joints[static_cast<std::size_t>(first + k)].e;
-    const auto take = [&](const Lanes& x, const Lanes& driven, Value drive) ADAGEN_ALWAYS {
-      ADAGEN_FOR (i, 0, 6) own[i] += driven * x[i];
-      free += x * drive;
-    };
-    const auto [along, by] = hand_on<reversed>(w, first + k, kind, n, f);
+
+  ADAGEN_INLINE UnitWrenches() {
+    n.x[0] = 1, n.y[1] = 1, n.z[2] = 1, f.x[3] = 1, f.y[4] = 1, f.z[5] = 1;
+  }
+
+  ADAGEN_INLINE void take(const Lanes& x, const Lanes& driven, Value drive) {
+    ADAGEN_FOR (i, 0, 6) own[i] += driven * x[i];
+    free += x * drive;
+  }
+
+  // Passes a joint.
+  ADAGEN_INLINE void pass(Workspace& w, int j, JointKind kind) {
+    const Value* const e = w.joints[static_cast<std::size_t>(j)].e;
+    const auto [along, by] = hand_on<reversed>(w, j, kind, n, f);
     if (kind == JointKind::kSpherical) {
       if constexpr (kAnySpherical)
         take(along.x, by.x, e[9]), take(along.y, by.y, e[10]), take(along.z, by.z, e[11]);
@@ -52,15 +57,29 @@ ADAGEN_NOINLINE Way carry(Workspace& w) {
         take(along.x, by.x, e[6]), take(along.y, by.y, e[14]), take(along.z, by.z, e[22]);
     } else {
       take(along.x, by.x, e[6]);
+      if constexpr (kept) w.driven[static_cast<std::size_t>(j)] = along.x;
     }
-  });
-  Way way;
-  way.moved = from_rows({n, f});
-  ADAGEN_FOR (i, 0, 6) {
-    ADAGEN_FOR (k, 0, 6) way.own(i, k) = own[i < k ? i : k][i < k ? k : i];
-    way.free[i] = free[i];
   }
-  return way;
+
+  Way way() const {
+    Way way;
+    way.moved = from_rows({n, f});
+    ADAGEN_FOR (i, 0, 6) {
+      ADAGEN_FOR (k, 0, 6) way.own(i, k) = own[i < k ? i : k][i < k ? k : i];
+      way.free[i] = free[i];
+    }
+    return way;
+  }
+};
+
+// Joints first .. last, each on the link of the one before.
+template <bool reversed, int first, int last>
+ADAGEN_NOINLINE Way carry(Workspace& w) {
+  static_assert(sizeof(Value) == sizeof(Real));
+  UnitWrenches<reversed> wrenches;
+  each_row<RunRows<first, last>, !reversed>(
+      [&](int k, auto kind) ADAGEN_ALWAYS { wrenches.pass(w, first + k, kind); });
+  return wrenches.way();
 }
 
 // Phi and b of the last link of a run that hangs on the ground.

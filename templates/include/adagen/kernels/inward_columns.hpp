@@ -166,10 +166,10 @@ ADAGEN_INLINE void step_inward(Workspace& w, int j, JointKind kind, Columns& X, 
   arrive(X);
 }
 
-// See inward in inward.hpp.
-template <int p, int first, int last, bool starts>
-void inward_in_columns(Workspace& w) {
-  if constexpr (!kInColumns) return inward<p, first, last, starts>(w);
+// See inward in inward.hpp. What follows each joint is called with its number and kind; whether
+// that saw how joints are eliminated in the end, which it did not where the sweep was repeated.
+template <int p, int first, int last, bool starts, class Follow>
+ADAGEN_INLINE bool inward_in_columns_with(Workspace& w, const Follow& follow) {
   constexpr bool quick = bare<p>(first + 1, last);
   Columns X;
   Due due;
@@ -181,12 +181,23 @@ void inward_in_columns(Workspace& w) {
     step_inward<false>(w, j, kind, X, due, [&](Columns& near) ADAGEN_ALWAYS {
       if (quick && j > first) add_bare_link(w, j, near);
     });
+    follow(j, kind);
   });
   settle(X, due);
-  if constexpr (may_lose(first, last))
-    if (__builtin_expect(w.lost, 0)) return inward_again<p, first, last, starts, false>(w);
+  if constexpr (may_lose(first, last)) {
+    if (__builtin_expect(w.lost, 0)) {
+      inward_again<p, first, last, starts, false>(w);
+      return false;
+    }
+  }
   constexpr int near = kJoints[first].parent;
   if constexpr (near > 0) leave<starts>(w, near, body(X));
+  return true;
+}
+template <int p, int first, int last, bool starts>
+void inward_in_columns(Workspace& w) {
+  if constexpr (!kInColumns) return inward<p, first, last, starts>(w);
+  inward_in_columns_with<p, first, last, starts>(w, [](int, JointKind) {});
 }
 
 // See inward_reversed in inward.hpp.

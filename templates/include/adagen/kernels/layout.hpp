@@ -19,6 +19,7 @@ constexpr bool kAnyTurned = Layout::kAnyTurned, kAnyTurnedIfLost = Layout::kAnyT
 constexpr const auto& kTurned = Layout::kTurned;
 constexpr const auto& kTurnedIfLost = Layout::kTurnedIfLost;
 constexpr double kLosing = Layout::kLosing;
+[[maybe_unused]] constexpr bool kCarriesAlong = Layout::kCarriesAlong;
 constexpr bool kPassesFree = Layout::kPassesFree;
 [[maybe_unused]] constexpr bool kFloats = Layout::kFloats;
 [[maybe_unused]] constexpr Real kUnit = Layout::kUnit;

@@ -183,6 +183,7 @@ struct Workspace : State, Cuts, Inertias {
   std::array<Motion<Value>, kLinkCount> motions{};  // accelerations beyond those of a Frame
   std::array<Value, kNv> answer{};
   std::array<Body<Value>, kKeepsFree ? kJointCount : 0> free{};  // beyond floating joints
+  std::array<Lanes, kCarriesAlong ? kJointCount : 0> driven{};   // by unit wrenches on a run's end
   std::array<Body<Value>, kWide ? kJointCount : 0> whole{};      // beyond each joint, to be refined
 
   Workspace() {

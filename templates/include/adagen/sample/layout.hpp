@@ -20,6 +20,7 @@ struct Layout : PlainLayout {
   [[maybe_unused]] static constexpr int kBlockKinds[]{0, 0}, kFirstOfKind[]{0};
   static constexpr bool kAnyTurned = true, kAnyTurnedIfLost = true;
   static constexpr double kLosing = 1e6;
+  static constexpr bool kCarriesAlong = true;
   static constexpr bool kPassesFree = true, kFloats = true;
   static constexpr Real kUnit = 1e-15;
 };
