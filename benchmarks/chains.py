@@ -1,10 +1,11 @@
 """Long chains: what they take to generate, to compile and to run, on one process and on several.
 
     python -m benchmarks.chains [--joints N ...] [--processes P ...] [--rounds R] [--priority N]
-                                [--resume] [--write PAGE]
+                                [--peer] [--resume | --again] [--write PAGE]
 
 Chains of hinges about x, y and z by turns, measured as ``adagen bench --scale`` does. The record so
-far is kept after each chain (build/chains/scale.json): --resume goes on from it.
+far is kept after each chain (build/chains/scale.json): --resume goes on from it, and --again times
+all anew and keeps from it what programs took to compile that are in the cache since.
 """
 
 from __future__ import annotations
@@ -42,6 +43,7 @@ def main(words: Sequence[str] | None = None) -> int:
     parser.add_argument("--priority", type=int, default=0, help="real-time, of what is timed")
     parser.add_argument("--peer", action="store_true", help="beside pinocchio")
     parser.add_argument("--resume", action="store_true", help="keep chains measured before")
+    parser.add_argument("--again", action="store_true", help="keep what making them took")
     parser.add_argument("--write", type=Path, metavar="PAGE", help="put tables and picture there")
     options = parser.parse_args(words)
     chains = [
@@ -51,9 +53,16 @@ def main(words: Sequence[str] | None = None) -> int:
     wanted = Wanted(chains, rules, peer=options.peer, priority=options.priority)
     RECORD.parent.mkdir(parents=True, exist_ok=True)
     try:
-        before = read_scale(RECORD) if options.resume and RECORD.is_file() else None
+        known = (options.resume or options.again) and RECORD.is_file()
+        before = read_scale(RECORD) if known else None
         with speaking("chains") as said:
-            scale = measure_chains(wanted, said, lambda found: write_scale(found, RECORD), before)
+            scale = measure_chains(
+                wanted,
+                said,
+                lambda found: write_scale(found, RECORD),
+                before if options.resume else None,
+                before,
+            )
     except AdagenError as error:
         print(error, file=sys.stderr)
         return error.status

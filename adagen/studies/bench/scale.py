@@ -18,8 +18,8 @@ from time import process_time
 from adagen.build import Toolchain, build_executable, find_toolchain
 from adagen.cost import timeline
 from adagen.errors import AdagenError, EnvironmentFault
+from adagen.library import Robot, read
 from adagen.library import compile as compiled
-from adagen.library import read
 from adagen.model import Model
 from adagen.program import Program
 from adagen.reference import residual
@@ -87,6 +87,7 @@ def measure_chains(
     said: Said,
     done: Callable[[Scale], None] = lambda _: None,
     before: Scale | None = None,
+    built: Scale | None = None,
 ) -> Scale:
     """Return how long evaluations of chains take.
 
@@ -95,6 +96,8 @@ def measure_chains(
         said: called with what is done.
         done: called with the record so far after each chain.
         before: an earlier record: chains that it has are kept.
+        built: an earlier record of programs that may be in the cache since: what they took to
+            compile is kept.
 
     Raises:
         AdagenError: nothing of a chain could be timed.
@@ -106,6 +109,7 @@ def measure_chains(
         if joints in scale.joints:
             continue
         rows, absent = _chain(joints, sorted({1, *processes}), wanted, said)
+        rows = tuple(row.made_as(built) for row in rows)
         rows = tuple(sorted((*scale.rows, *rows), key=lambda row: row.joints))
         scale = replace(scale, rows=rows, absent={**scale.absent, **absent})
         done(scale)
@@ -120,11 +124,11 @@ def _chain(
     with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
         file = Path(folder, f"chain{joints}.urdf")
         file.write_text(chain(joints), encoding="utf-8")
-        toolchain, model = find_toolchain(), read(file).model
-        solvers = []
+        toolchain, robot = find_toolchain(), read(file)
+        model, solvers = robot.model, []
         for count in processes:
             said(f"chain of {joints}: building P={count}")
-            solvers.append(made(file, count, wanted.profile, toolchain))
+            solvers.append(made(robot, count, wanted.profile, toolchain))
         others = _others(model, Path(folder), absent) if wanted.peer else []
         held = [solver.contestant for solver in solvers] + others
         with at_priority(wanted.priority):
@@ -145,14 +149,14 @@ def _chain(
     return tuple(rows), {f"chain of {joints}, {name}": why for name, why in absent.items()}
 
 
-def made(file: Path, processes: int, profile: str, toolchain: Toolchain) -> Made:
+def made(robot: Robot, processes: int, profile: str, toolchain: Toolchain) -> Made:
     """Generate and build the solver of a robot.
 
     Raises:
         AdagenError: it cannot be solved, or the compiler failed.
     """
     begin = process_time()
-    found = compiled(read(file), processes, profile=profile)
+    found = compiled(robot, processes, profile=profile)
     generated = process_time() - begin
     emitted = Emitted(
         name=f"adagen P={processes}",

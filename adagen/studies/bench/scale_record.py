@@ -54,6 +54,13 @@ class ScaleRow:
     compiled: float = 0.0
     size: float = 0.0
 
+    def made_as(self, earlier: Scale | None) -> ScaleRow:
+        """Return the row of a program that was in the cache with what it took an earlier record."""
+        same = None if earlier is None else earlier.row(self.joints, self.processes)
+        if same is None or self.compiled or self.team != "adagen":
+            return self
+        return dataclasses.replace(self, compiled=same.compiled)
+
 
 @dataclass(frozen=True)
 class BatchRow:

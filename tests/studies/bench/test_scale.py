@@ -193,3 +193,11 @@ def test_batches_on_hosts_grow_until_handing_out_limits() -> None:
     assert fast[-1].distributed < 2 * fast[0].distributed
     assert "process 0" in fast[-1].limit
     assert all(one.distributed <= one.in_place for one in (*slow, *fast))
+
+
+def test_programs_from_the_cache_keep_what_they_took_to_compile(scale: Scale) -> None:
+    earlier = replace(scale, rows=(row(100, 4, 1600.0, compiled=9.0),))
+    assert row(100, 4, 1500.0).made_as(earlier) == row(100, 4, 1500.0, compiled=9.0)
+    assert row(100, 4, 1500.0, compiled=8.0).made_as(earlier).compiled == 8.0
+    assert row(100, 2, 1500.0).made_as(earlier).compiled == 0.0
+    assert row(100, 4, 1500.0).made_as(None).compiled == 0.0
