@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from adagen.cli import main
+from adagen.emit.shapes import chosen_shape
 from adagen.executor import interpret
 from adagen.executor.growth import predicted_growth
 from adagen.executor.program_states import program_states
@@ -31,9 +32,11 @@ from adagen.search.objective import (
 )
 from adagen.states import States, random_states
 from adagen.studies.stability import robots
+from adagen.urdf import read_robot
 from tests.emitted import Builder, plan_of
 from tests.golden.examples import FOLDER
 from tests.models import serial_chain, star
+from tests.real import real_robot
 from tests.slow import all_but, slow
 
 DEFAULT = load_profile("default")
@@ -216,3 +219,13 @@ def test_accuracy_takes_the_shape_that_loses_less() -> None:
 
 def test_accuracy_takes_the_fastest_of_shapes_that_lose_alike() -> None:
     assert suited_shape("accuracy", plan_of(robots.rods(4), 1)) == "auto"
+
+
+@pytest.mark.parametrize("scalar", ["double", "float"])
+def test_accuracy_and_time_differ_on_a_real_robot(scalar: str) -> None:
+    path = real_robot("icub_description/robots/icub.urdf")
+    plan = plan_of(read_robot(path, floating=True).model, 1, scalar=scalar)
+    errors = [tried(plan, turned_joints(plan)).error, tried(plan, None).error]
+    assert errors[0] > 10 * errors[1]
+    assert chosen_shape(plan, suited_shape("both", plan)) == "kernels"
+    assert chosen_shape(plan, suited_shape("accuracy", plan)) == "unrolled"
