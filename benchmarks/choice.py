@@ -7,10 +7,11 @@
 Robots of example-robot-data and the shipped examples on one process and on two, in every shape,
 limbs singly and side by side in every grouping that is compared. --build compiles what is not in
 the cache, two programs at a time, and may be interrupted; what was chosen and predicted goes to
-build/choice.json. --time runs all programs by turns: a round runs each once, and the least median
-of all rounds counts, since other work on the machine only ever adds to a time. --page writes the
-table into docs/records/choice.md. Where a second process gets nothing to do, one process it is:
-that is not timed again.
+build/choice.json, where --only keeps what it has of other robots by the same profile. --time runs
+all programs by turns: a round runs each once, and the least median of all rounds counts, since
+other work on the machine only ever adds to a time. --page writes the table into
+docs/records/choice.md. Where a second process gets nothing to do, one process it is: that is not
+timed again.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from statistics import median
+from typing import Any
 
 from adagen.build import Toolchain, build_executable, find_toolchain
 from adagen.build.cache import uses_mpi
@@ -281,13 +283,13 @@ def main() -> None:
         _build(options.profile, options.only)
     if options.time:
         _time(options.rounds)
-    record = _read()
-    if not all(way.times for case in record for way in case.ways):
+    cases = _read()
+    if not cases or not all(way.times for case in cases for way in case.ways):
         return
-    text = table(record)
+    text = table(cases)
     print(text)
     if options.page:
-        record = json.loads(RECORD.read_text(encoding="utf-8"))
+        record = _recorded()
         where, by = record["machine"], ", ".join(record["machine"]["compilers"].values())
         about = (
             f"{where['processor']}, {by}; {record['rounds']} rounds by turns; profile "
@@ -311,13 +313,16 @@ def _build(name: str, only: Sequence[str] | None) -> None:
                 continue
             ways = ", ".join(f"{len(c.ways)} on {c.processes}" for c in found[robot])
             print(f"{time.monotonic() - began:.0f} s: {robot}: {ways}", file=sys.stderr, flush=True)
-    cases = [case for r in wanted for case in found.get(r[0], [])]
+    before = _recorded().get("profile") if only else None
+    kept = [c for c in _read() if c.robot not in found] if before == profile.name else []
+    order = [r[0] for r in ROBOTS]
+    cases = [*kept, *(case for own in found.values() for case in own)]
+    cases.sort(key=lambda case: (order.index(case.robot), case.processes))
     _write({"profile": profile.name, "cases": list(map(asdict, cases))})
 
 
 def _time(rounds: int) -> None:
-    record = json.loads(RECORD.read_text(encoding="utf-8"))
-    cases, toolchain = _read(), find_toolchain()
+    record, cases, toolchain = _recorded(), _read(), find_toolchain()
     for case in cases:
         for way in case.ways:
             way.times = []
@@ -330,9 +335,16 @@ def _time(rounds: int) -> None:
         _write(record)
 
 
+def _recorded() -> dict[str, Any]:
+    if not RECORD.is_file():
+        return {"cases": []}
+    found: dict[str, Any] = json.loads(RECORD.read_text(encoding="utf-8"))
+    return found
+
+
 def _read() -> list[Case]:
-    record = json.loads(RECORD.read_text(encoding="utf-8"))
-    return [Case(**c | {"ways": [Way(**way) for way in c["ways"]]}) for c in record["cases"]]
+    cases = _recorded()["cases"]
+    return [Case(**c | {"ways": [Way(**way) for way in c["ways"]]}) for c in cases]
 
 
 def _write(record: dict[str, object]) -> None:

@@ -4,6 +4,10 @@
 // as long as the solver.
 #include <mpi.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <vector>
 #if defined(__linux__)
