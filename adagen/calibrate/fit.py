@@ -137,6 +137,9 @@ def _alike() -> Array:
     row = np.zeros(len(NAMES))  # by columns or not
     row[NAMES.index("articulate_columns.run")], row[NAMES.index("articulate.run")] = 1, -1
     rows.append(row)
+    row = np.zeros(len(NAMES))  # one equation has it, and is not to be solved by it
+    row[NAMES.index("propagate.ground")], row[NAMES.index("propagate.prescribed")] = 10, -10
+    rows.append(row)
     for k in range(len(NAMES)):
         row = np.zeros(len(NAMES))
         row[k] = 0.1  # and nothing is dearer than it need be
@@ -144,7 +147,7 @@ def _alike() -> Array:
     return np.array(rows)
 
 
-HELD = range(1500, 4001, 500)
+HELD = range(1000, 6001, 500)
 """Statements that a first instruction cache may hold: 32 kB are some 2500."""
 
 

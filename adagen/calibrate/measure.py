@@ -46,7 +46,8 @@ class Measurement:
     """What was measured of one emitted program; microseconds.
 
     Attributes:
-        time: an evaluation, state and result in place: the least median of several runs.
+        time: an evaluation, state and result in place, on average over the middle half of all: the
+            least of several runs.
         best: the fastest evaluation seen.
         stages: in the order of ``adagen.plan.stages.stages``, process by process.
         channel: window, message or none.
@@ -165,7 +166,7 @@ def _measurement(report: dict[str, Any], trace: dict[str, Any]) -> Measurement:
     )
     times = report["time"]["in_place"]
     return Measurement(
-        float(times["median_ns"]) / 1e3,
+        float(times["middle_ns"]) / 1e3,
         float(times["min_ns"]) / 1e3,
         stages,
         str(trace["channel"]),
@@ -177,7 +178,7 @@ def _measurement(report: dict[str, Any], trace: dict[str, Any]) -> Measurement:
 def least(measurements: Sequence[Measurement]) -> Measurement:
     """Return the least of several measurements of one program, number by number.
 
-    Other work on the machine only ever adds to a time, so that the least median is the truest.
+    Other work on the machine only ever adds to a time, so that the least is the truest.
     """
     first = measurements[0]
     stages = tuple(

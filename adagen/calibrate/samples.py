@@ -52,6 +52,7 @@ CHOSEN = (
     ("segment", "wings", 1, 1, ""),
     ("segment", "feet", 1, 1, ""),
     ("segment", "arms", 1, 1, ""),
+    ("segment", "wings", 2, 1, "gathered"),
     ("segment", "body", 1, 1, ""),
     ("ada", "figure", 2, 3, "mixed"),
     ("ada", "halves", 2, 5, "half"),
@@ -222,6 +223,8 @@ def straight_programs(profile: CostProfile) -> list[Program]:
         robot("tangle", chain(16), ["revolute"], 1),
         squared(robot("line", chain(40), ["revolute"], 1)),
         robot("crab", star(4, 4), ["revolute"], 22),
+        squared(robot("beast", star(4, 3), ["floating", *["revolute"] * 12], 29)),
+        squared(robot("figure", crew((2, 6), (2, 7)), ["floating", *["revolute"] * 26], 30)),
     ]
     found = []
     for model in robots:

@@ -112,16 +112,8 @@ def prediction(schedule: Schedule, line: Timeline | None) -> str:
     time = schedule.makespan if line is None else line.makespan
     # What is proven is of the schedules and the price that were searched.
     searched = math.isclose(time, schedule.makespan, rel_tol=1e-9)
-    proof = f"; {proven(schedule)}" if searched else ""
+    proof = f"; {schedule.proven}" if searched else ""
     return f"{time:.2f} us predicted ({schedule.profile} profile{proof})"
-
-
-def proven(schedule: Schedule) -> str:
-    """Return in a few words what the search has proven of a schedule."""
-    if schedule.verdict == "optimal":
-        lines = schedule.straight_lines
-        return f"optimal among loops and {lines} straight lines" if lines else "optimal"
-    return f"not proven optimal: at most {schedule.gap:.1%} above it"
 
 
 def predicted_accuracy(

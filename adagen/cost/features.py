@@ -58,7 +58,7 @@ _PLAIN: dict[type, str] = {
     StartLink: "link.start",
     InvertRoot: "root.invert",
     SolveRoot: "root.solve",
-    SolveMobility: "root.solve",
+    SolveMobility: "root.mobility",
     HoldMobility: "root.invert",
     LoadRoot: "deliver.load",
     AccelerateRoot: "root.accelerate",
@@ -147,7 +147,8 @@ def _weighed(joint: PlanJoint) -> Features:
 
 
 def _turned(group: str, key: str, turned: bool) -> Features:
-    return {f"{group}.{key}": 1, **({f"{group}.reversed": 1} if turned else {})}
+    """Of a joint, and of turning it round, which costs the same by columns."""
+    return {f"{group}.{key}": 1, **({f"{group.split('_')[0]}.reversed": 1} if turned else {})}
 
 
 _LANES = {2: "two", 4: "four"}
@@ -165,7 +166,7 @@ def operation_features(operation: Operation, joints: Sequence[PlanJoint]) -> Fea
         return _limbs_features(operation, block, joints)
     found = [_of_step(step, operation, joints) for step in operation.steps]
     if isinstance(block, Run):
-        found.append(_run_features(operation, len(operation.steps)))
+        found.append(_run_features(operation, block, joints))
     return added(found)
 
 
@@ -186,13 +187,19 @@ _RUNS = {
 }
 
 
-def _run_features(operation: Operation, joints: int) -> Features:
-    """Of a run beside its joints: once, and for each joint where these are turned."""
+def _run_features(operation: Operation, run: Run, joints: Sequence[PlanJoint]) -> Features:
+    """Of a run beside its joints: once, and for each joint where these are turned.
+
+    A single joint on the ground is no run: it starts from nothing, hands nothing on, and is
+    computed between other work.
+    """
     found: Features = {}
-    if name := _RUNS.get((operation.does, operation.method)):
+    name = _RUNS.get((operation.does, operation.method))
+    single = run.first == run.last and not run.reversed
+    if name and not (single and joints[run.first].parent == 0):
         found[name] = 1
     if operation.method == "turned":
-        found["articulate.turned"] = joints
+        found["articulate.turned"] = len(operation.steps)
     if operation.method == "carried":
         last = operation.steps[-1]
         assert isinstance(last, Propagate)
@@ -212,11 +219,15 @@ def added(parts: Iterable[Features]) -> Features:
 
 
 def _limbs_features(operation: Operation, limbs: Limbs, joints: Sequence[PlanJoint]) -> Features:
-    """Of limbs side by side: row by row, and once for all rows of a sweep."""
+    """Of limbs side by side: row by row, and once for all rows of a sweep; see _run_features."""
     does, lanes = operation.does, _LANES[limbs.lanes]
-    found: list[Features] = [{f"{does}_{lanes}.{joints[row[0]].kind}": 1} for row in limbs.rows]
     inwards = does == "articulate"
-    if inwards:
+    rows = [f"{does}_{lanes}.{joints[row[0]].kind}" for row in limbs.rows]
+    grounded = all(joints[j].parent == 0 for j in limbs.rows[0])
+    if inwards and grounded:
+        rows[0] = "articulate.ground"
+    found: list[Features] = [{name: 1} for name in rows]
+    if inwards and not (grounded and len(rows) == 1):
         found.append({f"limbs.{lanes}": 1})
     if operation.nested:
         found.append({"limbs.nested_inwards" if inwards else "limbs.nested_outwards": 1})
@@ -244,6 +255,7 @@ def _of_step(step: Step, operation: Operation, joints: Sequence[PlanJoint]) -> F
         case Load(), "through":
             return {}
         case Articulate(), "columns" | "tiles":
-            turned = {"articulate.reversed": 1} if step.reversed else {}
-            return {f"articulate_columns.{joints[step.joint].kind}": 1, **turned}
+            if joints[step.joint].parent == 0 and not step.reversed:
+                return {"articulate.ground": 1}
+            return _turned("articulate_columns", joints[step.joint].kind, step.reversed)
     return step_features(step, joints)

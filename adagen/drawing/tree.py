@@ -116,13 +116,10 @@ def outline_width(rows: Captioned) -> float:
 
 def _head(canvas: Canvas, schedule: Schedule, title: str, width: float) -> float:
     canvas.text(MARGIN, 34, shorten(title, width - 2 * MARGIN, 18), 18, bold=True)
-    verdict = "proven optimal"
-    if schedule.verdict == "gap":
-        verdict = f"at most {100 * schedule.gap:.1f} % above the optimum"
     count = "1 process" if schedule.processes == 1 else f"{schedule.processes} processes"
     line = (
-        f"{count}: predicted {schedule.makespan:.2f} µs ({verdict}; costs: {schedule.profile}; "
-        f"strategy: {schedule.strategy}; tie-break: {schedule.tie})"
+        f"{count}: predicted {schedule.makespan:.2f} µs ({schedule.proven}; "
+        f"costs: {schedule.profile}; strategy: {schedule.strategy}; tie-break: {schedule.tie})"
     )
     canvas.text(MARGIN, 54, line, SIZE, fill=MUTED)
     return 84.0

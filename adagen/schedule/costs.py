@@ -57,7 +57,7 @@ product of 6x6 matrices that they need beyond their joints.
 
 OTHERS: dict[str, tuple[str, ...]] = {
     "link": ("bias", "start"),
-    "root": ("invert", "solve", "accelerate"),
+    "root": ("invert", "solve", "accelerate", "mobility"),
     "free": ("base", "acceleration"),
     "slaved": ("solve", "apply", "column"),
     "limbs": ("two", "four", "nested_inwards", "nested_outwards"),

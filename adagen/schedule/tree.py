@@ -126,6 +126,20 @@ class Schedule:
         return "optimal" if self.lower_bound >= self.makespan else "gap"
 
     @property
+    def among(self) -> str:
+        """What the verdict is about, in words: straight lines are bounded only by being priced."""
+        lines = self.straight_lines
+        return f"loops and {lines} straight line{'s' * (lines > 1)}" if lines else ""
+
+    @property
+    def proven(self) -> str:
+        """What is proven, in words."""
+        among = f" among {self.among}" if self.among else ""
+        if self.verdict == "optimal":
+            return f"optimal{among}"
+        return f"at most {self.gap:.1%} above the optimum{among}"
+
+    @property
     def gap(self) -> float:
         """Proven relative distance ``makespan / lower_bound - 1``; 0 when optimal."""
         if self.verdict == "optimal":

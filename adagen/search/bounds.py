@@ -61,7 +61,7 @@ class Bounds:
         self.latency = channel.latency
         self.receiving_one = _NUMBERS * channel.number / 2
         self.sending_one = channel.send + self.receiving_one
-        self.solve = costs["root.solve"]
+        self.costs = costs
         self.outwards = min(floor.outwards for floor in floors.row)
         self.side_by_side = SideBySide(floors)
         self._shared: dict[int, float] = {}
@@ -70,8 +70,10 @@ class Bounds:
         """Return what a core takes besides limbs."""
         whole = self.floors.core(core.joints)
         pose = sum(self.floors.pose[j] for j in core.joints)
-        after = whole.both - pose + self.solve
-        return Around(self.floors.way(core.root), pose, after)
+        tree = self.robot.trees[core.tree]
+        shown = tree.base is None and not self.robot.held[core.root]  # the ground, as a mobility
+        solve = self.costs["root.mobility" if shown else "root.solve"]
+        return Around(self.floors.way(core.root), pose, whole.both - pose + solve)
 
     def frame(self, cores: Sequence[Core], limbs: Sequence[Limb]) -> float:
         """Return the least that a layout takes whose cores hold these at least.

@@ -78,7 +78,8 @@ class ExchangedSchedules:
             second = costs[f"accelerate.{kind}"]
             inner = _first_sweep(costs, kind, outermost=False) + costs[f"deliver.{kind}"]
             own[kind] = _first_sweep(costs, kind, outermost=True) + second, inner + second
-        whole = sum(own[kind][1] for kind in self.kinds)
+        spared = max(0.0, _sweep(costs, self.kinds[0]) - costs["articulate.ground"])
+        whole = sum(own[kind][1] for kind in self.kinds) - spared
         share = min(outermost / inner for outermost, inner in own.values())
         least = min(
             whole * share / (share * (count - 1) + 1) + self._besides(count)
@@ -199,11 +200,14 @@ class ExchangedSchedules:
         return joint
 
 
+def _sweep(costs: StepCosts, kind: str) -> float:
+    return min(costs[f"articulate.{kind}"], costs[f"articulate_columns.{kind}"])
+
+
 def _first_sweep(costs: StepCosts, kind: str, outermost: bool) -> float:
     """What a joint takes in a part until its process can tell others of it; microseconds."""
     kinematics = min(costs[f"kinematics.{kind}"], costs[f"kinematics_segments.{kind}"])
-    sweep = min(costs[f"articulate.{kind}"], costs[f"articulate_columns.{kind}"])
-    own = kinematics + costs["link.start"] + sweep
+    own = kinematics + costs["link.start"] + _sweep(costs, kind)
     passing = costs[f"passing_segments.{kind}"] + costs[f"propagate_run.{kind}"]
     return own if outermost else own + passing
 

@@ -60,8 +60,10 @@ class Floors:
     Args:
         robot: the robot.
         costs: the machine's coefficients.
-        whole: whether processes have limbs as a whole, as where they gather: then it is known in
-            which chains joints can lie side by side, and that kinematics are passed in runs.
+        whole: whether processes have limbs as a whole, as where they gather: then no chain of
+            limbs side by side is longer than the longest way from the ground to an end through its
+            joints, and kinematics are passed in runs that are no longer either. Else chains may be
+            as long as the robot has joints, and kinematics may be passed joint by joint.
 
     Attributes:
         single: of each joint of a core: passed by itself or with its run, no link beside it, since
@@ -197,7 +199,9 @@ class Floors:
             in_long: whether that may be passed in segments.
             in_segment: the coefficients of those.
         """
-        costs, shared = self.costs, bool(length) and self.whole
+        costs = self.costs
+        # By itself on the ground it is no run, and costs nothing besides.
+        shared = bool(length) and self.whole and joint.parent > 0
         alone = costs[f"kinematics.{joint.kind}"]
         alone += costs["kinematics.run"] / length if shared else 0.0
         if not in_long:
@@ -238,7 +242,7 @@ class Floors:
         run = costs["articulate.run"] / length
         sweeps = [costs[f"articulate.{priced}"] + run]
         if joint.parent == 0:
-            sweeps.append(0.0 if joint.prescribed else costs["articulate.ground"] + run)
+            sweeps.append(0.0 if joint.prescribed else costs["articulate.ground"])
         if in_columns:
             run = costs["articulate_columns.run"] / length
             sweeps.append(costs[f"articulate_columns.{kind}"] + run)
@@ -247,9 +251,10 @@ class Floors:
     def _in_row(self, joint: int, count: int) -> tuple[float, float]:
         """The price of a row that a joint is in, with its share of what limbs cost besides."""
         (name, _), costs, kind = _ROWS[count], self.costs, self.robot.joints[joint].kind
-        inwards = costs[f"kinematics_{name}.{kind}"] + costs[f"articulate_{name}.{kind}"]
-        inwards += costs[f"limbs.{name}"] / self._chains[joint]
-        return inwards, costs[f"accelerate_{name}.{kind}"]
+        sweep = costs[f"articulate_{name}.{kind}"] + costs[f"limbs.{name}"] / self._chains[joint]
+        if self.robot.joints[joint].parent == 0:
+            sweep = min(sweep, costs["articulate.ground"])
+        return costs[f"kinematics_{name}.{kind}"] + sweep, costs[f"accelerate_{name}.{kind}"]
 
     def _climb(self, j: int, joint: PlanJoint) -> None:
         """What is on the ground's side of a joint's child link, its joint passed the other way."""

@@ -40,7 +40,7 @@ class _Block:
         own: their numbers in the frame.
         before: until it sends; microseconds on the fastest core, as are the others.
         after: from the exchange on.
-        total: all of it, without waiting.
+        total: all of it, without waiting; with messages where several trees may be shared.
         trees: those that it has limbs of; times are those of the trees that are shared.
     """
 
@@ -238,7 +238,8 @@ class HandOut:
                 share, fastest = piece.share, self.found.bounds.fastest
                 before = (share.least_kinematics + share.inwards) / fastest
                 after = share.outwards / fastest
-                total = before + share.between / fastest + after
+                messages = 0.0 if self.around is not None else self._beside(own, 1)[1]
+                total = before + share.between / fastest + after + messages
                 trees = frozenset(self.frame.limbs[k].tree for k in own)
                 self.blocks[counts] = _Block(counts, own, before, after, total, trees)
         return self.blocks[counts]

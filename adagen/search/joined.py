@@ -77,6 +77,8 @@ def least_profile(
         table[f"propagate.{kind}"] = min(table[f"propagate.{kind}"], table[f"propagate_run.{kind}"])
         table["propagate.ground"] = min(table["propagate.ground"], table[f"propagate_run.{kind}"])
     table["propagate.spread"] = table["deliver.load"] = 0.0
+    # A row on the ground is priced once.
+    table["articulate.ground"] /= max(1, *(min(n, max(_ROWS)) for n in rows.values()))
     for group in ("kinematics", "articulate", "accelerate"):
         for key in (PRESCRIBED, "ground"):  # priced by their kind where they lie side by side
             if f"{group}.{key}" in table:

@@ -16,8 +16,9 @@
 namespace adagen {
 namespace {
 
-// What --trace FILE writes: when each stage of each process began and ended, as the medians over
-// many evaluations of random states; ns from the instant at which the processes start together.
+// What --trace FILE writes: when each stage of each process began and ended, on average over the
+// middle half of many evaluations of random states; ns from the instant at which all start
+// together.
 class Trace {
  public:
   using Clock = std::chrono::steady_clock;
@@ -46,8 +47,8 @@ class Trace {
   std::string text(MPI_Comm comm, const char* channel, bool pinned) const {
     std::vector<double> own;
     for (int k = 0; k < stages_; ++k) {
-      own.push_back(median(starts_, k));
-      own.push_back(median(lengths_, k));
+      own.push_back(middle(starts_, k));
+      own.push_back(middle(lengths_, k));
     }
     if (rank_ != 0) {
       MPI_Send(own.data(), static_cast<int>(own.size()), MPI_DOUBLE, 0, kTag, comm);
@@ -90,14 +91,14 @@ class Trace {
            ", \"start_ns\": " + number(start) + ", \"length_ns\": " + number(length) + "}";
   }
 
-  double median(const std::vector<double>& all, int stage) const {
+  double middle(const std::vector<double>& all, int stage) const {
     std::vector<double> one;
     const std::size_t step = stamps_.size() - 1;
     for (std::size_t k = static_cast<std::size_t>(stage); k < all.size(); k += step)
       one.push_back(all[k]);
     if (one.empty()) return 0;
-    std::nth_element(one.begin(), one.begin() + static_cast<long>(one.size() / 2), one.end());
-    return one[one.size() / 2];
+    std::sort(one.begin(), one.end());
+    return middle_of(one);
   }
 
   int rank_, stages_;

@@ -2,10 +2,10 @@
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 2 --schedule=../models/humanoid_at_torso.json --shape=kernels
 // input     schedule, sha256 35c4c70f0b4c25ef442163ea2ff1fb2b75e983f3e3c7bd1a57b0eace91566f4f
-// input     profile default, sha256 4d2e57544ec8b0d6db724e39fbb20a173aae29f19e91072390d4f16f8137ebaa
+// input     profile default, sha256 1784f52b5256e8341580e5783dff5441658af2721214a13bcf3168beb6260e7c
 // options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI
-// program   2 processes, gathered at torso; 0.636 us predicted (default profile)
+// program   2 processes, gathered at torso; 0.502 us predicted (default profile)
 //           process 0: left_hip_pitch .. left_ankle_roll | right_hip_pitch .. right_ankle_roll in 2
 //           lanes, __base__, waist_yaw .. waist_pitch
 //           process 1: left_shoulder_pitch .. left_wrist_pitch | right_shoulder_pitch ..
@@ -424,8 +424,8 @@ struct humanoid_p2_solver : Solver {};
 namespace {
 
 // From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 159, 0.437};
-constexpr adagen::Hop kMessageHop{26, 228, 0.644};
+constexpr adagen::Hop kWindowHop{0, 105, 0.402};
+constexpr adagen::Hop kMessageHop{19.7, 169, 0.574};
 
 adagen::Description<Number> description() {
   static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>()} };

@@ -1,10 +1,10 @@
 // Forward dynamics of "mobile" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 // robot     "mobile", 6 joints, 13 degrees of freedom, description sha256 421e40d13e3d94e0ea25fa3a829795267d134cdc98cb6abe58b7ec78cf6d9704
 // command   adagen ../models/mobile.urdf --procs 3 --form=ada
-// input     profile default, sha256 4d2e57544ec8b0d6db724e39fbb20a173aae29f19e91072390d4f16f8137ebaa
+// input     profile default, sha256 1784f52b5256e8341580e5783dff5441658af2721214a13bcf3168beb6260e7c
 // options   form ada, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI
-// program   3 processes, joined at cuts; 1.16 us predicted (default profile)
+// program   3 processes, joined at cuts; 0.961 us predicted (default profile)
 //           process 0: drive .. shoulder
 //           process 1: wrist .. loose
 //           process 2: nothing
@@ -555,8 +555,8 @@ struct mobile_p3_solver : Solver {};
 namespace {
 
 // From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 159, 0.437};
-constexpr adagen::Hop kMessageHop{26, 228, 0.644};
+constexpr adagen::Hop kWindowHop{0, 105, 0.402};
+constexpr adagen::Hop kMessageHop{19.7, 169, 0.574};
 
 adagen::Description<Number> description() {
   static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>(), {}} };

@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from adagen.cost import programmed, timeline
+from adagen.calibrate.robots import robot
+from adagen.calibrate.samples import by_method
+from adagen.cost import operation_features, programmed, timeline
+from adagen.cost.features import added
 from adagen.cost.lanes import offered_limbs
 from adagen.executor import chosen_grouping, groupings
+from adagen.executor.grouping import spared
 from adagen.model import Model
 from adagen.plan import Plan, make_plan, plan_from_json, plan_to_json
+from adagen.plan.simd_groups import simd_groups
 from adagen.program import Program, lower
 from adagen.schedule import CostProfile, Topology, load_profile, step_costs
 from adagen.search import find_schedule
@@ -98,3 +105,27 @@ def test_a_plan_read_back_makes_the_same_program(shape: str) -> None:
 def test_batches_leave_lanes_to_states() -> None:
     program = programmed(plan_of(star(4, 3, floating=True)), "kernels", DEFAULT, batch=True)
     assert not any(program.slots.limbs) and not {"lanes", "columns"} & methods(program)
+
+
+@pytest.mark.parametrize("method", ["each", "columns"])
+@pytest.mark.parametrize("count", [0, 2, 4])
+def test_what_hangs_on_the_ground_hands_nothing_on(method: str, count: int) -> None:
+    """Four joints, then chains of two: the first of each is swept onto the ground, in any way."""
+    profile = by_method(DEFAULT, method)
+    for joints in (1, 2):
+        parents = [below for k in range(4) for below in (0, k * joints + 1)[:joints]]
+        model = robot("bases", parents, ["revolute"])
+        plan = plan_of(model)
+        counts = (count,) if count else ()
+        limbs = (tuple(simd_groups(plan, plan.processes[0], spared, counts)),) if count else ((),)
+        program = lower(plan, "kernels", limbs=limbs, costs=step_costs(profile))
+        found = added(
+            operation_features(operation, plan.joints)
+            for operation in program.processes[0].operations
+        )
+        rows = 4 // (count or 1)
+        assert found["articulate.ground"] == rows
+        swept = sum(n for name, n in found.items() if re.match(r"articulate\w*\.revolute", name))
+        assert swept == rows * (joints - 1)
+        once = sum(n for name, n in found.items() if name.endswith(".run") or "limbs." in name)
+        assert (once > 0) == (joints > 1)

@@ -222,8 +222,9 @@ class TestReports:
         assert told["time"]["pinned"] in (True, False)
         for way in ("in_place", "through_root"):
             figures = told["time"][way]
-            assert set(figures) == {"median_ns", "min_ns", "p99_ns"}
+            assert set(figures) == {"median_ns", "min_ns", "p99_ns", "middle_ns"}
             assert 0 < figures["min_ns"] <= figures["median_ns"] <= figures["p99_ns"]
+            assert figures["min_ns"] <= figures["middle_ns"] + 1 <= figures["p99_ns"] + 2
 
     def test_json_of_solved_states(self, arm: Subject) -> None:
         write_states(arm.states(5), arm.model, arm.folder / "s.json")

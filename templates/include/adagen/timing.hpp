@@ -175,8 +175,10 @@ class Timing {
   static std::string whole(double ns) { return std::to_string(std::llround(ns)); }
 
   static std::string figures(const char* what, const Statistics& of) {
+    char middle[40];
+    std::snprintf(middle, sizeof middle, ", \"middle_ns\": %.1f}", of.middle);
     return std::string(", \"") + what + "\": {\"median_ns\": " + whole(of.median) +
-           ", \"min_ns\": " + whole(of.least) + ", \"p99_ns\": " + whole(of.percentile99) + "}";
+           ", \"min_ns\": " + whole(of.least) + ", \"p99_ns\": " + whole(of.percentile99) + middle;
   }
 
   const Hop& hop() const { return hop_of(session_.solver); }
