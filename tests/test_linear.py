@@ -18,6 +18,7 @@ import pytest
 import adagen
 from adagen.cli import main
 from tests.cli.robots import write_arm
+from tests.slow import slow
 
 ROOT = Path(adagen.__file__).resolve().parents[1]
 OURS = (str(ROOT / "adagen"), str(ROOT / "templates"), __file__)
@@ -70,7 +71,7 @@ def grown(few: Counter[Place], many: Counter[Place]) -> dict[Place, float]:
     "words",
     [
         "ARM --out OUT --procs 1 --shape kernels",
-        "ARM --out OUT --procs 2 --shape kernels --schedule middle-out",
+        slow("ARM --out OUT --procs 2 --shape kernels --schedule middle-out"),
     ],
     ids=["one process", "two processes"],
 )

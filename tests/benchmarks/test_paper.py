@@ -11,6 +11,7 @@ from adagen.schedule import Topology, load_profile
 from adagen.search import find_schedule
 from benchmarks.paper import figures, pictures, robots, timing
 from benchmarks.paper.measured import model_of
+from tests.slow import all_but
 
 DOCS = Path(__file__).resolve().parents[2] / "docs" / "records" / "pictures"
 MAKERS: dict[str, Callable[[], None]] = {
@@ -24,7 +25,7 @@ MAKERS: dict[str, Callable[[], None]] = {
 }
 
 
-@pytest.mark.parametrize("name", MAKERS)
+@pytest.mark.parametrize("name", all_but(MAKERS, "fig7"))
 def test_picture(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(pictures, "FOLDER", tmp_path)
     MAKERS[name]()

@@ -68,7 +68,7 @@ def test_states_of_a_batch_keep_their_lanes() -> None:
     ("flags", "scalar"),
     [
         (QUICK, "double"),
-        (QUICK, "float"),
+        slow(QUICK, "float"),
         slow(OPTIMISED, "double"),  # float in test_segments.py
         slow(NARROW, "double"),
         (NARROW, "float"),

@@ -73,7 +73,7 @@ def test_limbs_with_joints_of_prescribed_motion_are_taken_side_by_side(
 @pytest.mark.parametrize(
     ("processes", "meeting", "scalar"),
     [
-        (2, "join", "double"),
+        pytest.param(2, "join", "double", marks=pytest.mark.slow),
         pytest.param(3, "join", "double", marks=pytest.mark.slow),
         pytest.param(2, "gather", "double", marks=pytest.mark.slow),
         (4, "gather", "float"),

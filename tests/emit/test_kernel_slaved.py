@@ -46,7 +46,7 @@ def damped(model: Model) -> Model:
             slaved(star(4, 3, floating=True), (2, 1, -0.5), (8, 1, 2.0)), 1, marks=pytest.mark.slow
         ),
         (damped(slaved(serial_chain(9), (3, 1, -0.5), (7, 1, 1.5), (8, 5, 1.0))), 2),
-        (slaved(serial_chain(12), (4, 11, 0.7)), 3),
+        pytest.param(slaved(serial_chain(12), (4, 11, 0.7)), 3, marks=pytest.mark.slow),
         pytest.param(
             read_robot(FOLDER / "models" / "arm7.urdf", mimic=True).model, 2, marks=pytest.mark.slow
         ),

@@ -23,7 +23,7 @@ from tests.golden.examples import FOLDER
 from tests.links import with_light_link
 from tests.models import binary, human_figure, random_tree, serial_chain, star
 from tests.schedules import random_schedule
-from tests.slow import spread
+from tests.slow import all_but, spread
 
 PROFILE = load_profile("default")
 
@@ -50,7 +50,7 @@ def on_the_ground() -> Model:
             (serial_chain(20, kind=PRISMATIC), "balanced", 2, "gather"),
             (serial_chain(24, axes="xyz"), "balanced", 3, "join"),
         ],
-        3,
+        2,
     ),
     ids=[
         "base joined",
@@ -127,7 +127,7 @@ def test_limbs_side_by_side_are_solved(
     assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
 
 
-@pytest.mark.parametrize("seed", [1, 2, *(pytest.param(k, marks=pytest.mark.slow) for k in (3, 4))])
+@pytest.mark.parametrize("seed", all_but((1, 2, 3, 4), 1, 3, 4))
 def test_bushes_of_all_kinds_are_solved_by_one_process(
     seed: int, builder: Builder, tmp_path: Path
 ) -> None:

@@ -144,7 +144,7 @@ def test_few_rows_of_known_constants_are_solved(builder: Builder, tmp_path: Path
     assert solver.error(model, states, tmp_path, "--check") < 5 * ROUNDING["double"]
 
 
-@pytest.mark.parametrize(("seed", "processes"), [(9, 1), (8, 2)])
+@pytest.mark.parametrize(("seed", "processes"), [(9, 1), slow(8, 2)])
 def test_segments_beside_limbs_are_solved(
     seed: int, processes: int, builder: Builder, tmp_path: Path
 ) -> None:

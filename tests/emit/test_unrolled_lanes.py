@@ -146,7 +146,7 @@ def solved(
 
 
 @pytest.mark.parametrize("compiler", ["g++", CLANG])
-@pytest.mark.parametrize("scalar", ["double", "float"])
+@pytest.mark.parametrize("scalar", ["double", pytest.param("float", marks=pytest.mark.slow)])
 def test_legs_and_arms_on_a_floating_trunk_are_solved(
     compiler: str, scalar: str, builder: Builder, tmp_path: Path
 ) -> None:

@@ -49,7 +49,7 @@ def built(example: Example, builder: Builder) -> Solver:
     return Solver(executable, example.processes, builder.toolchain)
 
 
-@pytest.mark.parametrize("stem", spread(BY_STEM, 8))
+@pytest.mark.parametrize("stem", spread(BY_STEM, 6))
 def test_an_example_is_right_through_both_channels(
     stem: str, builder: Builder, tmp_path: Path
 ) -> None:
