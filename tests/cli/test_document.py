@@ -41,13 +41,17 @@ def document(capsys: pytest.CaptureFixture[str], *words: str) -> Any:
 
 
 def emitted(folder: Path, *words: str) -> dict[str, bytes]:
-    """What is emitted, but for the line that names the command: that names the schedule's file."""
+    """What is emitted, but for what names the schedule's file: command, inputs and their texts."""
     assert main([*words, "--out", str(folder)]) == 0
     files = (path for path in folder.rglob("*") if path.is_file())
     found = {str(path.relative_to(folder)): path.read_bytes() for path in files}
     (source,) = (name for name in found if re.search(r"_p[0-9]+\.cpp$", name))
     found[source], commands = re.subn(rb"// command .*\n", b"", found[source])
     assert commands == 1
+    found[source] = re.sub(rb"// input     schedule, .*\n", b"", found[source])
+    plan = f"{source.removesuffix('.cpp')}.plan.json"
+    found[plan], origins = re.subn(rb',\n"made": .*\n', b"\n", found[plan])
+    assert origins == 1
     return found
 
 
