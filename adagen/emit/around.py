@@ -16,8 +16,7 @@ PROGRAM_FILE = "adagen_program.cpp"
 _MPI = "#if defined(ADAGEN_MPI)\n#include <mpi.h>\n#endif\n"
 _COMMENTS = re.compile(r"^//.*\n", re.MULTILINE)
 _SECTION = "#ifndef ADAGEN_NO_MAIN\n"
-_APART = f"// Description of this solver for the program around it ({PROGRAM_FILE}), the"
-_JOINED = "// The program around this solver, the"
+_JOINED = "// The program around this solver, the same for all robots.\n\n"
 _HEADER = re.compile(r"#if __has_include.*\n#include .*\n#define ADAGEN_HEADER\n#endif\n")
 _LINKS = re.compile(rf"^// links     {re.escape(PROGRAM_FILE)}(.*)\n", re.MULTILINE)
 
@@ -59,8 +58,8 @@ def standalone(
         return joined(source, files)
     defines = "".join(f"#define {option.removeprefix('-D')}\n" for option in options)
     own = _COMMENTS.sub("", program_text() if program is None else program)
-    source = _LINKS.sub("", source, count=1).replace(_APART, _JOINED, 1)
-    whole = joined(source.replace(_SECTION, f"{_SECTION}{defines}{own}\n", 1), files)
+    source = _LINKS.sub("", source, count=1)
+    whole = joined(source.replace(_SECTION, f"{_JOINED}{_SECTION}{defines}{own}\n", 1), files)
     return whole.replace(_MPI, "", 1)  # the solver has included mpi.h, if it needs that
 
 
