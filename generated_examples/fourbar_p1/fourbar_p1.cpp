@@ -2,7 +2,7 @@
 // robot     "fourbar", 3 joints, 3 degrees of freedom, description sha256 4800d9bbec7e9c8eaf1d028c5dcc2b2c9b4ac7410509da822ae29051a7391834
 // command   adagen ../models/fourbar.urdf --scene=../models/fourbar.toml --procs 1
 // input     scene, sha256 0325233a36e76e4c778daddeedd8a5bf9b6954f1680ed02dfb94e4ffe29019ee
-// input     profile default, sha256 1784f52b5256e8341580e5783dff5441658af2721214a13bcf3168beb6260e7c
+// input     profile default, sha256 394643a6a28df037e06f8a3aea3787b8201b724cc96761ed405e3e71948854af
 // options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp
 // program   1 process; 0.0552 us predicted (default profile)

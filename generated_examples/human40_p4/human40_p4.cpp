@@ -1,7 +1,7 @@
 // Forward dynamics of "human40" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 // robot     "human40", 15 joints, 40 degrees of freedom, description sha256 bdc16488e5ef4610f46ad114b2f2b09a8601d7b212cf0d9aa1794a195cd4ce35
 // command   adagen ../models/human40.urdf --procs 4 --schedule=balanced --shape=kernels
-// input     profile default, sha256 1784f52b5256e8341580e5783dff5441658af2721214a13bcf3168beb6260e7c
+// input     profile default, sha256 394643a6a28df037e06f8a3aea3787b8201b724cc96761ed405e3e71948854af
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI
 // program   4 processes, joined at cuts; 0.967 us predicted (default profile)

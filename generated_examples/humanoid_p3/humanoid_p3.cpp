@@ -1,7 +1,7 @@
 // Forward dynamics of "humanoid" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 3 --form=ada
-// input     profile default, sha256 1784f52b5256e8341580e5783dff5441658af2721214a13bcf3168beb6260e7c
+// input     profile default, sha256 394643a6a28df037e06f8a3aea3787b8201b724cc96761ed405e3e71948854af
 // options   form ada, shape joints, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI
 // program   3 processes, joined at cuts; 3.5 us predicted (default profile)

@@ -1,7 +1,7 @@
 // Forward dynamics of "mobile" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 // robot     "mobile", 6 joints, 13 degrees of freedom, description sha256 421e40d13e3d94e0ea25fa3a829795267d134cdc98cb6abe58b7ec78cf6d9704
 // command   adagen ../models/mobile.urdf --procs 3 --form=ada
-// input     profile default, sha256 1784f52b5256e8341580e5783dff5441658af2721214a13bcf3168beb6260e7c
+// input     profile default, sha256 394643a6a28df037e06f8a3aea3787b8201b724cc96761ed405e3e71948854af
 // options   form ada, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI
 // program   3 processes, joined at cuts; 0.961 us predicted (default profile)

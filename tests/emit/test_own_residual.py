@@ -102,4 +102,4 @@ def test_the_head_tells_which_it_is(tmp_path: Path, capsys: pytest.CaptureFixtur
         assert said in (tmp_path / "chain16_p1.cpp").read_text()
         assert main(["verify", str(tmp_path)]) == 0
     assert main([*given[:3], "--residual", "wide", "--out", str(tmp_path)]) == 2
-    assert "--residual is for answers that are refined" in capsys.readouterr().err
+    assert "--residual needs --refine" in capsys.readouterr().err
