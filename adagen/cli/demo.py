@@ -21,7 +21,7 @@ from adagen.cli.main import main as adagen
 from adagen.cli.tables import table_of
 from adagen.errors import AdagenError, EnvironmentFault
 
-HUMANOID = "talos_data/robots/talos_reduced.urdf"
+HUMANOID = "simple_humanoid_description/urdf/simple_humanoid.urdf"
 SNAKE = Path("generated_examples", "models", "snake100.urdf")
 PROCESSES = (1, 2)
 OUT = Path("build", "demo")
