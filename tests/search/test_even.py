@@ -40,7 +40,19 @@ def test_the_outermost_segment_of_a_long_chain_is_the_longest(segments: int) -> 
     assert len(sizes) == segments
     assert sizes[-1] > 1.5 * max(sizes[:-1])
     assert sizes[1:-1] == sorted(sizes[1:-1], reverse=True)  # who is further out passes more
-    assert max(sizes[1:-1]) < 2 * min(sizes[1:-1])
+
+
+PASSED = "the shipped profile prices runs that are passed higher than they are"
+
+
+@pytest.mark.parametrize(
+    "segments", [5, pytest.param(8, marks=pytest.mark.xfail(strict=True, reason=PASSED))]
+)
+def test_inner_segments_are_about_as_long_as_each_other(segments: int) -> None:
+    costs = SegmentCosts(Topology.of(serial_chain(500)), DEFAULT)
+    cuts = even_cuts(costs, np.ones(500, dtype=np.bool_), segments)
+    sizes = np.diff([0, *sorted(cuts), 500])
+    assert sizes[1:-1].max() < 1.5 * sizes[1:-1].min()
 
 
 def test_even_cuts_share_a_chain_among_all_processes() -> None:
