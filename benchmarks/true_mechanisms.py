@@ -79,11 +79,11 @@ def good(row: dict[str, Any]) -> bool:
 
 def _cells(row: dict[str, Any]) -> str:
     limit = row["limit"]
-    errors = ["refused" if isinstance(x, str) else f"{x:.0e}" for x in row["found"]]
     errors = [x for x in row["found"] if not isinstance(x, str)]
+    told = ["refused" if isinstance(x, str) else f"{x:.0e}" for x in row["found"]]
     share = f"{max(errors) / limit:.0e}" if errors and limit else "-"
     limits = f"{limit:.0e}" if limit else "refusal"
-    cells = (row["name"], row["mode"], limits, *errors, share)
+    cells = (row["name"], row["mode"], limits, *told, share)
     return f"| {' | '.join(cells)} |"
 
 

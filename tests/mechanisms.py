@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,7 +37,12 @@ def with_loops(
     )
 
 
-def planar_chain(*lengths: float, floating: bool = False, massless: int | None = None) -> Model:
+def planar_chain(
+    *lengths: float,
+    floating: bool = False,
+    massless: int | None = None,
+    beside: Sequence[Part] = (),
+) -> Model:
     """Return bars end to end along x, pinned about y; of one the link may have no inertia."""
     bars = [Part(BASE, None, FLOATING, rod(1.0, vector(0.3, 0, 0)))] if floating else []
     last = BASE if floating else None
@@ -48,15 +53,33 @@ def planar_chain(*lengths: float, floating: bool = False, massless: int | None =
             Part(f"p{k}", last, REVOLUTE, body, vector(along, 0, 0), axis=vector(0.0, 1.0, 0.0))
         )
         last, along = f"p{k}", length
-    return assemble("bars", bars, floating)
+    return assemble("bars", [*bars, *beside], floating)
 
 
-def four_bar(kind: str = "revolute", *, floating: bool = False, massless: bool = False) -> Model:
+def four_bar(
+    kind: str = "revolute",
+    *,
+    floating: bool = False,
+    massless: bool = False,
+    beside: Sequence[Part] = (),
+) -> Model:
     """Return a crank, a coupler and a rocker, whose end is pinned to the root link."""
-    model = planar_chain(0.2, 0.5, 0.4, floating=floating, massless=1 if massless else None)
+    lengths, none = (0.2, 0.5, 0.4), 1 if massless else None
+    model = planar_chain(*lengths, floating=floating, massless=none, beside=beside)
     root = model.links[1].name if floating else model.links[0].name
     end, pin = LoopEnd("p2_link", (0.4, 0.0, 0.0)), LoopEnd(root, (0.45, 0.0, 0.0))
     return with_loops(model, (NamedLoop("pin", kind, end, pin, (0.0, 1.0, 0.0)),))
+
+
+def gripping(*, floating: bool = False) -> Model:
+    """Return a four-bar linkage beside two fingers, one of which mimics the other."""
+    finger, axis = rod(0.1, vector(0.1, 0, 0)), vector(1.0, 0.0, 2.0)
+    root = BASE if floating else None
+    fingers = [
+        Part("finger", root, REVOLUTE, finger, vector(0, 0.1, 0), axis=axis),
+        Part("thumb", "finger", REVOLUTE, finger, vector(0, 0.1, 0), mimic=("finger", -0.7, 0.2)),
+    ]
+    return four_bar(floating=floating, beside=fingers)
 
 
 def slider_crank() -> Model:

@@ -23,7 +23,16 @@ from adagen.plan.gather import exchange, sides_of, trees_of
 from adagen.plan.gather_steps import ProcessSteps
 from adagen.plan.gather_trees import Tree
 from adagen.plan.robot import PlanCoupling, PlanJoint, PlanLoop, bound_by_loops
-from adagen.plan.steps import Accelerate, Articulate, Kinematics, Release, StartLink, Step
+from adagen.plan.steps import (
+    Accelerate,
+    ApplyCoupling,
+    Articulate,
+    Kinematics,
+    Release,
+    SolveCoupling,
+    StartLink,
+    Step,
+)
 from adagen.plan.types import Message, Process
 from adagen.schedule import Schedule
 from adagen.schedule.tree import Gathered
@@ -126,6 +135,8 @@ class ClosedPlanner(AdaPlanner):
                 yield way.outwards(j)
                 yield from (Release(j + 1, k) for k in at_top.get(j + 1, ()))
         yield from (Accelerate(j, reversed=False) for j in self.open_limbs)
+        if self.coupled():
+            yield from (SolveCoupling(), ApplyCoupling())
 
     # -- several processes ------------------------------------------------------------------------
 

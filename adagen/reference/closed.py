@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 
 from adagen.exact import rotation_taking_z_to, rounded
 from adagen.model import FLOATING, PRISMATIC, REVOLUTE, SPHERICAL, Joint, Loop, Model
-from adagen.reference.coupling import checked
+from adagen.reference.coupling import checked, coupled
+from adagen.reference.coupling import coupling as following
 from adagen.reference.double import inverse_dynamics, joint_space_inertia
 from adagen.reference.loop_rows import loop_rows
 from adagen.reference.numbers import DOUBLE
@@ -334,10 +335,10 @@ def closed_forward_dynamics(model: Model, q: Any, v: Any, tau: Any, rank: float 
     """Return the joint accelerations of a robot with loops, by the null space of J.
 
     With N an orthonormal basis of it, (N^T H N) y = N^T (tau - bias - H a), qdd = a + N y, where
-    a is the least acceleration that satisfies J a = -Jdot v.
+    a is the least acceleration that satisfies J a = -Jdot v. Slaved joints follow their sources.
 
     Args:
-        model: the robot, without slaved or prescribed joints.
+        model: the robot, without prescribed joints.
         q: configuration that satisfies the constraints, shape (nq,).
         v: velocity that does, shape (nv,).
         tau: torques, shape (ntau,).
@@ -345,11 +346,12 @@ def closed_forward_dynamics(model: Model, q: Any, v: Any, tau: Any, rank: float 
     """
     q, v = checked(model, "q", q, model.nq), checked(model, "v", v, model.nv)
     tau = checked(model, "tau", tau, model.ntau)
-    rows, fast = loop_rows(DOUBLE, model, q, v)
-    left, sizes, right = np.linalg.svd(rows)
+    q, v = coupled(DOUBLE, model, q, v)
+    (rows, fast), follow = loop_rows(DOUBLE, model, q, v), following(DOUBLE, model)
+    left, sizes, right = np.linalg.svd(rows @ follow)
     kept = int((sizes > rank * sizes[:1].sum()).sum())
-    least = -right[:kept].T @ ((left[:, :kept].T @ fast) / sizes[:kept])
-    inertia, free = joint_space_inertia(model, q), right[kept:].T
+    least = -follow @ (right[:kept].T @ ((left[:, :kept].T @ fast) / sizes[:kept]))
+    inertia, free = joint_space_inertia(model, q), follow @ right[kept:].T
     needed = tau[: model.nv] - inverse_dynamics(model, q, v, least, tau)
     reduced = free.T @ inertia @ free
     result: Array = least + free @ np.linalg.solve(reduced, free.T @ needed)

@@ -27,6 +27,7 @@ from tests.mechanisms import (
     MECHANISMS,
     four_bar,
     geared,
+    gripping,
     looped_tree,
     planar_chain,
     standing,
@@ -60,6 +61,18 @@ def test_mechanisms_move_as_dense_algebra_says(name: str) -> None:
     plan = plan_of(model)
     check(lower(plan, "unrolled"))
     assert worst(model, plan, states_of(model, 6)) < 1e-12
+
+
+@pytest.mark.parametrize("floating", [False, True])
+@pytest.mark.parametrize("form", ["segment", "ada"])
+def test_joints_beside_loops_are_slaved(form: str, floating: bool) -> None:
+    """One process does it: torques between slaved joints come last, where a pose is poor, too."""
+    model = gripping(floating=floating)
+    schedule = best_schedule(model, 2, load_profile("default"), form)
+    plan = make_plan(model, schedule, form=form)
+    for each in plan.alternatives:
+        check(lower(each, "unrolled"))
+        assert worst(model, each, states_of(model, 4)) < 1e-11
 
 
 @pytest.mark.parametrize("floating", [False, True])

@@ -45,6 +45,7 @@ void close(States& states, Uniform uniform, Taken taken) {
       for (double& x : step) x = tries == 0 ? 0 : 3 * uniform() / (1 << 2 * (tries % 3));
       manifold::move(tries % 2 == 0 ? drawn : rest, step, start);
       if (!loops::settle(start, rate)) continue;
+      slave(about.joints, start.data(), rate.data());
       std::copy(start.begin(), start.end(), q), std::copy(rate.begin(), rate.end(), v);
       if (taken(s)) break;
     }
