@@ -6,7 +6,12 @@ import re
 
 from lxml import etree
 
-from adagen.urdf.mending import UNDECLARED, mended_declaration, with_prefixes_declared
+from adagen.urdf.mending import (
+    UNDECLARED,
+    mended_declaration,
+    with_prefixes_declared,
+    without_default_namespace,
+)
 from adagen.urdf.notes import Notes, line_of
 
 _PROLOG = re.compile(r"(?:\s+|<!--.*?-->|<\?.*?\?>)*", re.DOTALL)
@@ -84,12 +89,13 @@ def _check_root(root: etree._Element, notes: Notes) -> None:
     if name.localname != "robot":
         hint = _FOREIGN.get(name.localname.lower(), "give a URDF file")
         raise notes.error(f"the root element <{name.localname}> is not <robot>: {hint}", line)
-    if name.namespace is not None:
+    if name.namespace is not None and root.prefix is not None:
         raise notes.error(
             f'<robot> is in the XML namespace "{name.namespace}", a URDF is in none: '
-            f'remove xmlns="{name.namespace}"',
+            f'remove the prefix "{root.prefix}:"',
             line,
         )
+    without_default_namespace(root, notes)
     for element in root.iter():
         tag = element.tag
         if isinstance(tag, str) and "xacro" in tag and is_xacro(tag):

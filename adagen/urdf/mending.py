@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 from lxml import etree
 
-from adagen.urdf.notes import Notes, quoted
+from adagen.urdf.notes import Notes, line_of, quoted
 
 # Possessive: hundreds of comments without a declaration behind them cost no more than their length.
 _BEFORE = re.compile(
@@ -94,3 +94,24 @@ def with_prefixes_declared(
                 line,
             )
         return root
+
+
+def without_default_namespace(root: etree._Element, notes: Notes) -> None:
+    """Take elements out of the namespace that a root element sets as the default, in place.
+
+    Files for old releases of Drake have one; other readers of URDF know no namespaces.
+
+    Raises:
+        InputError: the reader is strict.
+    """
+    namespace = root.nsmap.get(None)
+    if namespace is None or root.prefix is not None:
+        return
+    notes.slip(
+        f'the default XML namespace is "{namespace}", a URDF is in none',
+        "read as if it was",
+        line_of(root),
+    )
+    for element in root.iter(f"{{{namespace}}}*"):
+        if element.prefix is None:
+            element.tag = etree.QName(element).localname

@@ -37,12 +37,12 @@ def remark_ignored(root: Element, notes: Notes) -> None:
     """Record which elements of the file have no influence on the model, with their number."""
     counts: Counter[str] = Counter()
     for part in root:
-        tag = str(part.tag)
+        tag = _as_written(part)
         if tag not in _MODELLED:
             counts[f"<{tag}> elements"] += 1
             continue
         for child in part:
-            name = str(child.tag)
+            name = _as_written(child)
             if name in _MODELLED[tag]:
                 continue
             if tag == "joint" and name in _JOINT_EXTRAS:
@@ -57,6 +57,12 @@ def remark_ignored(root: Element, notes: Notes) -> None:
     if others:
         count = sum(counts[text] for text in others)
         notes.ignore(f"elements with {len(others)} other names: {count}, not modelled")
+
+
+def _as_written(element: Element) -> str:
+    """Return an element's name with its prefix, not with its namespace."""
+    local = str(element.tag).rpartition("}")[2]
+    return local if element.prefix is None else f"{element.prefix}:{local}"
 
 
 _FOREIGN = {

@@ -27,6 +27,11 @@ CASES = {
     "prefix of an attribute": (GOOD.replace("<axis", '<axis foo:bar="1"'), 5, 'prefix "foo" is'),
     "xacro left over": (GOOD.replace("<robot", f'<robot {XACRO} xacro:x="1"'), 2, '"xacro:x"'),
     "xacro left over, undeclared": (GOOD.replace("<axis", '<axis xacro:x="1"'), 5, '"xacro"'),
+    "a default namespace": (
+        GOOD.replace("<robot", '<robot xmlns="http://drake.mit.edu"'),
+        2,
+        'the default XML namespace is "http://drake.mit.edu", a URDF is in none: read as if',
+    ),
     "rpy of an axis": (GOOD.replace("<axis", '<axis rpy="0 0 0"'), 5, "an <axis> has no rpy"),
     "mimics nothing": (
         pair(j=Y + '<mimic joint="jx"/>'),
@@ -57,6 +62,11 @@ def test_slips_are_read_with_one_warning(
     refused = refusal(text, strict=True)
     assert refused.startswith(f"robot.urdf:{line}: error: ")
     assert refused.endswith(": correct it, or leave out --strict")
+
+
+def test_elements_left_out_are_named_as_the_file_writes_them(read: Read) -> None:
+    reading = read(GOOD.replace("</robot>", '<gazebo:x a="1"/></robot>'))
+    assert reading.ignored == ("<gazebo:x> elements: 1, not modelled",)
 
 
 def test_many_slips_of_one_kind_take_one_line(read: Read, refusal: Callable[..., str]) -> None:

@@ -63,7 +63,11 @@ CASES = {
         1,
         "ebcdic-us",
     ),
-    "namespace": (GOOD.replace("<robot", '<robot xmlns="http://www.ros.org"'), 2, "namespace"),
+    "namespace": (
+        GOOD.replace("<robot", '<d:robot xmlns:d="urn:d"').replace("</robot", "</d:robot"),
+        2,
+        'remove the prefix "d:"',
+    ),
     "namespace inside": (
         GOOD.replace('<link name="b"', '<link xmlns="http://x" name="b"'),
         4,
