@@ -10,13 +10,14 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from adagen.cli.console import Stages, long_note, progress, speaking, warned, wrote
+from adagen.cli.console import Stages, long_note, progress, speaking, warn, warned, wrote
 from adagen.cli.options import add_emission, add_model, add_out, add_schedule, check_emission
 from adagen.cli.parser import Parser, make_parser, parse
 from adagen.errors import EnvironmentFault, InputError, printable
 
 if TYPE_CHECKING:
     from adagen.library import Compiled
+    from adagen.model import Model
     from adagen.report import Accuracy, Measured, Scene
     from adagen.studies.chart import Chart
 
@@ -67,7 +68,7 @@ def run(argv: Sequence[str]) -> int:
     stages = Stages()
     try:
         model, reading = pipeline.read_whole(options, stages, options.gravity)
-        chart = None if options.record is None else _chart(options.record, model.name)
+        chart = None if options.record is None else _chart(options.record, model, options.scene)
         made = pipeline.generate(model, options, stages)
         measured, accuracy = None, None
         if options.run:
@@ -92,12 +93,25 @@ def run(argv: Sequence[str]) -> int:
     return 0 if measured is None or measured.right else 1
 
 
-def _chart(path: Path, robot: str) -> Chart:
-    from adagen.studies.chart import read_chart
+def _chart(path: Path, model: Model, scene: str | None) -> Chart:
+    """Read the chart of a robot.
+
+    Raises:
+        InputError: it is none, or another robot's, or of this one with another scene or base.
+    """
+    from adagen.studies.chart import mechanism_of, read_chart
 
     found = read_chart(path)
-    if found.model not in (robot, path.stem.removeprefix("chart_")):
-        raise InputError(f"a chart of {printable(found.model)}, not of {robot}", str(path))
+    if found.model not in (model.name, path.stem.removeprefix("chart_")):
+        raise InputError(f"a chart of {printable(found.model)}, not of {model.name}", str(path))
+    if found.dof != model.nv or found.mechanism not in ("", mechanism_of(model)):
+        raise InputError(
+            f"a chart of {printable(found.model)} with another scene or base, or of an earlier "
+            "version of it: make it with the options of this report",
+            str(path),
+        )
+    if scene is not None and not found.mechanism:
+        warn(f"{path}: warning: an old record does not say whether it was made with the scene")
     return found
 
 

@@ -34,7 +34,7 @@ def compiled(folder: Path, text: str, **words: object) -> Compiled:
     return compile(read(path, mimic="<mimic" in text), **words)  # type: ignore[arg-type]
 
 
-def chart(name: str) -> Chart:
+def chart(name: str, dof: int = 9, mechanism: str = "") -> Chart:
     """A record of six variants, three of them on the front."""
     points = [
         Point(
@@ -45,4 +45,4 @@ def chart(name: str) -> Chart:
         for k in range(6)
     ]  # fmt: skip
     failed = Point("none", "adagen", "aba", "auto", "float", 1, 0, "auto", why="it fails")
-    return Chart(name, 6, 20, 100, 5, "a machine", (*points, failed))
+    return Chart(name, dof, 20, 100, 5, "a machine", (*points, failed), mechanism)

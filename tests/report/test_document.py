@@ -19,7 +19,7 @@ from adagen.library import compile, read  # noqa: A004
 from adagen.reference.closed import constraints
 from adagen.report import Measured, Scene, accuracy_of, document, page
 from adagen.report.robot import robot
-from adagen.studies.chart import write_json
+from adagen.studies.chart import mechanism_of, write_json
 from tests.report.robots import chart, compiled, every_kind
 from tests.urdf.texts import chain
 
@@ -157,6 +157,24 @@ def test_a_record_of_another_robot_is_refused(
     assert main(["report", *words]) == 1
     assert "a chart of talos, not of arm7" in capsys.readouterr().err
     assert not (tmp_path / "out").exists()
+
+
+def test_a_record_made_without_the_scene_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    record, scene = tmp_path / "chart_arm7.json", tmp_path / "s.toml"
+    model = read(MODELS / "arm7.urdf").model
+    words = [str(MODELS / "arm7.urdf"), "--procs", "1", "--record", str(record)]
+    words += ["--scene", str(scene), "--out", str(tmp_path / "out")]
+    scene.write_text("gravity = [0, 0, 0]\n")
+    for mechanism, warned in ((mechanism_of(model), 0), ("", 1)):
+        write_json(chart("arm7", mechanism=mechanism), record)
+        assert main(["report", *words]) == 0
+        assert capsys.readouterr().err.count("does not say whether") == warned
+    scene.write_text(f'[joints."{model.joints[0].name}"]\nstiffness = 1\n')
+    write_json(chart("arm7", mechanism=mechanism_of(model)), record)
+    assert main(["report", *words]) == 1
+    assert "with another scene or base" in capsys.readouterr().err
 
 
 def test_a_run_is_measured(tmp_path: Path) -> None:

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import dataclasses
+import hashlib
 import json
 import math
+import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
 from adagen.errors import InputError
+from adagen.model import Model
 from adagen.wholefile import write_whole
 
 
@@ -90,6 +95,7 @@ class Chart:
         rounds: in which all variants were timed by turns.
         machine: where.
         points: the variants.
+        mechanism: ``mechanism_of`` the robot; "" in records of releases that did not write it.
     """
 
     model: str
@@ -99,6 +105,19 @@ class Chart:
     rounds: int
     machine: str
     points: tuple[Point, ...]
+    mechanism: str = ""
+
+
+def mechanism_of(model: Model) -> str:
+    """Return a digest of what moves: joints, bodies, loops and forces.
+
+    Gravity is no part of it, nor which results are asked for: errors and times hardly change.
+    """
+    same = dataclasses.replace(
+        model, name="", gravity=np.zeros(3), wanted=(), outputs=(), at_rest=False
+    )
+    with np.printoptions(threshold=sys.maxsize, precision=9, floatmode="maxprec"):
+        return hashlib.sha256(repr(same).encode()).hexdigest()[:16]
 
 
 def front(points: Sequence[Point]) -> set[int]:

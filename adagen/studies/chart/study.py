@@ -16,7 +16,7 @@ from adagen.model import Model
 from adagen.studies.bench.contest import Contestant, Rules, Times, cores, from_stretches, hold
 from adagen.studies.bench.emitted import Emitted
 from adagen.studies.bench.machine import processor
-from adagen.studies.chart.record import Chart, Point, marked
+from adagen.studies.chart.record import Chart, Point, marked, mechanism_of
 from adagen.studies.chart.truth import Truth
 from adagen.studies.chart.variants import REFERENCE, Variant
 
@@ -73,7 +73,16 @@ def chart_of(
         points[name] = replace(points[name], why=reason)
     with_times = [_timed(point, times) for point in points.values()]
     count, digits = truth.states.count, truth.digits
-    return Chart(model.name, model.nv, count, digits, study.rounds, processor(), marked(with_times))
+    return Chart(
+        model.name,
+        model.nv,
+        count,
+        digits,
+        study.rounds,
+        processor(),
+        marked(with_times),
+        mechanism_of(model),
+    )
 
 
 def _built(

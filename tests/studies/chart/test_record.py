@@ -34,6 +34,7 @@ SCHEMA = {
         "states": {"type": "integer", "minimum": 1},
         "digits": {"type": "integer"},
         "rounds": {"type": "integer"},
+        "mechanism": {"type": "string"},
         "points": {
             "type": "array",
             "items": {
