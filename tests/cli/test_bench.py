@@ -139,6 +139,7 @@ def test_how_far_chains_scale(
     words = ("--joints", "8,16", "--processes", "1,2", "--quick", "--peers", "none")
     assert main(["bench", "--scale", str(arm), *words, "--out", str(out)]) == 0
     said = capsys.readouterr().out
+    assert "   predicted   " in said  # heads are whole
     assert "batches of arm" in said and max(map(len, said.splitlines())) <= 80
     scale = read_scale(out / "scale.json")
     assert (scale.joints, scale.processes, scale.robot) == ((8, 16), (1, 2), "arm")

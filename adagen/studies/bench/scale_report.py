@@ -11,9 +11,9 @@ TIMES = ("joints", "P", "us", "saved", "ideal", "predicted", "off", "at speed", 
 """Heads of ``times``: what is saved and the ideal are shares of the time on one process."""
 BATCHES = ("hosts", "P", "own states/s", "distributed/s", "limited by")
 NOTE = (
-    "us: the fastest evaluation of all turns; ≈: from stretches of computing. Ideal: P processes "
-    "save all but the P-th part. Off: measured beside predicted; at speed: beside what is "
-    "predicted for cores as fast as the one on which the chain was timed on one process."
+    "us: the fastest evaluation of all turns; ≈: from stretches of computing. Off: measured "
+    "beside predicted; at speed: beside what is predicted for cores as fast as the one on which "
+    "the chain was timed on one process."
 )
 _ALONE = ("joints", "generate, s", "compile, s", "source, kB", "us", "ns a joint", "× the shortest")
 _SHARED = ("joints", "P", "meeting", "generate, s", "compile, s", *TIMES[2:8])
