@@ -7,6 +7,9 @@ Marks, each an HTML comment on a line of its own:
     <!-- not run: REASON -->       the next block is not run
     <!-- slow: REASON -->          the next block is run with the slow tests alone
     <!-- needs: PROGRAM -->        the next block is run where there is such a program
+    <!-- in: a clone -->           the next block is run in a fresh clone of this repository
+    <!-- on hosts: N -->           the next block is run on the first of N hosts, node1, node2, ...
+                                   (tests/network), where there can be such
     <!-- status: N -->             the next block ends with exit status N
 """
 
@@ -20,7 +23,7 @@ ROOT = Path(__file__).resolve().parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 
 _FENCE = re.compile(r"^( *)```([a-z]*)(?: title=\"([^\"]+)\")?$")
-_MARK = re.compile(r"^<!-- (file|before|not run|slow|needs|status): (.*) -->$")
+_MARK = re.compile(r"^<!-- (file|before|not run|slow|needs|in|on hosts|status): (.*) -->$")
 
 
 @dataclass(frozen=True)
@@ -34,6 +37,8 @@ class Block:
     not_run: str = ""
     slow: str = ""
     needs: str = ""
+    clone: bool = False
+    hosts: int = 0
     status: int = 0
 
 
@@ -73,5 +78,7 @@ def _block(start: int, fence: re.Match[str], body: list[str], marks: dict[str, s
         not_run=marks.get("not run", ""),
         slow=marks.get("slow", ""),
         needs=marks.get("needs", ""),
+        clone=marks.get("in") == "a clone",
+        hosts=int(marks.get("on hosts", "0")),
         status=int(marks.get("status", "0")),
     )

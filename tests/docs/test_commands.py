@@ -8,13 +8,16 @@ import shutil
 import subprocess
 import sys
 from collections import Counter
+from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
 
+from adagen.build import find_toolchain
 from adagen.cli import main
 from adagen.cli.main import VERBS
 from tests.docs.blocks import PAGES, ROOT, Block, blocks
+from tests.network import Network, network, why_no_hosts
 from tests.slow import spread
 
 RUN = ("sh", "python")
@@ -24,13 +27,7 @@ COMMAND = re.compile(
 )
 
 # How many blocks are not run, and why: who adds one changes this table.
-NOT_RUN = {
-    "installs packages": 2,
-    "needs a cluster": 4,
-    "needs a cross compiler": 2,
-    "a program of yours": 1,
-    "takes minutes, and wants the machine for itself": 1,
-}
+NOT_RUN = {"needs Slurm": 1}  # the block before it starts the same program by mpiexec's own file
 
 INLINE = re.compile(r"`((?:adagen |python -m benchmarks\.)[^`\n]*)`")
 
@@ -114,40 +111,65 @@ def run_page(page: Path, folder: Path, *, slow: bool) -> None:
     Raises:
         AssertionError: a command ends with another status than the page says.
     """
-    for block in blocks(page):
-        if block.language == "file":
-            target, _, source = block.text.partition(" = ")
-            (folder / target).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(ROOT / source, folder / target)
-        elif block.title:
-            (folder / block.title).parent.mkdir(parents=True, exist_ok=True)
-            (folder / block.title).write_text(block.text, encoding="utf-8")
-        elif block.language in (*RUN, "before") and is_run(block, slow=slow):
-            run_block(page, block, folder)
+    everything = blocks(page)
+    with ExitStack() as stack:
+        hosts = max((block.hosts for block in everything if is_run(block, slow=slow)), default=0)
+        net = stack.enter_context(network(hosts, find_toolchain(), folder)) if hosts else None
+        for block in everything:
+            if block.language == "file":
+                target, _, source = block.text.partition(" = ")
+                (folder / target).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(ROOT / source, folder / target)
+            elif block.title:
+                (folder / block.title).parent.mkdir(parents=True, exist_ok=True)
+                (folder / block.title).write_text(block.text, encoding="utf-8")
+            elif block.language in (*RUN, "before") and is_run(block, slow=slow):
+                run_block(page, block, folder, net if block.hosts else None)
 
 
 def is_run(block: Block, *, slow: bool) -> bool:
     """Whether a block is run here."""
     if block.needs and shutil.which(block.needs) is None:
         return False
+    if block.hosts and why_no_hosts():
+        return False
     return not block.not_run and (slow or not block.slow)
 
 
-def run_block(page: Path, block: Block, folder: Path) -> None:
-    """Run one block."""
-    shell = ["bash", "-eu", "-o", "pipefail", "-c", block.text]
+def run_block(page: Path, block: Block, folder: Path, net: Network | None) -> None:
+    """Run one block, on the first host of a network if there is one."""
+    place = clone_in(folder) if block.clone else folder
+    words = ["bash", "-eu", "-o", "pipefail", "-c", block.text]
+    if block.language == "python":
+        words = [sys.executable, "-c", block.text]
+    own = {} if block.clone else {"PYTHONPATH": str(ROOT)}
     done = subprocess.run(
-        [sys.executable, "-c", block.text] if block.language == "python" else shell,
+        words if net is None else net.command(*words),
         capture_output=True,
         text=True,
-        timeout=600,
-        cwd=folder,
+        timeout=1800 if block.slow else 600,
+        cwd=place,
         env={
             **os.environ,
+            **dict(find_toolchain().environment),  # root has to allow Open MPI to run
+            **({} if net is None else on_one_core(net)),
             "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
-            "PYTHONPATH": str(ROOT),
             "XDG_CONFIG_HOME": str(folder / "config"),
+            **own,
         },
     )
-    told = f"{name(page)}:{block.line}: status {done.returncode}\n{block.text}\n{done.stderr}"
-    assert done.returncode == block.status, told
+    what = f"{name(page)}:{block.line}: status {done.returncode}\n{block.text}\n{done.stderr}"
+    assert done.returncode == block.status, what
+
+
+def on_one_core(net: Network) -> dict[str, str]:
+    """Return what lets mpiexec start several processes on hosts that have a core each."""
+    return {**dict(net.environment()), "PRTE_MCA_hwloc_default_binding_policy": "none"}
+
+
+def clone_in(folder: Path) -> Path:
+    """Return a clone of this repository in a folder, made where there is none yet."""
+    clone = folder / "clone"
+    if not clone.exists():
+        subprocess.run(["git", "clone", "--quiet", str(ROOT), str(clone)], check=True)
+    return clone

@@ -22,13 +22,13 @@ SOURCE = Path(__file__).with_name("switch.cpp")
 _AGENT = """\
 #!/bin/sh
 # Stands in for ssh: agent HOST COMMAND... runs a command on a host. Its name ends in its number.
-host=${{1##*.}}
+host=${{1##*[!0-9]}}
 shift
-exec ip netns exec {prefix}$host taskset -c $(((host - 1) % {cores})) unshare --uts sh -c \\
-  'hostname node'$host'; exec sh -c "$*"' sh "$@"
+exec ip netns exec {prefix}$host taskset -c $(((host - 1) % {cores})) unshare --uts --mount sh -c \\
+  'mount --bind {names} /etc/hosts; hostname node'$host'; exec sh -c "$*"' sh "$@"
 """
 _TOOLS = ("ip", "unshare", "taskset")
-_ON_FIRST = 'hostname node1; exec "$@"'
+_ON_FIRST = 'mount --bind "$0" /etc/hosts; hostname node1; exec "$@"'
 _NUMBERS = count(1)  # of the networks of this process
 
 
@@ -57,12 +57,14 @@ class Network:
         hosts: how many.
         prefix: of the namespaces' names; their numbers follow.
         agent: a program that starts a command on a host, as ssh does.
+        names: the hosts' names, node1, node2, ..., as in /etc/hosts.
         switch: the process between them.
     """
 
     hosts: int
     prefix: str
     agent: Path
+    names: Path
     switch: subprocess.Popen[str]
 
     def address(self, host: int) -> str:
@@ -80,8 +82,9 @@ class Network:
 
     def command(self, *words: str) -> tuple[str, ...]:
         """Return what runs a command on the first host."""
-        first = ("ip", "netns", "exec", f"{self.prefix}1", "taskset", "-c", "0", "unshare", "--uts")
-        return (*first, "sh", "-c", _ON_FIRST, "sh", *words)
+        first = ("ip", "netns", "exec", f"{self.prefix}1", "taskset", "-c", "0")
+        own = ("unshare", "--uts", "--mount", "sh", "-c", _ON_FIRST, str(self.names))
+        return (*first, *own, *words)
 
     def environment(self) -> tuple[tuple[str, str], ...]:
         """Return the variables by which mpiexec reaches the hosts."""
@@ -133,7 +136,8 @@ def network(hosts: int, toolchain: Toolchain, folder: Path) -> Iterator[Network]
     prefix = f"adagen{os.getpid()}-{next(_NUMBERS)}-"
     names = [f"{prefix}{k}" for k in range(hosts + 1)]  # 0 is the switch
     agent = folder / "agent"
-    agent.write_text(_AGENT.format(prefix=prefix, cores=os.cpu_count()))
+    known = folder / "names-of-hosts"
+    agent.write_text(_AGENT.format(prefix=prefix, cores=os.cpu_count(), names=known))
     agent.chmod(0o755)
     switch = None
     try:
@@ -147,7 +151,9 @@ def network(hosts: int, toolchain: Toolchain, folder: Path) -> Iterator[Network]
         )
         assert switch.stdout is not None
         assert switch.stdout.readline() == "ready\n"
-        made = Network(hosts, prefix, agent, switch)
+        made = Network(hosts, prefix, agent, known, switch)
+        lines = [f"{made.address(host)} node{host}\n" for host in range(1, hosts + 1)]
+        known.write_text("127.0.0.1 localhost\n" + "".join(lines))
         for host in range(1, hosts + 1):
             _plug_in(made, host)
         yield made
