@@ -70,8 +70,8 @@ def as_object(value: Any, what: str) -> dict[str, Any]:
         Refusal: it is not.
     """
     if not isinstance(value, dict):
-        said = "is missing" if value is None else "is not an object"
-        raise Refusal(f'{what} {said}; give {{"joints": {{NAME: {{"q": [...], ...}}}}}}')
+        problem = "is missing" if value is None else "is not an object"
+        raise Refusal(f'{what} {problem}; give {{"joints": {{NAME: {{"q": [...], ...}}}}}}')
     return value
 
 

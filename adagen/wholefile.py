@@ -28,8 +28,8 @@ def write_whole(path: Path, text: str) -> None:
             remove(temporary)
             raise
     except OSError as error:
-        said = error.strerror or error
-        raise EnvironmentFault(f"cannot write {printable(str(path))}: {said}") from None
+        reason = error.strerror or error
+        raise EnvironmentFault(f"cannot write {printable(str(path))}: {reason}") from None
 
 
 def write_beside(folder: Path, text: str) -> Path:

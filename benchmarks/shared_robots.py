@@ -26,7 +26,7 @@ from adagen.cli.console import speaking
 from adagen.errors import AdagenError
 from adagen.library import Robot, read
 from adagen.reference.closed import pose_of
-from adagen.studies.bench.contest import Rules, Said, hold
+from adagen.studies.bench.contest import Progress, Rules, hold
 from adagen.studies.bench.machine import machine
 from adagen.studies.bench.report import table
 from adagen.studies.bench.scale import at_priority, made
@@ -75,7 +75,7 @@ def pair(folder: Path) -> Robot:
 
 
 def measured(
-    name: str, robot: Robot, processes: Sequence[int], rules: Rules, priority: int, said: Said
+    name: str, robot: Robot, processes: Sequence[int], rules: Rules, priority: int, said: Progress
 ) -> Iterator[tuple[str, ...]]:
     """Yield a row of HEAD for each number of processes, one among them."""
     toolchain, solvers = find_toolchain(), []

@@ -231,9 +231,9 @@ def _compiler_identity(compiler: tuple[str, ...], toolchain: Toolchain) -> str:
     """Return what tells one compiler and MPI from another: its version and what it adds."""
     version = _run([*compiler, "--version"], toolchain)
     if version.returncode != 0:
-        said = printable(" ".join((version.stderr or version.stdout).split()))[:300]
+        output = printable(" ".join((version.stderr or version.stdout).split()))[:300]
         raise EnvironmentFault(
-            f"{compiler[0]} does not work: {said or 'no message'} (is g++ installed?)"
+            f"{compiler[0]} does not work: {output or 'no message'} (is g++ installed?)"
         )
     for option in ("--showme", "-show"):  # Open MPI's word, MPICH's word
         shown = _run([*compiler, option], toolchain)
@@ -263,12 +263,12 @@ def _processor() -> str:
 
 def _why(done: subprocess.CompletedProcess[str], work: Path) -> str:
     """Return in one line why a compilation failed."""
-    said = done.stderr.replace(f"{work}{os.sep}", "")
-    if "Killed signal" in said or "out of memory" in said.lower() or done.returncode < 0:
+    output = done.stderr.replace(f"{work}{os.sep}", "")
+    if "Killed signal" in output or "out of memory" in output.lower() or done.returncode < 0:
         return "the compiler was ended by the system, most likely because memory ran out"
-    errors = [line.strip() for line in said.splitlines() if "error" in line.lower()]
+    errors = [line.strip() for line in output.splitlines() if "error" in line.lower()]
     if not errors:
-        errors = [line.strip() for line in said.splitlines() if line.strip()] or ["no message"]
+        errors = [line.strip() for line in output.splitlines() if line.strip()] or ["no message"]
     return f"the compiler failed: {printable(' | '.join(errors[:3]))[:600]}"
 
 

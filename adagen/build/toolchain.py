@@ -241,10 +241,10 @@ def _find_eigen(environ: Mapping[str, str]) -> Path:
 def _eigen_by_pkg_config(environ: Mapping[str, str]) -> Path:
     tool = shutil.which("pkg-config", path=environ.get("PATH"))
     if tool is not None:
-        said = subprocess.run(
+        printed = subprocess.run(
             [tool, "--cflags-only-I", "eigen3"], capture_output=True, text=True, check=False
         )
-        for word in _words(said.stdout):
+        for word in _words(printed.stdout):
             folder = Path(word.removeprefix("-I"))
             if (folder / "Eigen" / "Dense").is_file():
                 return folder

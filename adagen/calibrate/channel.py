@@ -119,8 +119,8 @@ def times_between_hosts(toolchain: Toolchain, hosts: tuple[str, str]) -> tuple[M
     for _ in range(_FAR_RUNS):
         done = launch(program, 2, [str(_FAR_ROUNDS), "far"], far, TIMEOUT)
         if done.status != 0 or not done.stdout:
-            said = done.stderr or "mpiexec ended without an answer"
-            raise EnvironmentFault(f"messages between hosts cannot be timed: {said}")
+            reason = done.stderr or "mpiexec ended without an answer"
+            raise EnvironmentFault(f"messages between hosts cannot be timed: {reason}")
         runs.append(_times(done.stdout))
     return _least(runs)
 

@@ -173,13 +173,13 @@ def _bar() -> Iterator[Progress]:
 
     console = Console(stderr=True)
     if not console.is_terminal:
-        said = ""
+        last = ""
 
         def say(what: str, done: int, total: int) -> None:
-            nonlocal said
-            if what != said:
+            nonlocal last
+            if what != last:
                 note(f"{what} ... ({done} of {total})")
-            said = what
+            last = what
 
         yield say
         return

@@ -34,7 +34,7 @@ def run(argv: Sequence[str]) -> int:
     if options.picture:
         from adagen.studies.chart.draw import pyplot
 
-        pyplot()  # missing: said before anything is measured
+        pyplot()  # if missing, fail before anything is measured
     if isinstance(options.states, str) and (len(options.models) > 1 or options.simulate):
         parser.error("--states FILE is for one MODEL, and not for --simulate")
     for name in options.models:
@@ -57,12 +57,12 @@ def _chart(options: argparse.Namespace) -> None:
     from adagen.studies.chart.truth import truth_of
 
     model, states = _given(options)
-    with speaking(Path(options.model).stem) as said, tempfile.TemporaryDirectory() as folder:
-        truth = truth_of(model, states, said=said)
-        others = _peers(model, truth, Path(folder), said) if options.peers else []
+    with speaking(Path(options.model).stem) as on_progress, tempfile.TemporaryDirectory() as folder:
+        truth = truth_of(model, states, on_progress=on_progress)
+        others = _peers(model, truth, Path(folder), on_progress) if options.peers else []
         rounds = 2 if options.quick else options.rounds
         study = Study(_variants(options), rounds, repeat=10 if options.quick else 20)
-        chart = chart_of(model, truth, study, find_toolchain(), others, said)
+        chart = chart_of(model, truth, study, find_toolchain(), others, on_progress)
     _write(chart, options)
     _show(chart)
     if options.budget is not None:
@@ -119,7 +119,7 @@ def _variants(options: argparse.Namespace) -> list[Variant]:
 
 
 def _peers(
-    model: Model, truth: Truth, folder: Path, said: Callable[[str], None]
+    model: Model, truth: Truth, folder: Path, on_progress: Callable[[str], None]
 ) -> list[Contestant]:
     """Return the peers that are installed and can treat the robot, with notes on the others."""
     from adagen.studies.bench.peers import PEERS, contestants, missing
@@ -128,7 +128,7 @@ def _peers(
     for name in PEERS:
         reason = missing(name)
         if reason is None:
-            said(f"compiling {name}")
+            on_progress(f"compiling {name}")
             try:
                 found += contestants(name, model, truth.states, folder)
             except AdagenError as error:

@@ -32,15 +32,15 @@ def chart_motion(options: argparse.Namespace) -> None:
 
     model = pipeline.read_model(options, Stages(), options.gravity)
     toolchain = find_toolchain()
-    with speaking(Path(options.model).stem) as said:
+    with speaking(Path(options.model).stem) as on_progress:
         _, plan = REFERENCE.plan(model)
         stem = stem_of(plan)
-        said(f"compiling {stem}")
+        on_progress(f"compiling {stem}")
         program = build_executable(REFERENCE.files(plan)[f"{stem}.cpp"], stem, toolchain)
         largest = LARGEST_STEP if options.step is None else options.step
         steps = [largest / 2**k for k in range(_HALVINGS + 1)]
         player = Player(model, program, len(plan.processes), toolchain)
-        chart = motion_chart(player, options.simulate, steps, said)
+        chart = motion_chart(player, options.simulate, steps, on_progress)
     _write(chart, options)
     _show(chart)
 

@@ -122,13 +122,13 @@ def _add_names(add: Callable[..., Any]) -> None:
         ("--algorithms", f"{', '.join(BASELINES)} are baselines; ", ALGORITHMS, None),
         ("--schedules", "", tuple(SCHEDULES), SCHEDULES[:1]),
     ):
-        said = "all" if default is None else ", ".join(default)
+        shown = "all" if default is None else ", ".join(default)
         add(
             name,
             type=_list_of(str, known),
             default=known if default is None else default,
             metavar="NAME,...",
-            help=f"{what}of {', '.join(known)} (default: {said})",
+            help=f"{what}of {', '.join(known)} (default: {shown})",
         )
 
 

@@ -22,7 +22,7 @@ _PATIENCE_SECONDS = 1.0
 _SILENCE_SECONDS = 10.0  # between two lines that tell how far the same work is
 
 
-class _Said:
+class _Session:
     """What this command has printed, and whether it prints more than warnings."""
 
     quiet = False
@@ -35,26 +35,26 @@ def start(*, quiet: bool) -> None:
     Args:
         quiet: whether it says warnings and errors alone.
     """
-    _Said.quiet = quiet
-    _Said.warnings.clear()
+    _Session.quiet = quiet
+    _Session.warnings.clear()
 
 
 def warn(message: str) -> None:
     """Print a warning to stderr: one line, which is wrapped on a terminal."""
     text = printable(message)
     text = text if "warning:" in text else f"warning: {text}"
-    _Said.warnings.append(text)
+    _Session.warnings.append(text)
     say(text)
 
 
 def warned() -> list[str]:
     """Return the warnings of this command so far."""
-    return list(_Said.warnings)
+    return list(_Session.warnings)
 
 
 def note(message: str) -> None:
     """Print a line for people to stderr."""
-    if not _Said.quiet:
+    if not _Session.quiet:
         say(message)
 
 
@@ -100,7 +100,7 @@ def progress(doing: str, size: float = 0.0) -> Iterator[None]:
         size: how much work it is, in a unit of its kind; 0 where nobody can say.
     """
     kind, begun = doing.split()[0], time.monotonic()
-    with nullcontext() if _Said.quiet else _shown(doing, expected(kind, size)):
+    with nullcontext() if _Session.quiet else _shown(doing, expected(kind, size)):
         yield
     learn(kind, size, time.monotonic() - begun)
 
@@ -145,7 +145,7 @@ def speaking(about: str) -> Iterator[Callable[[str], None]]:
 
     Where the work is counted ("compiling 3 of 20"), an estimate of what is left follows.
     """
-    if _Said.quiet:
+    if _Session.quiet:
         yield lambda _text: None
         return
     left = _Left()

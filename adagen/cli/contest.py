@@ -144,8 +144,8 @@ def _timed(
     entry: Entry, contestants: Sequence[Contestant], rules: Rules
 ) -> tuple[dict[str, dict[str, Times]], dict[str, str]]:
     """Hold the contest, and show each round."""
-    with speaking(f"{entry.name}: timing {len(contestants)} solvers") as said:
-        return hold(contestants, rules, said)
+    with speaking(f"{entry.name}: timing {len(contestants)} solvers") as on_progress:
+        return hold(contestants, rules, on_progress)
 
 
 def _options(entry: Entry, variant: str) -> argparse.Namespace:
@@ -190,9 +190,9 @@ def _emitted(
             return str(error).removeprefix("error: ")
         finally:
             done += 1
-            said(f"compiling {done} of {len(sources)}")
+            on_progress(f"compiling {done} of {len(sources)}")
 
-    with speaking(entry.name) as said, ThreadPoolExecutor(cores()) as pool:
+    with speaking(entry.name) as on_progress, ThreadPoolExecutor(cores()) as pool:
         built = list(pool.map(build, sources.values()))
     absent |= {
         e.name: why for e, why in zip(sources.values(), built, strict=True) if isinstance(why, str)

@@ -56,7 +56,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _status(words: Sequence[str]) -> int:
-    """Carry the words out, and return the exit status; failures are said."""
+    """Carry the words out, and return the exit status; failures are printed."""
     try:
         status = _command(words)(words[1:] if _verb(words) else words)
         sys.stdout.flush()

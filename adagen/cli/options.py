@@ -21,7 +21,7 @@ _SEARCH = {
     "--split": "always",
     "--objective": "both",
 }
-"""Options of the search for a schedule, and what they are where nothing is said."""
+"""Options of the search for a schedule, and their defaults."""
 
 
 def add_model(parser: Parser, *, gravity: bool = True, several: bool = False) -> None:

@@ -73,9 +73,9 @@ def _file() -> Path:
 def _read() -> dict[str, Times]:
     """Return all times that are kept; none where the file is missing or damaged."""
     with suppress(OSError, ValueError, TypeError, AttributeError):
-        said = json.loads(_file().read_text(encoding="utf-8"))
+        stored = json.loads(_file().read_text(encoding="utf-8"))
         return {
             str(kind): [(float(size), float(took)) for size, took in rows if size > 0 < took]
-            for kind, rows in said.items()
+            for kind, rows in stored.items()
         }
     return {}

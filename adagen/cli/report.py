@@ -163,8 +163,8 @@ def _measured(made: Compiled) -> tuple[Measured, Accuracy]:
         if done.status != 0:
             raise EnvironmentFault(done.stderr.strip().removeprefix("error: "))
 
-    with speaking("judging answers") as said:
-        return _as_measured(report, line), accuracy_of(made, run, said)
+    with speaking("judging answers") as on_progress:
+        return _as_measured(report, line), accuracy_of(made, run, on_progress)
 
 
 def _reported(text: str) -> dict[str, Any] | None:

@@ -99,9 +99,9 @@ def run_scale(options: argparse.Namespace) -> int:
         raise UsageError(f"--scale needs a profile with costs of steps; {profile.name} has none")
     fabric = shipped_fabric() if options.hosts is None else read_fabric(options.hosts)
     wanted = _wanted(options)
-    with speaking("scale") as said:
-        scale = measure_chains(wanted, said)
-        scale = _with_batches(scale, options, wanted, said, fabric, profile.steps)
+    with speaking("scale") as on_progress:
+        scale = measure_chains(wanted, on_progress)
+        scale = _with_batches(scale, options, wanted, on_progress, fabric, profile.steps)
     for name, why in scale.absent.items():
         note(f"without {name}: {why}")
     if options.json:
@@ -132,7 +132,7 @@ def _with_batches(
     scale: Scale,
     options: argparse.Namespace,
     wanted: Wanted,
-    said: Callable[[str], None],
+    on_progress: Callable[[str], None],
     fabric: Fabric,
     costs: StepCosts,
 ) -> Scale:
@@ -147,7 +147,7 @@ def _with_batches(
             file = Path(options.models[0])
         else:
             file.write_text(chain(OF_BATCHES), encoding="utf-8")
-        said(f"batches of {file.stem}")
+        on_progress(f"batches of {file.stem}")
         model = read(file).model
         rows = measure_batches(file, wanted)
         state = 1e6 / rows[0].in_place  # on one process, as measured

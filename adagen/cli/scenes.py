@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 
 
 def in_scene(reading: Reading, scene: Scene, options: argparse.Namespace) -> Model:
-    """Return a robot reduced to what a scene needs; what there is to say of it is said.
+    """Return a robot reduced to what a scene needs; what it leaves out is printed.
 
-    The reduction is kept as ``options.reduction`` for what is said later.
+    The reduction is kept as ``options.reduction`` for later messages.
 
     Raises:
         InputError: the scene does not fit the robot.

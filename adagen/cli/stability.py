@@ -74,7 +74,7 @@ def command_parser() -> Parser:
 
 
 def _add_emitted(parser: Parser) -> None:
-    """Add what is said of solvers that are emitted and built."""
+    """Add the options for solvers that are emitted and built."""
     from adagen.studies.stability.emitted import MEETINGS, PROCESSES, SCALARS, SHAPES
 
     group = parser.add_argument_group("emitted solvers")
@@ -195,9 +195,9 @@ def _subjects(options: argparse.Namespace) -> list[Subject]:
     for name in options.models:
         scene = None if options.scene is None else Path(options.scene)
         origin = Origin(Path(name), options.floating, options.mimic, scene=scene)
-        reading, said = read_whole(origin)
+        reading, given = read_whole(origin)
         tell_reading(reading, verbose=False)
-        model = reading.model if said is None else apply_scene(reading.model, said).model
+        model = reading.model if given is None else apply_scene(reading.model, given).model
         if model.wanted or model.outputs:
             model = replace(model, wanted=(), outputs=())  # all accelerations are compared
         found.append(subject(Path(name).stem, model, options.states, options.seed))
@@ -257,7 +257,7 @@ def _listed(outcome: Outcome) -> dict[str, object]:
                 "method": finding.method,
                 "weak": finding.weak,
                 "figure": finding.figure if math.isfinite(finding.figure) else None,
-                "said": finding.said,
+                "result": finding.result,
                 "must": finding.must,
                 "ok": finding.good,
             }
@@ -280,7 +280,7 @@ def _show(outcomes: Sequence[Outcome]) -> None:
         for k, finding in enumerate(outcome.findings):
             title = f"{outcome.number}. {outcome.title}" if k == 0 else ""
             name = f"{finding.method} (weak)" if finding.weak else finding.method
-            words = (title, name, finding.said, finding.must, "ok" if finding.good else "NOT OK")
+            words = (title, name, finding.result, finding.must, "ok" if finding.good else "NOT OK")
             table.add_row(*(escape(word) for word in words))
         table.add_section()
     Console().print(table)

@@ -45,9 +45,9 @@ def run(argv: Sequence[str]) -> int:
 
     sources = list(dict.fromkeys(_sources(options.folders)))
     expected: dict[str, bytes] = {}
-    with speaking("generating again") as said:
+    with speaking("generating again") as on_progress:
         for k, source in enumerate(sources, start=1):
-            said(f"{k} of {len(sources)}: {source.stem}")
+            on_progress(f"{k} of {len(sources)}: {source.stem}")
             texts = _made_again(source)
             expected |= {
                 str(_place(source.parent, name)): text.encode() for name, text in texts.items()

@@ -1,4 +1,4 @@
-"""What a program takes on a machine: the one price that is searched by, drawn and said."""
+"""What a program takes on a machine: the one price that is searched by, drawn and printed."""
 
 from adagen.cost.features import Features, operation_features, step_features
 from adagen.cost.lanes import programmed

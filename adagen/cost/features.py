@@ -1,6 +1,6 @@
 """What operations are made of, in the coefficients of a cost profile.
 
-This is the one place where that is said: of what is predicted, and of what is fitted to measured
+This is the one place that defines it: of what is predicted, and of what is fitted to measured
 times.
 """
 

@@ -36,7 +36,7 @@ def program_svg(
     schedule: Schedule,
     topology: Topology,
     name: str,
-    said: str,
+    caption: str,
 ) -> str:
     """Return a drawing of a program.
 
@@ -49,7 +49,7 @@ def program_svg(
         schedule: of its joints; its tree is drawn where processes are joined.
         topology: the robot.
         name: the robot's name.
-        said: what is predicted and proven, in words.
+        caption: what is predicted and proven, in words.
 
     Returns:
         An SVG document that needs no other resource; the same bytes for the same arguments.
@@ -69,7 +69,7 @@ def program_svg(
     width = max(middle + outline_width(right) + MARGIN, _chart(program))
     middle = max(middle, width / 2)
     canvas.text(MARGIN, 34, shorten(name, width - 2 * MARGIN, 18), 18, bold=True)
-    canvas.text(MARGIN, 54, shorten(f"{title(program)}: {said}", width - 2 * MARGIN, SIZE), SIZE)
+    canvas.text(MARGIN, 54, shorten(f"{title(program)}: {caption}", width - 2 * MARGIN, SIZE), SIZE)
     bottom = 90.0
     if line is not None:
         canvas.text(MARGIN, 84, "Predicted time", 13, bold=True)

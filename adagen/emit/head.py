@@ -91,8 +91,8 @@ def program_lines(program: Program, profile: CostProfile) -> list[str]:
     for p, process in enumerate(program.plan.processes):
         own = groups(program, p)
         rest = f", and {len(own) - _SHOWN} more" if len(own) > _SHOWN else ""
-        said = ", ".join(own[:_SHOWN]) + rest if process.owns else "nothing"
-        lines.append(f"process {p}: {said}")
+        owned = ", ".join(own[:_SHOWN]) + rest if process.owns else "nothing"
+        lines.append(f"process {p}: {owned}")
     return [line for text in lines for line in textwrap.wrap(_fit_for_comment(text), _WIDTH - 10)]
 
 

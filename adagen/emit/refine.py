@@ -14,7 +14,7 @@ MOST_STEPS = 9
 
 
 def checked_steps(asked: int | None) -> int:
-    """Return how many steps of refinement a solver takes; ``asked``: None where nobody said.
+    """Return how many steps of refinement a solver takes, 0 by default.
 
     Raises:
         UsageError: the number is out of range.

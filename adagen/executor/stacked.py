@@ -63,7 +63,7 @@ def about_z(turn: Array, block: Array) -> Array:
 def turned_body(
     turn: Array, body: Array, force: Array, by: Callable[..., Array] = congruent
 ) -> tuple[Array, Array]:
-    """Return a body and the force on it in axes turned, its blocks being turned as is said."""
+    """Return a body and the force on it in axes turned, its blocks being turned as given."""
     found = np.empty_like(body)
     for i in (slice(0, 3), slice(3, 6)):
         for k in (slice(0, 3), slice(3, 6)):

@@ -209,5 +209,7 @@ def source_hash(origin: Origin) -> str:
         InputError: it cannot be read.
     """
     mjcf = is_mjcf(origin.path)
-    said = whole_bytes(origin.path) if mjcf else expanded_bytes(origin.path, dict(origin.arguments))
-    return hashlib.sha256(said).hexdigest()
+    content = (
+        whole_bytes(origin.path) if mjcf else expanded_bytes(origin.path, dict(origin.arguments))
+    )
+    return hashlib.sha256(content).hexdigest()

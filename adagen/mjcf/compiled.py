@@ -121,16 +121,16 @@ def compiled(path: Path, default_name: str, notes: Notes) -> Compiled:
 @contextmanager
 def _listening(mujoco: Any, notes: Notes) -> Iterator[None]:
     """Pass on what MuJoCo warns of; by itself it would write a log into the working directory."""
-    said: list[str] = []
+    messages: list[str] = []
     before = mujoco.get_mju_user_warning()
-    mujoco.set_mju_user_warning(said.append)
+    mujoco.set_mju_user_warning(messages.append)
     try:
         with warnings.catch_warnings(record=True) as more:
             warnings.simplefilter("always")
             yield
     finally:
         mujoco.set_mju_user_warning(before)
-    for line in dict.fromkeys(map(_one_line, [*said, *(str(each.message) for each in more)])):
+    for line in dict.fromkeys(map(_one_line, [*messages, *(str(each.message) for each in more)])):
         notes.warn(f"MuJoCo: {line}")
 
 

@@ -25,7 +25,7 @@ def passives(
         robot: the compiled file.
         wanted: some of "damping", "friction".
         decided: of an effect and a joint's name, whether what the model holds is what was asked
-            for, so that nothing is to be said.
+            for, so that there is nothing to warn of.
         notes: takes the warnings.
     """
     result: dict[int, Passive] = {}

@@ -85,15 +85,15 @@ def closed(
         turned = pose.then(rotation_taking_z_to(axis), exact([0.0, 0.0, 0.0]))
         return number, turned.frame(end.link)
 
-    def made(said: NamedLoop) -> Loop:
-        kind = LOOP_WORDS[said.kind]
+    def made(named: NamedLoop) -> Loop:
+        kind = LOOP_WORDS[named.kind]
         z = (0.0, 0.0, 1.0)
-        first = said.axis if kind.axes else z
-        second = said.axis2 if kind.axes == 2 else first
-        (link1, frame1), (link2, frame2) = placed(said.end1, first), placed(said.end2, second)
+        first = named.axis if kind.axes else z
+        second = named.axis2 if kind.axes == 2 else first
+        (link1, frame1), (link2, frame2) = placed(named.end1, first), placed(named.end2, second)
         turn = rounded(rotation_taking_z_to(second)).tolist() if kind.axes else []
         turn2 = tuple(map(tuple, turn))
-        return Loop(said.name, kind, link1, frame1, link2, frame2, said.tolerance, turn2)
+        return Loop(named.name, kind, link1, frame1, link2, frame2, named.tolerance, turn2)
 
     tied = [
         Coupling(c.name, tuple((joint(name), x) for name, x in c.terms), c.offset, c.tolerance)

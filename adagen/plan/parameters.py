@@ -59,8 +59,8 @@ def _link(model: Model, word: str, name: str) -> int:
         return moving[name]
     for k, link in enumerate(model.links):
         if name in link.merged:
-            said = f"say {word.partition(':')[0]}:{printable(link.name)}" if k else "it never moves"
-            raise UsageError(f"{printable(name)} is fixed to {printable(link.name)}: {said}")
+            hint = f"say {word.partition(':')[0]}:{printable(link.name)}" if k else "it never moves"
+            raise UsageError(f"{printable(name)} is fixed to {printable(link.name)}: {hint}")
     raise UsageError(f"{printable(word)}: no moving link of this name{nearest(name, moving)}")
 
 

@@ -49,8 +49,8 @@ def _processes(program: Program) -> str:
         for name in ("operations", "recovery"):
             operations = getattr(own, name)
             if operations or name == "operations":
-                said = [operation_to_dict(plan, operation) for operation in operations]
-                parts.append(f'"{name}": {_lines(said)}')
+                described = [operation_to_dict(plan, operation) for operation in operations]
+                parts.append(f'"{name}": {_lines(described)}')
         if own.others:
             each = (_lines([operation_to_dict(plan, one) for one in own]) for own in own.others)
             parts.append(f'"others": [{", ".join(each)}]')
@@ -64,24 +64,24 @@ def _lines(rows: list[dict[str, Any]]) -> str:
 
 def operation_to_dict(plan: Plan, operation: Operation) -> dict[str, Any]:
     """Return an operation as plain data."""
-    said: dict[str, Any] = {"does": operation.does, "method": operation.method}
+    described: dict[str, Any] = {"does": operation.does, "method": operation.method}
     match operation.block:
         case Limbs() as limbs:
-            said |= _limbs(plan, limbs)
+            described |= _limbs(plan, limbs)
         case Run() as run:
             names = [plan.joints[j].name for j in dict.fromkeys((run.first, run.last))]
-            said["joints"] = names
+            described["joints"] = names
             if run.reversed:
-                said["reversed"] = True
+                described["reversed"] = True
         case Links() as links if operation.does == "angles":
-            said["joints"] = [plan.joints[j].name for j in links.numbers]
+            described["joints"] = [plan.joints[j].name for j in links.numbers]
         case Links() as links:
-            said["links"] = [plan.links[k].name for k in links.numbers]
+            described["links"] = [plan.links[k].name for k in links.numbers]
         case None:
-            said |= _of_step(plan, operation)
+            described |= _of_step(plan, operation)
     if operation.first:
-        said["first"] = list(operation.first)
-    return said
+        described["first"] = list(operation.first)
+    return described
 
 
 def _limbs(plan: Plan, limbs: Limbs) -> dict[str, Any]:
@@ -93,16 +93,16 @@ def _of_step(plan: Plan, operation: Operation) -> dict[str, Any]:
     (step,) = operation.steps
     if isinstance(step, Send | Receive):
         return {"message": step.message}
-    said: dict[str, Any] = {}
+    described: dict[str, Any] = {}
     if hasattr(step, "joint"):
-        said["joints"] = [plan.joints[step.joint].name]
+        described["joints"] = [plan.joints[step.joint].name]
     if hasattr(step, "link"):
-        said["links"] = [plan.links[step.link].name]
+        described["links"] = [plan.links[step.link].name]
     if isinstance(step, Traverse | Append | Arrive):
-        said["joints"] = [plan.joints[j].name for j in (step.passage.first, step.passage.last)]
+        described["joints"] = [plan.joints[j].name for j in (step.passage.first, step.passage.last)]
     if getattr(step, "reversed", False):
-        said["reversed"] = True
-    return said
+        described["reversed"] = True
+    return described
 
 
 def _message(plan: Plan, number: int) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""What is said of a program: how its processes meet, who has what, what lies side by side."""
+"""Summaries of a program: how its processes meet, who has what, what lies side by side."""
 
 from __future__ import annotations
 

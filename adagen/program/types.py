@@ -2,7 +2,7 @@
 
 A plan (adagen/plan) says what each process computes, joint by joint. A program says how: which
 steps are carried out together, over which block of joints, by which method, and where joints lie in
-memory. Whatever is said of a solver is read off its program.
+memory. Everything that is reported of a solver is read from its program.
 """
 
 from __future__ import annotations

@@ -40,14 +40,14 @@ class Accuracy:
 
 
 def accuracy_of(
-    made: Compiled, run: Callable[[list[str]], None], said: Callable[[str], None]
+    made: Compiled, run: Callable[[list[str]], None], on_progress: Callable[[str], None]
 ) -> Accuracy:
     """Let a solver answer random states and compare its answers with certified ones.
 
     Args:
         made: what was compiled.
         run: runs the program that was built with the given arguments.
-        said: called with messages about progress.
+        on_progress: called with messages about progress.
 
     Raises:
         AdagenError: the run fails.
@@ -62,7 +62,7 @@ def accuracy_of(
         return Accuracy(missing="The scene leaves out accelerations.")
     try:
         states = _as_read(drawn_states(model, STATES, 1), made.request.scalar)
-        truth = truth_of(model, states, digits=DIGITS, said=said)
+        truth = truth_of(model, states, digits=DIGITS, on_progress=on_progress)
     except InputError as error:
         return Accuracy(missing=f"There is no answer to compare with: {error.message}.")
     with tempfile.TemporaryDirectory(prefix="adagen-") as folder:

@@ -218,10 +218,10 @@ def _figures(made: Compiled, measured: Measured | None) -> list[dict[str, Any]]:
 def _verdict(measured: Measured | None) -> list[dict[str, Any]]:
     if measured is None:
         return []
-    said = "right" if measured.right else "wrong"
+    verdict = "right" if measured.right else "wrong"
     if measured.source != "clock":
-        said += "; times from stretches of computing, played through"
-    return [{"what": "answers", "predicted": None, "measured": said, "unit": ""}]
+        verdict += "; times from stretches of computing, played through"
+    return [{"what": "answers", "predicted": None, "measured": verdict, "unit": ""}]
 
 
 def _chart(chart: Chart) -> dict[str, Any]:

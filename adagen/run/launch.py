@@ -37,7 +37,7 @@ class Completed:
     Attributes:
         status: 0 done, 1 the input is at fault, 2 usage, 3 fault.
         stdout: what was written there ("" where it was passed through).
-        stderr: the processes' own lines there, without the launcher's; where they said nothing
+        stderr: the processes' own lines there, without the launcher's; where they printed nothing
             although the run failed, one line that says what is known.
     """
 
@@ -89,8 +89,8 @@ def launch(
     try:
         stdout, stderr = _heard(child, timeout)
     except subprocess.TimeoutExpired as late:
-        said, notice = without_launcher_noise((late.stderr or b"").decode(errors="replace"))
-        last = printable((said.splitlines() or [notice])[-1])
+        text, notice = without_launcher_noise((late.stderr or b"").decode(errors="replace"))
+        last = printable((text.splitlines() or [notice])[-1])
         raise EnvironmentFault(
             f"no answer within {timeout:g} s from {executable.name} on {processes} "
             f"process{'es' if processes > 1 else ''}; it was ended"
@@ -172,8 +172,8 @@ def _completed(status: int, stdout: str, stderr: str, executable: Path) -> Compl
                 [*own.splitlines(), f"error: a process of {executable.name} died ({fault.name})"]
             )
     if "error:" not in own:
-        said = printable(notice)[:300] or f"no output (status {status})"
-        own = "\n".join([*own.splitlines(), f"error: {executable.name} failed: {said}"])
+        failure = printable(notice)[:300] or f"no output (status {status})"
+        own = "\n".join([*own.splitlines(), f"error: {executable.name} failed: {failure}"])
     return Completed(status if status in (1, 2) else 3, stdout, own)
 
 
@@ -182,7 +182,7 @@ def _options(toolchain: Toolchain) -> tuple[str, ...]:
     if toolchain.wheel:
         return _OPEN_MPI
     try:
-        said = subprocess.run(
+        version = subprocess.run(
             [*toolchain.mpiexec, "--version"],
             capture_output=True,
             text=True,
@@ -193,7 +193,7 @@ def _options(toolchain: Toolchain) -> tuple[str, ...]:
         )
     except OSError as error:
         raise EnvironmentFault(f"cannot run {toolchain.mpiexec[0]}: {error.strerror}") from None
-    is_open_mpi = any(word in said.stdout + said.stderr for word in ("Open MPI", "OpenRTE"))
+    is_open_mpi = any(word in version.stdout + version.stderr for word in ("Open MPI", "OpenRTE"))
     return _OPEN_MPI if is_open_mpi else ()
 
 

@@ -125,12 +125,12 @@ def _with_effects(model: Model, scene: Scene, names: Names) -> Model:
     """Give joints their damping, friction, springs and rotor inertias, and prescribe motions."""
     joints = []
     for joint in model.joints:
-        said = scene.joints.get(joint.name)
+        entry = scene.joints.get(joint.name)
         effects = {} if joint.kind.nv > 1 else _defaults(scene)
-        own = dict(said.effects) if said is not None else {}
+        own = dict(entry.effects) if entry is not None else {}
         names.check_effects(joint, own)
         passive = replace(joint.passive, **{**effects, **own})
-        prescribed = said is not None and said.prescribed
+        prescribed = entry is not None and entry.prescribed
         if prescribed:
             names.check_prescribed(joint)
             passive = Passive()  # they change its torque, which nobody asks for

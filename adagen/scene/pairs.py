@@ -37,7 +37,7 @@ _GROUND = "universe"
 
 
 @dataclass(frozen=True)
-class _Said:
+class _Word:
     """A word of the file, and its line."""
 
     word: str
@@ -46,8 +46,8 @@ class _Said:
 
 @dataclass(frozen=True)
 class _Pair:
-    first: _Said
-    second: _Said
+    first: _Word
+    second: _Word
     kind: str
 
     @property
@@ -67,9 +67,9 @@ class Pairs:
 
     file: str
     pairs: tuple[_Pair, ...]
-    kinds: tuple[tuple[_Said, _Said], ...]
+    kinds: tuple[tuple[_Word, _Word], ...]
 
-    def error(self, message: str, at: _Said) -> InputError:
+    def error(self, message: str, at: _Word) -> InputError:
         """Return (not raise) a refusal of what the file says."""
         return InputError(message, self.file, at.line)
 
@@ -133,7 +133,7 @@ class _Reader:
                 raise InputError(f"pair '{pair.name}' is given twice", self._file, pair.first.line)
         return Pairs(self._file, tuple(result), self._joints(found))
 
-    def _joints(self, found: Mapping[str, Any]) -> tuple[tuple[_Said, _Said], ...]:
+    def _joints(self, found: Mapping[str, Any]) -> tuple[tuple[_Word, _Word], ...]:
         names, kinds = self._words(found, "joint_name"), self._words(found, "joint_type")
         if len(names) != len(kinds):
             raise self._fail(
@@ -142,20 +142,20 @@ class _Reader:
             )
         return tuple(zip(names, kinds, strict=True))
 
-    def _kind(self, said: _Said) -> str:
-        kind = _KINDS.get(said.word.lower())
+    def _kind(self, entry: _Word) -> str:
+        kind = _KINDS.get(entry.word.lower())
         if kind is None:
-            message = f"unknown type '{said.word}' of a pair: known are 6d and 3d"
-            raise InputError(message, self._file, said.line)
+            message = f"unknown type '{entry.word}' of a pair: known are 6d and 3d"
+            raise InputError(message, self._file, entry.line)
         return kind
 
-    def _pair(self, node: Any) -> tuple[_Said, _Said]:
+    def _pair(self, node: Any) -> tuple[_Word, _Word]:
         if not isinstance(node, yaml.SequenceNode) or len(node.value) != 2:
             raise self._fail("closed_loop needs pairs of frames: [[frame1, frame2], ...]", node)
         first, second = (self._word(each) for each in node.value)
         return first, second
 
-    def _words(self, found: Mapping[str, Any], key: str) -> list[_Said]:
+    def _words(self, found: Mapping[str, Any], key: str) -> list[_Word]:
         return [self._word(node) for node in self._list(found, key)]
 
     def _list(self, found: Mapping[str, Any], key: str) -> Sequence[Any]:
@@ -167,10 +167,10 @@ class _Reader:
         values: Sequence[Any] = node.value
         return values
 
-    def _word(self, node: Any) -> _Said:
+    def _word(self, node: Any) -> _Word:
         if not isinstance(node, yaml.ScalarNode) or not node.value:
             raise self._fail("a name is expected here", node)
-        return _Said(node.value, node.start_mark.line + 1)
+        return _Word(node.value, node.start_mark.line + 1)
 
 
 def with_pairs(model: Model, children: Mapping[str, str], pairs: Pairs) -> Model:
@@ -191,18 +191,18 @@ def with_pairs(model: Model, children: Mapping[str, str], pairs: Pairs) -> Model
     robot = _of_other_kinds(model, below, pairs)
     at = places(robot)
 
-    def end(said: _Said) -> LoopEnd:
-        name, link = said.word, below.get(said.word)
+    def end(entry: _Word) -> LoopEnd:
+        name, link = entry.word, below.get(entry.word)
         if name in at and link not in (None, name):
             raise pairs.error(
-                f"'{name}' is a link, and a joint whose child link is '{link}': rename one", said
+                f"'{name}' is a link, and a joint whose child link is '{link}': rename one", entry
             )
         if name in at or link in at:
             return LoopEnd(name if name in at else str(link))
         if name == _GROUND:
             return LoopEnd(WORLD)
         hint = nearest(name, {*at, *below})
-        raise pairs.error(f"'{name}' is neither a link nor a joint of the robot{hint}", said)
+        raise pairs.error(f"'{name}' is neither a link nor a joint of the robot{hint}", entry)
 
     for pair in pairs.pairs:
         if pair.name in known:

@@ -156,8 +156,8 @@ class _Reader:
 
     def joints(self, value: Any, path: _Path) -> dict[str, JointScene]:
         result = {}
-        for name, said in self.table(value, path).items():
-            table = self.table(said, (*path, name))
+        for name, entry in self.table(value, path).items():
+            table = self.table(entry, (*path, name))
             self.known(table, (*EFFECTS, "prescribed"), f"key of joint '{name}'", *path, name)
             prescribed = table.get("prescribed", False)
             effects = {
@@ -180,9 +180,9 @@ class _Reader:
         if not isinstance(value, list):
             raise self.fail("write [[point_masses]], a table for each mass", path)
         result = []
-        for k, said in enumerate(value):
+        for k, entry in enumerate(value):
             place = (*path, k)
-            table = self.table(said, place)
+            table = self.table(entry, place)
             self.known(table, ("link", "mass", "position"), "key of a point mass", *place)
             for key in ("link", "mass"):
                 if key not in table:
@@ -197,7 +197,7 @@ class _Reader:
     def tables(self, value: Any, path: _Path) -> list[tuple[dict[str, Any], _Path]]:
         if not isinstance(value, list):
             raise self.fail(f"write [[{path[-1]}]], a table for each", path)
-        return [(self.table(said, (*path, k)), (*path, k)) for k, said in enumerate(value)]
+        return [(self.table(entry, (*path, k)), (*path, k)) for k, entry in enumerate(value)]
 
     def need(self, table: Mapping[str, Any], keys: Iterable[str], what: str, at: _Path) -> None:
         for key in keys:

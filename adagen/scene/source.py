@@ -30,7 +30,7 @@ class Source:
     text: str = ""
 
     def error(self, message: str, *path: str | int) -> InputError:
-        """Return (not raise) a refusal, with the line at which ``path`` is said."""
+        """Return (not raise) a refusal, with the line of ``path``."""
         return InputError(message, self.file, self.line(*path) if path else None)
 
     def line(self, *path: str | int) -> int | None:
@@ -123,10 +123,10 @@ def read_toml(path: Path | str) -> tuple[Source, dict[str, Any]]:
     try:
         return Source(file, text), tomllib.loads(text)
     except tomllib.TOMLDecodeError as fault:
-        said = str(fault)
-        place = _AT.search(said)
+        problem = str(fault)
+        place = _AT.search(problem)
         at = text.count("\n") + 1 if place is None or place[1] is None else int(place[1])
-        what = said if place is None else said[: place.start()]
+        what = problem if place is None else problem[: place.start()]
         raise InputError(f"not TOML: {what[:1].lower()}{what[1:]}", file, at) from None
     except (RecursionError, ValueError):
         raise InputError("not a scene: nested too deeply, or a number too long", file) from None

@@ -127,7 +127,7 @@ class Scene:
         return {"damping": self.damping, "friction": self.friction}
 
     def decides(self, effect: str, joint: str) -> bool:
-        """Return whether a joint's effect is said here, or cannot matter as the joint is locked."""
+        """Return whether a joint's effect is set here, or cannot matter as the joint is locked."""
         own = self.joints.get(joint)
         free = self.lock_all_but
         return (

@@ -18,7 +18,7 @@ from adagen.search.played import played_schedule
 from adagen.search.schedules import find_schedule
 
 _USUAL = {"strategy": "exact", "split": "always", "tie": "work", "improved": True}
-"""How a search is asked for where nothing is said; who says otherwise asks for the paper's."""
+"""The options of a search by default; with any others the search is the paper's."""
 
 
 def best_schedule(

@@ -94,12 +94,12 @@ def read_result(path: Path | str, model: Model) -> Array:
     return result
 
 
-def _outputs(said: Any, model: Model, count: int) -> Array:
+def _outputs(content: Any, model: Model, count: int) -> Array:
     """The numbers of a model's outputs, shape (S, all of them)."""
-    if not isinstance(said, list) or len(said) != len(model.outputs):
+    if not isinstance(content, list) or len(content) != len(model.outputs):
         raise Refusal("'outputs' are not those of the scene")
     parts = []
-    for output, given in zip(model.outputs, said, strict=True):
+    for output, given in zip(model.outputs, content, strict=True):
         values = as_object(given, "an output")
         if (values.get("what"), values.get("of")) != (output.what, output.name):
             raise Refusal(f"the {output.what} at '{output.name}' is missing")
@@ -119,12 +119,12 @@ def _gravity(document: dict[str, Any]) -> Array | None:
     return np.array([as_number(x, "'gravity'") for x in value])
 
 
-def _check_floating(said: Any, model: Model) -> None:
-    if said is not None and not isinstance(said, bool):
+def _check_floating(content: Any, model: Model) -> None:
+    if content is not None and not isinstance(content, bool):
         raise Refusal("'floating' is neither true nor false")
-    if said is True and not model.floating:
+    if content is True and not model.floating:
         raise Refusal("the states are of a floating base, the robot's is fixed: add --floating")
-    if said is False and model.floating:
+    if content is False and model.floating:
         raise Refusal("the states are of a fixed base: leave --floating out, or set 'floating'")
 
 
@@ -165,9 +165,9 @@ def _count(joints: dict[str, Any], fields: Sequence[str] = FIELDS) -> int:
     raise Refusal("there are no states: no joint has a list")
 
 
-def _read_joint(said: Any, model: Model, j: int, states: States) -> None:
+def _read_joint(content: Any, model: Model, j: int, states: States) -> None:
     joint = model.joints[j]
-    values = as_object(said, f"joint '{joint.name}'")
+    values = as_object(content, f"joint '{joint.name}'")
     fields = fields_of(joint)
     for name in values:
         if name not in fields + TOLERATED:
@@ -186,12 +186,12 @@ def _read_joint(said: Any, model: Model, j: int, states: States) -> None:
         _check_quaternions(joint, states.q[:, own.stop - 4 : own.stop])
 
 
-def _read_forces(said: Any, model: Model, states: States) -> None:
+def _read_forces(content: Any, model: Model, states: States) -> None:
     """Read the outer forces of every link that has them as an input."""
     names = {wrench.frame.name: k for k, wrench in enumerate(model.wrenches)}
-    if said is None and not names:
+    if content is None and not names:
         return
-    forces = as_object({} if said is None else said, "'forces'")
+    forces = as_object({} if content is None else content, "'forces'")
     for name in forces:
         if name not in names:
             hint = nearest(name, names) or "; a scene says which links have some (--scene)"

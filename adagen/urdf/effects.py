@@ -61,7 +61,7 @@ def warn_dropped(root: Element, decided: Callable[[str, str], bool], notes: Note
     Args:
         root: the element <robot>.
         decided: of an effect and a joint's name, whether what the model holds is what was asked
-            for, so that nothing is to be said.
+            for, so that there is nothing to warn of.
         notes: takes the warnings.
     """
     found: dict[str, dict[str, int | None]] = {}
@@ -90,8 +90,8 @@ def tell_dropped(found: Mapping[str, Mapping[str, int | None]], notes: Notes) ->
         how = f" ({quoted(names, SHOWN)})" if len(names) > 1 else ""
         are, them = ("is", "it") if len(keys) == 1 else ("are", "them")
         if known:
-            said = " and ".join(_WAYS[key] for key in keys)
-            how += f": a scene with {said} models {them}"
+            entries = " and ".join(_WAYS[key] for key in keys)
+            how += f": a scene with {entries} models {them}"
         line = found[keys[0]][names[0]]
         what = " and ".join([", ".join(keys[:-1]), keys[-1]] if len(keys) > 1 else keys)
         notes.warn(f"{what} of {those} {are} not modelled{how}", line)

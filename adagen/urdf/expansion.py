@@ -91,9 +91,9 @@ class _Asked(dict[str, str]):
 
 def _expanded(path: Path, arguments: Arguments, notes: Notes) -> str:
     xacro = _package(notes)
-    asked, said = _Asked(arguments), io.StringIO()
+    asked, output = _Asked(arguments), io.StringIO()
     try:
-        with redirect_stdout(said), redirect_stderr(said):
+        with redirect_stdout(output), redirect_stderr(output):
             document = xacro.process_file(os.fspath(path), mappings=asked)
             # The root alone: before it stands a comment with the file's path, which may differ.
             text = f'<?xml version="1.0"?>\n{document.documentElement.toxml()}\n'
@@ -104,7 +104,7 @@ def _expanded(path: Path, arguments: Arguments, notes: Notes) -> str:
             near = difflib.get_close_matches(name, asked.names, n=1)
             hint = f" (did you mean {near[0]}?)" if near else ""
             raise UsageError(f"{notes.file} has no <xacro:arg> {printable(name)}{hint}")
-    for line in filter(None, map(str.strip, said.getvalue().splitlines())):
+    for line in filter(None, map(str.strip, output.getvalue().splitlines())):
         if not line.startswith(_PLACES):
             notes.warn(f"xacro: {line.removeprefix('warning: ')}")
     return text

@@ -113,8 +113,8 @@ def warn_effects(root: Element, tree: Tree, notes: Notes) -> None:
         name = joint.get("name", "")
         for element in joint.iterchildren("dynamics") if name in closing else ():
             if not all(is_zero(str(value)) for value in element.attrib.values()):
-                said = f'joint "{name}": <dynamics> of a joint that closes a loop is not modelled'
-                found.append((name, said, line_of(element)))
+                text = f'joint "{name}": <dynamics> of a joint that closes a loop is not modelled'
+                found.append((name, text, line_of(element)))
     notes.warn_each(found, "joints that close loops have <dynamics>, not modelled")
 
 
@@ -164,7 +164,7 @@ def _closing_joints(tree: Tree, mimics: Followed, notes: Notes) -> list[JointEle
     Raises:
         InputError: a joint is slaved to one, or one to a joint.
     """
-    said: list[tuple[str, str, int | None]] = []
+    closing: list[tuple[str, str, int | None]] = []
     slaved = set(mimics) | {source for source, _, _ in mimics.values()}
     for joint in tree.closing:
         if joint.name in slaved:
@@ -176,8 +176,8 @@ def _closing_joints(tree: Tree, mimics: Followed, notes: Notes) -> list[JointEle
         kind = _KIND_OF_JOINT.get(joint.type)
         done = f"closes a loop ({kind})" if kind else f"is {joint.type} and constrains nothing"
         text = f'{_held_twice(joint, tree)}: "{joint.name}" {done}'
-        said.append((joint.name, text, joint.line))
-    notes.warn_each(said, "joints close loops")
+        closing.append((joint.name, text, joint.line))
+    notes.warn_each(closing, "joints close loops")
     return [joint for joint in tree.closing if joint.type in _KIND_OF_JOINT]
 
 
@@ -229,13 +229,13 @@ def _axis(axis: Element | None, element: Element, where: str, notes: Notes) -> T
 
 
 def _type(element: Element, where: str, known: Mapping[str, str], others: str, notes: Notes) -> str:
-    said = element.get("type")
+    kind = element.get("type")
     types = f"known types are {', '.join(known)} ({others})"
-    if said is None:
+    if kind is None:
         raise notes.error(f'{where} has no type="...": {types}', line_of(element))
-    if said not in known:
-        raise notes.error(f'{where}: unknown type "{said}": {types}', line_of(element))
-    return known[said]
+    if kind not in known:
+        raise notes.error(f'{where}: unknown type "{kind}": {types}', line_of(element))
+    return known[kind]
 
 
 def _end(
@@ -270,8 +270,8 @@ def _coupling(
         _end(found, tag, element, where, description, notes)[1]
         for tag in ("successor", "predecessor")
     ]
-    said = only(found, "ratio", where, notes)
-    ratio = None if said is None else scalar(said, "value", where, notes)
+    given = only(found, "ratio", where, notes)
+    ratio = None if given is None else scalar(given, "value", where, notes)
     if not ratio:
         problem = 'has no <ratio value="...">' if ratio is None else "has ratio zero"
         raise notes.error(f"{where} {problem}: give it one", line_of(element))

@@ -26,8 +26,8 @@ constexpr std::nullptr_t MPI_IN_PLACE = nullptr, MPI_STATUS_IGNORE = nullptr;
 
 int of_launcher(std::initializer_list<const char*> names, int alone) {
   for (const char* const name : names)
-    if (const char* const said = std::getenv(name))
-      return static_cast<int>(std::strtol(said, nullptr, 10));
+    if (const char* const value = std::getenv(name))
+      return static_cast<int>(std::strtol(value, nullptr, 10));
   return alone;
 }
 

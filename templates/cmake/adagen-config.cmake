@@ -38,12 +38,12 @@ function(adagen_add_solver target)
     COMMAND "${ADAGEN_PROGRAM}" "${model}" --procs "${own_PROCS}" --name "${target}"
       --out "${folder}" ${own_OPTIONS}
     WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}"
-    RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
+    RESULT_VARIABLE status OUTPUT_VARIABLE messages ERROR_VARIABLE messages)
   if(NOT status EQUAL 0)
-    message(FATAL_ERROR "adagen ${own_MODEL}: ${said}")
+    message(FATAL_ERROR "adagen ${own_MODEL}: ${messages}")
   endif()
-  string(REPLACE ";" "," said "${said}")
-  string(REGEX MATCHALL "[^\n]*warning: [^\n]*" warnings "${said}")
+  string(REPLACE ";" "," messages "${messages}")
+  string(REGEX MATCHALL "[^\n]*warning: [^\n]*" warnings "${messages}")
   foreach(line IN LISTS warnings)
     message(WARNING "${line}")
   endforeach()

@@ -34,10 +34,10 @@ function accuracyChart({ errors, bounds, predicted, digits }) {
   });
   svg.append(shape("text", { x: width / 2, y: bottom + 38, "font-size": 14, "text-anchor": "middle" }, "random state"));
   const legend = [["error", "error"], ...(known.length ? [["bound", "certified bound"]] : []), ...(predicted === null ? [] : [["predicted", "predicted error"]])];
-  legend.forEach(([kind, said], k) => {
+  legend.forEach(([kind, words], k) => {
     const at = left + 170 * k;
     svg.append(kind === "error" ? shape("circle", { class: kind, cx: at + 10, cy: 13, r: 5 }) : shape("line", { class: kind, x1: at, x2: at + 22, y1: 13, y2: 13 }));
-    svg.append(shape("text", { x: at + 28, y: 18, "font-size": 14 }, said));
+    svg.append(shape("text", { x: at + 28, y: 18, "font-size": 14 }, words));
   });
   return [svg, parts.join(" ")];
 }

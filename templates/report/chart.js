@@ -110,14 +110,14 @@ function errorChart(chart) {
   const svg = shape("svg", { viewBox: `0 0 ${CHART.width} ${CHART.height}`, role: "img", "aria-label": `error against time of ${points.length} variants; the table has them all` });
   box.append(wide(svg, "error against time"));
   if (points.length === 0) return box;
-  const whole = wholeView(points), said = element("p", "Point at a variant to see its figures.", { class: "note", "aria-live": "polite" });
+  const whole = wholeView(points), figures = element("p", "Point at a variant to see its figures.", { class: "note", "aria-live": "polite" });
   const verdict = element("p", "", { id: "budget", "aria-live": "polite" });
   let view = whole, error = Infinity, time = Infinity;
   let pick = null;
   const draw = () => {
     const free = error === Infinity && time === Infinity;
     pick = free ? null : picked(points, error, time);
-    drawChart(svg, points, view, pick, (p) => { said.textContent = pointText(p); });
+    drawChart(svg, points, view, pick, (p) => { figures.textContent = pointText(p); });
     verdict.textContent = free ? "No budget." : pick === null ? "Nothing keeps this budget." : `This budget picks (ringed) ${pointText(pick)}.`;
   };
   const zoom = (factor, at) => {
@@ -159,6 +159,6 @@ function errorChart(chart) {
   if (start > 0 && start < 100) errorInput.value = start;
   [errorInput, timeInput].forEach((input) => input.dispatchEvent(new Event("input")));
   controls.append(errorBox, timeBox);
-  box.append(said, controls, verdict);
+  box.append(figures, controls, verdict);
   return box;
 }

@@ -109,21 +109,21 @@ function showTree() {
 
 function showProgram() {
   const { program } = data, processes = program.colours.length;
-  byId("program-said").textContent = `${program.title}; form ${program.form}, shape ${program.shape}, ${program.scalar}`;
+  byId("program-summary").textContent = `${program.title}; form ${program.form}, shape ${program.shape}, ${program.scalar}`;
   const legend = [["kinematics", "kinematics"], ["assembly", "assembly: inwards"], ["disassembly", "disassembly: outwards"], ["send", "message"], ["wait", "waiting"]];
-  legend.forEach(([what, said]) => {
+  legend.forEach(([what, words]) => {
     const sample = shape("svg", { viewBox: "0 0 28 16", "aria-hidden": "true" });
     bars(sample, { what, name: "", lanes: [], start: 0, end: 0 }, 0, 28, 0, 16, program.colours[0]);
     sample.querySelectorAll("title").forEach((each) => each.remove());
     const item = element("li");
-    item.append(sample, said);
+    item.append(sample, words);
     byId("legend").append(item);
   });
   const longest = Math.max(...program.timelines.map((line) => line.makespan), 1e-9);
   program.timelines.forEach((line) => {
-    const [svg, said] = timelineChart(line, processes, program.colours, longest);
+    const [svg, words] = timelineChart(line, processes, program.colours, longest);
     const figure = element("figure");
-    figure.append(element("h3", said[0].toUpperCase() + said.slice(1)), wide(svg, said));
+    figure.append(element("h3", words[0].toUpperCase() + words.slice(1)), wide(svg, words));
     const table = element("table"), details = element("details");
     fillTable(table, ["operation", "process", "from, µs", "to, µs", "lanes"], line.intervals.map((i) => [i.name ? `${i.name} (${i.what})` : i.what, i.process, i.start.toFixed(3), i.end.toFixed(3), i.lanes.length || 1]));
     details.append(element("summary", "The same as a table"), table);
@@ -134,15 +134,15 @@ function showProgram() {
 }
 
 /** Return a wide picture in a box that scrolls where the page is narrow. */
-function wide(svg, said) {
-  const box = element("div", undefined, { class: "wide", tabindex: 0, role: "region", "aria-label": said });
+function wide(svg, words) {
+  const box = element("div", undefined, { class: "wide", tabindex: 0, role: "region", "aria-label": words });
   box.append(svg);
   return box;
 }
 
 /** Return a note that a part is missing, and the command that adds it. */
-function missing(said, ...commands) {
-  const note = element("p", `${said} `, { class: "note" });
+function missing(words, ...commands) {
+  const note = element("p", `${words} `, { class: "note" });
   commands.forEach((name, k) => note.append(k ? ", then " : "", element("code", data.commands[name] ?? "")));
   return note;
 }
@@ -151,11 +151,11 @@ function showAccuracy() {
   const { accuracy } = data, place = byId("accuracy-d");
   if (accuracy === null) { place.append(missing("Not measured here. To measure errors, and times beside the predicted ones:", "run")); return; }
   if (accuracy.missing) { place.append(element("p", accuracy.missing, { class: "note" })); return; }
-  const [svg, said] = accuracyChart(accuracy), table = element("table"), details = element("details");
+  const [svg, words] = accuracyChart(accuracy), table = element("table"), details = element("details");
   const shown = (x) => (x === null || x === undefined ? "–" : x.toExponential(1));
   fillTable(table, ["state", "error", "certified bound"], accuracy.errors.map((error, s) => [s + 1, shown(error), shown(accuracy.bounds[s])]));
   details.append(element("summary", "The same as a table"), table);
-  place.append(element("p", said), wide(svg, said), details);
+  place.append(element("p", words), wide(svg, words), details);
 }
 
 function showRest() {

@@ -50,8 +50,8 @@ function timelineChart(line, processes, colours, longest) {
   const tops = heights.map((_, p) => 8 + heights.slice(0, p).reduce((a, b) => a + b + 8, 0));
   const bottom = tops[processes - 1] + heights[processes - 1] + 8, scale = (WIDTH - LEFT - RIGHT) / longest;
   const longer = line.source === "measured" ? " (longer while it is traced)" : "";
-  const said = `${line.source} time of an evaluation${longer}: ${line.makespan.toFixed(3)} µs on ${processes} process${processes > 1 ? "es" : ""}`;
-  const svg = shape("svg", { viewBox: `0 0 ${WIDTH} ${bottom + 26}`, role: "img", "aria-label": said });
+  const words = `${line.source} time of an evaluation${longer}: ${line.makespan.toFixed(3)} µs on ${processes} process${processes > 1 ? "es" : ""}`;
+  const svg = shape("svg", { viewBox: `0 0 ${WIDTH} ${bottom + 26}`, role: "img", "aria-label": words });
   heights.forEach((height, p) => {
     svg.append(shape("rect", { x: 8, y: tops[p] + height / 2 - 6, width: 12, height: 12, fill: colours[p][0] }));
     svg.append(shape("text", { x: 26, y: tops[p] + height / 2 + 4, "font-size": 12 }, `process ${p}`));
@@ -68,5 +68,5 @@ function timelineChart(line, processes, colours, longest) {
     svg.append(shape("circle", { class: "message", cx: x2, cy: y2, r: 2.5 }));
   });
   timeAxis(svg, line.makespan, scale, bottom);
-  return [svg, said];
+  return [svg, words];
 }

@@ -25,7 +25,7 @@ from adagen.plan.steps import LinkBias, StartLink
 from adagen.plan.types import Process
 
 CHUNK = 4000
-"""Values that one function computes, unless it is said otherwise."""
+"""Values that one function computes, by default."""
 
 _NAMES = re.compile(r"\bx(\d+)")
 _NAMED = ("reciprocal", "pack", "lane", "across")

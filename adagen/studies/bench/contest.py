@@ -106,11 +106,11 @@ class Contestant:
     predicted: float | None = None
 
 
-Said = Callable[[str], None]
+Progress = Callable[[str], None]
 
 
 def hold(
-    contestants: Sequence[Contestant], rules: Rules, said: Said
+    contestants: Sequence[Contestant], rules: Rules, on_progress: Progress
 ) -> tuple[dict[str, dict[str, Times]], dict[str, str]]:
     """Time contestants by turns, round after round, so that a noisy minute hits all alike.
 
@@ -123,7 +123,7 @@ def hold(
     seen: dict[str, dict[str, list[Turn]]] = {}
     gone: dict[str, str] = {}
     for number in range(rules.rounds):
-        said(f"round {number + 1} of {rules.rounds}")
+        on_progress(f"round {number + 1} of {rules.rounds}")
         # Every other round backwards: nobody always follows the same neighbour.
         for contestant in contestants[:: 1 if number % 2 == 0 else -1]:
             if contestant.name in gone:

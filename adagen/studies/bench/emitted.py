@@ -79,8 +79,8 @@ class Emitted:
             with laid_anew(program) as copy:
                 found = _turn(json.loads(run(words, copy))["time"], self.processes)
                 if stretches and 1 < self.processes <= cores():
-                    said = run([*words, "--stretches"], copy)
-                    found |= _turn(json.loads(said)["time"], self.processes)
+                    output = run([*words, "--stretches"], copy)
+                    found |= _turn(json.loads(output)["time"], self.processes)
             return found
 
         return Contestant(
@@ -95,13 +95,13 @@ class Emitted:
         )
 
 
-def _turn(said: Mapping[str, Any], processes: int) -> dict[str, Turn]:
+def _turn(output: Mapping[str, Any], processes: int) -> dict[str, Turn]:
     """Return the times in a program's report; on one process, all is in place at process 0."""
     ways = ("in_place", "through_root") if processes > 1 else ("in_place",)
-    played = said["source"] == "stretches"
+    played = output["source"] == "stretches"
     return {
         from_stretches(what) if played else what: Turn(
-            float(said[what]["median_ns"]), float(said[what]["min_ns"])
+            float(output[what]["median_ns"]), float(output[what]["min_ns"])
         )
         for what in ways
     }

@@ -122,8 +122,10 @@ class Program:
     def turn(self, states: Path, repeat: int) -> dict[str, Turn]:
         """Time each of the states in a file ``repeat`` times."""
         with laid_anew(self.executable) as copy:
-            said, _ = replace(self, executable=copy)._run(states, copy.with_name("result"), repeat)
-        return {"in_place": Turn(float(said["median_ns"]), float(said["min_ns"]))}
+            output, _ = replace(self, executable=copy)._run(
+                states, copy.with_name("result"), repeat
+            )
+        return {"in_place": Turn(float(output["median_ns"]), float(output["min_ns"]))}
 
     def _run(self, states: Path, result: Path, repeat: int) -> tuple[dict[str, Any], Array]:
         words = [*self.before, str(states), str(result), str(repeat), *self.after]
@@ -140,7 +142,7 @@ class Program:
         except subprocess.TimeoutExpired:
             raise EnvironmentFault(f"{name}: no answer within {TIMEOUT:g} s") from None
         if done.returncode != 0:
-            said = printable(" ".join(done.stderr.split()))[:300]
-            raise EnvironmentFault(f"{name} failed: {said or f'status {done.returncode}'}")
+            output = printable(" ".join(done.stderr.split()))[:300]
+            raise EnvironmentFault(f"{name} failed: {output or f'status {done.returncode}'}")
         report: dict[str, Any] = json.loads(done.stdout)
         return report, np.fromfile(result, dtype=np.float64)

@@ -28,7 +28,7 @@ from adagen.schedule import CostProfile, Fabric, load_profile
 from adagen.schedule.costs import StepCosts
 from adagen.search.across import batches_on
 from adagen.states import random_states
-from adagen.studies.bench.contest import Contestant, Rules, Said, Times, cores, hold
+from adagen.studies.bench.contest import Contestant, Progress, Rules, Times, cores, hold
 from adagen.studies.bench.emitted import TIMEOUT, Emitted
 from adagen.studies.bench.figures import chain
 from adagen.studies.bench.machine import machine
@@ -84,7 +84,7 @@ class Made:
 
 def measure_chains(
     wanted: Wanted,
-    said: Said,
+    on_progress: Progress,
     done: Callable[[Scale], None] = lambda _: None,
     before: Scale | None = None,
     built: Scale | None = None,
@@ -93,7 +93,7 @@ def measure_chains(
 
     Args:
         wanted: what is measured.
-        said: called with what is done.
+        on_progress: called with what is done.
         done: called with the record so far after each chain.
         before: an earlier record: chains that it has are kept.
         built: an earlier record of programs that may be in the cache since: what they took to
@@ -108,7 +108,7 @@ def measure_chains(
     for joints, processes in wanted.chains:
         if joints in scale.joints:
             continue
-        rows, absent = _chain(joints, sorted({1, *processes}), wanted, said)
+        rows, absent = _chain(joints, sorted({1, *processes}), wanted, on_progress)
         rows = tuple(row.made_as(built) for row in rows)
         rows = tuple(sorted((*scale.rows, *rows), key=lambda row: row.joints))
         scale = replace(scale, rows=rows, absent={**scale.absent, **absent})
@@ -117,7 +117,7 @@ def measure_chains(
 
 
 def _chain(
-    joints: int, processes: Sequence[int], wanted: Wanted, said: Said
+    joints: int, processes: Sequence[int], wanted: Wanted, on_progress: Progress
 ) -> tuple[tuple[ScaleRow, ...], dict[str, str]]:
     """Return the rows of a chain, and who is missing."""
     absent: dict[str, str] = {}
@@ -127,12 +127,14 @@ def _chain(
         toolchain, robot = find_toolchain(), read(file)
         model, solvers = robot.model, []
         for count in processes:
-            said(f"chain of {joints}: building P={count}")
+            on_progress(f"chain of {joints}: building P={count}")
             solvers.append(made(robot, count, wanted.profile, toolchain))
         others = _others(model, Path(folder), absent) if wanted.peer else []
         held = [solver.contestant for solver in solvers] + others
         with at_priority(wanted.priority):
-            times, gone = hold(held, wanted.rules, lambda text: said(f"chain of {joints}: {text}"))
+            times, gone = hold(
+                held, wanted.rules, lambda text: on_progress(f"chain of {joints}: {text}")
+            )
         absent |= gone
         profile = load_profile(wanted.profile)
         speed = _at_speed(solvers[0].contestant, times, profile, max(processes))

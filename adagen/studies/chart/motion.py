@@ -174,7 +174,7 @@ def motion_chart(
     player: Player,
     seconds: float,
     steps: Sequence[float],
-    said: Callable[[str], None] = lambda _: None,
+    on_progress: Callable[[str], None] = lambda _: None,
     seed: int = 1,
 ) -> MotionChart:
     """Return the chart of all integrators over all steps, from a random state without torques.
@@ -186,7 +186,7 @@ def motion_chart(
     state = drawn_states(model, 1, seed)
     start = States(state.q, state.v, np.zeros_like(state.tau))
     finest = min(steps) / FINER
-    said("reference: rk4 at a sixteenth of the least step, and at a thirty-second")
+    on_progress("reference: rk4 at a sixteenth of the least step, and at a thirty-second")
     truth = player.play(start, seconds, finest, "rk4")
     doubt = state_error(model, truth, player.play(start, seconds, finest / 2, "rk4"))
     points: list[MotionPoint] = []
@@ -195,7 +195,7 @@ def motion_chart(
     for integrator in integrators:
         for step in sorted(steps, reverse=True):
             part, parts = len(points) + 1, len(integrators) * len(steps)
-            said(f"simulating {part} of {parts}: {integrator}, step {step:g} s")
+            on_progress(f"simulating {part} of {parts}: {integrator}, step {step:g} s")
             try:
                 motion = player.play(start, seconds, step, integrator)
             except EnvironmentFault as failure:

@@ -20,7 +20,7 @@ from adagen.studies.chart.record import Chart, Point, marked, mechanism_of
 from adagen.studies.chart.truth import Truth
 from adagen.studies.chart.variants import REFERENCE, Variant
 
-Said = Callable[[str], None]
+Progress = Callable[[str], None]
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ def chart_of(
     study: Study,
     toolchain: Toolchain,
     others: Sequence[Contestant] = (),
-    said: Said = lambda _: None,
+    on_progress: Progress = lambda _: None,
 ) -> Chart:
     """Return a robot's chart.
 
@@ -54,21 +54,21 @@ def chart_of(
         study: what is measured and how.
         toolchain: what to build and run with.
         others: peers, built, whose points go beside.
-        said: called with messages about progress.
+        on_progress: called with messages about progress.
 
     Raises:
         EnvironmentFault: not even the reference could be timed.
     """
     variants = list(dict.fromkeys([REFERENCE, *study.variants]))
-    points, contestants = _built(model, variants, toolchain, said)
+    points, contestants = _built(model, variants, toolchain, on_progress)
     for contestant in others:
         points[contestant.name] = _peer(contestant)
         contestants[contestant.name] = contestant
     for k, (name, contestant) in enumerate(contestants.items(), start=1):
-        said(f"solving {truth.states.count} states: {k} of {len(contestants)}")
+        on_progress(f"solving {truth.states.count} states: {k} of {len(contestants)}")
         points[name] = _judged(points[name], contestant, truth)
     solved = [c for name, c in contestants.items() if not points[name].failed]
-    times, gone = hold(solved, Rules(study.rounds, study.repeat), said)
+    times, gone = hold(solved, Rules(study.rounds, study.repeat), on_progress)
     for name, reason in gone.items():
         points[name] = replace(points[name], why=reason)
     with_times = [_timed(point, times) for point in points.values()]
@@ -86,14 +86,14 @@ def chart_of(
 
 
 def _built(
-    model: Model, variants: Sequence[Variant], toolchain: Toolchain, said: Said
+    model: Model, variants: Sequence[Variant], toolchain: Toolchain, on_progress: Progress
 ) -> tuple[dict[str, Point], dict[str, Contestant]]:
     """Return a point for each variant, and contestants of those that could be built."""
     points: dict[str, Point] = {}
     sources: dict[str, Emitted] = {}
     texts: set[str] = set()
     for k, variant in enumerate(variants, start=1):
-        said(f"planning {k} of {len(variants)}")
+        on_progress(f"planning {k} of {len(variants)}")
         point = _point(variant)
         try:
             _, plan = variant.plan(model)
@@ -125,7 +125,7 @@ def _built(
             return _reason(error)
         finally:
             done += 1
-            said(f"compiling {done} of {len(sources)}")
+            on_progress(f"compiling {done} of {len(sources)}")
 
     with ThreadPoolExecutor(cores()) as pool:
         built = dict(zip(sources, pool.map(build, sources.values()), strict=True))

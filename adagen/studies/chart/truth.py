@@ -77,7 +77,7 @@ def truth_of(
     count: int | States,
     seed: int = 1,
     digits: int = DIGITS,
-    said: Callable[[str], None] = lambda _: None,
+    on_progress: Callable[[str], None] = lambda _: None,
 ) -> Truth:
     """Return the truth of random states, or of given ones.
 
@@ -86,7 +86,7 @@ def truth_of(
         count: how many states, or these.
         seed: of the states.
         digits: how many are certified.
-        said: called with messages about progress.
+        on_progress: called with messages about progress.
 
     Raises:
         InputError: the robot's joint-space inertia is singular, or a loop is open.
@@ -95,7 +95,7 @@ def truth_of(
     check_closed(model, states)
     exact, inertias = [], []
     for s, state in enumerate(zip(states.q, states.v, states.tau, strict=True)):
-        said(f"exact accelerations to {digits} digits: state {s + 1} of {states.count}")
+        on_progress(f"exact accelerations to {digits} digits: state {s + 1} of {states.count}")
         exact.append(exact_forward_dynamics(model, *state, digits=digits).raw)
         inertias.append(joint_space_inertia(model, state[0]))
     return Truth(model, states, np.array(exact), np.array(inertias), digits)

@@ -73,7 +73,7 @@ class Way:
 
 @dataclass(frozen=True)
 class Wrong:
-    """An answer that is wrong though nothing was said.
+    """An answer that is wrong without a failure or a warning.
 
     Attributes:
         robot: its name.

@@ -33,7 +33,7 @@ class Finding:
         method: what was done.
         weak: whether it is expected to fail or to lose digits.
         figure: an error, a step or an order; infinity for a failure.
-        said: the figure, or the reason of a failure, for people.
+        result: the figure, or the reason of a failure, for people.
         must: what it has to be, for people.
         good: whether it is.
     """
@@ -41,7 +41,7 @@ class Finding:
     method: str
     weak: bool
     figure: float
-    said: str
+    result: str
     must: str
     good: bool
 
@@ -241,7 +241,7 @@ def _closed(
     weak = _figure(plain) > lost or (np.isinf(lost) and plain.refused == plain.states)
     must = "fails" if np.isinf(lost) else f"> {lost:g}"
     found = [
-        Finding("KKT by LU, all rows", True, _figure(plain), plain.said, must, weak),
+        Finding("KKT by LU, all rows", True, _figure(plain), plain.result, must, weak),
         _beside("KKT by LU, independent rows", trial.tally(dense_independent)),
         _beside("orthonormal null space", trial.tally(null_space)),
     ]
@@ -250,7 +250,7 @@ def _closed(
             found.append(_beside(name, trial.tally(partial(_asked, solve))))
     good = own.error < most and own.refused <= refused
     limit = f"< {most:g}" + (f", at most {refused} refused" if refused else "")
-    return (*found, Finding("form segment", False, _figure(own), own.said, limit, good))
+    return (*found, Finding("form segment", False, _figure(own), own.result, limit, good))
 
 
 def _asked(solve: Solve, _: ClosedTrial, state: State) -> Array:
@@ -259,7 +259,7 @@ def _asked(solve: Solve, _: ClosedTrial, state: State) -> Array:
 
 def _beside(method: str, tally: Tally) -> Finding:
     """A figure to be compared with, whatever it is."""
-    return Finding(method, False, _figure(tally), tally.said, "", True)
+    return Finding(method, False, _figure(tally), tally.result, "", True)
 
 
 def _figure(tally: Tally) -> float:

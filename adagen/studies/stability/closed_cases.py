@@ -49,7 +49,7 @@ class Tally:
     reason: str
 
     @property
-    def said(self) -> str:
+    def result(self) -> str:
         """For people."""
         if self.refused == self.states:
             return self.reason or "fails"

@@ -366,18 +366,18 @@ def tables(cells: Sequence[Cell]) -> Iterator[list[str]]:
         def cell_text(error: float | None, scalar: str = scalar) -> str:
             return "-" if error is None else f"{digits(error, scalar):.1f}"
 
-        said = cell.why or cell.verdict
+        text = cell.why or cell.verdict
         if cell.same:
-            said = f"as {cell.same}"
+            text = f"as {cell.same}"
         elif cell.refused and cell.error is not None:
-            said += f" ({cell.refused} of {cell.states})"
+            text += f" ({cell.refused} of {cell.states})"
         elif cell.verdict.startswith("wrong"):
-            said += f": state {cell.state + 1}, {cell.joint}"
+            text += f": state {cell.state + 1}, {cell.joint}"
         yield [
             cell.robot,
             cell.way.words,
             cell_text(cell.error),
             cell_text(cell.executor),
             cell_text(cell.predicted),
-            said,
+            text,
         ]

@@ -43,7 +43,7 @@ class Solver {
 
   void close() { channel.close(); }
 
-  // States one after the other, as are their accelerations; nothing is said to other processes.
+  // States one after the other, as are their accelerations; nothing is sent to other processes.
   // Accelerations of a state that fails are not numbers; the others are what they should be. What
   // bounds the errors of certified ones goes to bounds, a number for each state.
   int solve_batch(int count, const Number* q, const Number* v, const Number* tau, Number* qdd,

@@ -33,8 +33,8 @@ def contestants(model: Model, states: States, folder: Path) -> Sequence[Contesta
     try:
         mujoco.mj_saveModel(_spec(model).compile(), str(file))
     except (ValueError, mujoco.FatalError) as error:
-        said = " ".join(str(error).split())
-        raise EnvironmentFault(f"MuJoCo refuses this robot: {said}") from None
+        reason = " ".join(str(error).split())
+        raise EnvironmentFault(f"MuJoCo refuses this robot: {reason}") from None
     coordinates(model, states).write(given)
     program = Program(_build(compiler), (str(file),))
 
