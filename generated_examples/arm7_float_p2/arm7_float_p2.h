@@ -3,6 +3,9 @@
 #ifndef ADAGEN_ARM7_FLOAT_P2_H
 #define ADAGEN_ARM7_FLOAT_P2_H
 
+#ifdef ADAGEN_NO_MPI
+#error "this solver runs on MPI processes: generate one with --procs 1 or --channel threads"
+#endif
 #include <mpi.h>
 
 enum {

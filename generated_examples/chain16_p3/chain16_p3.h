@@ -3,6 +3,9 @@
 #ifndef ADAGEN_CHAIN16_P3_H
 #define ADAGEN_CHAIN16_P3_H
 
+#ifdef ADAGEN_NO_MPI
+#error "this solver runs on MPI processes: generate one with --procs 1 or --channel threads"
+#endif
 #include <mpi.h>
 
 enum {

@@ -73,7 +73,38 @@ def test_a_solver_for_one_process_throws_nothing_and_knows_no_mpi(
 ) -> None:
     source = (FOLDER / stem / f"{stem}.cpp").read_text()
     assert "mpi.h" not in source
-    builder.check(source, stem, ("-DADAGEN_NO_MAIN", "-fno-exceptions", "-fsyntax-only"))
+    flags = ("-DADAGEN_NO_MAIN", "-DADAGEN_NO_MPI", "-fno-exceptions", "-fsyntax-only")
+    builder.check(source, stem, flags)
+
+
+def test_who_wants_no_mpi_is_told_that_a_solver_needs_it(builder: Builder, tmp_path: Path) -> None:
+    path = tmp_path / "solver.c"
+    path.write_text('#include "arm7_p2.h"\n')
+    words = ("-x", "c", "-fsyntax-only", "-DADAGEN_NO_MPI", f"-I{FOLDER / 'arm7_p2'}", path)
+    done = subprocess.run([*builder.toolchain.cxx, *words], capture_output=True, text=True)
+    assert done.returncode == 1
+    assert "#error" in done.stderr and "generate one with --procs 1" in done.stderr
+
+
+def controller(kind: str, library: Path, folder: Path) -> Path:
+    """Return a C99 program that is linked with the library, built into a folder."""
+    (folder / "controller.c").write_text(filled("controller.c", "mobile_p1"))
+    libraries = [str(library / f"libmobile_p1.{kind}"), "-lm"]
+    libraries.append(f"-Wl,-rpath,{library}" if kind == "so" else "-lstdc++")
+    run("cc", "-std=c99", "-g", *STRICT, f"-I{library}", folder / "controller.c", *libraries,
+        "-o", folder / "controller")  # fmt: skip
+    return folder / "controller"
+
+
+@pytest.mark.skipif(shutil.which("valgrind") is None, reason="valgrind is not installed")
+@pytest.mark.parametrize("kind", ["so", "a"])
+def test_valgrind_finds_nothing(kind: str, library: Path, tmp_path: Path) -> None:
+    states = random_states(BY_STEM["mobile_p1"].model(), 3, seed=1)
+    rows = [np.concatenate(each) for each in zip(states.q, states.v, states.tau, strict=True)]
+    np.savetxt(tmp_path / "states", [*rows, np.full_like(rows[0], np.nan)], fmt="%.17g")
+    program = controller(kind, library, tmp_path)
+    words = ("--quiet", "--leak-check=full", "--show-leak-kinds=all", "--error-exitcode=9")
+    assert len(run("valgrind", *words, program, tmp_path / "states").splitlines()) == 4
 
 
 @pytest.mark.parametrize("kind", ["so", "a"])
@@ -84,15 +115,7 @@ def test_a_program_in_c99_links_it(kind: str, library: Path, tmp_path: Path) -> 
     spoilt = rows[0].copy()
     spoilt[-1] = np.nan
     np.savetxt(tmp_path / "states", [*rows, spoilt], fmt="%.17g")
-    (tmp_path / "controller.c").write_text(filled("controller.c", "mobile_p1"))
-    program = tmp_path / "controller"
-    libraries = [str(library / f"libmobile_p1.{kind}"), "-lm"]
-    if kind == "so":
-        libraries.append(f"-Wl,-rpath,{library}")
-    else:
-        libraries.append("-lstdc++")
-    run("cc", "-std=c99", *STRICT, f"-I{library}", tmp_path / "controller.c", *libraries,
-        "-o", program)  # fmt: skip
+    program = controller(kind, library, tmp_path)
     lines = run(program, tmp_path / "states", env={}).splitlines()
     found = np.array([line.split() for line in lines[:-1]], dtype=float)
     assert forward_error(found, truth_of(model, states)) < ROUNDING["double"]

@@ -130,7 +130,7 @@ def test_a_model_of_mujoco_s_own(tmp_path: Path) -> None:
         root.remove(weld)
     own = tmp_path / "model.xml"
     own.write_bytes(etree.tostring(root))
-    model = compare_with_mujoco(own, 1e-11)
+    model = compare_with_mujoco(own, 1e-12)
     assert len(model.joints) == 16 and model.nv == 43
 
 
