@@ -2,12 +2,15 @@
 
     python -m benchmarks.certificates errors [--robots 24] [--states 400] [--seed 1]
                                              [--record FILE] [--write FILE]
+    python -m benchmarks.certificates loops [the same]
     python -m benchmarks.certificates times [ROBOT.urdf ...] [--write FILE]
 
 Errors are those of hard states of random robots of twelve families (adagen/studies/stability), in
-the energy norm against certified accelerations. Times are minima of runs with and without
-certificates by turns. With --record, what was found of each robot is a line of JSON in a file: the
-command again goes on with the robots that are not there yet.
+the energy norm against certified accelerations; "loops" takes mechanisms with closed loops, half of
+their states as near singular ones as are found. Times are minima of runs with and without
+certificates by turns; loops are in a scene of the robot's name beside it. With --record, what was
+found of each robot is a line of JSON in a file: the command again goes on with the robots that are
+not there yet. Each table has a file of its own.
 """
 
 from __future__ import annotations
@@ -26,7 +29,7 @@ from adagen.errors import AdagenError
 from adagen.model import Model
 from adagen.states import States
 from adagen.studies.stability.bounds import FACTOR, Bounded, Certified, bounded
-from benchmarks.hard import MODELS, NAMES, Asked, Record, fastest, hard_robots, study
+from benchmarks.hard import MODELS, Asked, Record, fastest, hard_mechanisms, hard_robots, study
 
 WAYS = [
     Certified("unrolled"),
@@ -36,7 +39,11 @@ WAYS = [
     Certified("unrolled", scalar="float"),
     Certified("kernels", scalar="float"),
 ]
-ROBOTS = [MODELS / f"{name}.urdf" for name in ("arm7", "chain16", "humanoid", "human40")]
+LOOPED = [Certified("unrolled"), Certified("unrolled", batch=True)]
+ROBOTS = [
+    MODELS / f"{name}.urdf"
+    for name in ("arm7", "chain16", "humanoid", "human40", "fourbar", "ankle")
+]
 SHAPES = [(shape, batch) for batch in (False, True) for shape in ("unrolled", "kernels")]
 
 
@@ -67,17 +74,35 @@ def errors_table(found: Mapping[tuple[str, str], Sequence[Bounded]]) -> list[str
 
 def measured_errors(asked: Asked, record: Record, toolchain: Toolchain) -> list[str]:
     """Return the table of random robots."""
-    found: dict[tuple[str, str], list[Bounded]] = {
-        (str(way), family): [] for way in WAYS for family in NAMES
-    }
-    for k, (family, model, hard) in enumerate(hard_robots(asked)):
-        for way, one in record.of(asked, k, partial(_figures, model, hard, toolchain)).items():
+    return _measured(hard_robots(asked), WAYS, asked, record, toolchain)
+
+
+def measured_loops(asked: Asked, record: Record, toolchain: Toolchain) -> list[str]:
+    """Return the table of random mechanisms."""
+    return _measured(hard_mechanisms(asked), LOOPED, asked, record, toolchain)
+
+
+def _measured(
+    robots: Iterable[tuple[str, Model, States]],
+    ways: Sequence[Certified],
+    asked: Asked,
+    record: Record,
+    toolchain: Toolchain,
+) -> list[str]:
+    found: dict[tuple[str, str], list[Bounded]] = {}
+    for k, (family, model, hard) in enumerate(robots):
+        find = partial(_figures, model, hard, ways, toolchain)
+        for way, one in record.of(asked, k, find).items():
             errors, bounds = np.array(one["errors"]), np.array(one["bounds"])
-            found[way, family].append(Bounded(errors, bounds, one["refused"]))
-    return errors_table({key: parts for key, parts in found.items() if parts})
+            parts = found.setdefault((way, family), [])
+            parts.append(Bounded(errors, bounds, one["refused"]))
+    order = [str(way) for way in ways]
+    return errors_table(dict(sorted(found.items(), key=lambda item: order.index(item[0][0]))))
 
 
-def _figures(model: Model, states: States, toolchain: Toolchain) -> dict[str, dict[str, Any]]:
+def _figures(
+    model: Model, states: States, ways: Sequence[Certified], toolchain: Toolchain
+) -> dict[str, dict[str, Any]]:
     """What became of a robot's states, for each way, as JSON has it."""
     return {
         str(way): {
@@ -85,7 +110,7 @@ def _figures(model: Model, states: States, toolchain: Toolchain) -> dict[str, di
             "bounds": [float(f"{x:.4g}") for x in one.bounds],
             "refused": one.refused,
         }
-        for way, one in bounded(model, states, WAYS, toolchain).items()
+        for way, one in bounded(model, states, list(ways), toolchain).items()
     }
 
 
@@ -96,7 +121,8 @@ def measured_times(paths: Iterable[Path], toolchain: Toolchain) -> list[str]:
         "|---|---|--:|--:|--:|",
     ]
     for path in paths:
-        robot = adagen.read(path)
+        scene = path.with_suffix(".toml")
+        robot = adagen.read(path, scene=scene if scene.exists() else None)
         for shape, batch in SHAPES:
             programs = []
             try:
@@ -123,7 +149,8 @@ def measured_times(paths: Iterable[Path], toolchain: Toolchain) -> list[str]:
 def main() -> int:
     """Print a table, or put it into a document."""
     usual = Asked(24, 400, 1)
-    return study("certificates", __doc__, usual, ROBOTS, measured_errors, measured_times)
+    tables = {"errors": measured_errors, "loops": measured_loops}
+    return study("certificates", __doc__, usual, ROBOTS, tables, measured_times)
 
 
 if __name__ == "__main__":

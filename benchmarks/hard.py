@@ -6,7 +6,7 @@ import argparse
 import json
 import platform
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -18,6 +18,7 @@ from adagen.model import Model
 from adagen.run import launch
 from adagen.states import States
 from adagen.studies.stability.adversary import FAMILIES, hard_states, robots
+from adagen.studies.stability.mechanisms import mechanisms, worst_states
 from benchmarks.page import write_between_marks
 
 MODELS = Path(__file__).resolve().parents[1] / "generated_examples" / "models"
@@ -71,7 +72,7 @@ class Record:
 
 
 Errors = Callable[[Asked, Record, Toolchain], list[str]]
-"""The table of errors of hard states of random robots."""
+"""A table of errors of hard states of random robots."""
 Times = Callable[[Sequence[Path], Toolchain], list[str]]
 """The table of times of robots."""
 
@@ -81,6 +82,16 @@ def hard_robots(asked: Asked) -> Iterator[tuple[str, Model, States]]:
     for k, model in enumerate(robots(asked.robots, asked.seed)):
         yield NAMES[k % len(NAMES)], model, hard_states(model, asked.states, asked.seed)
         print(f"{k + 1} of {asked.robots} robots", end="\r", file=sys.stderr)
+
+
+def hard_mechanisms(asked: Asked) -> Iterator[tuple[str, Model, States]]:
+    """Yield the same of random mechanisms with closed loops, velocities and torques up to 100."""
+    for k, (family, model) in enumerate(mechanisms(asked.robots, asked.seed)):
+        states = worst_states(model, asked.states, asked.seed + k)
+        rng = np.random.default_rng((asked.seed, k))
+        fast, strong = 10.0 ** rng.uniform(-2, 2, size=(2, states.count, 1))
+        yield family, model, States(states.q, states.v * fast, states.tau * strong)
+        print(f"{k + 1} of {asked.robots} mechanisms", end="\r", file=sys.stderr)
 
 
 def fastest(programs: Sequence[Path], toolchain: Toolchain) -> list[float]:
@@ -99,7 +110,7 @@ def study(
     about: str | None,
     usual: Asked,
     timed: Sequence[Path],
-    errors: Errors,
+    errors: Mapping[str, Errors],
     times: Times,
 ) -> int:
     """Print a table, or put it into a document; what the command line of a study does.
@@ -109,13 +120,13 @@ def study(
         about: what ``--help`` says.
         usual: how many robots and states, and seed, where nothing is said.
         timed: robots to time, likewise.
-        errors: makes the table of errors.
+        errors: makes a table of errors, by the word that asks for it.
         times: makes the table of times.
     """
     parser = argparse.ArgumentParser(
         description=about, formatter_class=argparse.RawTextHelpFormatter
     )
-    parser.add_argument("what", choices=("errors", "times"))
+    parser.add_argument("what", choices=(*errors, "times"))
     parser.add_argument("urdf", nargs="*", type=Path)
     for option, value in asdict(usual).items():
         parser.add_argument(f"--{option}", type=int, default=value)
@@ -123,9 +134,10 @@ def study(
     parser.add_argument("--write", type=Path)
     options = parser.parse_args()
     toolchain = find_toolchain()
-    if options.what == "errors":
+    if options.what in errors:
         wanted = Asked(options.robots, options.states, options.seed)
-        asked, lines = str(wanted), errors(wanted, Record(options.record), toolchain)
+        lines = errors[options.what](wanted, Record(options.record), toolchain)
+        asked = str(wanted)
     else:
         paths = options.urdf or timed
         asked = " ".join(path.name for path in paths)

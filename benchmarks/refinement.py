@@ -101,7 +101,9 @@ def times_table(paths: Iterable[Path], toolchain: Toolchain) -> list[str]:
 def main() -> int:
     """Print a table, or put it into a document."""
     timed = [*ROBOTS, MODELS / "mobile.urdf"]
-    return study("refinement", __doc__, Asked(24, 100, 2), timed, errors_table, times_table)
+    return study(
+        "refinement", __doc__, Asked(24, 100, 2), timed, {"errors": errors_table}, times_table
+    )
 
 
 if __name__ == "__main__":

@@ -79,7 +79,7 @@ class Closures:
             case CarryRows():
                 self._carry(step, front)
             case Eliminate():
-                lanes = [lane.eliminate for lane in self._lanes(step.closure)]
+                lanes = [lane.eliminate for lane in self.lanes(step.closure)]
                 self._look_at_rates(front)
                 Elimination(self.state, lanes, front).run()
             case Release():
@@ -89,7 +89,7 @@ class Closures:
 
     # -- lanes ------------------------------------------------------------------------------------
 
-    def _lanes(self, number: int) -> tuple[ClosureSteps, ...]:
+    def lanes(self, number: int) -> tuple[ClosureSteps, ...]:
         """What is done for closures that go side by side, lane by lane; idle lanes repeat."""
         if number not in self.together:
             return (self.alone[number],)
@@ -102,14 +102,14 @@ class Closures:
         if step.closure not in self.together:
             return [step.loop]
         place = self.together[step.closure][0].loops.index(step)
-        return [lane.loops[place].loop for lane in self._lanes(step.closure)]
+        return [lane.loops[place].loop for lane in self.lanes(step.closure)]
 
     def _couplings(self, step: CloseCoupling) -> list[int]:
         """Couplings likewise."""
         if step.closure not in self.together:
             return [step.coupling]
         place = self.together[step.closure][0].couplings.index(step)
-        return [lane.couplings[place].coupling for lane in self._lanes(step.closure)]
+        return [lane.couplings[place].coupling for lane in self.lanes(step.closure)]
 
     def _named(self, numbers: Sequence[int], first: int) -> int:
         """What is blamed for loops or couplings in lanes: numbers behind the first one."""
@@ -172,7 +172,7 @@ class Closures:
                         pushed.append((self.column_of[unknown], column * sign))
             front.places[unknown] = place
             if self.state.left is not None:
-                bias = self.state.left.of_row(bias, held, unknown)
+                bias = self._apart(front, unknown, self.state.left.of_row(bias, held, unknown))
             front.add_bias(unknown, self.state.column(np.array([bias], dtype=object))[0])
             in_frame = matrix_times(frames.two.axes.T, directions[1])
             if loop.turn2:
@@ -226,7 +226,7 @@ class Closures:
         front.places[step.unknown] = place
         front.add_bias(step.unknown, self.state.zeros(self.state.columns))
         if self.state.left is not None:
-            moved = self.state.left.of_coupling(joints, factors)
+            moved = self._apart(front, step.unknown, self.state.left.of_coupling(joints, factors))
             front.add_bias(step.unknown, self.state.column(np.array([moved], dtype=object))[0])
         for j, factor in zip(joints, factors, strict=True):
             front.ties.setdefault(j, []).append((step.unknown, factor))
@@ -237,6 +237,13 @@ class Closures:
             if step.unknown in self.column_of:
                 tied = self.state.tied_joints.setdefault(j, [])
                 tied.append((self.column_of[step.unknown], factor))
+
+    def _apart(self, front: Front, unknown: int, gap: Expression) -> Expression:
+        """How a row parts by the answer; in a certificate that is weighed by itself."""
+        if not self.state.plan.certified:
+            return gap
+        front.gaps[unknown] = gap
+        return self.state.graph.constant(0)  # type: ignore[no-any-return]
 
     def _packed(self, values: Sequence[Any]) -> Array:
         """Numbers as constants, one for each lane."""
@@ -353,7 +360,7 @@ class Closures:
         near = self._acceleration(step) if step.link else None
         if self.state.plan.loop_forces:
             give_forces(self.state, front, near)
-        if self.state.plan.corrections:
+        if self.state.plan.weighed:
             front.forces = forces_of_kept(front, near)
         for j, columns in front.carried.items():
             body = self.memory["articulated", j]
@@ -368,7 +375,7 @@ class Closures:
 
     def _acceleration(self, step: Release) -> Array:
         """The acceleration of the top, shape (6, columns)."""
-        tops = [lane.eliminate.link for lane in self._lanes(step.closure)]
+        tops = [lane.eliminate.link for lane in self.lanes(step.closure)]
         return self.state.rows.of_links("a", tops, self.state.zeros(6, self.state.columns))
 
     def _accelerate(self, step: AccelerateHeld, front: Front) -> None:

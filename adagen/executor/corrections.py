@@ -68,22 +68,43 @@ class Corrections:
             if step.first <= place < step.last and not isinstance(again, _KINEMATICS):
                 self.current.step(again)
 
+    def in_order(self) -> list[Step]:
+        """Return the process's own steps, in the order in which they are carried out again."""
+        return [self.steps[place] for place in self._order]
+
+    def sizes(self) -> list[Expression]:
+        """Return squares of energy norms: of the answer, of all that accelerates, of corrections.
+
+        What other processes start is theirs to count.
+        """
+        machine = self.machine
+        energies = self._energies()
+        first = _answer_of(machine)
+        whole = energies.of(energies.without_fall(first.links), first.joints)
+        found = [_answer_of(each) for each in self.rounds]
+        parts = [energies.of(each.links, each.joints) for each in found]
+        return [whole, energies.in_all(), *parts]
+
+    def size_of_answer(self) -> Expression:
+        """Return the square of its energy norm, from what its links were found to take."""
+        first = _answer_of(self.machine)
+        return self._energies().in_fall(first.links, first.joints)
+
+    def _energies(self) -> Energies:
+        """What counts energies of the links that the process starts."""
+        started = {s.link for s in self.steps if isinstance(s, StartLink | LinkBias)}
+        links = [link for link in self.links() if link in started]
+        return Energies(self.machine.motion, links)
+
     def finish(self) -> None:
         """Add all corrections to the answer, and say how large each of them is."""
         machine = self.machine
-        started = {s.link for s in self.steps if isinstance(s, StartLink | LinkBias)}
-        energies = Energies(machine.motion, [link for link in self._links() if link in started])
-        first = _answer_of(machine)
-        whole = energies.of(energies.without_fall(first.links), first.joints)
-        sizes = [whole, energies.in_all()]
+        machine.memory["energies", 0] = np.array(self.sizes(), dtype=object)
         for each in self.rounds:
-            found = _answer_of(each)
-            sizes.append(energies.of(found.links, found.joints))
             for j, qdd in each.results.items():
                 machine.results[j] = machine.results[j] + qdd
             for place, force in each.forces.items():
                 machine.forces[place] = machine.forces[place] + force
-        machine.memory["energies", 0] = np.array(sizes, dtype=object)
 
     def receive(self, known: Mapping[Any, Array], added: Set[Any]) -> None:
         """Take what a message brought for the answer and does not bring again.
@@ -99,7 +120,7 @@ class Corrections:
             elif item in added and item[0] == "IA":
                 memory[item] = memory[item] + value
 
-    def _links(self) -> list[int]:
+    def links(self) -> list[int]:
         """Links that take something, in the names that stand for rows."""
         biases = (name for name in self.machine.memory if isinstance(name, Bias))
         bare = [name.handle for name in biases if name.joint is None]
@@ -121,7 +142,7 @@ class Corrections:
         ties = {(k, j): rows for k, front in fronts.items() for j, rows in front.ties.items()}
         again.left = LeftOver(
             again.motion,
-            {link: machine.motion.field_force(link) for link in self._links()},
+            {link: machine.motion.field_force(link) for link in self.links()},
             self._answer,
             {k: front.ends for k, front in fronts.items()},
             ties,

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.checks import SINGULAR, Check
-from adagen.executor.front import Front, Pushed, Solved
+from adagen.executor.front import Front, Pushed, Reduced, Solved
 from adagen.executor.state import State
 from adagen.graph import (
     Expression,
@@ -119,7 +119,7 @@ class Elimination:
 
     def _keep_forces(self, moving: Sequence[int]) -> None:
         """Keep what forces follow from, where they are asked for: how rows push accelerations."""
-        if not (self.state.plan.loop_forces or self.state.plan.corrections):
+        if not (self.state.plan.loop_forces or self.state.plan.weighed):
             return
         step, others = self.step, (*self.step.singles, *self.step.moved)
         rows, left_out = self._block(step.rows, moving), self._block(step.followers, moving)
@@ -143,9 +143,11 @@ class Elimination:
         """By a choice: z = A a + G y + g by the rows, then y; a is the top's acceleration."""
         step, y, z = self.step, self.step.singles, self.step.moved
         to_z, by_others = self._block(step.rows, z), self._by_others(step.rows)
-        right = np.concatenate([by_others, self._biases(step.rows)], axis=1)
+        parted = self._parted(np.ones(len(step.rows)))
+        right = np.concatenate([by_others, self._biases(step.rows), parted], axis=1)
         solved, regular = solved_by_parts(to_z, right, self._scales())
-        gained = -solved
+        by_rows = solved[:, len(solved.T) - len(parted.T) :]
+        gained = -solved[:, : len(solved.T) - len(parted.T)]
         self._check_regular(regular)
         count = by_others.shape[1]
         self._check_size(gained[:, :count])
@@ -164,8 +166,8 @@ class Elimination:
             across = across + matrix_times(g.T, at_top) + matrix_times(half, a)
             bias = bias + matrix_times(g.T, self._biases(z)) + matrix_times(half, offset)
             self._move_top(a, at_top, own, offset, self._biases(z))
-        if y:
-            self._solve_free(y, y, reduced, across, bias)
+        freed = self._solve_free(y, y, reduced, across, bias) if y else None
+        self._keep_reduced(z, y, g, a, by_rows, freed)
 
     def _follow_basis(self) -> None:
         """By an orthogonal basis N of what the rows leave free, w = N y + g: J^T = Q R, N in Q."""
@@ -177,13 +179,17 @@ class Elimination:
         pivots = (r[k, k] for k in range(count))
         self._check_regular([Regular(k, x * x, 1.0) for k, x in enumerate(pivots)])
         free = len(w) - count
-        basis = self.state.zeros(len(w), free + self.state.columns)
+        right = np.concatenate(
+            [-(self._biases(step.rows) * scales), self._parted(scales[:, 0])], axis=1
+        )
+        basis = self.state.zeros(len(w), free + len(right.T))
         basis[count:, :free] = self.state.constants(np.eye(free))
-        basis[:count, free:] = self._forward(r.T, -(self._biases(step.rows) * scales))
+        basis[:count, free:] = self._forward(r.T, right)
         for reflection in reversed(reflections):
             if reflection is not None:
                 reflection.apply(basis)
-        n, offset = basis[:, :free], basis[:, free:]
+        last = free + self.state.columns
+        n, offset, by_rows = basis[:, :free], basis[:, free:last], basis[:, last:]
         left_out = self._block(step.followers, w)
         self._check_left_out(matrix_times(left_out, n) if step.followers else left_out, left_out)
         y = tuple(-1 - k for k in range(free))
@@ -192,7 +198,8 @@ class Elimination:
         bias = matrix_times(n.T, self._biases(w)) + matrix_times(half, offset)
         self._push_top(at_top, offset)
         reduced = _symmetric(matrix_times(half, n))
-        self._solve_free(y, w[:free], reduced, matrix_times(n.T, at_top), bias)
+        freed = self._solve_free(y, w[:free], reduced, matrix_times(n.T, at_top), bias)
+        self._keep_reduced(w, y, n, self.state.zeros(len(w), 6), by_rows, freed)
 
     def _solve_all(self) -> None:
         """All unknowns at once, where rows push each other through articulated joints."""
@@ -206,7 +213,7 @@ class Elimination:
         self._check_inverse(every, matrix, diagonal)
         count = 6 + self.state.columns
         self._check_pushed(pushed, whole[:, count:])
-        if self.state.plan.loop_forces or self.state.plan.corrections:
+        if self.state.plan.loop_forces or self.state.plan.weighed:
             by_kept = whole[len(every) - len(step.rows) :, count:].T
             none = self.state.zeros(0, 0)
             self.front.pushed = Pushed(
@@ -218,8 +225,10 @@ class Elimination:
 
     def _solve_free(
         self, y: Sequence[int], blamed: Sequence[int], reduced: Array, across: Array, bias: Array
-    ) -> None:
-        """What the loops leave free, by its inertia; each pivot has to be positive.
+    ) -> tuple[Factors, Expression]:
+        """What the loops leave free, by its inertia; its factors, and what energy it takes.
+
+        Each pivot has to be positive.
 
         Args:
             y: numbers that it is found by.
@@ -230,7 +239,39 @@ class Elimination:
         """
         factors = factorize(reduced)
         self._check_inertia(blamed, factors)
-        self._found(y, across, factors.solve(np.concatenate([across, bias], axis=1)))
+        found = factors.solve(np.concatenate([across, bias], axis=1))
+        self._found(y, across, found)
+        weighed = self.state.plan.certified
+        return factors, dot(bias[:, 0], found[:, 6]) if weighed else self.state.graph.constant(0)
+
+    # -- what certificates need -------------------------------------------------------------------
+
+    def _parted(self, sizes: Array) -> Array:
+        """Each row, parted by some size, shape (rows, rows); nothing where nobody asks."""
+        if not self.state.plan.certified:
+            return self.state.zeros(len(sizes), 0)
+        zero, parted = self.state.graph.constant(0), self.state.zeros(len(sizes), len(sizes))
+        for k, size in enumerate(sizes):
+            parted[k, k] = zero + size
+        return parted
+
+    def _keep_reduced(
+        self,
+        moved: Sequence[int],
+        kept: Sequence[int],
+        gained: Array,
+        across: Array,
+        by_rows: Array,
+        freed: tuple[Factors, Expression] | None,
+    ) -> None:
+        """Keep how unknowns follow from others."""
+        if self.state.plan.certified:
+            factors, energy = freed or (None, self.state.graph.constant(0))
+            block = self._block(moved, moved)
+            inertia = np.array([block[k, k] for k in range(len(moved))], dtype=object)
+            self.front.reduced = Reduced(
+                tuple(moved), tuple(kept), gained, across, by_rows, inertia, factors, energy
+            )
 
     def _found(self, unknowns: Sequence[int], across: Array, found: Array) -> None:
         """Keep unknowns as they follow from the top; take what they give way from the top."""

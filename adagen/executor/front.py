@@ -7,7 +7,7 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from adagen.graph import Expression
+from adagen.graph import Expression, Factors
 
 Array = NDArray[Any]
 
@@ -87,6 +87,31 @@ class End:
     columns: dict[int, Array]
 
 
+@dataclass(frozen=True)
+class Reduced:
+    """What a closure's certificate needs of how its unknowns were eliminated.
+
+    Attributes:
+        moved: unknowns that follow from its rows.
+        kept: numbers of those that these leave free; unknowns, or of a basis.
+        gained: how the first follow from the others, shape (moved, kept).
+        across: how they follow from the top's acceleration, shape (moved, 6).
+        by_rows: how they follow from what rows part by, shape (moved, rows).
+        inertia: of each of them alone, shape (moved,).
+        factors: of the inertia of those that are left free; None where there are none.
+        energy: what they take of the square of the energy norm, were the top at rest.
+    """
+
+    moved: tuple[int, ...]
+    kept: tuple[int, ...]
+    gained: Array
+    across: Array
+    by_rows: Array
+    inertia: Array
+    factors: Factors | None
+    energy: Expression
+
+
 @dataclass
 class Front:
     """A closure on its way inwards.
@@ -111,7 +136,9 @@ class Front:
         passed: what joints next to the top hand on to it, "IA" and "pA", until its unknowns are
             eliminated.
         ends: of its loops, on links that move.
-        forces: of kept rows, by number, where answers are corrected.
+        forces: of kept rows, by number, where answers are corrected or certified.
+        reduced: how its unknowns were eliminated, where answers are certified.
+        gaps: how rows part by the answer, where that is weighed by itself.
     """
 
     columns: dict[int, dict[int, Array]] = field(default_factory=dict)
@@ -132,6 +159,8 @@ class Front:
     passed: dict[str, Array] = field(default_factory=dict)
     ends: list[End] = field(default_factory=list)
     forces: dict[int, Expression] = field(default_factory=dict)
+    reduced: Reduced | None = None
+    gaps: dict[int, Expression] = field(default_factory=dict)
 
     def hand(self, name: str, value: Array) -> None:
         """Add to what is passed to the top."""

@@ -9,7 +9,7 @@ shows (adagen/executor/corrections.py).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -179,21 +179,37 @@ class Energies:
             terms.append(self._whole(link - 1, total(x * x for x in field.a) * mass))
         return total(terms)
 
+    def in_fall(self, links: Mapping[int, Array], joints: Mapping[int, Array]) -> Expression:
+        """Return that of the answer less free fall d: a^T I a - 2 d^T (I a) + m d^T d."""
+        terms = [self.of(links, joints)]
+        falls = self._falls(links)
+        for link in self.links if falls else ():
+            taken = matrix_times(self.motion.link_inertia(link), links[link])[3:]
+            fall, mass = falls[link], self.state.rows.mass(link)
+            terms.append(self._whole(link - 1, total(fall * (fall * mass - taken - taken))))
+        return total(terms)
+
     def without_fall(self, links: Mapping[int, Array]) -> dict[int, Array]:
         """Return accelerations of links less those of free fall, with floating bases' own."""
+        falls = self._falls(links)
+        if not falls:
+            return dict(links)
+        return {link: np.concatenate([a[:3], a[3:] - falls[link]]) for link, a in links.items()}
+
+    def _falls(self, links: Iterable[int]) -> dict[int, Array]:
+        """Free fall in links' axes, shape (3,) each; nothing where no base floats."""
         joints = self.state.plan.joints
         if not any(joint.kind == "floating" and joint.parent == 0 for joint in joints):
-            return dict(links)
+            return {}
         memory, found = self.state.memory, {}
-        for link, a in links.items():
+        for link in links:
             x, j = memory["X", link - 1], link - 1
             if joints[j].kind == "floating" and joints[j].parent == 0:
                 fall = memory["drift", j][3:]
             else:
                 near = self.state.rows.of_near("fall", j, self.state.zeros(3))
                 fall = x.rotation.transposed().vector(near)
-            memory["fall", link] = fall
-            found[link] = np.concatenate([a[:3], a[3:] - fall])
+            memory["fall", link] = found[link] = fall
         return found
 
     def _whole(self, j: int, x: Expression) -> Expression:

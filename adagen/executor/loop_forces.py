@@ -61,7 +61,10 @@ def forces_of_kept(front: Front, near: Array | None) -> dict[int, Expression]:
     pull = pushed.bias[:, :1] + matrix_times(pushed.inertia, others)
     if near is not None:
         pull = pull + matrix_times(pushed.across, near[:, :1])
-    kept = -solved_by_reflections(pushed.rows.T.copy(), pull)[0]
+    if front.reduced is None:
+        kept = -solved_by_reflections(pushed.rows.T.copy(), pull)[0]
+    else:  # a certificate has what rows move at hand
+        kept = -matrix_times(front.reduced.by_rows.T, pull)
     return dict(zip(pushed.kept, kept[:, 0], strict=True))
 
 

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.certificate import Certificate
+from adagen.executor.closed_certificate import ClosedCertificate
 from adagen.executor.closures import Closures
 from adagen.executor.corrections import Corrections
 from adagen.executor.joins import Joins
@@ -88,7 +89,7 @@ class Machine(State):
         self.joins = Joins(self, self.motion)
         self.passages = Passages(self, self.motion)
         self.closures = Closures(self, self.motion, steps)
-        self.bounds = Certificate(self, self.motion)
+        self.bounds = ClosedCertificate(self) if plan.closed else Certificate(self, self.motion)
         self.given_outputs = Outputs(self, self.motion)
         self.corrections = Corrections(self, steps)
         self.received: dict[int, dict[Any, Array]] = {}
@@ -125,6 +126,7 @@ class Machine(State):
                 | AccelerateHeld()
             ):
                 self.closures.step(step)
+                self._reach(step)
             case SolveCoupling():
                 self._solve_coupling()
             case ApplyCoupling():
@@ -136,7 +138,7 @@ class Machine(State):
         return True
 
     def _swept(self, step: Step) -> None:
-        """Do a step inside a segment; certificates look at links as their accelerations come."""
+        """Do a step inside a segment, or one that looks back at all of them."""
         match step:
             case Certify():
                 self.bounds.carry_out()
@@ -148,14 +150,16 @@ class Machine(State):
                 self.corrections.finish()
                 return
         self.segments.step(step)
-        if self.plan.certified:
-            self._reach(step)
+        self._reach(step)
 
     def _reach(self, step: Step) -> None:
+        """Certificates look at links as their accelerations come, not at those of corrections."""
+        if not self.plan.certified or self.left is not None:
+            return
         match step:
             case SolveRoot():
                 self.bounds.reach(step.link - 1)
-            case Accelerate():
+            case Accelerate() | AccelerateHeld():
                 self.bounds.reach(step.joint)
 
     @property

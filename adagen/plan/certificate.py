@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from adagen.errors import UsageError
-from adagen.plan.steps import Certify, FusedJoin
+from adagen.plan.steps import CarryRows, Certify, Correct, FusedJoin, Step
 from adagen.plan.types import Plan
 
 ROUNDING = 8.0
@@ -22,18 +22,29 @@ def certified(plan: Plan) -> Plan:
     if reason is not None:
         raise UsageError(f"answers cannot be certified: {reason}; leave out --certify")
     processes = tuple(
-        replace(process, steps=(*process.steps, Certify())) if process.steps else process
+        replace(
+            process,
+            steps=_weighed(plan, process.steps),
+            recovery=_weighed(plan, process.recovery),
+            others=tuple(_weighed(plan, steps) for steps in process.others),
+        )
         for process in plan.processes
     )
     return replace(plan, processes=processes)
+
+
+def _weighed(plan: Plan, steps: tuple[Step, ...]) -> tuple[Step, ...]:
+    """Steps and their certificate: loops have one by a correction, which is not added."""
+    if not steps:
+        return ()
+    correction = (Correct(0, 0, len(steps)),) if plan.closed else ()
+    return (*steps, *correction, Certify())
 
 
 def why_not(plan: Plan) -> str | None:
     """Return why a plan cannot be certified, None where it can."""
     if plan.form != "segment":
         return f"that is for form segment, not {plan.form}"
-    if plan.closed:
-        return "what rounding does to closed loops is not bounded (--refine 1 estimates errors)"
     if sum(bool(process.steps) for process in plan.processes) > 1:
         return "several processes share the robot"
     if plan.slaved:
@@ -41,7 +52,14 @@ def why_not(plan: Plan) -> str | None:
     for joint in plan.joints:
         if joint.prescribed:
             return f'the motion of joint "{joint.name}" is prescribed'
-    steps = [step for process in plan.processes for step in process.steps]
+    if plan.closed and (plan.wanted or plan.outputs):
+        return "a scene wants other outputs than all accelerations of closed loops"
+    steps = [s for each in plan.alternatives for process in each.processes for s in process.steps]
     if any(isinstance(step, FusedJoin) for step in steps):
         return "joints are joined as one over links without mass"
+    if any(isinstance(step, CarryRows) for step in steps):
+        return (
+            "a closure of many joints carries its loops through them, and what rounding does to "
+            "that is not bounded (--refine 1 estimates errors)"
+        )
     return None

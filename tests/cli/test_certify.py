@@ -91,11 +91,21 @@ def test_what_is_not_certified_is_refused(
     assert not list(tmp_path.iterdir())
 
 
-def test_closed_loops_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize("more", [(), ("--batch",)])
+def test_closed_loops_are_certified_as_straight_lines(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], more: tuple[str, ...]
+) -> None:
     scene = str(MODELS / "fourbar.toml")
-    given = [FOURBAR, "--scene", scene, "--certify", "--procs", "1", "--out", str(tmp_path)]
-    assert main(given) == 2
-    assert "what rounding does to closed loops is not bounded" in capsys.readouterr().err
+    given = [FOURBAR, "--scene", scene, "--certify", "--procs", "1", *more]
+    states, found = tmp_path / "states.json", tmp_path / "result.json"
+    assert main(["info", FOURBAR, "--scene", scene, "--states", "3"]) == 0
+    states.write_text(capsys.readouterr().out)
+    assert main(["solve", *given, "--states", str(states), "--result", str(found)]) == 0
+    bounds = json.loads(found.read_text())["error_bounds"]
+    assert bounds
+    assert all(1e-17 < bound < 1e-12 for bound in bounds)
+    assert main([*given, "--shape", "kernels", "--out", str(tmp_path / "loops")]) == 2
+    assert "the robot has closed loops, which are straight lines" in capsys.readouterr().err
 
 
 def test_loops_refuse_what_straight_lines_certify(

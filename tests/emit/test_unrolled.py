@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from adagen.emit.shapes import chosen_shape
-from adagen.model import Model
+from adagen.model import Inertia, Model
 from adagen.states import random_states, write_states
 from tests.emit.unusual import CASES, chain_with_thin_link, require_solved
 from tests.emitted import ROUNDING, Builder, Solver, plan_of, text_of
@@ -89,6 +90,20 @@ def test_functions_of_any_length_give_the_same(
     solver = Solver(builder.compile(text, f"chunks{chunk}"), 2, builder.toolchain)
     states = random_states(model, 3, seed=2)
     assert solver.error(model, states, tmp_path) < ROUNDING["double"]
+
+
+def test_a_batch_in_which_a_joint_moves_nothing_is_refused_in_all_lanes(
+    builder: Builder, tmp_path: Path
+) -> None:
+    """Its pivot is known to be zero, a number; what it is compared with has lanes."""
+    chain = serial_chain(3)
+    point = Inertia(1.0, np.zeros(3), np.zeros((3, 3)))
+    model = replace(chain, links=(*chain.links[:-1], replace(chain.links[-1], inertia=point)))
+    solver = builder.solver(plan_of(model, 1), name="point", batch=1, shape="unrolled")
+    write_states(random_states(model, 9), model, tmp_path / "states.json")
+    done = solver.run("--states", tmp_path / "states.json")
+    assert done.status == 1
+    assert done.stderr.count('joint "j002"') == 9
 
 
 def test_large_angles_keep_their_digits(builder: Builder, tmp_path: Path) -> None:

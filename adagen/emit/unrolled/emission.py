@@ -17,7 +17,7 @@ from adagen.emit.words import Words
 from adagen.executor import Simulated, simulate
 from adagen.executor.checks import exceeds
 from adagen.executor.lanes import Grouping
-from adagen.graph import Expression, live_nodes
+from adagen.graph import Expression, Node, live_nodes
 from adagen.plan import Plan
 from adagen.plan.alike import without_unlike
 from adagen.plan.stages import stages
@@ -157,7 +157,7 @@ class _ProcessText:
         for check in self.machine.checks:
             pivot, least = check.pivot, check.least
             if pivot.constant is None or not exceeds(pivot, least):
-                names = f"{self.text.name(pivot.index)}, {self.text.name(least.index)}"
+                names = f"{self.results.value(pivot.index)}, {self.text.name(least.index)}"
                 blamed = self._blamed(pivot, check.joint)
                 line = f"require_more(w, {names}, {check.failure}, {blamed});"
                 after = lines[(looked_at(check, self.layout.turns) or [pivot.index])[-1]]
@@ -332,12 +332,18 @@ class _ProcessText:
             if node.mark != mark:
                 mark = node.mark
                 lines.append(f"// {self._described(mark)}")
+            if self.words.batch and self._known(node):
+                right = f"Value{{}} + {right}"  # no number in any lane
             if index in chunk.stores:
                 right = self._stored(index, right, chunk.stores[index])
             name = f"const {self._type(index)} x{index} = " if index in named else ""
             lines.append(f"{name}{right};")
             lines += self.followers.get(index, [])
         return lines
+
+    def _known(self, node: Node) -> bool:
+        """Whether a value is made of constants: it divides by zero, else it were one itself."""
+        return bool(node.args) and all(self.graph.nodes[k].op == "constant" for k in node.args)
 
     def _named(self, chunk: Chunk) -> set[int]:
         """The values of a function that it uses itself: all but some that it leaves to others."""

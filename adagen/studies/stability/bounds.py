@@ -92,6 +92,7 @@ def bounded(
     for way in ways:
         try:
             plan = certified_plan(model, way.scalar)
+            plan = plan.alternatives[-1] if way.batch else plan  # lanes go one way
             text = emit(plan, name="certified", shape=way.shape, batch=int(way.batch))
         except AdagenError:
             continue

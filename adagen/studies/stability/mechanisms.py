@@ -38,13 +38,15 @@ from adagen.reference.closed import (
 )
 from adagen.schedule import load_profile
 from adagen.search import best_schedule
+from adagen.states import States
 
 Array = NDArray[np.float64]
 WRONG = 1e-6
 """Error from which on, relative to the largest acceleration and to 1, an answer is wrong."""
 BITS = 400
 DRAWN = 40
-"""Closed states of which the worst are used, by the least singular value of J."""
+"""At least so many closed states are drawn, of which the worst are used, by the least singular
+value of J."""
 
 
 def _turn(rng: np.random.Generator) -> Array:
@@ -240,16 +242,33 @@ def audit(model: Model, states: int, outcome: Outcome, seed: int = 1) -> None:
     except InputError:
         outcome.never += 1
         return
-    q, v = closed_states(model, DRAWN, seed=seed)
+    worst = worst_states(model, states, seed)
+    for q, v, tau in zip(worst.q, worst.v, worst.tau, strict=True):
+        _audit_state(model, plan, q, v, tau, outcome)
+
+
+def worst_states(model: Model, count: int, seed: int = 1) -> States:
+    """Return closed states of a mechanism: half of them the least regular of many, others drawn.
+
+    Args:
+        model: the mechanism.
+        count: how many at most: those that are drawn may be among the others, too.
+        seed: the same gives the same states.
+    """
+    q, v = closed_states(model, max(DRAWN, count), seed=seed)
     least = [np.linalg.svd(constraints(model, each).rows, compute_uv=False) for each in q]
     ranks = [int((sizes > 1e-9 * sizes[0]).sum()) for sizes in least]
     order = np.argsort(
         [sizes[rank - 1] / sizes[0] for sizes, rank in zip(least, ranks, strict=True)]
     )
     rng = np.random.default_rng(seed)
-    for k in dict.fromkeys((*order[: states // 2].tolist(), *range(states - states // 2))):
-        if k < len(q):
-            _audit_state(model, plan, q[k], v[k], rng.uniform(-1, 1, model.ntau), outcome)
+    kept = [
+        k
+        for k in dict.fromkeys((*order[: count // 2].tolist(), *range(count - count // 2)))
+        if k < len(q)
+    ]
+    tau = rng.uniform(-1, 1, (len(kept), model.ntau))
+    return States(q[kept], v[kept], tau)
 
 
 def _audit_state(

@@ -1,0 +1,186 @@
+"""A bound of an answer's error where loops hold the robot.
+
+What the answer leaves over is swept inwards once more, as where it is refined (corrections.py).
+Each elimination on the way takes its share of the square of the energy norm, so that no correction
+has to be found outwards; how its rows part is weighed by itself. What rounding may do beside that
+is summed as for trees (allowance.py). A closure's unknowns hand on
+what comes together at their joints, and take their share of it by the inertia of the accelerations
+that its rows leave free. Its rows are uncertain by what the accelerations at their ends are; what
+follows from them by that has the energy of moving these unknowns alone, since the rest only gives
+way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.executor.allowance import Allowance
+from adagen.executor.front import Front
+from adagen.executor.segments import Articulated
+from adagen.graph import Expression, factorize, total
+from adagen.plan.certificate import ROUNDING
+from adagen.plan.digits import EPSILON
+from adagen.plan.steps import Articulate, Eliminate, HoldBack, SolveRoot, StartLink, Step
+
+if TYPE_CHECKING:
+    from adagen.executor.machine import Machine
+
+Array = NDArray[Any]
+
+
+class ClosedCertificate(Allowance):
+    """Bounds the error of an answer from it and one correction."""
+
+    def __init__(self, machine: Machine) -> None:
+        super().__init__(machine, machine.motion)
+        self.machine = machine
+        self.held: dict[int, dict[int, Expression]] = {}
+        self.unit = ROUNDING * EPSILON[machine.plan.scalar]
+
+    def reach(self, j: int) -> None:
+        """Look at the link beyond a joint, whose acceleration is there."""
+        self.size(j)
+        self.uncertain_motion(j + 1, self.motion.link_inertia(j + 1))
+
+    def carry_out(self) -> None:
+        """Find the squares of the energy norms of the error, as bounded, and of the answer."""
+        corrections = self.machine.corrections
+        for link in corrections.links():
+            taken = corrections.current.memory["pA", link]
+            self.memory["left", link] = taken[:, 0]
+        seen = [x for step in corrections.in_order() for x in self._inwards(step)]
+        error = total(seen) + total(self.rounded) * self.unit**2
+        self.state.certificate = (error, corrections.size_of_answer())
+
+    def _inwards(self, step: Step) -> Iterator[Expression]:
+        """What a step sees of the error, squared; what it may round is kept."""
+        residual = self.machine.corrections.current
+        match step:
+            case StartLink(link):
+                held = residual.memory["held", link]
+                self.memory["noise", link] = self.pushed(link) + self._of_wrench(held)
+            case Articulate(j):
+                self._pass_articulated(j)
+                body: Articulated = residual.memory["articulated", j]
+                yield from (self.whole(j, x) for x in body.u[:, 0] * body.moved[:, 0])
+            case HoldBack():
+                self._pass_held(step)
+            case Eliminate():
+                front, left = (x.closures.fronts[step.closure] for x in (self.machine, residual))
+                blamed = next(iter(front.first), None)
+                if blamed is not None:
+                    self._eliminate(step, blamed, front, left)
+                    assert left.reduced is not None  # others are not certified
+                    yield self.whole(blamed, left.reduced.energy)
+            case SolveRoot(link):
+                self._at_root(link)
+                a, p = residual.memory["a", link], residual.memory["pA", link]
+                yield -total(p[:, 0] * a[:, 0])
+
+    def _of_wrench(self, wrench: Array) -> Array:
+        """Squares of moments and force, shape (4,)."""
+        squares = wrench * wrench
+        return np.array([*squares[:3], total(squares[3:])], dtype=object)
+
+    # -- joints -----------------------------------------------------------------------------------
+
+    def _pass_articulated(self, j: int) -> None:
+        body: Articulated = self.memory["articulated", j]
+        noise, free = self.noise_at(j + 1), list(self.state.kind(j).free)
+        self.weigh_noise(j, body.factors, noise[[min(k, 3) for k in free]])
+        given = self.state.torques(j)[:, 0]
+        self._hand_on(j, free, given, noise)
+
+    def _pass_held(self, step: HoldBack) -> None:
+        """What comes together at a joint that is held back is its unknowns', and goes on whole."""
+        j, noise = step.joint, self.noise_at(step.joint + 1)
+        front = self.machine.closures.fronts[step.closure]
+        tied = [
+            front.forces[unknown] * factor
+            for unknown, factor in front.ties.get(j, [])
+            if unknown in front.forces
+        ]
+        own = self.held.setdefault(step.closure, {})
+        for k, row in enumerate(self.state.kind(j).free):
+            own[step.first + k] = total([noise[min(row, 3)], *(x * x for x in tied)])
+        self._hand_on(j, [], self.state.zeros(0), noise)
+
+    def _hand_on(self, j: int, free: list[int], given: Array, noise: Array) -> None:
+        if any(self.state.rows.near_links(j)):
+            passed = self.handed_noise(self.memory["X", j], free, given, noise)
+            self.state.rows.hand_on("noise", j, passed)
+
+    # -- closures ---------------------------------------------------------------------------------
+
+    def _eliminate(self, step: Eliminate, blamed: int, front: Front, left: Front) -> None:
+        """What the unknowns' share of rounding does to what the rows leave free, and to the top.
+
+        Args:
+            step: what eliminates them.
+            blamed: a joint whose lanes they are.
+            front: the closure as it was answered.
+            left: the same with what the answer leaves over.
+        """
+        reduced, own = front.reduced, self.held[step.closure]
+        assert reduced is not None  # others are not certified
+        moved = np.array([own[unknown] for unknown in reduced.moved], dtype=object)
+        squares = reduced.gained * reduced.gained
+        noise = [total([*(squares[:, k] * moved)]) for k in range(len(reduced.kept))]
+        kept = [own.get(unknown) for unknown in reduced.kept]  # of a basis none
+        noise = [x if y is None else x + y for x, y in zip(noise, kept, strict=True)]
+        if reduced.factors is not None:
+            self.weigh_noise(blamed, reduced.factors, np.array(noise, dtype=object))
+        rows = np.array([self._of_row(front, left, row) for row in step.rows], dtype=object)
+        for parts, inertia in zip(reduced.by_rows, reduced.inertia, strict=True):
+            if len(rows):
+                self.rounded.append(self.whole(blamed, total(parts * parts * rows) * inertia))
+        if step.link and any(x.constant != 0 for x in reduced.across.flat):
+            self._hand_to_top(step, reduced.across, moved)
+
+    def _hand_to_top(self, step: Eliminate, across: Array, moved: Array) -> None:
+        """What comes together at unknowns that follow from the top's acceleration is handed on."""
+        parts = [total((across[:, i] * across[:, i]) * moved) for i in range(6)]
+        lanes = self.machine.closures.lanes(step.closure)
+        tops = [lane.eliminate.link for lane in lanes]
+        count = len(dict.fromkeys(lane.eliminate.closure for lane in lanes))
+        handed = np.array([*parts[:3], total(parts[3:])], dtype=object)
+        self.state.rows.add("noise", tops, count, handed)
+
+    def _of_row(self, front: Front, left: Front, unknown: int) -> Expression:
+        """The square of how a row parts, and of what is added up for that, in squares of units."""
+        gap = left.gaps[unknown] * (1 / self.unit)
+        terms = [gap * gap]
+        for end in front.ends:
+            if unknown not in end.columns:
+                continue
+            column, field = end.columns[unknown], self.motion.field_of_all(end.links)
+            ground = np.array([self.state.graph.constant(0)] * 2, dtype=object)
+            turning, sliding = self.state.rows.of_links("size", end.links, ground)
+            spin = self.square(field.omega)
+            turning = total([turning, self.square(field.alpha), spin * spin])
+            terms.append(turning * self.square(column[:3]))
+            terms.append(total([sliding, self.square(field.a)]) * self.square(column[3:]))
+        for j, ties in front.ties.items():
+            for tied, factor in ties:
+                if tied == unknown:
+                    moved = self.memory["accelerated", j][0] * factor
+                    terms.append(moved * moved)
+        return total(terms)
+
+    # -- floating bases ---------------------------------------------------------------------------
+
+    def _at_root(self, link: int) -> None:
+        """What comes together at a floating base, and what its acceleration of free fall rounds."""
+        noise = self.noise_at(link)
+        self.weigh_noise(link - 1, factorize(self.memory["IA", link]), noise[[0, 1, 2, 3, 3, 3]])
+        drift = self.motion.drift(link - 1)
+        if drift is None:
+            return
+        links = self.machine.corrections.links()
+        masses = [self.whole(each - 1, self.state.rows.mass(each)) for each in links]
+        fall = self.square([*drift[3:, 0], *self.memory["a", link][3:, 0]])
+        self.rounded.append(total(masses) * fall)
