@@ -91,7 +91,8 @@ class Solver:
         """Bound of the error of the last call's accelerations, a float; of many states (S,).
 
         Of their energy norm relative to theirs, sqrt(e^T H e / qdd^T H qdd) with the joint-space
-        inertia H (docs/explanation/certificates.md). NaN for states that cannot be solved.
+        inertia H (docs/explanation/certificates.md). Infinite beyond 1/64, where hardly a digit is
+        sure; NaN for states that cannot be solved.
 
         Raises:
             UsageError: the robot was not compiled with ``certify=True``, or nothing was solved yet.

@@ -97,4 +97,6 @@ TEST_CASE("a bound of an error is that of its norm beside the answer's") {
   CHECK(bound_of(0, 1) == 0);
   CHECK(std::isinf(bound_of(1e-20, 0)));
   CHECK(std::isinf(bound_of(0, 0)));
+  CHECK(bound_of(1.0, 64.0 * 64.0) == 1.0 / 64);
+  CHECK(std::isinf(bound_of(1.0, 4000)));
 }
