@@ -198,6 +198,7 @@ def test_batches_on_hosts_grow_until_handing_out_limits() -> None:
 def test_programs_from_the_cache_keep_what_they_took_to_compile(scale: Scale) -> None:
     earlier = replace(scale, rows=(row(100, 4, 1600.0, compiled=9.0),))
     assert row(100, 4, 1500.0).made_as(earlier) == row(100, 4, 1500.0, compiled=9.0)
+    assert row(100, 4, 1500.0, compiled=0.04).made_as(earlier).compiled == 9.0  # looked up
     assert row(100, 4, 1500.0, compiled=8.0).made_as(earlier).compiled == 8.0
     assert row(100, 2, 1500.0).made_as(earlier).compiled == 0.0
     assert row(100, 4, 1500.0).made_as(None).compiled == 0.0
