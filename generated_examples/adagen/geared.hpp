@@ -92,7 +92,7 @@ void carry(const Geared<Kind>& i, Mat6& m) {
   const Articulated<Kind>& body = i;
   carry(body, own);
   share(i, m);
-  m.transposeInPlace();
+  m = m.transpose();
   share(i, m);
   m += own;
 }

@@ -30,7 +30,6 @@
 
 
 #include <mpi.h>
-#include <Eigen/Core>
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
@@ -194,7 +193,6 @@ struct Cuts {
   Joint_flange_roll j_flange_roll;
   std::array<Columns6, kLinkCount> loads;  // wrenches on links, from handle forces
   Refinement refinement;
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
 }  // namespace

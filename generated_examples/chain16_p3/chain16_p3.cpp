@@ -31,7 +31,6 @@
 
 
 #include <mpi.h>
-#include <Eigen/Core>
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
@@ -248,7 +247,6 @@ struct Cuts {
   Joint_joint12 j_joint12;
   Joint_joint14 j_joint14;
   std::array<Columns6, kLinkCount> loads;  // wrenches on links, from handle forces
-  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
 }  // namespace

@@ -1,7 +1,6 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -13,16 +12,14 @@ namespace {
 // What goes into a message, and out of one.
 template <class M>
 Number* put(Number* to, const M& m) {
-  Eigen::Map<Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>>{to} =
-      m.template cast<Number>();
-  return to + M::SizeAtCompileTime;
+  std::copy(m.data(), m.data() + M::kSize, to);
+  return to + M::kSize;
 }
 
 template <class M>
 const Number* get(const Number* from, M& m) {
-  using Content = Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>;
-  m = Eigen::Map<const Content>(from).template cast<Real>();
-  return from + M::SizeAtCompileTime;
+  m = M::of(from);
+  return from + M::kSize;
 }
 
 template <std::size_t n>
