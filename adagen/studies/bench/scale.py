@@ -126,8 +126,8 @@ def _chain(
         file.write_text(chain(joints), encoding="utf-8")
         toolchain, robot = find_toolchain(), read(file)
         model, solvers = robot.model, []
-        for count in processes:
-            on_progress(f"chain of {joints}: building P={count}")
+        for k, count in enumerate(processes, start=1):
+            on_progress(f"chain of {joints}: building {k} of {len(processes)} (P={count})")
             solvers.append(made(robot, count, wanted.profile, toolchain))
         others = _others(model, Path(folder), absent) if wanted.peer else []
         held = [solver.contestant for solver in solvers] + others

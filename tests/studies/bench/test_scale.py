@@ -142,7 +142,7 @@ def test_small_chains_are_built_timed_and_right() -> None:
         assert each.predicted is not None and each.predicted > 0 and each.size > 1
         if each.processes == 1:  # by which it is scaled
             assert each.scaled == pytest.approx(each.least)
-    assert any("building P=2" in text for text in said)
+    assert any("building 2 of 2 (P=2)" in text for text in said)
     again = measure_chains(
         Wanted([(8, (1,))], Rules(rounds=1), peer=False), said.append, before=found
     )
