@@ -26,7 +26,7 @@ from pathlib import Path
 from typing import Any
 
 from adagen.build import Toolchain, find_toolchain
-from adagen.calibrate.measure import Measurement, Program, least
+from adagen.calibrate.measure import Measurement, Program, combined
 from adagen.calibrate.robots import chain, robot, squared, star, tree
 from adagen.calibrate.schedules import random_schedule
 from adagen.cli.console import note
@@ -123,7 +123,7 @@ def measured(
             "label": label,
             "shape": program.shape,
             "plan": plan_to_json(plan),
-            "measured": dataclasses.asdict(least(times)),
+            "measured": dataclasses.asdict(combined(times)),
         }
         for (label, plan), program, times in zip(labelled, programs, found, strict=True)
     ]

@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 from adagen.calibrate.measure import Measurement
 from adagen.calibrate.nnls import nnls
 from adagen.cost.features import Features, added, operation_features
-from adagen.cost.straight import straight_features
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan
 from adagen.plan.stages import Stage, stages
@@ -27,7 +26,7 @@ Array = NDArray[np.float64]
 _STEADY = 1e-2
 """Weight of the wish that coefficients of one group resemble each other, for what no equation tells
 apart (a link's start and its joint's articulation, say)."""
-_SHORT = 0.05
+SHORT = 0.05
 """Microseconds that a short stage may be off by before its relative error counts in full."""
 
 
@@ -96,7 +95,7 @@ def fit_steps(samples: Sequence[Sample]) -> dict[str, float]:
     for row, equation in zip(A, equations, strict=True):
         for name, count in equation.features.items():
             row[column[name]] = count
-    scale = 1 / (b + _SHORT)
+    scale = 1 / (b + SHORT)
     alike = _alike()
     weight = np.ones(len(b))
     for _ in range(4):
@@ -119,11 +118,12 @@ def _alike() -> Array:
 
     Those of the joint kinds of a group do, and that of a row of joints side by side, or of a joint
     of a run that is passed together, resembles that of one such joint. To pass a segment resembles
-    its kinematics.
+    its kinematics. Wrenches that are carried through runs take a fraction of what a mobility does.
     """
     rows = []
     for group in PER_KIND:
         alone = "kinematics" if group == "passing_segments" else group.split("_")[0]
+        alone = group if alone == "propagate" else alone
         priced = (*KINDS, *({PRESCRIBED} & set(PER_KIND[group])))
         for kind in priced:
             others = priced if alone == group else (kind,)
@@ -137,43 +137,11 @@ def _alike() -> Array:
     row = np.zeros(len(NAMES))  # by columns or not
     row[NAMES.index("articulate_columns.run")], row[NAMES.index("articulate.run")] = 1, -1
     rows.append(row)
-    row = np.zeros(len(NAMES))  # one equation has it, and is not to be solved by it
-    row[NAMES.index("propagate.ground")], row[NAMES.index("propagate.prescribed")] = 10, -10
-    rows.append(row)
     for k in range(len(NAMES)):
         row = np.zeros(len(NAMES))
         row[k] = 0.1  # and nothing is dearer than it need be
         rows.append(row)
     return np.array(rows)
-
-
-HELD = range(1000, 6001, 500)
-"""Statements that a first instruction cache may hold: 32 kB are some 2500."""
-
-
-def fit_straight(programs: Sequence[Program], times: Sequence[float]) -> dict[str, float]:
-    """Return the coefficients of straight lines of statements, microseconds.
-
-    How many statements the first instruction cache holds is what explains the times best.
-
-    Args:
-        programs: of shape `unrolled`, on one process each.
-        times: of an evaluation by each, microseconds.
-    """
-    rows = [straight_features(program, 0.0) for program in programs]
-    weight = 1 / np.array(times)
-
-    def fit(held: float) -> tuple[float, dict[str, float]]:
-        beyond = [
-            {**row, "unrolled.fetched": max(0.0, row["unrolled.fetched"] - held)} for row in rows
-        ]
-        names = list(rows[0])
-        A = np.array([[row[name] for name in names] for row in beyond]) * weight[:, None]
-        x = nnls(A, np.ones(len(times)))
-        off = float(((A @ x - 1) ** 2).sum())
-        return off, {**dict(zip(names, map(float, x), strict=True)), "unrolled.held": held}
-
-    return min((fit(float(held)) for held in HELD), key=lambda found: found[0])[1]
 
 
 def evaluation_cost(samples: Sequence[Sample]) -> float:
@@ -187,6 +155,6 @@ def relative_errors(samples: Sequence[Sample], costs: StepCosts) -> dict[str, li
     found: dict[str, list[float]] = {}
     for sample in samples:
         for equation in sample.equations():
-            error = (equation.predicted(costs) - equation.time) / max(equation.time, _SHORT)
+            error = (equation.predicted(costs) - equation.time) / max(equation.time, SHORT)
             found.setdefault(equation.what, []).append(error)
     return found

@@ -7,6 +7,7 @@ import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from statistics import median
 from typing import Any
 
 from adagen.build import Toolchain, build_executable
@@ -46,8 +47,7 @@ class Measurement:
     """What was measured of one emitted program; microseconds.
 
     Attributes:
-        time: an evaluation, state and result in place, on average over the middle half of all: the
-            least of several runs.
+        time: an evaluation, state and result in place, on average over the middle half of all.
         best: the fastest evaluation seen.
         stages: in the order of ``adagen.plan.stages.stages``, process by process.
         channel: window, message or none.
@@ -175,12 +175,16 @@ def _measurement(report: dict[str, Any], trace: dict[str, Any]) -> Measurement:
     )
 
 
-def least(measurements: Sequence[Measurement]) -> Measurement:
-    """Return the least of several measurements of one program, number by number.
+def combined(measurements: Sequence[Measurement]) -> Measurement:
+    """Return several measurements of one program as one, number by number.
 
-    Other work on the machine only ever adds to a time, so that the least is the truest.
+    Other work on the machine only ever adds to a time, so that the least is the truest. But how
+    long processes wait for each other differs from run to run, and whoever calls them gets any of
+    these times: of several processes, the median of the evaluations counts.
     """
     first = measurements[0]
+    several = len({stage.process for stage in first.stages}) > 1
+    time = (median if several else min)(m.time for m in measurements)
     stages = tuple(
         StageTime(
             same[0].process,
@@ -192,7 +196,7 @@ def least(measurements: Sequence[Measurement]) -> Measurement:
         for same in zip(*(m.stages for m in measurements), strict=True)
     )
     return Measurement(
-        min(m.time for m in measurements),
+        time,
         min(m.best for m in measurements),
         stages,
         first.channel,

@@ -24,12 +24,12 @@ from adagen.calibrate.fit import (
     Sample,
     evaluation_cost,
     fit_steps,
-    fit_straight,
     relative_errors,
 )
-from adagen.calibrate.measure import Measurement, Program, least
+from adagen.calibrate.measure import Measurement, Program, combined
 from adagen.calibrate.samples import Program as Wanted
 from adagen.calibrate.samples import stepwise_programs, straight_programs
+from adagen.calibrate.straight import fit_straight, timed_stretches
 from adagen.calibrate.surrogate import fit_equation11
 from adagen.cost import timeline
 from adagen.cost.features import operation_features
@@ -109,7 +109,7 @@ def calibrate(
     costs = _with_slaved(costs, [sample for sample in found.stepwise if sample.plan.slaved])
     sent = costs  # as messages by themselves have it
     if found.channels is not None:
-        costs = _with_latency_at_work(costs, free)
+        costs = _with_latency_at_work(costs, [*free, *found.straight])
     profile = replace(fit_equation11(name, costs), steps=costs)
     samples = [*found.stepwise, *found.straight]
     totals = [
@@ -156,7 +156,10 @@ def _measure(
     chosen, straight = stepwise_programs(profile, quick), straight_programs(profile)
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
     if cores < 2:
-        chosen = [each for each in chosen if len(each.plan.processes) == 1]
+        chosen, straight = (
+            [each for each in programs if len(each.plan.processes) == 1]
+            for programs in (chosen, straight)
+        )
     wanted = [*chosen, *straight]
     rounds = 2 if quick else _ROUNDS
     steps = _Steps(len(wanted) + rounds + 1, progress)
@@ -173,7 +176,7 @@ def _measure(
     speeds = _speeds(programs, cores) if cores <= _MOST_CORES else ()
     steps.done("comparing cores")
     samples = [
-        Sample(each.lowered, least(times)) for each, times in zip(wanted, found, strict=True)
+        Sample(each.lowered, combined(times)) for each, times in zip(wanted, found, strict=True)
     ]
     return _Measured(
         [each.label for each in wanted],
@@ -216,10 +219,7 @@ def _costs(free: Sequence[Sample], found: _Measured, default: CostProfile) -> St
     """Return the costs, but for those of slaved joints."""
     table = fit_steps(free)
     table["process.evaluation"] = evaluation_cost(free)
-    table |= fit_straight(
-        [sample.program for sample in found.straight],
-        [sample.measured.time for sample in found.straight],
-    )
+    table |= fit_straight(timed_stretches(found.straight))
     if found.channels is not None:
         window, message = (fit_channel(found.channels[channel]) for channel in CHANNELS)
     else:

@@ -42,11 +42,15 @@ MIXED = ["revolute", "spherical", "revolute", "prismatic", "planar"]
 
 CHOSEN = (
     ("segment", "halves", 2, 1, "half"),
+    ("segment", "rope", 2, 1, "half"),
+    ("segment", "rope", 2, 3, "shared"),
     ("segment", "limbs", 2, 2, "shared"),
     ("segment", "limbs", 1, 1, ""),
     ("segment", "rope", 1, 1, ""),
     ("segment", "rope", 2, 1, "gathered"),
     ("segment", "cable", 2, 1, "gathered"),
+    ("segment", "cable", 2, 1, "half"),
+    ("segment", "cable", 2, 1, "shared"),
     ("segment", "legs", 1, 1, ""),
     ("segment", "paws", 1, 1, ""),
     ("segment", "wings", 1, 1, ""),
@@ -58,6 +62,12 @@ CHOSEN = (
     ("ada", "halves", 2, 5, "half"),
     ("segment", "driven", 2, 1, "half"),
     ("ada", "driven", 2, 2, "half"),
+    ("segment", "legs", 2, 1, "shared"),
+    ("segment", "arms", 2, 1, "shared"),
+    ("segment", "arms", 2, 2, "shared"),
+    ("segment", "arms", 2, 1, "gathered"),
+    ("ada", "figure", 1, 7, "mixed"),
+    ("ada", "fence", 2, 1, "half"),
 )
 """Forms, robots, numbers of processes, seeds of schedules, and how these are drawn."""
 RARE = (
@@ -65,6 +75,10 @@ RARE = (
     ("ada", "others", 2, 6, "half"),
     ("segment", "halves", 2, 11, "shared"),
     ("segment", "turned", 2, 2, "half"),
+    ("segment", "driven", 2, 1, "shared"),
+    ("segment", "others", 2, 1, "gathered"),
+    ("segment", "track", 2, 1, "half"),
+    ("segment", "turns", 2, 1, "shared"),
 )
 """Likewise: what tells of rare kinds of joints."""
 
@@ -88,8 +102,26 @@ WAYS = (
     ("wrist", "each", ()),
     ("wrists", "columns", (2,)),
     ("wrists", "columns", (4,)),
+    ("slides", "each", ()),
+    ("slides", "columns", ()),
+    ("slides", "columns", (2,)),
+    ("slides", "columns", (4,)),
+    ("balls", "columns", (2,)),
+    ("balls", "columns", (4,)),
 )
 """Robots, methods and numbers of limbs side by side: whatever the price of these would choose."""
+
+CARRIED = (
+    ("rope", 1, "half"),
+    ("rope", 3, "shared"),
+    ("track", 1, "shared"),
+    ("others", 1, "shared"),
+)
+"""Robots, seeds and schedules on two processes, through which unit wrenches are carried by
+themselves: runs are swept inwards number by number."""
+
+TOGETHER = (("crab", "gathered"), ("figure", "gathered"), ("line", "gathered"))
+"""Robots and schedules of straight lines on two processes, which tell what it takes to meet."""
 
 
 @dataclass(frozen=True)
@@ -130,13 +162,17 @@ def stepwise_programs(profile: CostProfile, quick: bool) -> list[Program]:
     usual = by_method(profile, "usual")
     found = [
         _program(
-            f"{form} {name} P={processes}",
+            f"{form} {name} P={processes}{how and f', {how}'}",
             _plan(robots[name], form, processes, seed, how, profile),
             COUNTS,
             usual,
         )
         for form, name, processes, seed, how in chosen
     ]
+    for name, seed, how in CARRIED:
+        plan = _plan(robots[name], "segment", 2, seed, how, profile)
+        label = f"segment {name} P=2, {how}, by each"
+        found.append(_program(label, plan, (), by_method(profile, "each")))
     for name, method, counts in WAYS:
         plan = _plan(robots[name], "segment", 1, 1, "", profile)
         side = f", {' and '.join(map(str, counts))} side by side" if counts else ""
@@ -205,6 +241,11 @@ def _robots() -> Iterator[Model]:
     yield hollow(robot("wrists", star(4, 3), ["revolute"], 25))
     yield robot("body", [0, 1, 2, 3, 1, 5, 6, 1, 8, 9, 10, 8, 12, 13, 8], BODY, 15)
     yield robot("turned", chain(24), TURNED, 8)
+    yield robot("slides", star(4, 6), ["revolute", *["prismatic"] * 24], 31)
+    yield robot("balls", star(4, 4), ["revolute", *["spherical"] * 16], 32)
+    yield robot("track", chain(40), ["revolute", "prismatic", "spherical"], 33)
+    yield robot("turns", chain(24), ["spherical"], 34)
+    yield robot("fence", [0, 1, 0, 3, 0, 5, 0, 7, 0, 0, 0, 0], ["revolute"], 35)
     yield prescribed(robot("driven", chain(20), ROWS, 16))
 
 
@@ -213,6 +254,7 @@ def straight_programs(profile: CostProfile) -> list[Program]:
 
     Their operations for each degree of freedom differ, and so does what waits for what; some are so
     long that their instructions are fetched anew in each evaluation, and some have limbs in lanes.
+    Those of ``TOGETHER`` come last.
     """
     robots = [
         robot("pair", chain(2), ["revolute"], 1),
@@ -226,13 +268,17 @@ def straight_programs(profile: CostProfile) -> list[Program]:
         squared(robot("beast", star(4, 3), ["floating", *["revolute"] * 12], 29)),
         squared(robot("figure", crew((2, 6), (2, 7)), ["floating", *["revolute"] * 26], 30)),
     ]
+    by_name = {model.name: model for model in robots}
+    plans = [_plan(model, "segment", 1, 1, "", profile) for model in robots]
+    plans += [_plan(by_name[name], "segment", 2, 1, how, profile) for name, how in TOGETHER]
     found = []
-    for model in robots:
-        plan = _plan(model, "segment", 1, 1, "", profile)
-        for limbs in groupings(plan):
+    for plan in plans:
+        offers = groupings(plan)
+        for limbs in offers if len(plan.processes) == 1 else offers[-1:]:
             counts = [each.count for own in limbs for each in own]
             side = f", {' + '.join(map(str, counts))} side by side" if counts else ""
-            found.append(Program(f"straight {model.name}{side}", plan, "unrolled", limbs, profile))
+            label = f"straight {plan.name} P={len(plan.processes)}{side}"
+            found.append(Program(label, plan, "unrolled", limbs, profile))
     return found
 
 

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 _EPILOG = """\
 Small solvers are emitted, built and timed, and the costs of their steps are
-fitted to their times. It takes one to five minutes; nothing else should run
+fitted to their times. It takes five to fifteen minutes; nothing else should run
 meanwhile.
 
 examples:
@@ -46,7 +46,7 @@ def command_parser() -> Parser:
         "--name", type=_name, default="machine", help="of the profile (default: machine)"
     )
     parser.add_argument(
-        "--quick", action="store_true", help="half as many solvers, timed half as often"
+        "--quick", action="store_true", help="fewer solvers, timed a third as often"
     )
     parser.add_argument(
         "--out", type=Path, metavar="FILE", help="write here instead of storing it by name"

@@ -94,6 +94,7 @@ def step_features(step: Step, joints: Sequence[PlanJoint]) -> Features:
         case Join():
             return _join(step, kind)
         case Disassemble():
+            kind = "ground" if joint.parent == 0 and kind != "floating" else kind
             return {f"disassemble.{kind}": 1, "disassemble.coupling": len(step.forces)}
         case Articulate():
             grounded = not step.reversed and joint.parent == 0
@@ -200,11 +201,10 @@ def _run_features(operation: Operation, run: Run, joints: Sequence[PlanJoint]) -
         found[name] = 1
     if operation.method == "turned":
         found["articulate.turned"] = len(operation.steps)
-    if operation.method == "carried":
-        last = operation.steps[-1]
-        assert isinstance(last, Propagate)
-        first = operation.steps[0]
+    first, last = operation.steps[0], operation.steps[-1]
+    if isinstance(last, Propagate) and operation.method in ("carried", "along"):
         from_ground = isinstance(first, Propagate) and first.near is None
+        found["propagate_run.run"] = 1
         found["propagate_run.product"] = (0 if from_ground else 2) + len(last.spreads)
     return found
 
@@ -232,7 +232,7 @@ def _limbs_features(operation: Operation, limbs: Limbs, joints: Sequence[PlanJoi
     if operation.nested:
         found.append({"limbs.nested_inwards" if inwards else "limbs.nested_outwards": 1})
     if operation.method == "turned":
-        found.append({"articulate.turned": len(limbs.rows)})
+        found.append({"limbs.turned": len(limbs.rows)})
     return added(found)
 
 
@@ -252,8 +252,14 @@ def _of_step(step: Step, operation: Operation, joints: Sequence[PlanJoint]) -> F
             }
         case Propagate(), "carried":
             return {f"propagate_run.{joints[step.joint].kind}": 1}
+        case Propagate(), "along":
+            return {f"propagate_along.{joints[step.joint].kind}": 1}
+        case Deliver(), "along":
+            return {"deliver.along": 1}
         case Load(), "through":
             return {}
+        case Kinematics(), "step":
+            return {**step_features(step, joints), "kinematics.step": 1}
         case Articulate(), "columns" | "tiles":
             if joints[step.joint].parent == 0 and not step.reversed:
                 return {"articulate.ground": 1}

@@ -4,22 +4,25 @@ from __future__ import annotations
 
 import math
 
-from adagen.cost.features import Features, added
 from adagen.executor import simulate, stretches
+from adagen.executor.stretches import Stretch
+from adagen.plan.steps import Receive, Send
 from adagen.program import Program
 from adagen.schedule.costs import StepCosts
 
 
-def straight_features(program: Program, held: float) -> Features:
-    """Return what the straight line of a program of one process is made of.
+def straight_stretches(program: Program, held: float) -> list[list[Stretch]]:
+    """Return the stretches of the straight line of each process of a program.
 
     Args:
         program: of shape `unrolled`.
         held: statements that the first instruction cache holds.
     """
-    (process,) = simulate(program.plan, program.slots.limbs)
-    parts = stretches(process, program.plan.processes[0].steps, held)
-    return added([{"unrolled.evaluation": 1}, *(part.features for part in parts)])
+    line = simulate(program.plan, program.slots.limbs)
+    return [
+        stretches(simulated, process.steps, held)
+        for simulated, process in zip(line, program.plan.processes, strict=True)
+    ]
 
 
 def straight_times(program: Program, costs: StepCosts) -> list[list[float]]:
@@ -28,14 +31,19 @@ def straight_times(program: Program, costs: StepCosts) -> list[list[float]]:
     The operations of a stretch share its time by their statements.
     """
     found = []
-    line = simulate(program.plan, program.slots.limbs)
     # In batches instructions are fetched once for all lanes.
     held = math.inf if program.batch else costs["unrolled.held"]
-    for simulated, process in zip(line, program.plan.processes, strict=True):
+    parts = straight_stretches(program, held)
+    for own, process in zip(parts, program.plan.processes, strict=True):
         times = [0.0] * len(process.steps)
-        for part in stretches(simulated, process.steps, held):
-            total, all_of_them = costs.total(part.features), max(1, sum(part.statements.values()))
-            for step, count in part.statements.items():
+        for part in own:
+            counts = {  # messages have prices of their own
+                step: count
+                for step, count in part.statements.items()
+                if not isinstance(process.steps[step], Send | Receive)
+            }
+            total, all_of_them = part.time(costs), max(1, sum(counts.values()))
+            for step, count in counts.items():
                 times[step] = total * count / all_of_them
         found.append(times)
     return found

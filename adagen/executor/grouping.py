@@ -102,6 +102,6 @@ def _times(plan: Plan, grouping: Grouping, costs: StepCosts, simulating: Simulat
     held = costs["unrolled.held"]
     line = simulating(plan, grouping if any(grouping) else None)
     return [
-        sum(costs.total(part.features) for part in stretches(simulated, process.steps, held))
+        sum(part.time(costs) for part in stretches(simulated, process.steps, held))
         for simulated, process in zip(line, plan.processes, strict=True)
     ]

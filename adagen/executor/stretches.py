@@ -1,18 +1,22 @@
 """What the statements of straight lines are made of, in the coefficients of a cost profile.
 
 They are an expression graph, so that what a robot's structure saves is known exactly. Between two
-messages a process's statements are one stretch. Its time is that of its operations, of its sines
-and cosines, and of its longest chain of operations that wait for each other.
+messages a process's statements are one stretch. Its time is that of its operations or of its
+longest chain of operations that wait for each other, whichever is longer, and of its sines and
+cosines. Where both are alike, neither fills the other's gaps wholly: the time is the fourth root of
+the sum of their fourth powers.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import sqrt
 
 from adagen.executor.run import Simulated
 from adagen.graph import live_nodes
 from adagen.plan.steps import Receive, Send, Step
+from adagen.schedule.costs import StepCosts
 
 _COMPUTED = ("add", "sub", "mul", "reciprocal")
 
@@ -28,6 +32,20 @@ class Stretch:
 
     features: dict[str, float]
     statements: dict[int, int]
+
+    def time(self, costs: StepCosts) -> float:
+        """Return what it takes on a machine, microseconds."""
+        parts = {name: costs[name] * count for name, count in self.features.items()}
+        waits, sines = parts.pop(WAITS), parts.pop(SINES)
+        return at_once(sum(parts.values()), waits) + sines
+
+
+WAITS, SINES = "unrolled.cycle", "unrolled.sine"
+
+
+def at_once(work: float, waits: float) -> float:
+    """Return what operations and a chain of them take together; roots are the same everywhere."""
+    return sqrt(sqrt(work**4 + waits**4))
 
 
 def stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list[Stretch]:

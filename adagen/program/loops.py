@@ -32,6 +32,7 @@ from adagen.plan.types import Plan, Process
 from adagen.plan.wanted import needed_outwards
 from adagen.program.names import PASSING
 from adagen.program.runs import (
+    OF_ONE_FREEDOM,
     Run,
     ends_of_run,
     links_of_run,
@@ -57,6 +58,7 @@ class Loops:
         limbs: those that the process passes side by side.
         batch: whether SIMD lanes are for states.
         costs: what the methods take that a run can be passed by.
+        again: whether sweeps are done again, for what is left over (refinement).
     """
 
     def __init__(
@@ -67,6 +69,8 @@ class Loops:
         limbs: Sequence[Limbs],
         batch: bool,
         costs: StepCosts,
+        *,
+        again: bool = False,
     ) -> None:
         self.plan, self.process, self.slots, self.limbs = plan, process, slots, limbs
         self.batch, self.costs = batch, costs
@@ -85,6 +89,10 @@ class Loops:
         self.holding: set[int] = set()  # links at which an inertia has been left
         self.bare: set[int] = set()  # links whose own inertia is set up
         self.by_columns: set[int] = set()  # those of them that are set up by columns, too
+        self.swept: set[Run] = set()  # runs that are swept inwards by columns
+        self.along: set[Run] = set()  # those that unit wrenches are carried through meanwhile
+        # A sweep that is repeated with other forces leaves mobilities as they are.
+        self.once = not (again or plan.slaved)
         self.found: list[Operation] = []
         self.stage = 0
 
@@ -231,6 +239,7 @@ class Loops:
 
     def _method(self, run: Run) -> Method:
         if self._in_columns(run):
+            self.swept.add(run)
             return "columns"
         return "turned" if self._is_turned(run) else "each"
 
@@ -240,6 +249,9 @@ class Loops:
             return False
         far = {link - 1 for link in links_of_run(self.joints, run) if run.reversed}
         return not self.turned.isdisjoint({*range(run.first, run.last + 1), *far})
+
+    def _of_one_freedom(self, run: Run) -> bool:
+        return all(self.joints[j].kind in OF_ONE_FREEDOM for j in run.joints())
 
     def _near(self, run: Run) -> int:
         return ends_of_run(self.joints, run)[0]
@@ -267,7 +279,10 @@ class Loops:
         for run in carried_runs(self.plan, steps, self.named, self.told_apart):
             if len(run) > 1:
                 first, last = sorted((run[0].joint, run[-1].joint))
-                self._add("propagate", Run(first, last, run[0].reversed), "carried", run)
+                block = Run(first, last, run[0].reversed)
+                if block in self.swept and self.once and not block.reversed:
+                    self.along.add(block)
+                self._add("propagate", block, "along" if block in self.along else "carried", run)
             else:
                 self._add("propagate", None, "step", run)
 
@@ -296,6 +311,8 @@ class Loops:
         for run in swept(self.joints, steps):
             inside = set(links_of_run(self.joints, run)) - set(ends_of_run(self.joints, run))
             method: Method = "through" if inside and inside <= self.through else "each"
+            if method == "through" and run in self.along and self._of_one_freedom(run):
+                method = "along"
             self._add("deliver", run, method, (by_joint[j] for j in _inwards(run)))
 
     def _accelerate(self, steps: list[Accelerate]) -> None:

@@ -58,11 +58,12 @@ def lower(
     slots = Slots.plainly(plan) if batch else Slots.of(plan, grouping, prices, again=again)
     programs = []
     for p, process in enumerate(plan.processes):
-        operations = Loops(plan, process, slots, slots.limbs[p], batch, prices).operations()
+        found = Loops(plan, process, slots, slots.limbs[p], batch, prices, again=again)
         recovery: tuple[Operation, ...] = ()
         if process.recovery:
-            recovery = Loops(plan, _recovery_of(process), slots, (), batch, prices).operations()
-        programs.append(ProcessProgram(operations, recovery))
+            other = _recovery_of(process)
+            recovery = Loops(plan, other, slots, (), batch, prices, again=again).operations()
+        programs.append(ProcessProgram(found.operations(), recovery))
     return Program(plan, shape, batch, slots, tuple(programs))
 
 

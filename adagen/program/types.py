@@ -25,6 +25,7 @@ Method = Literal[
     "lanes",
     "base",
     "carried",
+    "along",
     "through",
     "tiles",
     "straight",
@@ -41,6 +42,8 @@ Method = Literal[
 * ``base``: a floating base, whose frame is its own;
 * ``carried``: the mobility of a run's last link, by unit wrenches there that are carried through
   the run, one in each SIMD lane;
+* ``along``: the same along with the run's sweep inwards, by columns; a load of the last link is
+  then brought to all joints at once, by what the unit wrenches did to each;
 * ``tiles``: a long run outwards and inwards tile by tile, so that what it works on stays in the
   cache;
 * ``through``: a loop over a run on whose links between its ends nothing but the run itself acts;

@@ -24,12 +24,12 @@ LIMIT = 1e6
 """Most microseconds that a coefficient may be."""
 
 PER_KIND: dict[str, tuple[str, ...]] = {
-    "kinematics": ("run",),
+    "kinematics": ("run", "step"),
     "join": (PRESCRIBED, "ground", "coupling_a", "coupling_b", "block", "across"),
-    "disassemble": (PRESCRIBED, "coupling"),
+    "disassemble": (PRESCRIBED, "ground", "coupling"),
     "articulate": (PRESCRIBED, "ground", "reversed", "run", "turned"),
     "propagate": (PRESCRIBED, "ground", "reversed", "spread"),
-    "deliver": (PRESCRIBED, "reversed", "load"),
+    "deliver": (PRESCRIBED, "reversed", "load", "along"),
     "accelerate": (PRESCRIBED, "reversed", "run"),
     **{
         f"{group}_{number}": ()
@@ -39,20 +39,24 @@ PER_KIND: dict[str, tuple[str, ...]] = {
     "articulate_columns": ("run",),
     "kinematics_segments": ("run",),
     "passing_segments": (),
-    "propagate_run": ("product",),
+    "propagate_run": ("run", "product"),
+    "propagate_along": (),
 }
 """Groups with a coefficient per joint kind, and what else each has.
 
 A joint of known acceleration costs ``prescribed`` whatever its kind, and one on the ground
-``ground``; ``reversed`` is added where the segment's
-root lies below the joint, ``run`` once for every run of joints and ``turned`` for every joint, or
-row of them, of what is swept in the joints' own axes; the others are per handle, block or
-coupling. What ends on a number prices a row of as many joints, passed side by side; the limbs that
-they belong to cost something besides, once for each sweep (``limbs``). ``articulate_columns`` is
-for joints of runs that are computed by columns, ``kinematics_segments`` of runs passed outwards in
-segments, ``passing_segments`` of those that are only passed on the way to others, and
-``propagate_run`` of runs whose mobility is asked for at the last link only; ``product`` is a
-product of 6x6 matrices that they need beyond their joints.
+``ground``; ``reversed`` is added where the segment's root lies below the joint, ``run`` once for
+every run of joints, ``turned`` for every joint of what is swept in the joints' own axes, and
+``step`` where the kinematics of a joint are a call of their own; the others are per handle, block
+or coupling. What ends on a number prices a row of as many joints, passed side by side; the limbs
+that they belong to cost something besides, once for each sweep (``limbs``; ``limbs.turned`` for
+each row that is swept in the joints' own axes). ``articulate_columns`` is for joints of runs that
+are computed by columns, ``kinematics_segments`` of runs passed outwards in segments,
+``passing_segments`` of those that are only passed on the way to others, and ``propagate_run`` of
+runs whose mobility is asked for at the last link only; ``product`` is a product of 6x6 matrices
+that they need beyond their joints and ``run``. ``propagate_along`` is the same where unit wrenches
+go along with the sweep inwards, by columns; ``deliver.along`` brings a force to a joint of such a
+run.
 """
 
 OTHERS: dict[str, tuple[str, ...]] = {
@@ -60,7 +64,7 @@ OTHERS: dict[str, tuple[str, ...]] = {
     "root": ("invert", "solve", "accelerate", "mobility"),
     "free": ("base", "acceleration"),
     "slaved": ("solve", "apply", "column"),
-    "limbs": ("two", "four", "nested_inwards", "nested_outwards"),
+    "limbs": ("two", "four", "nested_inwards", "nested_outwards", "turned"),
     "process": ("evaluation", "margin"),
     "unrolled": ("evaluation", "operation", "move", "sine", "cycle", "fetched", "held"),
 }
@@ -149,6 +153,10 @@ class StepCosts:
         """Return the least that a joint takes that is passed alone or in a run, microseconds."""
         sweeps = min(self[f"articulate.{kind}"], self[f"articulate_columns.{kind}"])
         return self[f"kinematics.{kind}"] + sweeps + self[f"accelerate.{kind}"]
+
+    def carried(self, kind: str) -> float:
+        """Return the least that carrying unit wrenches across a joint of a run takes."""
+        return min(self[f"propagate_run.{kind}"], self[f"propagate_along.{kind}"])
 
     def row(self, kind: str, count: int) -> float:
         """Return what two, three or four joints of a kind take side by side, microseconds."""

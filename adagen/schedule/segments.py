@@ -72,7 +72,7 @@ class SegmentCosts:
         self.join = [
             Price(
                 self._ticks(f"join.{'ground' if g and not f else kind}"),
-                self._ticks(f"disassemble.{kind}"),
+                self._ticks(f"disassemble.{'ground' if g and not f else kind}"),
             )
             for kind, g, f in rows
         ]

@@ -76,7 +76,8 @@ class ExchangedSchedules:
         costs, own = self.costs, dict[str, tuple[float, float]]()
         for kind in set(self.kinds):
             second = costs[f"accelerate.{kind}"]
-            inner = _first_sweep(costs, kind, outermost=False) + costs[f"deliver.{kind}"]
+            forces = min(costs[f"deliver.{kind}"], costs["deliver.along"])
+            inner = _first_sweep(costs, kind, outermost=False) + forces
             own[kind] = _first_sweep(costs, kind, outermost=True) + second, inner + second
         spared = max(0.0, _sweep(costs, self.kinds[0]) - costs["articulate.ground"])
         whole = sum(own[kind][1] for kind in self.kinds) - spared
@@ -208,7 +209,7 @@ def _first_sweep(costs: StepCosts, kind: str, outermost: bool) -> float:
     """What a joint takes in a part until its process can tell others of it; microseconds."""
     kinematics = min(costs[f"kinematics.{kind}"], costs[f"kinematics_segments.{kind}"])
     own = kinematics + costs["link.start"] + _sweep(costs, kind)
-    passing = costs[f"passing_segments.{kind}"] + costs[f"propagate_run.{kind}"]
+    passing = costs[f"passing_segments.{kind}"] + costs.carried(kind)
     return own if outermost else own + passing
 
 

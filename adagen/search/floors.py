@@ -319,7 +319,7 @@ class Floors:
             priced = PRESCRIBED if joint.prescribed else joint.kind
             price = costs["propagate.ground" if joint.parent == 0 else f"propagate.{priced}"]
             if may_be_carried(joints, link - 1) or (beyond and may_be_carried(joints, beyond - 1)):
-                price = min(price, costs[f"propagate_run.{joint.kind}"])
+                price = min(price, costs.carried(joint.kind))
             inwards += price
             beyond, link = link, joint.parent
         return Floor(inwards, 0.0, inwards)

@@ -74,8 +74,10 @@ def least_profile(
             for kind in ("spherical", "floating"):
                 table[f"{group}.{kind}"] = min(table[f"{group}.{kind}"], run)
     for kind in profile.steps.kinds:  # carried through a run, with its handle forces
-        table[f"propagate.{kind}"] = min(table[f"propagate.{kind}"], table[f"propagate_run.{kind}"])
-        table["propagate.ground"] = min(table["propagate.ground"], table[f"propagate_run.{kind}"])
+        for key in (kind, "ground"):
+            price = min(table[f"propagate.{key}"], profile.steps.carried(kind))
+            table[f"propagate.{key}"] = price
+        table[f"deliver.{kind}"] = min(table[f"deliver.{kind}"], table["deliver.along"])
     table["propagate.spread"] = table["deliver.load"] = 0.0
     # A row on the ground is priced once.
     table["articulate.ground"] /= max(1, *(min(n, max(_ROWS)) for n in rows.values()))

@@ -1,10 +1,10 @@
 // Forward dynamics of "chain16" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // command   adagen ../models/chain16.urdf --procs 4 --form=ada --channel=message
-// input     profile default, sha256 394643a6a28df037e06f8a3aea3787b8201b724cc96761ed405e3e71948854af
+// input     profile default, sha256 7212f79f076826295046b57bc1c2ad583fd0f0a582d41e23f2342820958c62e8
 // options   form ada, shape joints, scalar double, channel message, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI
-// program   4 processes, joined at cuts; 2.1 us predicted (default profile)
+// program   4 processes, joined at cuts; 2.34 us predicted (default profile)
 //           process 0: joint01 .. joint06, joint10
 //           process 1: joint07 .. joint09
 //           process 2: joint11 .. joint14
@@ -1348,8 +1348,8 @@ struct chain16_p4_solver : Solver {};
 namespace {
 
 // From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 105, 0.402};
-constexpr adagen::Hop kMessageHop{19.7, 169, 0.574};
+constexpr adagen::Hop kWindowHop{0, 106, 0.425};
+constexpr adagen::Hop kMessageHop{20.7, 174, 0.587};
 
 adagen::Description<Number> description() {
   static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>(), table<kStages_2>(), table<kStages_3>()} };

@@ -16,17 +16,16 @@ from adagen.calibrate.fit import (
     Sample,
     evaluation_cost,
     fit_steps,
-    fit_straight,
     relative_errors,
 )
 from adagen.calibrate.measure import Measurement, StageTime
 from adagen.calibrate.nnls import nnls
 from adagen.calibrate.samples import Program as Wanted
 from adagen.calibrate.samples import stepwise_programs, straight_programs
+from adagen.calibrate.straight import fit_straight, timed_stretches
 from adagen.calibrate.surrogate import fit_equation11, join_time
 from adagen.calibrate.write import profile_text
 from adagen.cost import operation_features, timeline
-from adagen.cost.straight import straight_features
 from adagen.program import Program
 from adagen.schedule import load_profile, parse_profile
 from adagen.schedule.costs import NAMES, OTHERS, ChannelCosts, StepCosts
@@ -69,9 +68,8 @@ def test_every_coefficient_that_prices_something_is_measured(
         for operation in process.operations
         for name in operation_features(operation, program.plan.joints)
     }
-    seen |= set(straight_features(straight_programs(load_profile("paper"))[0].lowered, 0.0))
     fitted = {"process.evaluation", "process.margin", "unrolled.held"}
-    fitted |= {name for name in NAMES if name.startswith("slaved.")}
+    fitted |= {name for name in NAMES if name.startswith(("slaved.", "unrolled."))}
     unseen = {name for name in NAMES if name not in seen | fitted}
     told = {f"{group}.{key}" for group, keys in OTHERS.items() for key in keys}
     assert not {n for n in unseen if n in told or n.endswith((".revolute", ".run"))}
@@ -160,12 +158,12 @@ def test_a_sender_never_takes_longer_than_the_way() -> None:
 
 
 def test_costs_of_straight_lines_are_found_again() -> None:
-    truth = step_costs(unrolled__held=2500.0)
-    profile = CostProfile("x", 0.1, 0.1, 0.0, 1.0, steps=truth)
+    truth = step_costs(unrolled__held=2500.0, unrolled__cycle=0.5)
     lines = [each.lowered for each in straight_programs(load_profile("paper"))]
     assert any(any(line.slots.limbs) for line in lines)
-    times = [timeline(line, profile).makespan for line in lines]
-    found = fit_straight(lines, times)
+    assert any(len(line.processes) > 1 for line in lines)
+    rng = np.random.default_rng(7)
+    found = fit_straight(timed_stretches([played(line, truth, 0.0, rng) for line in lines]))
     assert set(found) == {name for name in NAMES if name.startswith("unrolled.")}
     assert found == pytest.approx({name: truth[name] for name in found}, rel=1e-5)
 

@@ -9,7 +9,7 @@ import pytest
 
 from adagen.calibrate.robots import chain, robot, squared, star
 from adagen.cost import programmed
-from adagen.cost.straight import straight_features
+from adagen.cost.straight import straight_stretches
 from adagen.emit.predicted import is_priced, predict, priced_program
 from adagen.emit.shapes import SHAPES, chosen_shape
 from adagen.executor import simulate
@@ -54,11 +54,12 @@ def test_it_is_what_auto_emits(model: Model) -> None:
     assert priced_program(plan, "kernels").shape == "kernels"
     assert line.makespan < other.makespan  # or auto would be wrong
     (only,) = simulate(plan)
-    found = straight_features(programmed(plan, "unrolled"), 2500.0)
+    ((part,),) = straight_stretches(programmed(plan, "unrolled"), 2500.0)
+    found = part.features
     assert found["unrolled.sine"] == len(model.joints)
     assert found["unrolled.operation"] == only.operations.arithmetic - only.operations.fused
     costs = step_costs(unrolled__held=2500.0)
-    expected = sum(costs[name] * count for name, count in found.items())
+    expected = costs["unrolled.evaluation"] + part.time(costs)
     profile = step_profile((), unrolled__held=2500.0)
     assert predict(plan, profile, "unrolled").makespan == pytest.approx(expected)
 

@@ -10,7 +10,7 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from adagen.calibrate.measure import Program, least
+from adagen.calibrate.measure import Program, combined
 from adagen.drawing.trace import machine_svg
 from adagen.emit.predicted import predict
 from adagen.errors import InputError
@@ -127,7 +127,7 @@ def test_a_program_is_measured_stage_by_stage(solver: Solver) -> None:
     program.executable = solver.executable
     runs = [program.measure(repeat=2, channel=channel) for channel in ("window", "message")]
     assert [run.channel for run in runs] == ["window", "message"]
-    best = least(runs)
+    best = combined(runs)
     assert best.time == min(run.time for run in runs) and best.best <= best.time
     assert len(best.stages) == sum(len(stages(p)) for p in program.plan.processes)
     assert [stage.process for stage in best.of(1)] == [1] * len(best.of(1))

@@ -26,7 +26,7 @@ from adagen.plan.steps import (
 from adagen.plan.types import Process
 from adagen.program import Links, Operation
 from adagen.program.names import PASSING, PREPARED
-from adagen.program.runs import OF_ONE_FREEDOM, Run, ends_of_run, links_of_run, spans
+from adagen.program.runs import Run, ends_of_run, links_of_run, spans
 from adagen.program.segments import split
 from adagen.program.slots import Slots
 
@@ -65,21 +65,9 @@ class KernelLines:
         self.segments = tuple(  # runs that are passed outwards in segments
             op.block for op in operations if op.method == "segments" and isinstance(op.block, Run)
         )
-        self.along = self._carried_along()
-
-    def _carried_along(self) -> frozenset[Run]:
-        """Runs that wrenches are carried through along with the sweep inwards.
-
-        Not where the sweep is repeated with other forces: that leaves mobilities as they are.
-        """
-        if self.words.refine or self.words.plan.slaved:
-            return frozenset()
-        runs = {
-            method: {op.block for op in self.operations if (op.does, op.method) == (does, method)}
-            for does, method in (("articulate", "columns"), ("propagate", "carried"))
+        self.along = {
+            op.block for op in operations if (op.does, op.method) == ("propagate", "along")
         }
-        both = runs["columns"] & runs["carried"]
-        return frozenset(run for run in both if isinstance(run, Run) and not run.reversed)
 
     def all_lines(self) -> list[str]:
         """Return the lines of the process."""
@@ -320,20 +308,16 @@ class KernelLines:
         return ["{", f"  const auto X = {sweep}", *left, "}"] if left else [sweep]
 
     def _propagate(self, operation: Operation) -> list[str]:
-        return mobility.propagation(self.words, operation, self.along)
+        return mobility.propagation(self.words, operation)
 
     def _deliver(self, operation: Operation) -> list[str]:
         assert isinstance(operation.block, Run)
-        through, run = operation.method == "through", operation.block
-        if (
-            through
-            and run in self.along
-            and all(self.joints[j].kind in OF_ONE_FREEDOM for j in run.joints())
-        ):
+        run = operation.block
+        if operation.method == "along":
             call = f"deliver_along<{run.first}, {run.last}>(w, {mobility.way_of(run)});"
-            return [call + self._names(run)]
-        call = mobility.delivery(self.words, operation.block, through=through)
-        return [call + self._names(operation.block)]
+        else:
+            call = mobility.delivery(self.words, run, through=operation.method == "through")
+        return [call + self._names(run)]
 
     def _load(self, operation: Operation) -> list[str]:
         if operation.method == "through":

@@ -7,7 +7,7 @@ into its joint's frame (adagen/kernels/mobility.hpp) and then is that of shape `
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Container, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 
 from adagen.emit import effects
@@ -40,6 +40,9 @@ from adagen.plan.types import Process
 from adagen.program import Operation, Program
 from adagen.program.runs import Run, ends_of_run
 
+CARRIED = ("carried", "along")
+"""Methods by which wrenches are carried through runs."""
+
 STEPS = (
     InvertRoot
     | LinkBias
@@ -69,7 +72,7 @@ def holds_ground(plan: Plan) -> bool:
 def carries(program: Program) -> bool:
     """Return whether wrenches are carried through runs to find mobilities."""
     return any(
-        operation.method == "carried"
+        operation.method in CARRIED
         for own in program.processes
         for operation in (*own.operations, *own.recovery)
     )
@@ -128,7 +131,7 @@ def _computed(program: Program) -> Iterator[Step]:
     """Yield the steps whose results have a place: of a carried run that is the last one."""
     for own in program.processes:
         for operation in (*own.operations, *own.recovery):
-            yield from operation.steps[-1:] if operation.method == "carried" else operation.steps
+            yield from operation.steps[-1:] if operation.method in CARRIED else operation.steps
 
 
 def _members_of_join(words: Words, join: Join) -> list[str]:
@@ -207,19 +210,11 @@ def way_of(run: Run) -> str:
     return f"way_{run.first}"
 
 
-def propagation(
-    words: Words, operation: Operation, along: Container[Run] = frozenset()
-) -> list[str]:
-    """Return the lines of an operation that takes mobilities outwards.
-
-    Args:
-        words: the plan's names.
-        operation: the operation.
-        along: runs that wrenches were carried through along with the sweep inwards.
-    """
+def propagation(words: Words, operation: Operation) -> list[str]:
+    """Return the lines of an operation that takes mobilities outwards."""
     steps = [step for step in operation.steps if isinstance(step, Propagate)]
     first, last = steps[0], steps[-1]
-    if operation.method != "carried":
+    if operation.method not in CARRIED:
         return _propagate(words, first)
     run = operation.block
     assert isinstance(run, Run)
@@ -230,7 +225,7 @@ def propagation(
     else:
         shown = f"show({way}, {words.block(first.near)}, {words.bias(first.near_bias)}, {target});"
     lines = [shown, *_coupled(words, run, first, last)]
-    if run in along:
+    if operation.method == "along":
         return lines
     turned = "true" if run.reversed else "false"
     return [

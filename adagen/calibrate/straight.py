@@ -1,0 +1,104 @@
+"""From measured times of straight lines to what their statements cost."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.calibrate.fit import SHORT, Sample
+from adagen.calibrate.nnls import nnls
+from adagen.cost.straight import straight_stretches
+from adagen.executor.stretches import SINES, WAITS, at_once
+
+Array = NDArray[np.float64]
+
+HELD = range(1000, 6001, 500)
+"""Statements that a first instruction cache may hold: 32 kB are some 2500."""
+
+_WORK = ("unrolled.operation", "unrolled.move", "unrolled.fetched")
+_NAMES = (*_WORK, WAITS, SINES, "unrolled.evaluation")
+_TURNS = 60
+
+
+@dataclass(frozen=True)
+class Timed:
+    """A stretch of statements that was timed.
+
+    Attributes:
+        features: how often each coefficient counts, no statement being held.
+        statements: of all stretches of its process.
+        time: microseconds.
+    """
+
+    features: dict[str, float]
+    statements: float
+    time: float
+
+    def row(self, held: float) -> list[float]:
+        """Return how often each of ``_NAMES`` counts where so many statements are held."""
+        beyond = max(0.0, 1 - held / max(1.0, self.statements))
+        fetched = beyond * self.features["unrolled.fetched"]
+        found = {**self.features, "unrolled.fetched": fetched}
+        return [found.get(name, 0.0) for name in _NAMES]
+
+
+def timed_stretches(samples: Sequence[Sample]) -> list[Timed]:
+    """Return the stretches of straight lines, with what was measured of them.
+
+    Whole evaluations of one process, and what several do before and after messages.
+    """
+    return [timed for sample in samples for timed in _timed(sample)]
+
+
+def _timed(sample: Sample) -> Iterator[Timed]:
+    alone = len(sample.program.processes) == 1
+    for p, own in enumerate(straight_stretches(sample.program, 0.0)):
+        times = [0.0] * len(own)
+        place = 0
+        for stage in sample.measured.of(p):
+            place += stage.message is not None
+            times[place] += stage.length * (stage.message is None)
+        statements = sum(part.features["unrolled.fetched"] for part in own)
+        for part, time in zip(own, times, strict=True):
+            if alone:
+                features = {**part.features, "unrolled.evaluation": 1.0}
+                yield Timed(features, statements, sample.measured.time)
+            elif time >= SHORT:  # what a clock can tell
+                yield Timed(part.features, statements, time)
+
+
+def fit_straight(timed: Sequence[Timed]) -> dict[str, float]:
+    """Return the coefficients of straight lines of statements, microseconds.
+
+    How many statements the first instruction cache holds is what explains the times best.
+    """
+    return min((_fit(timed, float(held)) for held in HELD), key=lambda found: found[0])[1]
+
+
+def _fit(timed: Sequence[Timed], held: float) -> tuple[float, dict[str, float]]:
+    """Return how far off the times are, and the coefficients by which they are.
+
+    A time is linear in its operations and its waits but for ``at_once``; that is a sum of both with
+    weights that depend on them, from turn to turn.
+    """
+    weight = 1 / np.array([each.time for each in timed])
+    A = np.array([each.row(held) for each in timed]) * weight[:, None]
+    work, waits = range(len(_WORK)), _NAMES.index(WAITS)
+    weights = np.full((len(timed), 2), 0.5)
+    for _ in range(_TURNS):
+        B = A.copy()
+        B[:, work] *= weights[:, :1]
+        B[:, waits] *= weights[:, 1]
+        x = nnls(B, np.ones(len(timed)))
+        parts = np.column_stack([A[:, work] @ x[work], A[:, waits] * x[waits]])
+        both = np.array([at_once(*each) for each in parts])
+        # By Euler's theorem the sum with these weights is what both take together.
+        weights = np.maximum((parts / np.maximum(both, 1e-12)[:, None]) ** 3, 1e-9)
+    off = both + A[:, waits + 1 :] @ x[waits + 1 :] - 1
+    return float((off**2).sum()), {
+        **dict(zip(_NAMES, map(float, x), strict=True)),
+        "unrolled.held": held,
+    }
