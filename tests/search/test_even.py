@@ -42,12 +42,7 @@ def test_the_outermost_segment_of_a_long_chain_is_the_longest(segments: int) -> 
     assert sizes[1:-1] == sorted(sizes[1:-1], reverse=True)  # who is further out passes more
 
 
-PASSED = "the shipped profile prices runs that are passed higher than they are"
-
-
-@pytest.mark.parametrize(
-    "segments", [5, pytest.param(8, marks=pytest.mark.xfail(strict=True, reason=PASSED))]
-)
+@pytest.mark.parametrize("segments", [5, 8])
 def test_inner_segments_are_about_as_long_as_each_other(segments: int) -> None:
     costs = SegmentCosts(Topology.of(serial_chain(500)), DEFAULT)
     cuts = even_cuts(costs, np.ones(500, dtype=np.bool_), segments)
