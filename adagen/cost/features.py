@@ -86,7 +86,7 @@ def step_features(step: Step, joints: Sequence[PlanJoint]) -> Features:
     kind = PRESCRIBED if joint.prescribed else joint.kind
     match step:
         case Kinematics():
-            return {f"kinematics.{joint.kind}": 1}
+            return {f"kinematics.{joint.kind}": 1, "kinematics.step": 1}
         case FusedJoin():
             freedoms = sum(KINDS[joints[j].kind].nv for j in step.run)
             own = _join(step, "spherical" if freedoms < 6 else "floating")
@@ -258,8 +258,8 @@ def _of_step(step: Step, operation: Operation, joints: Sequence[PlanJoint]) -> F
             return {"deliver.along": 1}
         case Load(), "through":
             return {}
-        case Kinematics(), "step":
-            return {**step_features(step, joints), "kinematics.step": 1}
+        case Kinematics(), "each" | "base":
+            return {f"kinematics.{joints[step.joint].kind}": 1}
         case Articulate(), "columns" | "tiles":
             if joints[step.joint].parent == 0 and not step.reversed:
                 return {"articulate.ground": 1}
