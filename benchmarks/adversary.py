@@ -102,9 +102,9 @@ def tell_wrong(k: int, name: str, found: dict[str, dict[str, Any]]) -> None:
         if not one["wrong"]:
             continue
         worst = max(one["wrong"], key=lambda wrong: float(wrong["error"]))
-        said = "warned" if one["warned"] else "silent"
+        manner = "warned" if one["warned"] else "silent"
         print(
-            f"{k} {name}: {way}: {len(one['wrong'])} wrong, {said}, the worst "
+            f"{k} {name}: {way}: {len(one['wrong'])} wrong, {manner}, the worst "
             f"{worst['error']:.1e} in state {worst['state']}",
             file=sys.stderr,
         )

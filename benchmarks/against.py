@@ -43,7 +43,7 @@ ROOT = Path(__file__).resolve().parents[1]
 WORK = ROOT / "build" / "against"
 PAGE, RECORD = ROOT / "docs" / "records" / "against.md", WORK / "record.json"
 SLOWER = 1.03
-"""Ratio of times from which a figure is said to be slower."""
+"""Ratio of times from which a figure counts as slower."""
 THIS = "this"
 
 
@@ -207,7 +207,7 @@ def build_all(sources: Sequence[Source], whose: str) -> None:
 
 
 def times_of(
-    entry: Entry, pairs: dict[str, Pair], rules: Rules, said: Callable[[str], None]
+    entry: Entry, pairs: dict[str, Pair], rules: Rules, on_progress: Callable[[str], None]
 ) -> list[Row]:
     """Time a robot's solvers by turns, and return a row for each figure."""
     model = read_robot(entry.file, floating="--floating" in entry.words).model
@@ -223,7 +223,7 @@ def times_of(
                 by_text[source.text] = solver.contestant(toolchain, stretches=True)
         both = by_text[before.text].name, by_text[now.text].name
         names.setdefault(both, []).append(variant.replace("--procs ", "P="))
-    times, gone = hold(list(by_text.values()), rules, said)
+    times, gone = hold(list(by_text.values()), rules, on_progress)
     for name, why in gone.items():
         note(f"{entry.name} {name}: {why}")
     return [
@@ -324,8 +324,8 @@ def _measure(
         for variant, (before, now) in own.items():
             if before.refused != now.refused:
                 note(f"{entry.name} {variant}: {before.refused or now.refused}")
-        with speaking(f"{entry.name}, robot {number} of {len(robots)}") as said:
-            rows += times_of(entry, own, rules, said)
+        with speaking(f"{entry.name}, robot {number} of {len(robots)}") as on_progress:
+            rows += times_of(entry, own, rules, on_progress)
         record = {
             "commit": commit,
             "machine": where,

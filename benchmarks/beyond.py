@@ -43,9 +43,9 @@ def predicted(
 ) -> Found:
     """Return what is predicted of chains."""
     found: Found = {}
-    with speaking("predicting") as said:
+    with speaking("predicting") as on_progress:
         for count in joints:
-            said(f"chain of {count}")
+            on_progress(f"chain of {count}")
             one = Chain(robot(count), profile)
             each = [one.on(p, fabric.links) for p in processes if p <= fabric.processes]
             found[count] = one.alone(), [some for some in each if some is not None]

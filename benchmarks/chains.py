@@ -55,10 +55,10 @@ def main(words: Sequence[str] | None = None) -> int:
     try:
         known = (options.resume or options.again) and RECORD.is_file()
         before = read_scale(RECORD) if known else None
-        with speaking("chains") as said:
+        with speaking("chains") as on_progress:
             scale = measure_chains(
                 wanted,
-                said,
+                on_progress,
                 lambda found: write_scale(found, RECORD),
                 before if options.resume else None,
                 before,

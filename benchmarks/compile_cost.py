@@ -162,10 +162,10 @@ def main() -> None:
     compiler = about["compilers"]
     assert isinstance(compiler, dict)
     priority = "real-time" if os.sched_getscheduler(0) else "ordinary"
-    said = f"Machine: virtual, cores of an {about['processor']}, "
-    said += f"{compiler.get('g++', 'another compiler')}, {priority} priority."
+    head_line = f"Machine: virtual, cores of an {about['processor']}, "
+    head_line += f"{compiler.get('g++', 'another compiler')}, {priority} priority."
     rule = "|---" * (head.count("|") + 1) + "|"
-    text = "\n".join([said, "", f"| {head} |", rule, *rows])
+    text = "\n".join([head_line, "", f"| {head} |", rule, *rows])
     print(text)
     if options.page:
         mark = "compile_cost --large" if options.large else "compile_cost"

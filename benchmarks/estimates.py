@@ -112,17 +112,17 @@ def measured(subject: Subject, form: str, scalar: str, processes: int) -> dict[s
     model, states = subject.model, subject.states
     try:
         plan = planned(model, form, scalar, processes)
-        said = answers(plan, model, states, refine=1).corrections[:, 0]
+        bounds = answers(plan, model, states, refine=1).corrections[:, 0]
         found = answers(plan, model, states, refine=1, raw=True).qdd
     except (AdagenError, RuntimeError) as error:
         return {"refused": str(error).splitlines()[0]}
     true = [subject.error(s, found[s]) for s in range(states.count)]
     own = [
-        None if within(said[s], true[s]) else subject.own_error(s, found[s])
+        None if within(bounds[s], true[s]) else subject.own_error(s, found[s])
         for s in range(states.count)
     ]
     busy = sum(bool(process.owns) for process in plan.processes)
-    return {"said": said.tolist(), "true": true, "own": own, "busy": busy}
+    return {"said": bounds.tolist(), "true": true, "own": own, "busy": busy}
 
 
 def measure(options: argparse.Namespace) -> int:

@@ -12,13 +12,13 @@ ROUNDING = 2.0**-53
 Row = dict[str, Any]
 
 
-def within(said: float, true: float) -> bool:
+def within(estimate: float, true: float) -> bool:
     """Return whether an estimate is within a factor 3 of an error.
 
     What is below the rounding of a double counts as that.
     """
-    said, true = max(said, ROUNDING), max(true, ROUNDING)
-    return true < FACTOR * said < FACTOR * FACTOR * true
+    estimate, true = max(estimate, ROUNDING), max(true, ROUNDING)
+    return true < FACTOR * estimate < FACTOR * FACTOR * true
 
 
 def judged(row: Row) -> list[str]:
@@ -33,12 +33,12 @@ def judged(row: Row) -> list[str]:
         robot at rest no error is a part of the answer.
     """
 
-    def verdict(said: float, true: float, own: float | None) -> str:
+    def verdict(estimate: float, true: float, own: float | None) -> str:
         if not math.isfinite(true):
             return "rest"
-        if within(said, true):
+        if within(estimate, true):
             return "file"
-        return "own" if own is not None and within(said, own) else "beyond"
+        return "own" if own is not None and within(estimate, own) else "beyond"
 
     return [verdict(*numbers) for numbers in zip(row["said"], row["true"], row["own"], strict=True)]
 

@@ -118,7 +118,7 @@ def study(
     Args:
         name: of the study, as in ``python -m benchmarks.NAME``.
         about: what ``--help`` says.
-        usual: how many robots and states, and seed, where nothing is said.
+        usual: how many robots and states, and seed, by default.
         timed: robots to time, likewise.
         errors: makes a table of errors, by the word that asks for it.
         times: makes the table of times.

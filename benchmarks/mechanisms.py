@@ -5,8 +5,8 @@
 
 Mechanisms are of the families of adagen/studies/stability/mechanisms.py; their plans are carried
 out in double as straight lines are, and in 400 bits. Wrong is an error of 1e-6 of the largest
-acceleration or more that nothing was said of. Strange is an answer that dense algebra in the null
-space of J does not share, to the digits that it has.
+acceleration or more without a failure or a warning. Strange is an answer that dense algebra in the
+null space of J does not share, to the digits that it has.
 
 With --kept each mechanism's outcome is added to a file, a line each, and the command again goes on
 from there; several may work on parts (--from, --to) and one file. The last one writes the table.

@@ -6,7 +6,7 @@
 
 The first builds what --shape auto emits and times it, about a quarter of an hour on two idle cores;
 after each robot the record so far is kept, and it goes on from there. The second prints tables, or
-writes them into a page between its markers: what is said there by hand stays.
+writes them into a page between its markers: what is written there by hand stays.
 
 Programs of one model are timed in turn, several times over, and the least median is kept: other
 work on the machine only ever adds to a time. Where there are more processes than cores, times are

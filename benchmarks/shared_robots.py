@@ -75,18 +75,23 @@ def pair(folder: Path) -> Robot:
 
 
 def measured(
-    name: str, robot: Robot, processes: Sequence[int], rules: Rules, priority: int, said: Progress
+    name: str,
+    robot: Robot,
+    processes: Sequence[int],
+    rules: Rules,
+    priority: int,
+    on_progress: Progress,
 ) -> Iterator[tuple[str, ...]]:
     """Yield a row of HEAD for each number of processes, one among them."""
     toolchain, solvers = find_toolchain(), []
     for count in sorted({1, *processes}):
-        said(f"{name}: building P={count}")
+        on_progress(f"{name}: building P={count}")
         solvers.append(made(robot, count, "default", toolchain))
     held = [solver.contestant for solver in solvers]
     with at_priority(priority):
-        times, gone = hold(held, rules, lambda text: said(f"{name}: {text}"))
+        times, gone = hold(held, rules, lambda text: on_progress(f"{name}: {text}"))
     for what, why in gone.items():
-        said(f"{name}, {what}: {why}")
+        on_progress(f"{name}, {what}: {why}")
     alone = solvers[0].contestant
     for solver in solvers:
         one = solver.contestant
@@ -124,12 +129,15 @@ def main(words: Sequence[str] | None = None) -> int:
     rules = Rules(rounds=options.rounds, repeat=20)
     rows: list[tuple[str, ...]] = []
     try:
-        with speaking("robots") as said, tempfile.TemporaryDirectory(prefix="adagen-") as folder:
+        with (
+            speaking("robots") as on_progress,
+            tempfile.TemporaryDirectory(prefix="adagen-") as folder,
+        ):
             robots = [(file.stem, read(file, floating=True)) for file in options.models]
             if options.pair:
                 robots.append(("two talos, a bar", pair(Path(folder))))
             for name, robot in robots:
-                more = options.processes, rules, options.priority, said
+                more = options.processes, rules, options.priority, on_progress
                 rows += measured(name, robot, *more)
     except AdagenError as error:
         print(error, file=sys.stderr)
