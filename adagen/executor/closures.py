@@ -10,7 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
+from itertools import chain
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +26,7 @@ from adagen.executor.loop_frames import LoopFrames
 from adagen.executor.state import State
 from adagen.graph import Expression, cross, dot, matrix_times, total
 from adagen.plan.alike import ClosureSteps, closures_in, side_by_side
+from adagen.plan.arms import Mates, arms_among
 from adagen.plan.steps import (
     AccelerateHeld,
     CarryRows,
@@ -59,6 +61,10 @@ class Closures:
         closed = state.plan.closed
         self.alone = closures_in(steps) if closed else {}
         self.together = side_by_side(state.plan, steps, state.limbs) if closed else {}
+        self.arms = arms_among(state.plan, self.alone.values(), state.limbs)
+        arms = list(chain.from_iterable(self.arms.values()))
+        self.holds = {row[0]: row for each in arms for row in each.limbs.rows}
+        self.closing = {mates[0]: mates for each in arms for mates in each.loops}
         self.memory: dict[Any, Any] = state.memory
         self.fronts: dict[int, Front] = {}
         # Where loops are solved for at the end, each kept row has a right-hand side.
@@ -68,7 +74,9 @@ class Closures:
 
     def step(self, step: ClosedStep) -> None:
         """Do one step."""
-        front = self.fronts.setdefault(step.closure, Front())
+        if step.closure not in self.fronts:
+            self.fronts[step.closure] = Front(arms=self.arms.get(step.closure, ()))
+        front = self.fronts[step.closure]
         match step:
             case CloseLoop():
                 self._close_loop(step, front)
@@ -99,6 +107,10 @@ class Closures:
 
     def _loops(self, step: CloseLoop) -> list[int]:
         """Loops that are treated as one, by lanes."""
+        if step in self.closing:
+            own = self.closing[step]
+            width = 1 << (len(own) - 1).bit_length()
+            return [each.loop for each in (*own, *[own[-1]] * (width - len(own)))]
         if step.closure not in self.together:
             return [step.loop]
         place = self.together[step.closure][0].loops.index(step)
@@ -118,6 +130,42 @@ class Closures:
             self.state.rows.beyond_joints[places[0]] = places
         return places[0]
 
+    def _forces(self, step: CloseLoop, row: int) -> Mates:
+        """The numbers of a row's force, and of those that are treated as one with it."""
+        return tuple(each.first + row for each in self.closing.get(step, (step,)))
+
+    def _each(self, value: Expression, count: int) -> list[Expression]:
+        """A value for each of so many arms."""
+        return [each.item() for each in self.state.rows.each(np.array(value, object), count)]
+
+    def _together(self, values: Sequence[Expression]) -> Expression:
+        """The values of arms as one."""
+        whole = self.state.rows.together([np.array(value, object) for value in values])
+        return cast("Expression", whole.item())
+
+    def _add(self, front: Front, some: Mates, others: Mates, value: Expression) -> None:
+        """Add to entries of E, of alike arms lane by lane."""
+        for i, k, each in zip(some, others, self._each(value, len(some)), strict=True):
+            front.add(i, k, each)
+
+    def _add_bias(self, front: Front, mates: Mates, value: Array) -> None:
+        """Add to e likewise."""
+        for unknown, each in zip(mates, self.state.rows.each(value, len(mates)), strict=True):
+            front.add_bias(unknown, each)
+
+    def _add_columns(self, front: Front, links: Sequence[int], mates: Mates, column: Array) -> None:
+        """Add to C at links, one for each lane, likewise."""
+        each = self.state.rows.each(column, len(mates))
+        for link, unknown, own in zip(links, mates, each, strict=False):
+            front.add_column(link, unknown, own)
+
+    @staticmethod
+    def _freedoms(front: Front, count: int) -> list[Mates]:
+        """What is held back, as so many arms are treated as one."""
+        arms = [mates for each in front.arms for mates in each.freedoms if len(mates) == count > 1]
+        wide = {unknown for mates in arms for unknown in mates}
+        return [*((own,) * count for own in front.speeds if own not in wide), *arms]
+
     def _top(self, number: int) -> int:
         """The link at which a closure is eliminated."""
         return self.alone[number].eliminate.link
@@ -134,8 +182,8 @@ class Closures:
         tolerance = self._packed([one.tolerance for one in loops])
         fastest = self._refuse_open(place, frames.gap(), joints, tolerance)
         if self._moves_by_rows(step):
-            forces = range(step.first, step.first + len(step.rows))
-            front.opening.append(Opening(place, fastest, tuple(forces)))
+            forces = tuple(self._forces(step, row) for row in range(len(step.rows)))
+            front.opening.append(Opening(place, fastest, forces))
         else:
             self._refuse_torn(place, frames.rate(), fastest)
         fields = [
@@ -150,7 +198,8 @@ class Closures:
             for link in ("link1", "link2")
         ]
         front.ends += [end for end in held if any(end.links)]
-        for unknown, number in enumerate(step.rows, start=step.first):
+        for row, number in enumerate(step.rows):
+            unknown, mates = step.first + row, self._forces(step, row)
             linear, *directions = frames.row(number)
             bias = frames.turned(number, fields[0].omega, fields[1].omega)
             ends = zip((loop.link1, loop.link2), fields, directions, frames.arms, strict=True)
@@ -166,14 +215,15 @@ class Closures:
                 bias = bias + part * sign
                 if link > 0:
                     held[k].columns[unknown] = column * sign
-                    front.add_column(link, unknown, column * sign)
+                    self._add_columns(front, held[k].links, mates, column * sign)
                     if unknown in self.column_of:
                         pushed = self.state.tied_links.setdefault(link, [])
                         pushed.append((self.column_of[unknown], column * sign))
-            front.places[unknown] = place
+            beyond = len(self.state.plan.joints)
+            front.places.update((u, beyond + n) for u, n in zip(mates, numbers, strict=False))
             if self.state.left is not None:
                 bias = self._apart(front, unknown, self.state.left.of_row(bias, held, unknown))
-            front.add_bias(unknown, self.state.column(np.array([bias], dtype=object))[0])
+            self._add_bias(front, mates, self.state.column(np.array([bias], dtype=object))[0])
             in_frame = matrix_times(frames.two.axes.T, directions[1])
             if loop.turn2:
                 turn = self._packed([one.turn2 for one in loops])
@@ -254,58 +304,83 @@ class Closures:
     def _hold_back(self, step: HoldBack, front: Front) -> None:
         """Pass a joint as if it were rigid; what its motion does to all else goes into C, E, e."""
         j, parent = step.joint, self.state.plan.joints[step.joint].parent
-        free = list(self.state.kind(j).free)
+        joints, free = self.holds.get(j, (j,)), list(self.state.kind(j).free)
         inertia, p = self.memory["IA", j + 1], self.memory["pA", j + 1]
-        columns = front.columns.pop(j + 1, {})
+        columns = self._columns_beyond(front, joints)
         drift = self.motion.drift(j)
         if drift is not None:
             p = p + matrix_times(inertia, drift)
-            for unknown, column in columns.items():
-                front.add_bias(unknown, matrix_times(column[None, :], drift)[0])
+            for mates, column in columns:
+                self._add_bias(front, mates, matrix_times(column[None, :], drift)[0])
         pull, (_, speeds) = self.state.torques(j), self.state.configuration(j)
         rotor = self.state.rotor(j)
-        front.first[j] = step.first
+        held = self.alone[step.closure].held
+        firsts = [step.first, *(held[each] for each in joints[1:])]
+        front.first.update(zip(joints, firsts, strict=True))
+        unknowns = [tuple(first + k for first in firsts) for k in range(len(free))]
         for k, row in enumerate(free):
-            own = step.first + k
-            front.add_bias(own, p[row] - pull[k])
+            own = unknowns[k]
+            self._add_bias(front, own, p[row] - pull[k])
             for m, other in enumerate(free[k:], start=k):
                 value = inertia[row, other]
                 if m == k and rotor is not None:
                     value = value + rotor
-                front.add(own, step.first + m, value)
-            for unknown, column in columns.items():
-                front.add(own, unknown, column[row])
+                self._add(front, own, unknowns[m], value)
+            for mates, column in columns:
+                self._add(front, own, mates, column[row])
             for unknown, factor in front.ties.get(j, []):
-                front.add(own, unknown, factor)
-            front.places[own] = j
-            front.speeds[own] = speeds[k]
+                front.add(own[0], unknown, factor)
+            front.places.update(zip(own, joints, strict=True))
+            front.speeds.update(zip(own, self._each(speeds[k], len(own)), strict=True))
         if parent > 0:
-            self._pass(step, front, inertia, p, columns)
+            freed = [(own, inertia[:, row]) for own, row in zip(unknowns, free, strict=True)]
+            self._pass(step, front, inertia, p, [*freed, *columns])
+
+    def _columns_beyond(self, front: Front, joints: Sequence[int]) -> list[tuple[Mates, Array]]:
+        """Take from a joint's far link what acts on it; of alike arms together."""
+        each = [front.columns.pop(j + 1, {}) for j in joints]
+        lanes = zip(*(own.items() for own in each), strict=True)
+        return [
+            (tuple(u for u, _ in own), self.state.rows.together([column for _, column in own]))
+            for own in lanes
+        ]
 
     def _pass(
-        self, step: HoldBack, front: Front, inertia: Array, p: Array, columns: dict[int, Array]
+        self,
+        step: HoldBack,
+        front: Front,
+        inertia: Array,
+        p: Array,
+        columns: Sequence[tuple[Mates, Array]],
     ) -> None:
         """Hand what is beyond a joint inwards; what goes to the top waits for it."""
-        j, parent = step.joint, self.state.plan.joints[step.joint].parent
+        j, joints = step.joint, self.holds.get(step.joint, (step.joint,))
+        parents = [self.state.plan.joints[each].parent for each in joints]
         x: Transform = self.memory["X", j]
-        for k, row in enumerate(self.state.kind(j).free):
-            front.add_column(parent, step.first + k, x.force(inertia[:, row]))
-        for unknown, column in columns.items():
-            front.add_column(parent, unknown, x.force(column))
+        for mates, column in columns:
+            self._add_columns(front, parents, mates, x.force(column))
         passed = {"IA": x.inertia(inertia), "pA": columnwise(x.force, p)}
         for name, value in passed.items():
-            if parent == self._top(step.closure):
-                front.hand(name, value)
+            if parents[0] == self._top(step.closure):
+                front.hand(name, self.state.rows.sum_of(value, len(joints)))
             else:
                 self.state.rows.hand_on(name, j, value)
 
     def _look_at_rates(self, front: Front) -> None:
         """Check that loops do not open: J v, of all rows that are any."""
+        zero = self.state.graph.constant(0)
         for opening in front.opening:
             rates = []
-            for force in opening.rows:
-                pairs = ((front.entry(own, force), v) for own, v in front.speeds.items())
-                terms = [entry * v for entry, v in pairs if entry is not None]
+            mates_of = self._freedoms(front, len(opening.rows[0]) if opening.rows else 1)
+            for forces in opening.rows:
+                terms = []
+                for mates in mates_of:
+                    pairs = zip(mates, forces, strict=True)
+                    entries = [front.entry(own, force) for own, force in pairs]
+                    if any(entry is not None for entry in entries):
+                        there = [zero if entry is None else entry for entry in entries]
+                        speeds = [front.speeds[own] for own in mates]
+                        terms.append(self._together(there) * self._together(speeds))
                 if terms:
                     rates.append(total(terms))
             if rates:
@@ -349,14 +424,16 @@ class Closures:
 
     def _release(self, step: Release, front: Front) -> None:
         """Find w from the top's acceleration; joints that were articulated feel it, too."""
+        rows = self.state.rows
         for solved in reversed(front.solved):
             found = solved.bias
             if step.link:
                 found = found + matrix_times(solved.across, self._acceleration(step))
             if solved.others:
-                others = np.array([front.found[u] for u in solved.others], dtype=object)
-                found = found + matrix_times(solved.more, others)
-            front.found.update(zip(solved.unknowns, found, strict=True))
+                others = [rows.together([front.found[u] for u in own]) for own in solved.others]
+                found = found + matrix_times(solved.more, np.array(others, dtype=object))
+            for mates, value in zip(solved.unknowns, found, strict=True):
+                front.found.update(zip(mates, rows.each(value, len(mates)), strict=True))
         near = self._acceleration(step) if step.link else None
         if self.state.plan.loop_forces:
             give_forces(self.state, front, near)
@@ -391,7 +468,9 @@ class Closures:
         drift = self.motion.drift(j)
         if drift is not None:
             a = a + drift
-        qdd = np.array([front.found[front.first[j] + k] for k in range(len(free))], dtype=object)
+        firsts = [front.first[each] for each in self.holds.get(j, (j,))]
+        found = [[front.found[first + k] for first in firsts] for k in range(len(free))]
+        qdd = np.array([self.state.rows.together(each) for each in found], dtype=object)
         far = a.copy()
         for k, row in enumerate(free):
             far[row] = a[row] + qdd[k]

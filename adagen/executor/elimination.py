@@ -15,7 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.checks import SINGULAR, Check
-from adagen.executor.front import Front, Pushed, Reduced, Solved
+from adagen.executor.followed import Part, SolvedPart, by_lanes, followed, mates_of
+from adagen.executor.front import Front, Pushed, Reduced, Solved, alone
+from adagen.executor.left_free import LeftFree
 from adagen.executor.state import State
 from adagen.graph import (
     Expression,
@@ -29,10 +31,13 @@ from adagen.graph import (
     solved_by_reflections,
     total,
 )
+from adagen.plan.arms import Mates
 from adagen.plan.digits import EPSILON
 from adagen.plan.steps import Eliminate
 
 Array = NDArray[Any]
+Unknowns = Sequence[int | Mates]
+"""Unknowns by number; of alike arms together, one for each lane."""
 
 FOLLOWS = 1e-3
 """How far a row that is left out may be from following, relative to its size: where loops are open
@@ -81,36 +86,41 @@ class Elimination:
 
     # -- the closure's function -------------------------------------------------------------------
 
-    def _block(self, rows: Sequence[int], columns: Sequence[int]) -> Array:
+    def _block(self, rows: Unknowns, columns: Unknowns) -> Array:
         """Part of E, shape (rows, columns)."""
-        block = self.state.zeros(len(rows), len(columns))
+        block, zero = self.state.zeros(len(rows), len(columns)), self.state.graph.constant(0)
         for i, row in enumerate(rows):
             for k, column in enumerate(columns):
-                entry = self.front.entry(row, column)
-                if entry is not None:
-                    block[i, k] = entry
+                each = [self.front.entry(*pair) for pair in by_lanes(row, column)]
+                if any(entry is not None for entry in each):
+                    block[i, k] = self._together([zero if x is None else x for x in each])
         return block
 
-    def _biases(self, unknowns: Sequence[int]) -> Array:
+    def _together(self, values: Sequence[Any]) -> Any:
+        """Numbers of alike arms as one; of one arm, the number."""
+        return self.state.rows.together([np.array(value, object) for value in values])[()]
+
+    def _biases(self, unknowns: Unknowns) -> Array:
         """Part of e, shape (n, columns)."""
         result = self.state.zeros(len(unknowns), self.state.columns)
-        for k, unknown in enumerate(unknowns):
-            result[k] = self.front.bias[unknown]
+        for k, own in enumerate(unknowns):
+            result[k] = self.state.rows.together([self.front.bias[u] for u in mates_of(own)])
         return result
 
-    def _at_top(self, unknowns: Sequence[int]) -> Array:
+    def _at_top(self, unknowns: Unknowns) -> Array:
         """Part of C^T at the top, shape (n, 6)."""
-        result = self.state.zeros(len(unknowns), 6)
-        for k, unknown in enumerate(unknowns):
-            if unknown in self.columns:
-                result[k] = self.columns[unknown]
+        result, nothing = self.state.zeros(len(unknowns), 6), self.state.zeros(6)
+        for k, own in enumerate(unknowns):
+            if not self.columns.keys().isdisjoint(mates_of(own)):
+                each = [self.columns.get(u, nothing) for u in mates_of(own)]
+                result[k] = self.state.rows.together(each)
         return result
 
-    def _by_others(self, rows: Sequence[int]) -> Array:
-        """What the top's acceleration and the single ones do to rows, shape (n, 6 + m)."""
+    def _by_others(self, rows: Unknowns, others: Unknowns) -> Array:
+        """What the top's acceleration and others do to rows, shape (n, 6 + m)."""
         grounded = self.step.grounded  # else what both ends do to the top cancels
         at_top = self._at_top(rows) if grounded else self.state.zeros(len(rows), 6)
-        return np.concatenate([at_top, self._block(rows, self.step.singles)], axis=1)
+        return np.concatenate([at_top, self._block(rows, others)], axis=1)
 
     def _scales(self) -> Array:
         """What brings the kept rows to one size, shape (rows,)."""
@@ -141,33 +151,59 @@ class Elimination:
 
     def _follow(self) -> None:
         """By a choice: z = A a + G y + g by the rows, then y; a is the top's acceleration."""
-        step, y, z = self.step, self.step.singles, self.step.moved
-        to_z, by_others = self._block(step.rows, z), self._by_others(step.rows)
-        parted = self._parted(np.ones(len(step.rows)))
-        right = np.concatenate([by_others, self._biases(step.rows), parted], axis=1)
-        solved, regular = solved_by_parts(to_z, right, self._scales())
-        by_rows = solved[:, len(solved.T) - len(parted.T) :]
-        gained = -solved[:, : len(solved.T) - len(parted.T)]
-        self._check_regular(regular)
-        count = by_others.shape[1]
-        self._check_size(gained[:, :count])
-        rest, to_left_out = self._by_others(step.followers), self._block(step.followers, z)
-        whole = np.concatenate([rest, to_left_out], axis=1)
-        if z and step.followers:
-            rest = rest + matrix_times(to_left_out, gained[:, :count])
-        self._check_left_out(rest, whole)
-        a, g, offset = gained[:, :6], gained[:, 6:count], gained[:, count:]
-        self.front.solved.append(Solved(z, a, y, g, offset))
-        reduced, across, bias = self._block(y, y), self._at_top(y), self._biases(y)
-        if z:
-            between, own, at_top = self._block(y, z), self._block(z, z), self._at_top(z)
-            half = between + matrix_times(g.T, own)
-            reduced = _symmetric(reduced + matrix_times(half, g) + matrix_times(g.T, between.T))
-            across = across + matrix_times(g.T, at_top) + matrix_times(half, a)
-            bias = bias + matrix_times(g.T, self._biases(z)) + matrix_times(half, offset)
-            self._move_top(a, at_top, own, offset, self._biases(z))
-        freed = self._solve_free(y, y, reduced, across, bias) if y else None
-        self._keep_reduced(z, y, g, a, by_rows, freed)
+        y = self.step.singles
+        found = [self._solved_part(part) for part in followed(self.front, self.step)]
+        self._check_size(found)
+        self._check_left_out(*self._left_out(found))
+        square, across, bias = self._block(y, y), self._at_top(y), self._biases(y)
+        free = LeftFree(self.state.rows, y, square, across, bias)
+        for each in found:
+            self.front.solved.append(each.solved)
+            free.take(each)
+            self._move_top(each)
+        free.square = _symmetric(free.square) if found else free.square
+        for each in found:
+            own = free.solve_own(each)
+            if own is not None:
+                self._keep_own(*own)
+        numbers, freed = free.numbers, None
+        if numbers:
+            freed = self._solve_free(numbers, numbers, free.square, free.across, free.bias)
+        if self.state.plan.certified:  # none of its arms are in lanes
+            none = self.state.zeros(0, 6), self.state.zeros(0, len(y)), self.state.zeros(0, 0)
+            a, g, by_rows = none
+            for each in found:
+                a, g, by_rows = each.solved.across, each.solved.more, each.by_rows
+            self._keep_reduced(self.step.moved, y, g, a, by_rows, freed)
+
+    def _keep_own(self, solved: Solved, factors: Factors, gives: Array) -> None:
+        """Keep y that arms have for their own; take what they give way from the top."""
+        self.front.solved.append(solved)
+        self._check_inertia([mates[0] for mates in solved.unknowns], factors)
+        if self.step.link:
+            self.front.hand("IA", _symmetric(-gives[:, :6]))
+            self.front.hand("pA", -gives[:, 6:])
+
+    def _solved_part(self, part: Part) -> SolvedPart:
+        """Solve the rows of a part for what follows by them."""
+        rows, z, others = part.rows, part.moved, part.others
+        scale_of = dict(zip(self.step.rows, self._scales(), strict=True))
+        scales = [self._together([scale_of[row] for row in mates]) for mates in rows]
+        right = np.concatenate([self._by_others(rows, others), self._biases(rows)], axis=1)
+        count, last = 6 + len(others), len(right.T)
+        right = np.concatenate([right, self._parted(np.ones(len(rows)))], axis=1)
+        solved, regular = solved_by_parts(self._block(rows, z), right, np.array(scales, object))
+        self._check_regular(regular, [mates[0] for mates in rows])
+        gained = -solved[:, :last]
+        return SolvedPart(
+            part,
+            Solved(z, gained[:, :6], others, gained[:, 6:count], gained[:, count:]),
+            self._block(others, z),
+            self._block(z, z),
+            self._at_top(z),
+            self._biases(z),
+            solved[:, last:],
+        )
 
     def _follow_basis(self) -> None:
         """By an orthogonal basis N of what the rows leave free, w = N y + g: J^T = Q R, N in Q."""
@@ -177,7 +213,7 @@ class Elimination:
         nothing = self.state.zeros(len(w), 0)
         reflections = [reflect(k, r, nothing) for k in range(count)]
         pivots = (r[k, k] for k in range(count))
-        self._check_regular([Regular(k, x * x, 1.0) for k, x in enumerate(pivots)])
+        self._check_regular([Regular(k, x * x, 1.0) for k, x in enumerate(pivots)], step.rows)
         free = len(w) - count
         right = np.concatenate(
             [-(self._biases(step.rows) * scales), self._parted(scales[:, 0])], axis=1
@@ -193,7 +229,7 @@ class Elimination:
         left_out = self._block(step.followers, w)
         self._check_left_out(matrix_times(left_out, n) if step.followers else left_out, left_out)
         y = tuple(-1 - k for k in range(free))
-        self.front.solved.append(Solved(w, self.state.zeros(len(w), 6), y, n, offset))
+        self.front.solved.append(Solved(alone(w), self.state.zeros(len(w), 6), alone(y), n, offset))
         at_top, half = self._at_top(w), matrix_times(n.T, self._block(w, w))
         bias = matrix_times(n.T, self._biases(w)) + matrix_times(half, offset)
         self._push_top(at_top, offset)
@@ -220,6 +256,26 @@ class Elimination:
                 step.rows, None, (), none, none, none, step.followers, by_kept
             )
         self._found(every, across, whole[:, :count])
+
+    # -- parts ------------------------------------------------------------------------------------
+
+    def _left_out(self, found: Sequence[SolvedPart]) -> tuple[Array, Array]:
+        """What the kept rows leave of those that are left out, for y, and the rows."""
+        step = self.step
+        rest, block = self._by_others(step.followers, step.singles), self._block
+        whole = np.concatenate([rest, block(step.followers, step.moved)], axis=1)
+        for each in found if step.followers else ():
+            for lane in range(each.part.count):
+                z = [mates[lane] for mates in each.part.moved]
+                own = self.state.rows.each(each.solved.more, each.part.count)[lane]
+                across = self.state.rows.each(each.solved.across, each.part.count)[lane]
+                gained = self.state.zeros(len(z), rest.shape[1])
+                gained[:, :6] = across
+                for c, mates in enumerate(each.part.others):
+                    place = step.singles.index(mates[lane % len(mates)])
+                    gained[:, 6 + place] = own[:, c]
+                rest = rest + matrix_times(block(step.followers, z), gained)
+        return rest, whole
 
     # -- what is left -----------------------------------------------------------------------------
 
@@ -276,7 +332,7 @@ class Elimination:
     def _found(self, unknowns: Sequence[int], across: Array, found: Array) -> None:
         """Keep unknowns as they follow from the top; take what they give way from the top."""
         none = self.state.zeros(len(unknowns), 0)
-        self.front.solved.append(Solved(tuple(unknowns), -found[:, :6], (), none, -found[:, 6:]))
+        self.front.solved.append(Solved(alone(unknowns), -found[:, :6], (), none, -found[:, 6:]))
         if not self.step.link:
             return
         inertia = self.state.zeros(6, 6)
@@ -286,30 +342,25 @@ class Elimination:
         self.front.hand("IA", inertia)
         self.front.hand("pA", -matrix_times(across.T, found[:, 6:]))
 
-    def _move_top(
-        self, across: Array, at_top: Array, own: Array, offset: Array, biases: Array
-    ) -> None:
-        """What accelerations z = A a + g do to the top, whose acceleration is a.
+    def _move_top(self, each: SolvedPart) -> None:
+        """What accelerations z = A a + g do to the top, whose acceleration is a."""
+        across, offset, count = each.solved.across, each.solved.bias, each.part.count
+        if self.step.link and any(x.constant != 0 for x in across.flat):
+            added = matrix_times(across.T, each.at_top + matrix_times(each.own, across))
+            added = added + matrix_times(each.at_top.T, across)
+            self._hand("IA", _symmetric(added), count)
+            pushed = each.biases + matrix_times(each.own, offset)
+            self._hand("pA", matrix_times(across.T, pushed), count)
+        self._push_top(each.at_top, offset, count)
 
-        Args:
-            across: A, shape (n, 6).
-            at_top: C^T of z at the top, shape (n, 6).
-            own: E of z, shape (n, n).
-            offset: g, shape (n, columns).
-            biases: e of z, shape (n, columns).
-        """
-        link = self.step.link
-        if link and any(x.constant != 0 for x in across.flat):
-            added = matrix_times(across.T, at_top + matrix_times(own, across))
-            added = added + matrix_times(at_top.T, across)
-            self.front.hand("IA", _symmetric(added))
-            self.front.hand("pA", matrix_times(across.T, biases + matrix_times(own, offset)))
-        self._push_top(at_top, offset)
-
-    def _push_top(self, at_top: Array, offset: Array) -> None:
+    def _push_top(self, at_top: Array, offset: Array, count: int = 1) -> None:
         """What accelerations that the rows give by themselves do to the top."""
         if self.step.link:
-            self.front.hand("pA", matrix_times(at_top.T, offset))
+            self._hand("pA", matrix_times(at_top.T, offset), count)
+
+    def _hand(self, name: str, value: Array, count: int) -> None:
+        """Hand to the top what so many arms do to it."""
+        self.front.hand(name, self.state.rows.sum_of(value, count))
 
     def _forward(self, lower: Array, right: Array) -> Array:
         """Solve L x = right for a lower triangular L, shape (n, k)."""
@@ -328,15 +379,20 @@ class Elimination:
         limit = self.state.graph.constant(least) if isinstance(least, float) else least
         self.state.checks.append(Check(value, limit, self.front.places[unknown], how))
 
-    def _check_regular(self, regular: Sequence[Regular]) -> None:
+    def _check_regular(self, regular: Sequence[Regular], rows: Sequence[int]) -> None:
         """What follows has to follow: the rows, brought to one size, may not be singular."""
         least = LEAST[self.state.plan.scalar] ** 2
         for each in regular:
-            self._check(each.square, each.beside * least, self.step.rows[each.row], self.fails)
+            self._check(each.square, each.beside * least, rows[each.row], self.fails)
 
-    def _check_size(self, g: Array) -> None:
-        """Look at G: where it is large, this choice of what follows is poor."""
-        squares = _squares(g.flat)
+    def _check_size(self, found: Sequence[SolvedPart]) -> None:
+        """Look at A and G: where they are large, this choice of what follows is poor."""
+        squares = []
+        for each in found:
+            own = _squares(np.concatenate([each.solved.across, each.solved.more], axis=1).flat)
+            if each.part.count > 1 and own:
+                own = list(self.state.rows.sum_of(np.array([total(own)]), each.part.count))
+            squares += own
         if squares:
             limit = min(self.step.limit, MOST_LOST / self.epsilon**0.5)
             self._check(limit**2 - total(squares), 0.0, self.step.rows[0], self.fails)

@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from numpy.typing import NDArray
 
 from adagen.graph import Expression, Factors
+from adagen.plan.arms import Arms, Mates
 
 Array = NDArray[Any]
+
+
+def alone(unknowns: Iterable[int]) -> tuple[Mates, ...]:
+    """Return unknowns none of which share lanes."""
+    return tuple((unknown,) for unknown in unknowns)
 
 
 @dataclass(frozen=True)
@@ -17,16 +24,16 @@ class Solved:
     """Unknowns that follow from the top's acceleration and others: w = across a + more w' + bias.
 
     Attributes:
-        unknowns: their numbers.
+        unknowns: their numbers, those of alike arms together, lane by lane.
         across: shape (n, 6).
-        others: numbers of the others.
+        others: numbers of the others likewise; single ones are the same in all lanes.
         more: shape (n, m).
         bias: shape (n, columns).
     """
 
-    unknowns: tuple[int, ...]
+    unknowns: tuple[Mates, ...]
     across: Array
-    others: tuple[int, ...]
+    others: tuple[Mates, ...]
     more: Array
     bias: Array
 
@@ -64,12 +71,12 @@ class Opening:
     Attributes:
         place: what is blamed.
         fastest: the square of how fast it may open.
-        rows: numbers of its rows' forces.
+        rows: numbers of its rows' forces, those of alike arms together.
     """
 
     place: int
     fastest: Expression
-    rows: tuple[int, ...]
+    rows: tuple[Mates, ...]
 
 
 @dataclass(frozen=True)
@@ -139,6 +146,7 @@ class Front:
         forces: of kept rows, by number, where answers are corrected or certified.
         reduced: how its unknowns were eliminated, where answers are certified.
         gaps: how rows part by the answer, where that is weighed by itself.
+        arms: of the closure, that share lanes.
     """
 
     columns: dict[int, dict[int, Array]] = field(default_factory=dict)
@@ -161,6 +169,7 @@ class Front:
     forces: dict[int, Expression] = field(default_factory=dict)
     reduced: Reduced | None = None
     gaps: dict[int, Expression] = field(default_factory=dict)
+    arms: Sequence[Arms] = ()
 
     def hand(self, name: str, value: Array) -> None:
         """Add to what is passed to the top."""

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Container, Iterable, Sequence
 
 from adagen.executor.align import unlike
 from adagen.executor.lanes import Grouping, fit_for_lanes, steps_in_order
 from adagen.executor.run import Simulated, each_for_itself
 from adagen.executor.stretches import stretches
 from adagen.plan import Plan
-from adagen.plan.alike import alike_closures, limbs_of, without_unlike
+from adagen.plan.alike import alike_closures, closures_in, limbs_of
+from adagen.plan.arms import arms_of, without_unlike
 from adagen.plan.simd_groups import COUNTS, OFFERED, Limbs, more_alike, nearly_fewest, simd_groups
 from adagen.plan.types import Process
 from adagen.schedule import step_costs
@@ -34,11 +35,22 @@ def _alike(plan: Plan, process: Process, counts: Sequence[int]) -> tuple[Limbs, 
     limbs = fit_for_lanes(plan, process, found)
     groups = alike_closures(plan, process.steps, counts)
     closed = tuple(one for group in groups for one in limbs_of(plan, group))
+    arms = _arms(plan, process, {one.number for group in groups for one in group}, counts)
     offers = (
         tuple(without_unlike(plan, process.steps, offer))
-        for offer in ((*limbs, *closed), limbs, closed)
+        for offer in ((*limbs, *closed, *arms), (*limbs, *closed), limbs, (*closed, *arms), closed)
     )
     return next((offer for offer in offers if _in_order(plan, process, offer)), ())
+
+
+def _arms(
+    plan: Plan, process: Process, besides: Container[int], counts: Sequence[int]
+) -> tuple[Limbs, ...]:
+    """Arms of single closures; their forces are not known in lanes."""
+    if plan.loop_forces or plan.weighed:
+        return ()
+    alone = (one for k, one in closures_in(process.steps).items() if k not in besides)
+    return tuple(limbs for one in alone for limbs in arms_of(plan, one, counts))
 
 
 def _in_order(plan: Plan, process: Process, limbs: tuple[Limbs, ...]) -> bool:

@@ -13,6 +13,7 @@ from itertools import groupby
 from adagen.executor.closed_sweeps import closed_sweep
 from adagen.plan import Plan
 from adagen.plan.alike import closures_in, nature, side_by_side
+from adagen.plan.arms import arms_among
 from adagen.plan.order import ends_of, inward_order, outward_order
 from adagen.plan.simd_groups import Limbs, sweep_of
 from adagen.plan.steps import (
@@ -98,6 +99,9 @@ def steps_in_order(plan: Plan, process: Process, all_limbs: Sequence[Limbs]) -> 
     closures = closures_in(process.steps) if all_limbs else {}
     together = side_by_side(plan, process.steps, all_limbs) if closures else {}
     lead_of = {lane.number: lead for lead, lanes in together.items() for lane in lanes}
+    arms = arms_among(plan, closures.values(), all_limbs).values()
+    mates = (own for each in arms for one in each for own in one.loops)
+    loops = {step for own in mates for step in own[1:]}
     for kind, group in groupby(enumerate(process.steps), lambda pair: sweep_of(pair[1])):
         steps = list(group)
         if closures and kind in (Articulate, Accelerate):
@@ -109,7 +113,8 @@ def steps_in_order(plan: Plan, process: Process, all_limbs: Sequence[Limbs]) -> 
             order = _swept(plan, [step for _, step in steps], all_limbs)
             places += [by_joint[j] for j in order]
         else:
-            places += [place for place, step in steps if not _hidden(step, hidden, lead_of)]
+            shown = (pair for pair in steps if not _hidden(pair[1], hidden, lead_of))
+            places += [place for place, step in shown if step not in loops]
     return places
 
 

@@ -86,15 +86,31 @@ class Rows:
 
     # -- numbers and lanes ------------------------------------------------------------------------
 
-    def packed(self, arrays: Sequence[Array]) -> Array:
-        """Return arrays of one shape as one, a lane for each; of one array, itself."""
+    def packed(self, arrays: Sequence[Array], count: int | None = None) -> Array:
+        """Return arrays of one shape as one, a lane for each; of one array, itself.
+
+        Only the first ``count`` lanes matter, all if not given.
+        """
         if len(arrays) == 1:
             return arrays[0]
         result = arrays[0].copy()
         for index in np.ndindex(result.shape):
             entries: list[Any] = [array[index] for array in arrays]
-            result[index] = self.state.graph.pack(entries)
+            result[index] = self.state.graph.pack(entries, count)
         return result
+
+    def together(self, arrays: Sequence[Array]) -> Array:
+        """Return what belongs to arms of a closure as one array; idle lanes repeat the last."""
+        width = 1 << (len(arrays) - 1).bit_length()
+        return self.packed([*arrays, *[arrays[-1]] * (width - len(arrays))], len(arrays))
+
+    def each(self, value: Array, count: int) -> list[Array]:
+        """Return the first lanes of what belongs to so many arms; of a single one, itself."""
+        return [value] if count == 1 else [self.lane(value, k) for k in range(count)]
+
+    def sum_of(self, value: Array, count: int) -> Array:
+        """Return the sum of the first lanes likewise."""
+        return value if count == 1 else _each(value, lambda x: x.graph.across(x, count))
 
     def lane(self, value: Array, k: int) -> Array:
         """Return lane k of an array."""

@@ -131,9 +131,14 @@ class Graph:
                 self._one = index if value[0] == 1 else self._one
         return Expression(self, index)
 
-    def pack(self, numbers: Sequence[Expression]) -> Expression:
-        """Return a value with a number in each lane; the number itself where all are the same."""
-        first = numbers[0]
+    def pack(self, numbers: Sequence[Expression], count: int | None = None) -> Expression:
+        """Return a value with a number in each lane; the number itself where all are the same.
+
+        Args:
+            numbers: for each lane.
+            count: lanes that count, all if not given; what is in others does not matter.
+        """
+        first, own = numbers[0], numbers[:count]
         if all(x == first for x in numbers):
             return first
         known = tuple(x.constant for x in numbers)
@@ -141,9 +146,9 @@ class Graph:
             return self.constant(known)
         opposite = [x.negated for x in numbers]
         if all(x is not None for x in opposite):
-            return -self.pack([x for x in opposite if x is not None])
-        if all(x.node.op == "lane" and x.node.value == k for k, x in enumerate(numbers)):
-            (source, *others) = {x.node.args[0] for x in numbers}
+            return -self.pack([x for x in opposite if x is not None], count)
+        if all(x.node.op == "lane" and x.node.value == k for k, x in enumerate(own)):
+            (source, *others) = {x.node.args[0] for x in own}
             if not others and self.nodes[source].width == len(numbers):
                 return Expression(self, source)
         return self._node("pack", tuple(x.index for x in numbers), width=len(numbers))

@@ -183,25 +183,3 @@ def side_by_side(
         ):
             found[one.number] = lanes
     return found
-
-
-def without_unlike(plan: Plan, steps: Sequence[Step], all_limbs: Iterable[Limbs]) -> list[Limbs]:
-    """Return limbs without those that closures which are not alike have joints in.
-
-    Rows of what the ground holds are seen from it, so that the way there is not in lanes either.
-    """
-    limbs = tuple(all_limbs)
-    together = side_by_side(plan, steps, limbs)
-    lanes = {lane.number for row in together.values() for lane in row}
-    apart: set[int] = set()
-    for one in closures_in(steps).values():
-        if one.number not in lanes:
-            apart.update(plan.paths(one.path) if one.eliminate.grounded else one.path)
-    found: list[Limbs] = []
-    for each in limbs:
-        rows = [row for row in each.rows if apart.isdisjoint(row)]
-        if len(rows) == len(each.rows):
-            found.append(each)
-        else:  # what is left need no longer be one chain
-            found += [Limbs((row,)) for row in rows]
-    return found

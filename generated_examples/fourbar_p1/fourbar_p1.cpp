@@ -165,8 +165,8 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x257 = x133 - (x249 * x249 + x253 * x253);
   require_more(w, x257, 0.0, kLoopTorn, 3);
-  const Real x294 = x279 * x283 * 9.999999999999998e-15;
-  require_more(w, x288, x294, kSingularPose, 3);
+  const Real x290 = x279 * x283 * 9.999999999999998e-15;
+  require_more(w, x288, x290, kSingularPose, 3);
   const Real x264 = x178 * x263;
   const Real x266 = x198 * x263;
   const Real x268 = 0.5 * x264;
@@ -182,11 +182,11 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Real x320 = x242 * x268 + (x44 * 0.16000000000000003 + tau[2]) * x272;
   const Real x301 = 40000.0 - (x268 * x268 + x272 * x272);
   require_more(w, x301, 0.0, kSingularPose, 3);
-  const Real x326 = x275 * x304 - x271 * x306;
-  const Real x312 = x272 * x304 - x268 * x306 + 0.0834083;
-  const Real x315 = x312 - x193 * x268;
+  const Real x325 = x275 * x304 - x271 * x306;
+  const Real x314 = x272 * x304 - x268 * x306 + 0.0834083;
+  const Real x315 = x314 - x193 * x268;
   require_more(w, x315, 0.0, kLoopFree, 1);
-  const Real x329 = (x320 - (x76 + tau[1]) + x326) * (1 / x315);
+  const Real x329 = (x320 - (x76 + tau[1]) + x325) * (1 / x315);
   const Real x330 = -x329;
   w.result[1] = x330;
   // link 0 "ground": accelerations and constraint forces of loops below it

@@ -19,7 +19,7 @@ from adagen.executor.checks import exceeds
 from adagen.executor.lanes import Grouping
 from adagen.graph import Expression, Node, live_nodes
 from adagen.plan import Plan
-from adagen.plan.alike import without_unlike
+from adagen.plan.arms import without_unlike
 from adagen.plan.stages import stages
 from adagen.plan.steps import LinkBias, StartLink
 from adagen.plan.types import Process

@@ -106,13 +106,16 @@ class Results:
         return ranges([*own, *self.forces])
 
     def _scattered(self) -> list[tuple[int, int]]:
-        """Entries of the result that are computed in lanes, and where they are kept."""
-        joints = self.words.plan.joints
+        """Entries of the result that are computed in lanes, and where they are kept.
+
+        Where a process does all by itself, lanes may be of joints that others answer for.
+        """
+        joints, given = self.words.plan.joints, set(given_entries(self.words, self.process))
         return sorted(
             (joints[j].v + k, place + lane)
             for (joint, k), place in self.places.items()
             for lane, j in enumerate(self.machine.rows.own(joint))
-            if self.words.plan.wants(j)
+            if joints[j].v + k in given
         )
 
     def _unlike_zero_in_lanes(self) -> list[str]:

@@ -1,0 +1,172 @@
+"""Arms of a closure that are alike: chains of its joints that can be done side by side.
+
+The rods of a parallel ankle, the legs of a Stewart platform: chains that hang on one link, whose
+loops are of the same kinds and hold one other link. Their joints do not feel each other but through
+what they hang on and what they hold. Numbers may differ.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import chain
+
+from adagen.model.kinds import KINDS as FREEDOMS
+from adagen.plan.alike import ClosureSteps, closures_in, nature, side_by_side
+from adagen.plan.simd_groups import KINDS, Limbs
+from adagen.plan.steps import CloseLoop, Step
+from adagen.plan.types import Plan
+
+Mates = tuple[int, ...]
+"""Unknowns of a closure that are treated as one, lane by lane."""
+
+
+@dataclass(frozen=True)
+class Arms:
+    """Arms of one closure that share code, one in each lane.
+
+    Attributes:
+        closure: its number.
+        limbs: their joints.
+        loops: that close them, those that are treated as one together.
+        freedoms: unknown accelerations.
+        forces: unknown forces of rows.
+    """
+
+    closure: int
+    limbs: Limbs
+    loops: tuple[tuple[CloseLoop, ...], ...]
+    freedoms: tuple[Mates, ...]
+    forces: tuple[Mates, ...]
+
+
+def arms_of(plan: Plan, one: ClosureSteps, counts: Iterable[int]) -> list[Limbs]:
+    """Return arms of a closure that may go side by side.
+
+    Args:
+        plan: the plan.
+        one: what a process does for the closure.
+        counts: how many may go together.
+    """
+    pools: dict[object, list[tuple[int, ...]]] = {}
+    for ends in _chains(plan, one):
+        shape = _shape(plan, one, ends)
+        if shape is not None:
+            pools.setdefault(shape, []).append(ends)
+    most, found = sorted(counts), []
+    for pool in pools.values():
+        while (taken := max((n for n in most if n <= len(pool)), default=0)) > 1:
+            found.append(Limbs(tuple(zip(*pool[:taken], strict=True))))
+            pool = pool[taken:]
+    return found
+
+
+def arms_in(plan: Plan, one: ClosureSteps, all_limbs: Iterable[Limbs]) -> list[Arms]:
+    """Return the arms of a closure that limbs take side by side, those left out that are unlike."""
+    found = []
+    for limbs in all_limbs:
+        chains = list(zip(*limbs.rows, strict=True))
+        if not set(limbs.members()).issubset(one.path):
+            continue
+        shapes = {_shape(plan, one, chain) for chain in chains}
+        if len(shapes) > 1 or None in shapes:
+            continue
+        loops = tuple(zip(*(_loops_at(plan, one, chain) for chain in chains), strict=True))
+        freedoms = [
+            tuple(one.held[j] + k for j in row)
+            for row in limbs.rows
+            for k in range(FREEDOMS[plan.joints[row[0]].kind].nv)
+        ]
+        forces = [
+            tuple(closing.first + k for closing in mates)
+            for mates in loops
+            for k in range(len(mates[0].rows))
+        ]
+        found.append(Arms(one.number, limbs, loops, tuple(freedoms), tuple(forces)))
+    return found
+
+
+def _chains(plan: Plan, one: ClosureSteps) -> list[tuple[int, ...]]:
+    """The ends of a closure's tree: its joints inwards from each outermost one, up to a branch."""
+    beyond: dict[int, list[int]] = {}
+    for j in one.path:
+        beyond.setdefault(plan.joints[j].parent - 1, []).append(j)
+    found = []
+    for j in one.path:
+        if j in beyond:
+            continue
+        chain = [j]
+        while (near := plan.joints[chain[0]].parent - 1) in one.path and len(beyond[near]) == 1:
+            chain.insert(0, near)
+        found.append(tuple(chain))
+    return found
+
+
+def _loops_at(plan: Plan, one: ClosureSteps, chain: Sequence[int]) -> list[CloseLoop]:
+    """The loops that hold links of a chain."""
+    links = {j + 1 for j in chain}
+    ends = ((c, plan.loops[c.loop]) for c in one.loops)
+    return [closing for closing, loop in ends if not links.isdisjoint((loop.link1, loop.link2))]
+
+
+def _shape(plan: Plan, one: ClosureSteps, chain: Sequence[int]) -> tuple[object, ...] | None:
+    """What arms have in common that can be computed side by side; None where they cannot."""
+    joints, how = [plan.joints[j] for j in chain], one.eliminate
+    if not set(chain).issubset(one.held) or len(one.held) < len(one.path):
+        return None
+    if any(joint.kind not in KINDS or joint.prescribed for joint in joints):
+        return None
+    if any(
+        not {j for j, _ in plan.couplings[c.coupling].terms}.isdisjoint(chain)
+        for c in one.couplings
+    ):
+        return None
+    place = {j + 1: k for k, j in enumerate(chain)}
+    loops = []
+    for closing in _loops_at(plan, one, chain):
+        loop = plan.loops[closing.loop]
+        ends = [
+            (place.get(link), None if link in place else link) for link in (loop.link1, loop.link2)
+        ]
+        if all(link in place for link in (loop.link1, loop.link2)):
+            return None
+        forces = range(closing.first, closing.first + len(closing.rows))
+        kept = tuple((force in how.rows, force in how.followers) for force in forces)
+        loops.append((loop.kind, tuple(ends), closing.rows, kept, bool(loop.turn2)))
+    numbers = (range(one.held[j], one.held[j] + FREEDOMS[plan.joints[j].kind].nv) for j in chain)
+    moved = tuple(number in how.moved for own in numbers for number in own)
+    return (tuple(map(nature, joints)), joints[0].parent, tuple(loops), moved)
+
+
+def arms_among(
+    plan: Plan, closures: Iterable[ClosureSteps], all_limbs: Iterable[Limbs]
+) -> dict[int, list[Arms]]:
+    """Return the arms that limbs take side by side, by closure; closures without any left out."""
+    limbs = tuple(all_limbs)
+    found = {one.number: arms_in(plan, one, limbs) for one in closures}
+    return {number: arms for number, arms in found.items() if arms}
+
+
+def without_unlike(plan: Plan, steps: Sequence[Step], all_limbs: Iterable[Limbs]) -> list[Limbs]:
+    """Return limbs without those that closures which are not alike have joints in.
+
+    Rows of what the ground holds are seen from it, so that the way there is not in lanes either.
+    """
+    limbs, closures = tuple(all_limbs), closures_in(steps)
+    together = side_by_side(plan, steps, limbs)
+    lanes = {lane.number for row in together.values() for lane in row}
+    arms = chain.from_iterable(arms_among(plan, closures.values(), limbs).values())
+    in_lanes = {j for each in arms for j in each.limbs.members()}
+    apart: set[int] = set()
+    for one in closures.values():
+        if one.number not in lanes:
+            apart.update(plan.paths(one.path) if one.eliminate.grounded else one.path)
+    apart -= in_lanes
+    found: list[Limbs] = []
+    for each in limbs:
+        rows = [row for row in each.rows if apart.isdisjoint(row)]
+        if len(rows) == len(each.rows):
+            found.append(each)
+        else:  # what is left need no longer be one chain
+            found += [Limbs((row,)) for row in rows]
+    return found
