@@ -228,6 +228,13 @@ def test_names_are_made_where_there_are_none(reading: Read) -> None:
     assert joints(reading(taken)) == ["body2_joint_joint", "body2_joint"]
 
 
+def test_a_default_namespace_changes_nothing(reading: Read, tmp_path: Path) -> None:
+    found = reading(GOOD.replace("<mujoco", '<mujoco xmlns="http://mujoco.org"', 1))
+    assert repr(found.model) == repr(reading(GOOD).model) and found.warnings == ()
+    (tmp_path / "named.xml").write_text('<mujoco xmlns="http://mujoco.org"/>')
+    assert is_mjcf(tmp_path / "named.xml")
+
+
 def test_what_is_mjcf(tmp_path: Path, shared: Path) -> None:
     for name, text, expected in (
         ("a.xml", GOOD, True),
