@@ -190,7 +190,7 @@ def test_a_compiler_out_of_memory_is_told(fake: Toolchain, tmp_path: Path) -> No
             "echo 'c++: fatal error: Killed signal terminated program cc1plus' >&2; exit 1",
         )
     )
-    with pytest.raises(EnvironmentFault, match="want of memory"):
+    with pytest.raises(EnvironmentFault, match="memory ran out"):
         build_executable("hello", "robot", fake, tmp_path / "cache")
 
 
