@@ -178,7 +178,8 @@ class _Play:
 
     def _copied(self, step: Send | Receive) -> float:
         """Time to put a message's numbers in, or to take them out."""
-        numbers = self.plan.messages[step.message].numbers(self.plan.right_hand_sides)
+        plan = self.plan
+        numbers = plan.messages[step.message].numbers(plan.right_hand_sides, plan.joints)
         return numbers * self._channel(step).number / 2
 
     def _receive(self, p: int, stage: Stage, step: Receive) -> None:

@@ -74,7 +74,8 @@ def message_size(words: Words, message: Message) -> int:
         source = simulate(words.plan, words.program.slots.limbs)[message.source]
         return max(1, len(source.machine.sent[words.plan.messages.index(message)]))
     whole = message.joint is None  # of slaved joints: all right-hand sides together
-    return message.numbers(words.plan.right_hand_sides if whole else words.columns)
+    columns = words.plan.right_hand_sides if whole else words.columns
+    return message.numbers(columns, words.plan.joints)
 
 
 def _tables(words: Words, process: Process) -> list[list[Range]]:

@@ -6,7 +6,7 @@ name are in adagen/plan/steps/.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -78,8 +78,8 @@ class Message:
     passages: tuple[Passage, ...] = field(default=(), metadata=OPTIONAL)
     repeats: int | None = field(default=None, metadata=OPTIONAL)
 
-    def numbers(self, columns: int) -> int:
-        """Return how many numbers it holds, with so many right-hand sides."""
+    def numbers(self, columns: int, joints: Sequence[PlanJoint]) -> int:
+        """Return how many numbers it holds, with so many right-hand sides, of a plan's joints."""
         if self.sweep == "torques":
             return columns - 1
         if self.sweep == ENERGIES:
@@ -87,7 +87,8 @@ class Message:
         vectors = len(self.biases) + len(self.forces) + len(self.inertias)
         matrices = 36 * len(self.blocks) + 21 * len(self.inertias) + 24 * len(self.passages)
         matrices = matrices if self.repeats is None else 0
-        return matrices + 6 * columns * vectors + columns * len(self.joints)
+        freedoms = sum(KINDS[joints[j].kind].nv for j in self.joints)
+        return matrices + columns * (6 * vectors + freedoms)
 
 
 @dataclass(frozen=True)

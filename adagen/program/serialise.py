@@ -111,7 +111,7 @@ def _message(plan: Plan, number: int) -> dict[str, Any]:
     return {
         "from": message.source,
         "to": message.target,
-        "numbers": message.numbers(plan.right_hand_sides),
+        "numbers": message.numbers(plan.right_hand_sides, plan.joints),
         "mobilities": [[plan.links[b.row].name, plan.links[b.column].name] for b in message.blocks],
         "accelerations": [plan.links[b.handle].name for b in message.biases],
         "forces": [plan.links[f.handle].name for f in message.forces],

@@ -178,4 +178,4 @@ class Pricing:
 
     def numbers(self, message: Message) -> int:
         """Return how many numbers a message holds."""
-        return message.numbers(self._plan.right_hand_sides)
+        return message.numbers(self._plan.right_hand_sides, self._plan.joints)

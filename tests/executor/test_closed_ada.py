@@ -10,13 +10,14 @@ import numpy as np
 import pytest
 
 from adagen.errors import UsageError
-from adagen.executor import interpret
+from adagen.executor import interpret, simulate
 from adagen.model import (
     BASE,
     FLOATING,
     LOOP_KINDS,
     PRISMATIC,
     REVOLUTE,
+    SPHERICAL,
     WORLD,
     Inertia,
     LoopEnd,
@@ -50,6 +51,17 @@ def test_mechanisms_move_as_dense_algebra_says(name: str, processes: int) -> Non
     check(lower(plan, "unrolled"))
     assert worst(model, plan, states_of(model, 4)) < 1e-10
     assert plan_from_json(plan_to_json(plan)) == plan
+
+
+def test_messages_have_room_for_accelerations_of_balls() -> None:
+    """A joint at a loop tells all its accelerations, of every right-hand side."""
+    model = looped_tree("point", 4, joints=9, kinds=(SPHERICAL,))
+    plan = ada_plan(model, 3)
+    assert any(message.sweep == "slaved" for message in plan.messages)
+    for process in simulate(plan):
+        for number, content in process.machine.sent.items():
+            room = plan.messages[number].numbers(plan.right_hand_sides, plan.joints)
+            assert len(content) <= room
 
 
 @pytest.mark.parametrize("kind", LOOP_KINDS)

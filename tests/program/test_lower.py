@@ -74,7 +74,8 @@ def test_a_program_is_printed_as_json_with_every_operation(seed: int) -> None:
         names = [name for row in said["processes"] for name in row["owns"]]
         assert sorted(names) == sorted(joint.name for joint in program.plan.joints)
         numbers = [message["numbers"] for message in said["messages"]]
-        assert numbers == [m.numbers(program.plan.right_hand_sides) for m in program.plan.messages]
+        plan = program.plan
+        assert numbers == [m.numbers(plan.right_hand_sides, plan.joints) for m in plan.messages]
 
 
 def test_what_is_said_of_a_program_is_read_off_it() -> None:

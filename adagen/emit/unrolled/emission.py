@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 from adagen.emit import guards
 from adagen.emit.entries import entries_of, given_entries, ranges, read_joints
-from adagen.emit.processes import describe_message
+from adagen.emit.processes import describe_message, message_size
 from adagen.emit.unrolled.describe import describe_step
 from adagen.emit.unrolled.layout import Chunk, Layout, Stretch, is_given, laid_out, looked_at
 from adagen.emit.unrolled.results import Results, names_state
@@ -166,6 +166,9 @@ class _ProcessText:
                     name, near = self.text.name(pivot.index), f"Real({check.near!r})"
                     after.append(f"if ({name} < {near}) w.near_lock = {check.joint + 1};")
         for number, content in self.machine.sent.items():
+            if not self.words.plan.reproducible:  # else these were counted
+                room = message_size(self.words, self.words.plan.messages[number])
+                assert len(content) <= room, f"{len(content)} numbers in a message for {room}"
             for k, x in enumerate(content):
                 lines[x.index].append(f"w.to[{number}][{k}] = {self.text.name(x.index)};")
         for k, x in enumerate(self.machine.certificate):
