@@ -242,6 +242,7 @@ def _sides(
 ) -> dict[tuple[int, bool], Side]:
     """What each joint with one freedom sees, outwards (False) and towards the ground (True)."""
     bare = [_spatial_inertia(link) for link in links]
+    flat = _flat(joints)
     transforms = [_transforms(joints, j) for j in range(len(joints))]
     found: dict[tuple[int, bool], Side] = {}
 
@@ -256,6 +257,8 @@ def _sides(
         if kind.nv == 1:
             half = slice(0, 3) if free[0] < 3 else slice(3, 6)
             trace = np.trace(inertia[:, half, half], axis1=1, axis2=2) + rotor
+            if flat[j] and not backwards:  # what is about other axes stays apart, exactly
+                trace = rigid[j + 1][:, free[0], free[0]] + rotor
             least = float(own[:, free[0], free[0]].min()) + rotor
             usual = trace / np.maximum(d[:, 0, 0], _SMALLEST)
             found[j, backwards] = Side(float(trace.max()), least, float(np.median(usual)))
@@ -263,12 +266,15 @@ def _sides(
 
     passed: list[Any] = [None] * len(joints)
     whole = [np.broadcast_to(inertia, (len(SEEDS), 6, 6)) for inertia in bare]
+    rigid = list(whole)  # before what joints beyond take away
     for j in reversed(range(len(joints))):
         x = transforms[j]
         own = np.broadcast_to(bare[j + 1], whole[j + 1].shape)
         passed[j] = x.transpose(0, 2, 1) @ look(j, False, whole[j + 1], own) @ x
         if joints[j].parent > 0:
             whole[joints[j].parent] = whole[joints[j].parent] + passed[j]
+            moved = x.transpose(0, 2, 1) @ whole[j + 1] @ x
+            rigid[joints[j].parent] = rigid[joints[j].parent] + moved
     for j, joint in enumerate(joints):  # the ground's side, without what the joint itself carries
         if joint.parent == 0:
             continue
@@ -277,6 +283,38 @@ def _sides(
         own = back.transpose(0, 2, 1) @ bare[joint.parent] @ back
         whole[j + 1] = whole[j + 1] + look(j, True, seen, own)
     return found
+
+
+def _flat(joints: tuple[PlanJoint, ...]) -> list[bool]:
+    """Whether a hinge and all joints beyond it turn about one axis of the base's frame.
+
+    In axes of the base D is an entry of the inertia then, and what is about other axes is neither
+    added to it nor taken from it. Only slides and turns about that axis may be before it.
+    """
+    axes: list[int | None] = []  # that links turn about, -1: about none; None: about several
+    turns: list[Array] = []
+    for joint in joints:
+        before = None if joint.parent == 0 else axes[joint.parent - 1]
+        turn = np.array(joint.rotation)
+        turn = turn if joint.parent == 0 else turns[joint.parent - 1] @ turn
+        own = np.flatnonzero(turn[:, 2])
+        axis: int | None = None
+        if joint.parent == 0 and joint.kind == "floating":
+            axis, turn = -1, np.eye(3)  # its own frame is that of the base
+        elif joint.parent > 0 and before is None:
+            axis = None
+        elif joint.kind == "prismatic":
+            axis = -1 if before is None else before
+        elif joint.kind == "revolute" and len(own) == 1 and before in (None, -1, own[0]):
+            axis = int(own[0])
+        axes.append(axis)
+        turns.append(turn)
+    flat = [a is not None and one.kind == "revolute" for a, one in zip(axes, joints, strict=True)]
+    for j in reversed(range(len(joints))):
+        near = joints[j].parent - 1
+        if near >= 0 and not (flat[j] and axes[near] == axes[j]):
+            flat[near] = False
+    return flat
 
 
 def _transforms(joints: tuple[PlanJoint, ...], j: int) -> Array:

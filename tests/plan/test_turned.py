@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -9,6 +11,7 @@ from adagen.emit.shapes import chosen_shape
 from adagen.model import SPHERICAL, Inertia, Model
 from adagen.plan.turned import Turned, balls_lose, turned_joints
 from adagen.studies.stability import robots
+from adagen.studies.stability.adversary import Part, assembled
 from tests.emitted import plan_of
 from tests.models import human_figure
 
@@ -21,6 +24,29 @@ def tool(radius: float) -> Model:
 @pytest.mark.parametrize("model", [robots.rods(30), robots.coil(20), human_figure()])
 def test_ordinary_robots_stay_in_axes_of_the_base(model: Model) -> None:
     assert turned_joints(plan_of(model, 1)) == Turned(frozenset(), frozenset())
+
+
+def test_hinges_about_one_axis_of_the_base_stay_in_its_axes() -> None:
+    """Moments about other axes are a million times D, but neither added to it nor taken from it."""
+    rods = [robots.rod() for _ in range(100)]
+    none = Turned(frozenset(), frozenset())
+    flat = robots.chain("flat", rods, axes="y")
+    assert turned_joints(plan_of(flat, 1)) == none
+    oblique = np.array([[0.8, -0.6, 0.0], [0.6, 0.8, 0.0], [0.0, 0.0, 1.0]])
+    first = replace(flat.joints[0], rotation=oblique @ flat.joints[0].rotation)
+    tilted = replace(flat, joints=(first, *flat.joints[1:]))
+    assert len(turned_joints(plan_of(tilted, 1)).always) > 80
+
+
+def test_a_hinge_that_shares_its_axis_with_a_heavy_one_turns_in_its_own() -> None:
+    """What the one beyond takes away is all but the least of what is brought about the axis."""
+    axis = np.array([0.0, 1.0, 0.0])
+    for lighter, turned in ((1.0, False), (1e-8, True)):
+        parts = [
+            Part(k, axis, np.zeros(3), robots.rod(mass)) for k, mass in enumerate((lighter, 1.0))
+        ]
+        found = turned_joints(plan_of(assembled("coaxial", parts), 1))
+        assert (0 in found.always | found.if_lost) is turned
 
 
 def test_a_slender_tool_turns_in_its_own_axes() -> None:

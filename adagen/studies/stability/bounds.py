@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import ctypes
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from flint import ctx
 from numpy.typing import NDArray
 
 from adagen.build import Toolchain, build_executable
 from adagen.emit import emit, stem_of
 from adagen.errors import AdagenError
 from adagen.executor.refine import WideLinks
+from adagen.executor.solve import interpret
+from adagen.graph import BALLS
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.certificate import certified
@@ -20,6 +24,7 @@ from adagen.schedule import Topology, load_profile
 from adagen.search import named_schedule
 from adagen.states import States
 from adagen.studies.stability.audit import truths
+from adagen.studies.stability.mechanisms import BITS
 
 Array = NDArray[np.float64]
 FACTOR = 3.0
@@ -82,7 +87,7 @@ def bounded(
     """Solve states of a robot in some ways and compare bounds with true errors.
 
     Errors are relative to certified accelerations of 25 digits, for states as the solver reads
-    them. Ways that a robot cannot be emitted in are left out.
+    them; of closed loops to `own_truths`. Ways that a robot cannot be emitted in are left out.
 
     Raises:
         EnvironmentFault: a solver cannot be built.
@@ -100,7 +105,8 @@ def bounded(
             kind = np.float64 if way.scalar == "double" else np.float32
             parts = (x.astype(kind).astype(float) for x in (states.q, states.v, states.tau))
             given = States(*parts)
-            known[way.scalar] = given, truths(model, given)
+            every = own_truths(plan, given) if plan.closed else truths(model, given)
+            known[way.scalar] = given, every
         given, truth = known[way.scalar]
         answers, bounds = _answers(text[f"{_STEM}.cpp"], plan, way, given, toolchain)
         rows = [
@@ -110,6 +116,25 @@ def bounded(
         ]
         errors, bounds = np.array(rows, dtype=float).reshape(-1, 2).T
         found[way] = Bounded(errors, bounds, len(truth) - len(rows))
+    return found
+
+
+def own_truths(plan: Plan, states: States) -> list[Array | None]:
+    """Return what a plan answers in hundreds of bits, None where it does not.
+
+    A state in doubles closes its loops up to rounding. Rows that follow from others then follow up
+    to rounding only, and which of them are left out is the plan's to choose.
+    """
+    found: list[Array | None] = []
+    for state in zip(states.q, states.v, states.tau, strict=True):
+        true = None
+        for each in plan.alternatives:
+            with suppress(FloatingPointError):
+                interpret(each, *state, once=True)  # the first that stands the pose
+                with ctx.workprec(BITS):
+                    true = np.array([float(x) for x in interpret(each, *state, BALLS)])
+                break
+        found.append(true)
     return found
 
 
