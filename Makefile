@@ -1,7 +1,7 @@
 # Everything here needs Python 3.11 or newer, a C++17 compiler and make; no root, no system MPI.
 #
-# A system MPI instead of the one that pip installs into .venv:
-#   make demo MPICXX=/usr/bin/mpicxx
+# A system MPI or Eigen instead of the ones that pip installs into .venv:
+#   make demo MPICXX=/usr/bin/mpicxx EIGEN=/usr/include/eigen3
 
 VENV    := .venv
 BIN     := $(VENV)/bin
@@ -16,6 +16,9 @@ export MPICXX
 endif
 ifneq ($(origin MPIEXEC),undefined)
 export MPIEXEC
+endif
+ifneq ($(origin EIGEN),undefined)
+export EIGEN
 endif
 
 # Tests start hundreds of processes: what Python compiles of adagen is kept for the next one.

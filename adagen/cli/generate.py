@@ -25,7 +25,7 @@ commands, each with --help (exit status: 0 done, 1 input, 2 usage, 3 tool):
   solve MODEL      build, run on states   bench MODEL       compare with others
   verify DIR       generate, compare      stability         where methods fail
   calibrate        this machine's costs   completion SHELL  bash, zsh, fish
-  env              compiler and MPI
+  env              compiler, MPI, Eigen
 examples:
   adagen robot.urdf --out robot_solver && make -C robot_solver check time"""
 
@@ -40,7 +40,7 @@ commands (each has a --help of its own):
   adagen chart MODEL ...                chart error against time
   adagen stability                      where methods fail; digits kept
   adagen report MODEL --out DIR         an HTML report
-  adagen env                            the compiler and MPI in use
+  adagen env                            the compiler, MPI and Eigen in use
   adagen completion SHELL               for bash, zsh or fish
 
 examples:

@@ -37,7 +37,9 @@ def fake(tmp_path: Path) -> Toolchain:
     compiler.write_text(COMPILER)
     compiler.chmod(0o755)
     Path(f"{compiler}.version").write_text("1")
-    return Toolchain((str(compiler),), (str(compiler),), ("mpiexec",), ("-O1",), wheel=False)
+    eigen = tmp_path / "eigen"
+    (eigen / "Eigen").mkdir(parents=True)
+    return Toolchain((str(compiler),), (str(compiler),), ("mpiexec",), eigen, ("-O1",), wheel=False)
 
 
 def calls(toolchain: Toolchain) -> int:
@@ -72,8 +74,10 @@ def test_whatever_decides_on_the_executable_makes_another(fake: Toolchain, tmp_p
     seen.add(build_executable("hello", "robot", replace(fake, flags=("-O2",)), folder))
     Path(f"{fake.mpicxx[0]}.version").write_text("2")
     seen.add(build_executable("hello", "robot", fake, folder))
-    assert len(seen) == 5
-    assert calls(fake) == 5
+    (fake.eigen / "Eigen" / "Version").write_text("#define EIGEN_MAJOR_VERSION 5\n")
+    seen.add(build_executable("hello", "robot", fake, folder))
+    assert len(seen) == 6
+    assert calls(fake) == 6
 
 
 def test_texts_that_join_to_the_same_are_told_apart(fake: Toolchain, tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""The choice of compiler and MPI."""
+"""The choice of compiler, MPI and Eigen."""
 
 from __future__ import annotations
 
@@ -23,6 +23,12 @@ def program(path: Path, text: str = "exit 0") -> Path:
     return path
 
 
+def headers(folder: Path) -> Path:
+    (folder / "Eigen").mkdir(parents=True)
+    (folder / "Eigen" / "Dense").write_text("")
+    return folder
+
+
 class TestDefaults:
     def test_the_wheels_are_found_and_agree(self) -> None:
         found = find_toolchain(PLAIN)
@@ -31,13 +37,14 @@ class TestDefaults:
         for command in (found.mpicxx, found.mpiexec):
             said = subprocess.run([*command, "--version"], capture_output=True, text=True)
             assert said.returncode == 0, said.stderr
+        assert (found.eigen / "Eigen" / "Dense").is_file()
         assert found.flags[0] == "-std=c++17"
         assert {"-O3", "-march=native", "-fno-math-errno", "-Wall"} <= set(found.flags)
 
     def test_the_command_has_all_of_it(self) -> None:
-        found = Toolchain(("ccache", "mpicxx"), ("c++",), ("mpiexec",), ("-O1",), False)
+        found = Toolchain(("ccache", "mpicxx"), ("c++",), ("mpiexec",), Path("E"), ("-O1",), False)
         assert found.compile_command(Path("a.cpp"), Path("a")) == [
-            *("ccache", "mpicxx", "-O1", "a.cpp", "-o", "a")
+            *("ccache", "mpicxx", "-O1", "-isystem", "E", "a.cpp", "-o", "a")
         ]
 
     def test_flags_of_the_user_come_last_so_that_they_win(self) -> None:
@@ -91,6 +98,15 @@ class TestAsked:
     def test_a_program_that_is_not_there_is_told(self, name: str) -> None:
         with pytest.raises(EnvironmentFault, match=f"{name}=no-such-program"):
             find_toolchain({**PLAIN, name: "no-such-program"})
+
+    @pytest.mark.parametrize("below", ["", "include/eigen3"])
+    def test_eigen_by_its_folder_or_its_prefix(self, tmp_path: Path, below: str) -> None:
+        folder = headers(tmp_path / below)
+        assert find_toolchain({**PLAIN, "EIGEN": str(tmp_path)}).eigen == folder
+
+    def test_eigen_that_is_not_there_is_told(self, tmp_path: Path) -> None:
+        with pytest.raises(EnvironmentFault, match="Eigen/Dense"):
+            find_toolchain({**PLAIN, "EIGEN": str(tmp_path)})
 
     def test_another_compiler(self) -> None:
         found = find_toolchain({**PLAIN, "CXX": "clang++"})

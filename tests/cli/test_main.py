@@ -76,7 +76,7 @@ class TestUsage:
             (["schedule", "robot.urdf", "--procs", "0"], "adagen schedule --help"),
             (["solve", "robot.urdf", "--procs", "2"], "required: --states"),
             (["solve", "r", "--procs", "2", "--states", "s", "--timeout", "0"], "more than 0 s"),
-            (["env", "--mpicxx", "--flags"], "not allowed with"),
+            (["env", "--mpicxx", "--eigen"], "not allowed with"),
             (["r.urdf", "--procs", "2", "--name=--"], "cannot have the value --"),
             (["r.urdf", "--procs", "2", "a\nb"], "a\\nb"),
             (["schedul", "robot.urdf", "--procs", "2"], "did you mean 'schedule'?"),
@@ -239,6 +239,9 @@ class TestEnv:
         for which in ("cxx", "mpicxx", "mpiexec", "flags"):
             assert main(["env", f"--{which}"]) == 0
             assert shlex.split(capsys.readouterr().out) == told[which]
+        assert main(["env", "--eigen"]) == 0
+        assert shlex.split(capsys.readouterr().out) == [told["eigen"]]
+        assert (Path(told["eigen"]) / "Eigen" / "Dense").is_file()
         assert main(["env", "--variables"]) == 0
         words = shlex.split(capsys.readouterr().out)
         assert dict(word.split("=", 1) for word in words) == told["variables"]
@@ -251,7 +254,7 @@ class TestEnv:
         long = [line for line in text.splitlines() if len(line) > 80]
         assert all(" " not in line[10:] for line in long)  # one word: a path
         blocks = dict(re.findall(r"^(\w+) +(.*(?:\n {10}.*)*)", text, re.MULTILINE))
-        assert list(blocks)[:4] == ["cxx", "mpicxx", "mpiexec", "flags"]
+        assert list(blocks)[:5] == ["cxx", "mpicxx", "mpiexec", "eigen", "flags"]
         assert shlex.split(blocks["flags"]) == told["flags"]
         words = shlex.split(blocks["variables"])
         assert dict(word.split("=", 1) for word in words) == told["variables"]
@@ -272,9 +275,9 @@ class TestEnv:
     def test_what_is_missing_is_status_3(
         self, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
     ) -> None:
-        monkeypatch.setenv("MPICXX", "nowhere")
+        monkeypatch.setenv("EIGEN", "nowhere")
         assert main(["env"]) == 3
-        assert capsys.readouterr().err.startswith("error: MPICXX=nowhere")
+        assert capsys.readouterr().err.startswith("error: EIGEN=nowhere")
 
 
 def test_saying_the_version_does_not_wait_for_the_stages() -> None:

@@ -51,9 +51,10 @@ FAST = "-DADAGEN_FLAGS=-O1;-march=native"
 
 
 def settings(builder: Builder) -> list[str]:
-    """Return what CMake is told: where MPI is, and to compile fast."""
+    """Return what CMake is told: where MPI and Eigen are, and to compile fast."""
     return [
         f"-DMPI_CXX_COMPILER={builder.toolchain.mpicxx[0]}",
+        f"-DEIGEN={builder.toolchain.eigen}",
         FAST,
     ]
 
@@ -148,7 +149,7 @@ def test_make_builds_all_solvers_and_asks_which_one_is_to_run(
 ) -> None:
     toolchain = builder.toolchain
     given = [f"MPICXX={toolchain.mpicxx[0]}", f"MPIEXEC={toolchain.mpiexec[0]}"]
-    given += ["CXXFLAGS=-O1"]
+    given += [f"EIGEN={toolchain.eigen}", "CXXFLAGS=-O1"]
     said = run("make", "-C", solvers, *given, "check")
     assert said.count(": right") == 2
     assert "make" in run("make", "-C", solvers, *given, "all")

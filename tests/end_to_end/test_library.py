@@ -53,7 +53,7 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("library") / "mobile_p1"
     shutil.copytree(FOLDER / "mobile_p1", folder)
     shutil.copytree(FOLDER / "adagen", folder.parent / "adagen")
-    nowhere = ("MPICXX=nowhere", "MPIEXEC=nowhere", "ADAGEN=nowhere")
+    nowhere = ("MPICXX=nowhere", "MPIEXEC=nowhere", "ADAGEN=nowhere", "EIGEN=/nowhere")
     run("make", "-C", folder, *nowhere, "CXXFLAGS=-O1", "lib")
     return folder
 

@@ -136,5 +136,6 @@ def _variables(builder: Builder) -> list[str]:
     return [
         f"MPICXX={toolchain.mpicxx[0]}",
         f"MPIEXEC={toolchain.mpiexec[0]}",
+        f"EIGEN={toolchain.eigen}",
         f"VARIABLES={words}",
     ]

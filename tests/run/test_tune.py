@@ -13,7 +13,7 @@ from adagen.errors import EnvironmentFault
 from adagen.run import Completed, tune
 from adagen.run.tune import Candidate, Trial, candidates, table
 
-TOOLS = Toolchain(("mpicxx",), ("c++",), ("mpiexec",), (), False, (("A", "1"),))
+TOOLS = Toolchain(("mpicxx",), ("c++",), ("mpiexec",), Path("eigen"), (), False, (("A", "1"),))
 TIMES = {"slow": [90.0] * 5, "fast": [50.0, 40.0, 60.0, 80.0, 70.0]}
 
 

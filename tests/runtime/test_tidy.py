@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from adagen.emit.runtime import include_folder
+from tests.emitted import Builder
 from tests.golden.examples import FOLDER as EXAMPLES
 from tests.runtime.test_units import FOLDER, GROUPS
 
@@ -27,10 +28,10 @@ def tool(name: str) -> str:
     return found
 
 
-def words() -> list[str]:
+def words(builder: Builder) -> list[str]:
     """Return the options that a source of this folder is compiled with."""
     folders = [f"-I{FOLDER}", f"-I{include_folder()}"]
-    outside = [FOLDER / "doctest", Path(sys.prefix, "include")]
+    outside = [FOLDER / "doctest", builder.toolchain.eigen, Path(sys.prefix, "include")]
     return [
         *("-std=c++17", "-march=x86-64-v3", "-pthread", *folders),
         *(word for path in outside for word in ("-isystem", str(path))),
@@ -47,9 +48,11 @@ MORE = [EXAMPLES / stem / f"{stem}.cpp" for stem in EMITTED] + [EXAMPLES / "adag
     [SAMPLE, *(pytest.param(path, marks=pytest.mark.slow) for path in [*SOURCES, *MORE])],
     ids=lambda path: path.stem,
 )
-def test_clang_tidy_has_nothing_to_say(source: Path) -> None:
+def test_clang_tidy_has_nothing_to_say(source: Path, builder: Builder) -> None:
     command = [tool("clang-tidy"), "--quiet", f"--config-file={ROOT / '.clang-tidy'}", str(source)]
-    done = subprocess.run([*command, "--", *words()], capture_output=True, text=True, timeout=600)
+    done = subprocess.run(
+        [*command, "--", *words(builder)], capture_output=True, text=True, timeout=600
+    )
     said = re.findall(r"^.*(?:error|warning): .*$", done.stdout, re.MULTILINE)
     assert (done.returncode, said) == (0, []), done.stderr
 
@@ -61,12 +64,12 @@ HEADERS = [str(h.relative_to(include_folder())) for h in sorted(include_folder()
 @pytest.mark.parametrize(
     "header", [h if h in QUICKLY else pytest.param(h, marks=pytest.mark.slow) for h in HEADERS]
 )
-def test_clangd_finds_no_errors(header: str, tmp_path: Path) -> None:
+def test_clangd_finds_no_errors(header: str, builder: Builder, tmp_path: Path) -> None:
     """As an editor shows it: by itself, with the sizes of the sample.
 
     The whole file is checked; what clangd offers at a place (tweaks) is tried in the first line.
     """
-    flags = "\n".join(["-xc++", *words()])
+    flags = "\n".join(["-xc++", *words(builder)])
     (tmp_path / "compile_flags.txt").write_text(flags)
     command = [tool("clangd"), f"--check={include_folder() / header}", "--check-lines=1-1"]
     done = subprocess.run(

@@ -55,7 +55,7 @@ def build(
         name: file name of the executable.
         compiler: g++ or clang++.
         flags: options of the compiler.
-        includes: folders of headers.
+        includes: folders of headers; the last one is where Eigen's version is looked for.
         libraries: shared libraries with their paths, and options of the linker.
 
     Raises:
@@ -67,6 +67,7 @@ def build(
         mpicxx=(compiler,),
         cxx=(compiler,),
         mpiexec=(),
+        eigen=includes[-1] if includes else SOURCES,
         flags=(*STANDARD, *flags, *folders, *linked),
         wheel=False,
     )
