@@ -44,12 +44,12 @@ def embedded_values(words: Words, values: dict[str, object]) -> dict[str, object
         values: the values of the shape's template.
 
     Raises:
-        UsageError: in this shape it keeps 6x6 blocks, whose memory is not told.
+        UsageError: in this shape it needs Eigen.
     """
     if "spatial.hpp" in _listed(values["runtime"]):
         raise UsageError(
-            f"shape {words.program.shape} keeps 6x6 blocks here, and does not tell how much memory "
-            "they take: use --shape unrolled"
+            f"shape {words.program.shape} needs Eigen here, which an embedded solver cannot "
+            "have: use --shape unrolled"
         )
     return {"bytes": _bytes(words, values), "work": _work(words.plan, values)}
 

@@ -157,7 +157,7 @@ template <class Kind>
 ADAGEN_NOINLINE void carry(const Articulated<Kind>& i, Mat6& m) {
   constexpr int n = kFree<Kind>;
   share(i, m);
-  m = m.transpose();
+  m.transposeInPlace();
   share(i, m);
   std::array<std::array<Real, n>, n> inverse{};
   ADAGEN_FOR (k, 0, n) inverse[k][k] = 1;
@@ -193,7 +193,7 @@ ADAGEN_NOINLINE bool invert(const Inertia& I, const Columns6& p, Mat6& Phi, Colu
       ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
       Phi(i, k) = Phi(k, i) = sum;
     }
-  b = -Phi * p;
+  b.noalias() = -Phi * p;
   return good;
 }
 

@@ -1,6 +1,7 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 
 #include "baseline.hpp"
@@ -17,9 +18,9 @@ template <class Kind>
 bool hand_on(Body& body, const Real* tau, Columns6& force) {
   constexpr int n = kFree<Kind>;
   constexpr auto& free = Kind::Free::row;
-  Dense<Real, 6, n> U;
-  Dense<Real, n, 6> E;
-  Dense<Real, n, 1> u;
+  Eigen::Matrix<Real, 6, n> U;
+  Eigen::Matrix<Real, n, 6> E;
+  Eigen::Matrix<Real, n, 1> u;
   std::array<std::array<Real, n>, n> D, identity{};
   Mat6& A = body.A;
   for (int k = 0; k < n; ++k) {
@@ -31,13 +32,13 @@ bool hand_on(Body& body, const Real* tau, Columns6& force) {
   const bool good = factorize(D);
   forward_substitute(D, identity);
   backward_substitute(D, identity);
-  Dense<Real, n, n> inverse;
+  Eigen::Matrix<Real, n, n> inverse;
   for (int k = 0; k < n; ++k)
     for (int l = 0; l < n; ++l) inverse(k, l) = identity[k][l];
-  E = inverse * U.transpose();
+  E.noalias() = inverse * U.transpose();
   u = inverse * u;
-  A -= U * E;
-  force = body.p + A * body.c + U * u;
+  A.noalias() -= U * E;
+  force.noalias() = body.p + A * body.c + U * u;
   for (int k = 0; k < n; ++k) {
     for (int l = 0; l < 6; ++l) body.E[k][l] = E(k, l);
     body.u[k][0] = u[k];
@@ -48,13 +49,14 @@ bool hand_on(Body& body, const Real* tau, Columns6& force) {
 // X^T A X is felt by the parent.
 inline void give(const Body& body, Body& parent) {
   Mat6 X = Mat6::Zero();
-  X.block<3, 3>(0, 0) = X.block<3, 3>(3, 3) = body.X.E;
+  X.topLeftCorner<3, 3>() = X.bottomRightCorner<3, 3>() = body.X.E;
+  Mat3 across;
   const Vec3& r = body.X.r;
-  const Mat3 across{0, -r[2], r[1], r[2], 0, -r[0], -r[1], r[0], 0};
-  X.block<3, 3>(3, 0) = -body.X.E * across;
+  across << 0, -r[2], r[1], r[2], 0, -r[0], -r[1], r[0], 0;
+  X.bottomLeftCorner<3, 3>().noalias() = -body.X.E * across;
   Mat6 half;
-  half = body.A * X;
-  parent.A += X.transpose() * half;
+  half.noalias() = body.A * X;
+  parent.A.noalias() += X.transpose() * half;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -186,8 +187,9 @@ ADAGEN_NOINLINE Mat6 product([[maybe_unused]] const Coupled<Kind>& j,
   Mat6 result = Mat6::Zero();
   if constexpr (kConstrained<Kind> > 0) {
     for (int row = 0; row < kConstrained<Kind>; ++row) {
-      ADAGEN_FOR (c, 0, 6)
-        ADAGEN_FOR (r, 0, 6) result(r, c) += j.Z[row][r] * k.Z[row][c];
+      const Vec6 left = Eigen::Map<const Vec6>(j.Z[row].data());
+      const Vec6 right = Eigen::Map<const Vec6>(k.Z[row].data());
+      result.noalias() += left * right.transpose();
     }
   }
   return result;
@@ -199,9 +201,9 @@ Columns6 bias_change(const Joined<Kind>& i, const Coupled<Kind>& j) {
   Columns6 result = Columns6::Zero();
   for (int column = 0; column < kColumns; ++column) {
     for (int row = 0; row < kConstrained<Kind>; ++row)
-      result.col(column) += Vec6::of(j.Z[row].data()) * i.z[row][column];
+      result.col(column) += Eigen::Map<const Vec6>(j.Z[row].data()) * i.z[row][column];
     for (int row = 0; row < kFree<Kind>; ++row)
-      result.col(column) += Vec6::of(j.Y[row].data()) * i.tau[row][column];
+      result.col(column) += Eigen::Map<const Vec6>(j.Y[row].data()) * i.tau[row][column];
   }
   return result;
 }
@@ -242,9 +244,9 @@ class Release {
     for (int column = 0; column < kColumns; ++column) {
       const Vec6 signed_f = sign * f.col(column);
       for (int row = 0; row < kConstrained<Kind>; ++row)
-        z_[row][column] += Vec6::of(j.Z[row].data()).dot(signed_f);
+        z_[row][column] += Eigen::Map<const Vec6>(j.Z[row].data()).dot(signed_f);
       for (int row = 0; row < kFree<Kind>; ++row)
-        qdd_[row][column] -= Vec6::of(j.Y[row].data()).dot(signed_f);
+        qdd_[row][column] -= Eigen::Map<const Vec6>(j.Y[row].data()).dot(signed_f);
     }
   }
 

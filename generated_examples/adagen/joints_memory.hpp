@@ -1,6 +1,8 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "sizes.hpp"
 #include "spatial.hpp"
 #include "status.hpp"
@@ -16,6 +18,7 @@ struct JointsMemory {
   int status = kFine;
   int near_lock = 0;  // 1 + the last joint of a run that has been near gimbal lock; 0: none
   Columns6 ground;    // its acceleration; zero for corrections
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
 }  // namespace

@@ -1,23 +1,25 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <array>
 #include <cstddef>
 
 #include "common.hpp"
 #include "constants.hpp"
-#include "dense.hpp"
 #include "sizes.hpp"
 
 namespace {
 
 // Spatial vectors are [angular; linear], in link frames. A right-hand side has kColumns columns:
 // the motion itself, and one for each slaved joint's coupling torque.
-using Vec3 = Dense<Real, 3, 1>;
-using Mat3 = Dense<Real, 3, 3>;
-using Vec6 = Dense<Real, 6, 1>;
-using Mat6 = Dense<Real, 6, 6>;
-using Columns6 = Dense<Real, 6, kColumns>;
+using Vec3 = Eigen::Matrix<Real, 3, 1>;
+using Mat3 = Eigen::Matrix<Real, 3, 3>;
+using Vec6 = Eigen::Matrix<Real, 6, 1>;
+using Mat6 = Eigen::Matrix<Real, 6, 6>;
+using Columns6 = Eigen::Matrix<Real, 6, kColumns>;
 
 // Motion transform X = [[E, 0], [-E rx, E]] from the parent link's to the child link's frame.
 struct Transform {
@@ -26,11 +28,11 @@ struct Transform {
 
   template <class M>
   void times(const M& m, M& result) const {
-    ADAGEN_FOR (k, 0, M::kColumns) {
+    for (int k = 0; k < M::ColsAtCompileTime; ++k) {
       const Vec3 angular = m.col(k).template head<3>();
       const Vec3 linear = m.col(k).template tail<3>();
-      result.col(k).template head<3>() = E * angular;
-      result.col(k).template tail<3>() = E * (linear - r.cross(angular));
+      result.col(k).template head<3>().noalias() = E * angular;
+      result.col(k).template tail<3>().noalias() = E * (linear - r.cross(angular));
     }
   }
 
@@ -55,19 +57,22 @@ ADAGEN_NOINLINE Mat6 operator*(const Transform& X, const Mat6& m) {
 
 ADAGEN_NOINLINE Mat6 times_transposed(const Transform& X, const Mat6& m) {
   Mat6 transposed, result;
-  transposed = m.transpose();
+  transposed.noalias() = m.transpose();
   X.times(transposed, result);
   return result;
 }
 
 // m X^T, which is (X m^T)^T: with m = X Phi the congruence X Phi X^T.
 ADAGEN_NOINLINE Mat6 from_right(const Mat6& m, const Transform& X) {
-  return times_transposed(X, m).transpose();
+  Mat6 result = times_transposed(X, m);
+  result.transposeInPlace();
+  return result;
 }
 
 template <int columns>
-Dense<Real, 6, columns> operator*(const Transform& X, const Dense<Real, 6, columns>& m) {
-  Dense<Real, 6, columns> result;
+Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
+                                          const Eigen::Matrix<Real, 6, columns>& m) {
+  Eigen::Matrix<Real, 6, columns> result;
   X.times(m, result);
   return result;
 }
@@ -88,18 +93,19 @@ Dense<Real, 6, columns> operator*(const Transform& X, const Dense<Real, 6, colum
   const Real z = Real(quaternion[2]), w = Real(quaternion[3]);
   const Real squared = x * x + y * y + z * z + w * w;
   const Real s = 2 / squared;
-  E = {1 - s * (y * y + z * z), s * (x * y + z * w),     s * (x * z - y * w),  //
-       s * (x * y - z * w),     1 - s * (x * x + z * z), s * (y * z + x * w),  //
-       s * (x * z + y * w),     s * (y * z - x * w),     1 - s * (x * x + y * y)};
+  E << 1 - s * (y * y + z * z), s * (x * y + z * w), s * (x * z - y * w),  //
+      s * (x * y - z * w), 1 - s * (x * x + z * z), s * (y * z + x * w),   //
+      s * (x * z + y * w), s * (y * z - x * w), 1 - s * (x * x + y * y);
   return squared;
 }
 
 // b of a bare link: its acceleration (relative to free fall) when nothing acts on it.
 ADAGEN_NOINLINE void link_bias(const LinkConstants& link, const Vec6& velocity, Columns6& b) {
+  using Constant3 = Eigen::Map<const Eigen::Matrix<Number, 3, 3, Eigen::RowMajor>>;
   const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
   const Vec3 c(Real(link.com[0]), Real(link.com[1]), Real(link.com[2]));
-  const Vec3 momentum = Mat3::of_rows(link.tensor) * omega;
-  const Vec3 alpha = Mat3::of_rows(link.tensor_inverse) * momentum.cross(omega);
+  const Vec3 momentum = Constant3(link.tensor).cast<Real>() * omega;
+  const Vec3 alpha = Constant3(link.tensor_inverse).cast<Real>() * momentum.cross(omega);
   b.setZero();
   b.col(0).template head<3>() = alpha;
   b.col(0).template tail<3>() = c.cross(alpha) - omega.cross(omega.cross(c) + v);

@@ -30,6 +30,7 @@
 
 
 #include <mpi.h>
+#include <Eigen/Core>
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
@@ -185,6 +186,7 @@ struct Cuts {
   Joint_forearm_roll j_forearm_roll;
   Joint_flange_roll j_flange_roll;
   std::array<Columns6, kLinkCount> loads;  // wrenches on links, from handle forces
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
 }  // namespace

@@ -27,6 +27,7 @@
 
 
 #include <mpi.h>
+#include <Eigen/Core>
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
@@ -275,10 +276,10 @@ void kinematics_base_yaw(Workspace& w) {
   require_finite(w, w.q + 0, 1, 0);
   require_finite(w, w.v + 0, 1, 0);
   const Real q = Real(w.q[0]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {c, s, 0.0,  //
-           -s, c, 0.0,  //
-           0.0, 0.0, 1.0};
-  i.X.r = {0.0, 0.0, 0.16};
+  i.X.E << c, s, 0.0,  //
+      -s, c, 0.0,  //
+      0.0, 0.0, 1.0;
+  i.X.r << 0.0, 0.0, 0.16;
   i.v = joint_velocity<Revolute>(w.v + 0);
 }
 
@@ -312,10 +313,10 @@ void kinematics_shoulder_pitch(Workspace& w) {
   require_finite(w, w.q + 1, 1, 1);
   require_finite(w, w.v + 1, 1, 1);
   const Real q = Real(w.q[1]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {c, -3.673205103346574e-06 * s, -0.9999999999932537 * s,  //
-           -s, -3.673205103346574e-06 * c, -0.9999999999932537 * c,  //
-           0.0, 0.9999999999932537, -3.673205103346574e-06};
-  i.X.r = {0.0, 0.0, 0.18};
+  i.X.E << c, -3.673205103346574e-06 * s, -0.9999999999932537 * s,  //
+      -s, -3.673205103346574e-06 * c, -0.9999999999932537 * c,  //
+      0.0, 0.9999999999932537, -3.673205103346574e-06;
+  i.X.r << 0.0, 0.0, 0.18;
   i.v = i.X * w.j_base_yaw.v + joint_velocity<Revolute>(w.v + 1);
 }
 
@@ -352,10 +353,10 @@ void kinematics_upper_arm_roll(Workspace& w) {
   require_finite(w, w.q + 2, 1, 2);
   require_finite(w, w.v + 2, 1, 2);
   const Real q = Real(w.q[2]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
-           -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
-           0.0, -0.9999999999932537, -3.673205103346574e-06};
-  i.X.r = {0.0, -0.3, 0.0};
+  i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
+      -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
+      0.0, -0.9999999999932537, -3.673205103346574e-06;
+  i.X.r << 0.0, -0.3, 0.0;
   i.v = i.X * w.j_shoulder_pitch.v + joint_velocity<Revolute>(w.v + 2);
 }
 
@@ -392,10 +393,10 @@ void kinematics_elbow_pitch(Workspace& w) {
   require_finite(w, w.q + 3, 1, 3);
   require_finite(w, w.v + 3, 1, 3);
   const Real q = Real(w.q[3]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
-           -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
-           0.0, -0.9999999999932537, -3.673205103346574e-06};
-  i.X.r = {0.08, 0.0, 0.0};
+  i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
+      -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
+      0.0, -0.9999999999932537, -3.673205103346574e-06;
+  i.X.r << 0.08, 0.0, 0.0;
   i.v = i.X * w.j_upper_arm_roll.v + joint_velocity<Revolute>(w.v + 3);
 }
 
@@ -432,10 +433,10 @@ void kinematics_forearm_roll(Workspace& w) {
   require_finite(w, w.q + 4, 1, 4);
   require_finite(w, w.v + 4, 1, 4);
   const Real q = Real(w.q[4]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {c, -3.673205103346574e-06 * s, -0.9999999999932537 * s,  //
-           -s, -3.673205103346574e-06 * c, -0.9999999999932537 * c,  //
-           0.0, 0.9999999999932537, -3.673205103346574e-06};
-  i.X.r = {-0.08, 0.38, 0.0};
+  i.X.E << c, -3.673205103346574e-06 * s, -0.9999999999932537 * s,  //
+      -s, -3.673205103346574e-06 * c, -0.9999999999932537 * c,  //
+      0.0, 0.9999999999932537, -3.673205103346574e-06;
+  i.X.r << -0.08, 0.38, 0.0;
   i.v = i.X * w.j_elbow_pitch.v + joint_velocity<Revolute>(w.v + 4);
 }
 
@@ -472,10 +473,10 @@ void kinematics_wrist_pitch(Workspace& w) {
   require_finite(w, w.q + 5, 1, 5);
   require_finite(w, w.v + 5, 1, 5);
   const Real q = Real(w.q[5]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
-           -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
-           0.0, -0.9999999999932537, -3.673205103346574e-06};
-  i.X.r = {0.0, 0.0, 0.0};
+  i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
+      -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
+      0.0, -0.9999999999932537, -3.673205103346574e-06;
+  i.X.r << 0.0, 0.0, 0.0;
   i.v = i.X * w.j_forearm_roll.v + joint_velocity<Revolute>(w.v + 5);
 }
 
@@ -509,10 +510,10 @@ void kinematics_flange_roll(Workspace& w) {
   require_finite(w, w.q + 6, 1, 6);
   require_finite(w, w.v + 6, 1, 6);
   const Real q = Real(w.q[6]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
-           -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
-           0.0, -0.9999999999932537, -3.673205103346574e-06};
-  i.X.r = {0.09, 0.0, 0.0};
+  i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
+      -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
+      0.0, -0.9999999999932537, -3.673205103346574e-06;
+  i.X.r << 0.09, 0.0, 0.0;
   i.v = i.X * w.j_wrist_pitch.v + joint_velocity<Revolute>(w.v + 6);
 }
 
@@ -549,10 +550,10 @@ void kinematics_left_finger_slide(Workspace& w) {
   require_finite(w, w.q + 7, 1, 7);
   require_finite(w, w.v + 7, 1, 7);
   const Real q = Real(w.q[7]);
-  i.X.E = {0.0, 0.0, 1.0,  //
-           1.0, 0.0, 0.0,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, q, 0.13};
+  i.X.E << 0.0, 0.0, 1.0,  //
+      1.0, 0.0, 0.0,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, q, 0.13;
   i.v = i.X * w.j_flange_roll.v + joint_velocity<Prismatic>(w.v + 7);
 }
 
@@ -591,10 +592,10 @@ void kinematics_right_finger_slide(Workspace& w) {
   require_finite(w, w.v + 7, 1, 7);
   const Real q = w.q[7];  // slaved to "left_finger_slide"
   const Number qd = w.v[7];
-  i.X.E = {0.0, 0.0, 1.0,  //
-           -0.9999999999964793, 2.65358979335273e-06, 0.0,  //
-           -2.65358979335273e-06, -0.9999999999964793, 0.0};
-  i.X.r = {-2.65358979335273e-06 * q, -0.9999999999964793 * q, 0.13};
+  i.X.E << 0.0, 0.0, 1.0,  //
+      -0.9999999999964793, 2.65358979335273e-06, 0.0,  //
+      -2.65358979335273e-06, -0.9999999999964793, 0.0;
+  i.X.r << -2.65358979335273e-06 * q, -0.9999999999964793 * q, 0.13;
   i.v = i.X * w.j_flange_roll.v + joint_velocity<Prismatic>(&qd);
 }
 

@@ -31,6 +31,7 @@
 
 
 #include <mpi.h>
+#include <Eigen/Core>
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
@@ -247,6 +248,7 @@ struct Cuts {
   Joint_joint12 j_joint12;
   Joint_joint14 j_joint14;
   std::array<Columns6, kLinkCount> loads;  // wrenches on links, from handle forces
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
 }  // namespace

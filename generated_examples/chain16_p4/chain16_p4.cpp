@@ -29,6 +29,7 @@
 
 
 #include <mpi.h>
+#include <Eigen/Core>
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
@@ -421,10 +422,10 @@ void kinematics_joint01(Workspace& w) {
   require_finite(w, w.q + 0, 1, 0);
   require_finite(w, w.v + 0, 1, 0);
   const Real q = Real(w.q[0]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {0.0, 0.0, 0.0};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << 0.0, 0.0, 0.0;
   i.v = joint_velocity<Revolute>(w.v + 0);
 }
 
@@ -458,10 +459,10 @@ void kinematics_joint02(Workspace& w) {
   require_finite(w, w.q + 1, 1, 1);
   require_finite(w, w.v + 1, 1, 1);
   const Real q = Real(w.q[1]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {0.0, -0.4, 0.0};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << 0.0, -0.4, 0.0;
   i.v = i.X * w.j_joint01.v + joint_velocity<Revolute>(w.v + 1);
 }
 
@@ -498,10 +499,10 @@ void kinematics_joint03(Workspace& w) {
   require_finite(w, w.q + 2, 1, 2);
   require_finite(w, w.v + 2, 1, 2);
   const Real q = Real(w.q[2]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {-0.4, 0.0, 0.0};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << -0.4, 0.0, 0.0;
   i.v = i.X * w.j_joint02.v + joint_velocity<Revolute>(w.v + 2);
 }
 
@@ -538,10 +539,10 @@ void kinematics_joint04(Workspace& w) {
   require_finite(w, w.q + 3, 1, 3);
   require_finite(w, w.v + 3, 1, 3);
   const Real q = Real(w.q[3]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {0.0, 0.0, -0.4};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << 0.0, 0.0, -0.4;
   i.v = i.X * w.j_joint03.v + joint_velocity<Revolute>(w.v + 3);
 }
 
@@ -578,10 +579,10 @@ void kinematics_joint05(Workspace& w) {
   require_finite(w, w.q + 4, 1, 4);
   require_finite(w, w.v + 4, 1, 4);
   const Real q = Real(w.q[4]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {0.0, -0.4, 0.0};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << 0.0, -0.4, 0.0;
   i.v = i.X * w.j_joint04.v + joint_velocity<Revolute>(w.v + 4);
 }
 
@@ -618,10 +619,10 @@ void kinematics_joint06(Workspace& w) {
   require_finite(w, w.q + 5, 1, 5);
   require_finite(w, w.v + 5, 1, 5);
   const Real q = Real(w.q[5]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {-0.4, 0.0, 0.0};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << -0.4, 0.0, 0.0;
   i.v = i.X * w.j_joint05.v + joint_velocity<Revolute>(w.v + 5);
 }
 
@@ -659,10 +660,10 @@ void kinematics_joint07(Workspace& w) {
   require_finite(w, w.q + 6, 1, 6);
   require_finite(w, w.v + 6, 1, 6);
   const Real q = Real(w.q[6]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {0.0, 0.0, -0.4};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << 0.0, 0.0, -0.4;
   i.v = i.X * w.j_joint06.v + joint_velocity<Revolute>(w.v + 6);
 }
 
@@ -704,10 +705,10 @@ void kinematics_joint08(Workspace& w) {
   require_finite(w, w.q + 7, 1, 7);
   require_finite(w, w.v + 7, 1, 7);
   const Real q = Real(w.q[7]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {0.0, -0.4, 0.0};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << 0.0, -0.4, 0.0;
   i.v = i.X * w.j_joint07.v + joint_velocity<Revolute>(w.v + 7);
 }
 
@@ -749,10 +750,10 @@ void kinematics_joint09(Workspace& w) {
   require_finite(w, w.q + 8, 1, 8);
   require_finite(w, w.v + 8, 1, 8);
   const Real q = Real(w.q[8]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {-0.4, 0.0, 0.0};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << -0.4, 0.0, 0.0;
   i.v = i.X * w.j_joint08.v + joint_velocity<Revolute>(w.v + 8);
 }
 
@@ -793,10 +794,10 @@ void kinematics_joint10(Workspace& w) {
   require_finite(w, w.q + 9, 1, 9);
   require_finite(w, w.v + 9, 1, 9);
   const Real q = Real(w.q[9]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {0.0, 0.0, -0.4};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << 0.0, 0.0, -0.4;
   i.v = i.X * w.j_joint09.v + joint_velocity<Revolute>(w.v + 9);
 }
 
@@ -830,10 +831,10 @@ void kinematics_joint11(Workspace& w) {
   require_finite(w, w.q + 10, 1, 10);
   require_finite(w, w.v + 10, 1, 10);
   const Real q = Real(w.q[10]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {0.0, -0.4, 0.0};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << 0.0, -0.4, 0.0;
   i.v = i.X * w.j_joint10.v + joint_velocity<Revolute>(w.v + 10);
 }
 
@@ -875,10 +876,10 @@ void kinematics_joint12(Workspace& w) {
   require_finite(w, w.q + 11, 1, 11);
   require_finite(w, w.v + 11, 1, 11);
   const Real q = Real(w.q[11]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {-0.4, 0.0, 0.0};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << -0.4, 0.0, 0.0;
   i.v = i.X * w.j_joint11.v + joint_velocity<Revolute>(w.v + 11);
 }
 
@@ -920,10 +921,10 @@ void kinematics_joint13(Workspace& w) {
   require_finite(w, w.q + 12, 1, 12);
   require_finite(w, w.v + 12, 1, 12);
   const Real q = Real(w.q[12]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {0.0, 0.0, -0.4};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << 0.0, 0.0, -0.4;
   i.v = i.X * w.j_joint12.v + joint_velocity<Revolute>(w.v + 12);
 }
 
@@ -964,10 +965,10 @@ void kinematics_joint14(Workspace& w) {
   require_finite(w, w.q + 13, 1, 13);
   require_finite(w, w.v + 13, 1, 13);
   const Real q = Real(w.q[13]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {0.0, -0.4, 0.0};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << 0.0, -0.4, 0.0;
   i.v = i.X * w.j_joint13.v + joint_velocity<Revolute>(w.v + 13);
 }
 
@@ -1005,10 +1006,10 @@ void kinematics_joint15(Workspace& w) {
   require_finite(w, w.q + 14, 1, 14);
   require_finite(w, w.v + 14, 1, 14);
   const Real q = Real(w.q[14]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {-0.4, 0.0, 0.0};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << -0.4, 0.0, 0.0;
   i.v = i.X * w.j_joint14.v + joint_velocity<Revolute>(w.v + 14);
 }
 
@@ -1045,10 +1046,10 @@ void kinematics_joint16(Workspace& w) {
   require_finite(w, w.q + 15, 1, 15);
   require_finite(w, w.v + 15, 1, 15);
   const Real q = Real(w.q[15]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {0.0, 0.0, -0.4};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << 0.0, 0.0, -0.4;
   i.v = i.X * w.j_joint15.v + joint_velocity<Revolute>(w.v + 15);
 }
 

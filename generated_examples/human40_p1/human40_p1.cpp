@@ -24,6 +24,8 @@
 #define ADAGEN_NAMED(WORD) HUMAN40_P1_##WORD
 
 
+#include <Eigen/Core>
+
 // ---- 2. model -----------------------------------------------------------------------------------
 
 #define ADAGEN_SOLVER 100  // version of adagen that wrote this file
@@ -349,7 +351,7 @@ void kinematics_root(Workspace& w) {
   require_finite(w, w.v + 0, 6, 0);
   const Number* const q = w.q + 0;
   require_length(w, conjugate_rotation(q + 3, i.X.E), 0);
-  i.X.r = {q[0], q[1], 0.95 + q[2]};
+  i.X.r << q[0], q[1], 0.95 + q[2];
   i.v = joint_velocity<Floating>(w.v + 0);
 }
 
@@ -381,7 +383,7 @@ void kinematics_left_hip(Workspace& w) {
   require_finite(w, w.v + 6, 3, 1);
   const Number* const q = w.q + 7;
   require_length(w, conjugate_rotation(q, i.X.E), 1);
-  i.X.r = {0.0, 0.09, -0.04};
+  i.X.r << 0.0, 0.09, -0.04;
   i.v = i.X * w.j_root.v + joint_velocity<Spherical>(w.v + 6);
 }
 
@@ -419,10 +421,10 @@ void kinematics_left_knee(Workspace& w) {
   require_finite(w, w.q + 11, 1, 2);
   require_finite(w, w.v + 9, 1, 2);
   const Real q = Real(w.q[11]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, 0.0, -0.41};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, 0.0, -0.41;
   i.v = i.X * w.j_left_hip.v + joint_velocity<Revolute>(w.v + 9);
 }
 
@@ -461,10 +463,10 @@ void kinematics_left_ankle(Workspace& w) {
   const Number* const q = w.q + 12;
   Mat3 Q;
   require_length(w, conjugate_rotation(q, Q), 3);
-  i.X.E = {Q(0, 2), Q(0, 0), Q(0, 1),  //
-           Q(1, 2), Q(1, 0), Q(1, 1),  //
-           Q(2, 2), Q(2, 0), Q(2, 1)};
-  i.X.r = {-0.41, 0.0, 0.0};
+  i.X.E << Q(0, 2), Q(0, 0), Q(0, 1),  //
+      Q(1, 2), Q(1, 0), Q(1, 1),  //
+      Q(2, 2), Q(2, 0), Q(2, 1);
+  i.X.r << -0.41, 0.0, 0.0;
   i.v = i.X * w.j_left_knee.v + joint_velocity<Spherical>(w.v + 10);
 }
 
@@ -501,7 +503,7 @@ void kinematics_right_hip(Workspace& w) {
   require_finite(w, w.v + 13, 3, 4);
   const Number* const q = w.q + 16;
   require_length(w, conjugate_rotation(q, i.X.E), 4);
-  i.X.r = {0.0, -0.09, -0.04};
+  i.X.r << 0.0, -0.09, -0.04;
   i.v = i.X * w.j_root.v + joint_velocity<Spherical>(w.v + 13);
 }
 
@@ -539,10 +541,10 @@ void kinematics_right_knee(Workspace& w) {
   require_finite(w, w.q + 20, 1, 5);
   require_finite(w, w.v + 16, 1, 5);
   const Real q = Real(w.q[20]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, 0.0, -0.41};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, 0.0, -0.41;
   i.v = i.X * w.j_right_hip.v + joint_velocity<Revolute>(w.v + 16);
 }
 
@@ -581,10 +583,10 @@ void kinematics_right_ankle(Workspace& w) {
   const Number* const q = w.q + 21;
   Mat3 Q;
   require_length(w, conjugate_rotation(q, Q), 6);
-  i.X.E = {Q(0, 2), Q(0, 0), Q(0, 1),  //
-           Q(1, 2), Q(1, 0), Q(1, 1),  //
-           Q(2, 2), Q(2, 0), Q(2, 1)};
-  i.X.r = {-0.41, 0.0, 0.0};
+  i.X.E << Q(0, 2), Q(0, 0), Q(0, 1),  //
+      Q(1, 2), Q(1, 0), Q(1, 1),  //
+      Q(2, 2), Q(2, 0), Q(2, 1);
+  i.X.r << -0.41, 0.0, 0.0;
   i.v = i.X * w.j_right_knee.v + joint_velocity<Spherical>(w.v + 17);
 }
 
@@ -621,7 +623,7 @@ void kinematics_spine(Workspace& w) {
   require_finite(w, w.v + 20, 3, 7);
   const Number* const q = w.q + 25;
   require_length(w, conjugate_rotation(q, i.X.E), 7);
-  i.X.r = {0.0, 0.0, 0.13};
+  i.X.r << 0.0, 0.0, 0.13;
   i.v = i.X * w.j_root.v + joint_velocity<Spherical>(w.v + 20);
 }
 
@@ -659,7 +661,7 @@ void kinematics_left_shoulder(Workspace& w) {
   require_finite(w, w.v + 23, 3, 8);
   const Number* const q = w.q + 29;
   require_length(w, conjugate_rotation(q, i.X.E), 8);
-  i.X.r = {0.0, 0.2, 0.42};
+  i.X.r << 0.0, 0.2, 0.42;
   i.v = i.X * w.j_spine.v + joint_velocity<Spherical>(w.v + 23);
 }
 
@@ -697,10 +699,10 @@ void kinematics_left_elbow(Workspace& w) {
   require_finite(w, w.q + 33, 1, 9);
   require_finite(w, w.v + 26, 1, 9);
   const Real q = Real(w.q[33]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, 0.0, -0.29};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, 0.0, -0.29;
   i.v = i.X * w.j_left_shoulder.v + joint_velocity<Revolute>(w.v + 26);
 }
 
@@ -739,10 +741,10 @@ void kinematics_left_wrist(Workspace& w) {
   const Number* const q = w.q + 34;
   Mat3 Q;
   require_length(w, conjugate_rotation(q, Q), 10);
-  i.X.E = {Q(0, 2), Q(0, 0), Q(0, 1),  //
-           Q(1, 2), Q(1, 0), Q(1, 1),  //
-           Q(2, 2), Q(2, 0), Q(2, 1)};
-  i.X.r = {-0.26, 0.0, 0.0};
+  i.X.E << Q(0, 2), Q(0, 0), Q(0, 1),  //
+      Q(1, 2), Q(1, 0), Q(1, 1),  //
+      Q(2, 2), Q(2, 0), Q(2, 1);
+  i.X.r << -0.26, 0.0, 0.0;
   i.v = i.X * w.j_left_elbow.v + joint_velocity<Spherical>(w.v + 27);
 }
 
@@ -779,7 +781,7 @@ void kinematics_neck(Workspace& w) {
   require_finite(w, w.v + 30, 3, 11);
   const Number* const q = w.q + 38;
   require_length(w, conjugate_rotation(q, i.X.E), 11);
-  i.X.r = {0.0, 0.0, 0.48};
+  i.X.r << 0.0, 0.0, 0.48;
   i.v = i.X * w.j_spine.v + joint_velocity<Spherical>(w.v + 30);
 }
 
@@ -817,7 +819,7 @@ void kinematics_right_shoulder(Workspace& w) {
   require_finite(w, w.v + 33, 3, 12);
   const Number* const q = w.q + 42;
   require_length(w, conjugate_rotation(q, i.X.E), 12);
-  i.X.r = {0.0, -0.2, 0.42};
+  i.X.r << 0.0, -0.2, 0.42;
   i.v = i.X * w.j_spine.v + joint_velocity<Spherical>(w.v + 33);
 }
 
@@ -854,10 +856,10 @@ void kinematics_right_elbow(Workspace& w) {
   require_finite(w, w.q + 46, 1, 13);
   require_finite(w, w.v + 36, 1, 13);
   const Real q = Real(w.q[46]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, 0.0, -0.29};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, 0.0, -0.29;
   i.v = i.X * w.j_right_shoulder.v + joint_velocity<Revolute>(w.v + 36);
 }
 
@@ -896,10 +898,10 @@ void kinematics_right_wrist(Workspace& w) {
   const Number* const q = w.q + 47;
   Mat3 Q;
   require_length(w, conjugate_rotation(q, Q), 14);
-  i.X.E = {Q(0, 2), Q(0, 0), Q(0, 1),  //
-           Q(1, 2), Q(1, 0), Q(1, 1),  //
-           Q(2, 2), Q(2, 0), Q(2, 1)};
-  i.X.r = {-0.26, 0.0, 0.0};
+  i.X.E << Q(0, 2), Q(0, 0), Q(0, 1),  //
+      Q(1, 2), Q(1, 0), Q(1, 1),  //
+      Q(2, 2), Q(2, 0), Q(2, 1);
+  i.X.r << -0.26, 0.0, 0.0;
   i.v = i.X * w.j_right_elbow.v + joint_velocity<Spherical>(w.v + 37);
 }
 

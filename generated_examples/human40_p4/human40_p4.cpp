@@ -32,6 +32,7 @@
 
 
 #include <mpi.h>
+#include <Eigen/Core>
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
@@ -261,6 +262,7 @@ struct Cuts {
   Joint_left_elbow j_left_elbow;
   Joint_right_shoulder j_right_shoulder;
   std::array<Columns6, kLinkCount> loads;  // wrenches on links, from handle forces
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
 }  // namespace

@@ -28,6 +28,7 @@
 
 
 #include <mpi.h>
+#include <Eigen/Core>
 
 // ---- 2. model -----------------------------------------------------------------------------------
 
@@ -645,7 +646,7 @@ void kinematics_base(Workspace& w) {
   require_finite(w, w.v + 0, 6, 0);
   const Number* const q = w.q + 0;
   require_length(w, conjugate_rotation(q + 3, i.X.E), 0);
-  i.X.r = {q[0], q[1], q[2]};
+  i.X.r << q[0], q[1], q[2];
   i.v = joint_velocity<Floating>(w.v + 0);
 }
 
@@ -680,10 +681,10 @@ void kinematics_left_hip_pitch(Workspace& w) {
   require_finite(w, w.q + 7, 1, 1);
   require_finite(w, w.v + 6, 1, 1);
   const Real q = Real(w.q[7]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, 0.09, -0.05};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, 0.09, -0.05;
   i.v = i.X * w.j_base.v + joint_velocity<Revolute>(w.v + 6);
 }
 
@@ -721,10 +722,10 @@ void kinematics_left_hip_roll(Workspace& w) {
   require_finite(w, w.q + 8, 1, 2);
   require_finite(w, w.v + 7, 1, 2);
   const Real q = Real(w.q[8]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, 0.0, 0.04};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, 0.0, 0.04;
   i.v = i.X * w.j_left_hip_pitch.v + joint_velocity<Revolute>(w.v + 7);
 }
 
@@ -761,10 +762,10 @@ void kinematics_left_hip_yaw(Workspace& w) {
   require_finite(w, w.q + 9, 1, 3);
   require_finite(w, w.v + 8, 1, 3);
   const Real q = Real(w.q[9]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, -0.12, 0.0};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, -0.12, 0.0;
   i.v = i.X * w.j_left_hip_roll.v + joint_velocity<Revolute>(w.v + 8);
 }
 
@@ -801,10 +802,10 @@ void kinematics_left_knee(Workspace& w) {
   require_finite(w, w.q + 10, 1, 4);
   require_finite(w, w.v + 9, 1, 4);
   const Real q = Real(w.q[10]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, 0.0, -0.24};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, 0.0, -0.24;
   i.v = i.X * w.j_left_hip_yaw.v + joint_velocity<Revolute>(w.v + 9);
 }
 
@@ -841,10 +842,10 @@ void kinematics_left_ankle_pitch(Workspace& w) {
   require_finite(w, w.q + 11, 1, 5);
   require_finite(w, w.v + 10, 1, 5);
   const Real q = Real(w.q[11]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {c, s, 0.0,  //
-           -s, c, 0.0,  //
-           0.0, 0.0, 1.0};
-  i.X.r = {-0.3, 0.0, 0.0};
+  i.X.E << c, s, 0.0,  //
+      -s, c, 0.0,  //
+      0.0, 0.0, 1.0;
+  i.X.r << -0.3, 0.0, 0.0;
   i.v = i.X * w.j_left_knee.v + joint_velocity<Revolute>(w.v + 10);
 }
 
@@ -881,10 +882,10 @@ void kinematics_left_ankle_roll(Workspace& w) {
   require_finite(w, w.q + 12, 1, 6);
   require_finite(w, w.v + 11, 1, 6);
   const Real q = Real(w.q[12]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {-0.02, 0.0, 0.0};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << -0.02, 0.0, 0.0;
   i.v = i.X * w.j_left_ankle_pitch.v + joint_velocity<Revolute>(w.v + 11);
 }
 
@@ -920,10 +921,10 @@ void kinematics_right_hip_pitch(Workspace& w) {
   require_finite(w, w.q + 13, 1, 7);
   require_finite(w, w.v + 12, 1, 7);
   const Real q = Real(w.q[13]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, -0.09, -0.05};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, -0.09, -0.05;
   i.v = i.X * w.j_base.v + joint_velocity<Revolute>(w.v + 12);
 }
 
@@ -960,10 +961,10 @@ void kinematics_right_hip_roll(Workspace& w) {
   require_finite(w, w.q + 14, 1, 8);
   require_finite(w, w.v + 13, 1, 8);
   const Real q = Real(w.q[14]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, 0.0, -0.04};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, 0.0, -0.04;
   i.v = i.X * w.j_right_hip_pitch.v + joint_velocity<Revolute>(w.v + 13);
 }
 
@@ -1000,10 +1001,10 @@ void kinematics_right_hip_yaw(Workspace& w) {
   require_finite(w, w.q + 15, 1, 9);
   require_finite(w, w.v + 14, 1, 9);
   const Real q = Real(w.q[15]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, -0.12, 0.0};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, -0.12, 0.0;
   i.v = i.X * w.j_right_hip_roll.v + joint_velocity<Revolute>(w.v + 14);
 }
 
@@ -1040,10 +1041,10 @@ void kinematics_right_knee(Workspace& w) {
   require_finite(w, w.q + 16, 1, 10);
   require_finite(w, w.v + 15, 1, 10);
   const Real q = Real(w.q[16]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, 0.0, -0.24};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, 0.0, -0.24;
   i.v = i.X * w.j_right_hip_yaw.v + joint_velocity<Revolute>(w.v + 15);
 }
 
@@ -1080,10 +1081,10 @@ void kinematics_right_ankle_pitch(Workspace& w) {
   require_finite(w, w.q + 17, 1, 11);
   require_finite(w, w.v + 16, 1, 11);
   const Real q = Real(w.q[17]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {c, s, 0.0,  //
-           -s, c, 0.0,  //
-           0.0, 0.0, 1.0};
-  i.X.r = {-0.3, 0.0, 0.0};
+  i.X.E << c, s, 0.0,  //
+      -s, c, 0.0,  //
+      0.0, 0.0, 1.0;
+  i.X.r << -0.3, 0.0, 0.0;
   i.v = i.X * w.j_right_knee.v + joint_velocity<Revolute>(w.v + 16);
 }
 
@@ -1120,10 +1121,10 @@ void kinematics_right_ankle_roll(Workspace& w) {
   require_finite(w, w.q + 18, 1, 12);
   require_finite(w, w.v + 17, 1, 12);
   const Real q = Real(w.q[18]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {-0.02, 0.0, 0.0};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << -0.02, 0.0, 0.0;
   i.v = i.X * w.j_right_ankle_pitch.v + joint_velocity<Revolute>(w.v + 17);
 }
 
@@ -1159,10 +1160,10 @@ void kinematics_waist_yaw(Workspace& w) {
   require_finite(w, w.q + 19, 1, 13);
   require_finite(w, w.v + 18, 1, 13);
   const Real q = Real(w.q[19]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {c, s, 0.0,  //
-           -s, c, 0.0,  //
-           0.0, 0.0, 1.0};
-  i.X.r = {0.0, 0.0, 0.09};
+  i.X.E << c, s, 0.0,  //
+      -s, c, 0.0,  //
+      0.0, 0.0, 1.0;
+  i.X.r << 0.0, 0.0, 0.09;
   i.v = i.X * w.j_base.v + joint_velocity<Revolute>(w.v + 18);
 }
 
@@ -1196,10 +1197,10 @@ void kinematics_waist_roll(Workspace& w) {
   require_finite(w, w.q + 20, 1, 14);
   require_finite(w, w.v + 19, 1, 14);
   const Real q = Real(w.q[20]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {0.0, 0.0, 0.05};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << 0.0, 0.0, 0.05;
   i.v = i.X * w.j_waist_yaw.v + joint_velocity<Revolute>(w.v + 19);
 }
 
@@ -1236,10 +1237,10 @@ void kinematics_waist_pitch(Workspace& w) {
   require_finite(w, w.q + 21, 1, 15);
   require_finite(w, w.v + 20, 1, 15);
   const Real q = Real(w.q[21]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {0.0, 0.04, 0.0};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << 0.0, 0.04, 0.0;
   i.v = i.X * w.j_waist_roll.v + joint_velocity<Revolute>(w.v + 20);
 }
 
@@ -1276,10 +1277,10 @@ void kinematics_left_shoulder_pitch(Workspace& w) {
   require_finite(w, w.q + 22, 1, 16);
   require_finite(w, w.v + 21, 1, 16);
   const Real q = Real(w.q[22]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {c, s, 0.0,  //
-           -s, c, 0.0,  //
-           0.0, 0.0, 1.0};
-  i.X.r = {0.29, 0.0, 0.15};
+  i.X.E << c, s, 0.0,  //
+      -s, c, 0.0,  //
+      0.0, 0.0, 1.0;
+  i.X.r << 0.29, 0.0, 0.15;
   i.v = i.X * w.j_waist_pitch.v + joint_velocity<Revolute>(w.v + 21);
 }
 
@@ -1317,10 +1318,10 @@ void kinematics_left_shoulder_roll(Workspace& w) {
   require_finite(w, w.q + 23, 1, 17);
   require_finite(w, w.v + 22, 1, 17);
   const Real q = Real(w.q[23]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, 0.0, 0.05};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, 0.0, 0.05;
   i.v = i.X * w.j_left_shoulder_pitch.v + joint_velocity<Revolute>(w.v + 22);
 }
 
@@ -1357,10 +1358,10 @@ void kinematics_left_shoulder_yaw(Workspace& w) {
   require_finite(w, w.q + 24, 1, 18);
   require_finite(w, w.v + 23, 1, 18);
   const Real q = Real(w.q[24]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, -0.1, 0.0};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, -0.1, 0.0;
   i.v = i.X * w.j_left_shoulder_roll.v + joint_velocity<Revolute>(w.v + 23);
 }
 
@@ -1397,10 +1398,10 @@ void kinematics_left_elbow(Workspace& w) {
   require_finite(w, w.q + 25, 1, 19);
   require_finite(w, w.v + 24, 1, 19);
   const Real q = Real(w.q[25]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, 0.0, -0.11};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, 0.0, -0.11;
   i.v = i.X * w.j_left_shoulder_yaw.v + joint_velocity<Revolute>(w.v + 24);
 }
 
@@ -1437,10 +1438,10 @@ void kinematics_left_wrist_roll(Workspace& w) {
   require_finite(w, w.q + 26, 1, 20);
   require_finite(w, w.v + 25, 1, 20);
   const Real q = Real(w.q[26]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {-0.16, 0.01, 0.0};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << -0.16, 0.01, 0.0;
   i.v = i.X * w.j_left_elbow.v + joint_velocity<Revolute>(w.v + 25);
 }
 
@@ -1477,10 +1478,10 @@ void kinematics_left_wrist_pitch(Workspace& w) {
   require_finite(w, w.q + 27, 1, 21);
   require_finite(w, w.v + 26, 1, 21);
   const Real q = Real(w.q[27]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, 0.0, -0.04};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, 0.0, -0.04;
   i.v = i.X * w.j_left_wrist_roll.v + joint_velocity<Revolute>(w.v + 26);
 }
 
@@ -1516,10 +1517,10 @@ void kinematics_neck_yaw(Workspace& w) {
   require_finite(w, w.q + 28, 1, 22);
   require_finite(w, w.v + 27, 1, 22);
   const Real q = Real(w.q[28]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {0.38, 0.0, 0.0};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << 0.38, 0.0, 0.0;
   i.v = i.X * w.j_waist_pitch.v + joint_velocity<Revolute>(w.v + 27);
 }
 
@@ -1557,10 +1558,10 @@ void kinematics_neck_pitch(Workspace& w) {
   require_finite(w, w.q + 29, 1, 23);
   require_finite(w, w.v + 28, 1, 23);
   const Real q = Real(w.q[29]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, 0.0, 0.06};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, 0.0, 0.06;
   i.v = i.X * w.j_neck_yaw.v + joint_velocity<Revolute>(w.v + 28);
 }
 
@@ -1596,10 +1597,10 @@ void kinematics_right_shoulder_pitch(Workspace& w) {
   require_finite(w, w.q + 30, 1, 24);
   require_finite(w, w.v + 29, 1, 24);
   const Real q = Real(w.q[30]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {c, s, 0.0,  //
-           -s, c, 0.0,  //
-           0.0, 0.0, 1.0};
-  i.X.r = {0.29, 0.0, -0.15};
+  i.X.E << c, s, 0.0,  //
+      -s, c, 0.0,  //
+      0.0, 0.0, 1.0;
+  i.X.r << 0.29, 0.0, -0.15;
   i.v = i.X * w.j_waist_pitch.v + joint_velocity<Revolute>(w.v + 29);
 }
 
@@ -1636,10 +1637,10 @@ void kinematics_right_shoulder_roll(Workspace& w) {
   require_finite(w, w.q + 31, 1, 25);
   require_finite(w, w.v + 30, 1, 25);
   const Real q = Real(w.q[31]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, 0.0, -0.05};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, 0.0, -0.05;
   i.v = i.X * w.j_right_shoulder_pitch.v + joint_velocity<Revolute>(w.v + 30);
 }
 
@@ -1676,10 +1677,10 @@ void kinematics_right_shoulder_yaw(Workspace& w) {
   require_finite(w, w.q + 32, 1, 26);
   require_finite(w, w.v + 31, 1, 26);
   const Real q = Real(w.q[32]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, -0.1, 0.0};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, -0.1, 0.0;
   i.v = i.X * w.j_right_shoulder_roll.v + joint_velocity<Revolute>(w.v + 31);
 }
 
@@ -1716,10 +1717,10 @@ void kinematics_right_elbow(Workspace& w) {
   require_finite(w, w.q + 33, 1, 27);
   require_finite(w, w.v + 32, 1, 27);
   const Real q = Real(w.q[33]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, 0.0, -0.11};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, 0.0, -0.11;
   i.v = i.X * w.j_right_shoulder_yaw.v + joint_velocity<Revolute>(w.v + 32);
 }
 
@@ -1756,10 +1757,10 @@ void kinematics_right_wrist_roll(Workspace& w) {
   require_finite(w, w.q + 34, 1, 28);
   require_finite(w, w.v + 33, 1, 28);
   const Real q = Real(w.q[34]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {0.0, c, s,  //
-           0.0, -s, c,  //
-           1.0, 0.0, 0.0};
-  i.X.r = {-0.16, 0.01, 0.0};
+  i.X.E << 0.0, c, s,  //
+      0.0, -s, c,  //
+      1.0, 0.0, 0.0;
+  i.X.r << -0.16, 0.01, 0.0;
   i.v = i.X * w.j_right_elbow.v + joint_velocity<Revolute>(w.v + 33);
 }
 
@@ -1796,10 +1797,10 @@ void kinematics_right_wrist_pitch(Workspace& w) {
   require_finite(w, w.q + 35, 1, 29);
   require_finite(w, w.v + 34, 1, 29);
   const Real q = Real(w.q[35]), c = std::cos(q), s = std::sin(q);
-  i.X.E = {s, 0.0, c,  //
-           c, 0.0, -s,  //
-           0.0, 1.0, 0.0};
-  i.X.r = {0.0, 0.0, -0.04};
+  i.X.E << s, 0.0, c,  //
+      c, 0.0, -s,  //
+      0.0, 1.0, 0.0;
+  i.X.r << 0.0, 0.0, -0.04;
   i.v = i.X * w.j_right_wrist_roll.v + joint_velocity<Revolute>(w.v + 34);
 }
 

@@ -42,12 +42,16 @@ def test_the_emitted_makefile_builds_and_checks(
     out = tmp_path / "out"
     assert main([str(arm), "--procs", str(processes), "--form", form, "--out", str(out)]) == 0
     toolchain = find_toolchain()
+    source = next(out.glob("*_p[0-9]*.cpp")).read_text()
+    # Joints by themselves are written in 6x6 blocks; a straight line needs no Eigen.
+    assert ("Eigen" in source) == (processes == 2)
     command = [
         "make",
         "-C",
         str(out),
         f"MPICXX={toolchain.mpicxx[0]}",
         f"MPIEXEC={toolchain.mpiexec[0]}",
+        f"EIGEN={toolchain.eigen if processes == 2 else 'nowhere'}",
         "CXXFLAGS=-O1 -Wall -Wextra -Wpedantic -Werror",
         "check",
     ]

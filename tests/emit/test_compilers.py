@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from adagen.emit.around import options_of, program_text
+from adagen.emit.runtime import joined
 from adagen.errors import EnvironmentFault
 from adagen.states import random_states
 from tests.emitted import QUICK, ROUNDING, Builder, Solver, forward_error, states_text, truth_of
@@ -79,6 +80,12 @@ def test_a_program_of_another_kind_is_not_linked(builder: Builder) -> None:
         builder.compile(other, "mobile_p1")
 
 
+@pytest.mark.parametrize("stem", BY_STEM)
+def test_eigen_is_included_where_it_is_used(stem: str) -> None:
+    source = joined(text(BY_STEM[stem]))
+    assert ("#include <Eigen/" in source) == ("Eigen::" in source)
+
+
 BUILT_BY_CLANG = (
     *("mobile_p3", "arm7_unrolled_p1", "humanoid_lanes_p1"),
     *("arm7_float_p2", "fourbar_p1"),
@@ -112,7 +119,7 @@ def test_gcc_has_nothing_to_say_under_other_flags(builder: Builder) -> None:
 
 
 class TestSanitizers:
-    """-fsanitize=address,undefined."""
+    """-fsanitize=address,undefined; without NDEBUG, so that Eigen's own checks speak too."""
 
     FLAGS = ("-O1", "-march=native", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 

@@ -46,7 +46,16 @@ def reached(header: str, found: set[str] | None = None) -> set[str]:
     return found
 
 
-@pytest.mark.parametrize("header", HEADERS)
+def takes(header: str, system: str) -> bool:
+    return any(f"#include <{system}" in HEADERS[name] for name in reached(header))
+
+
+def alone(header: str) -> Any:
+    """A header as a parameter; those with Eigen take g++ seconds each."""
+    return pytest.param(header, marks=[pytest.mark.slow] * takes(header, "Eigen"))
+
+
+@pytest.mark.parametrize("header", [alone(header) for header in HEADERS])
 @pytest.mark.parametrize("compiler", [pytest.param("g++", marks=pytest.mark.slow), "clang++"])
 def test_a_header_compiles_alone(header: str, compiler: str, builder: Builder) -> None:
     if shutil.which(compiler) is None:
@@ -55,7 +64,7 @@ def test_a_header_compiles_alone(header: str, compiler: str, builder: Builder) -
     mpi = any("\n#include <mpi.h>\n\n" in HEADERS[name] for name in reached(header))
     command = [*toolchain.compiler(mpi), *STANDARD, *WARNINGS, "-Werror", *ALONE]
     command += [UNLINKED] if compiler == "clang++" else []
-    command += [f"-I{include_folder()}", "-x", "c++", "-"]
+    command += [f"-I{include_folder()}", "-isystem", str(toolchain.eigen), "-x", "c++", "-"]
     variables = toolchain.variables(os.environ)
     done = subprocess.run(
         command, input=f'#include "{header}"\n', capture_output=True, text=True, env=variables

@@ -61,7 +61,7 @@ def assembly(words: Words, join: FusedJoin) -> list[str]:
     ]
     if words.refine:
         n = freedoms(words, join)
-        lines.append(f"i.P = ({phi_a} + Phi_B).block<{n}, {n}>(0, 0);")
+        lines.append(f"i.P = ({phi_a} + Phi_B).topLeftCorner<{n}, {n}>();")
     lines += [
         f"if (!join(i.joined, {phi_a}, Phi_B, i.run.BX * {b_a}, "
         f"i.run.B * {words.bias(join.b_bias)}, i.run.c))",

@@ -53,7 +53,7 @@ def velocity(words: Words, j: int) -> str:
 
 def _matrix(entries: list[list[str]]) -> list[str]:
     rows = [", ".join(row) for row in entries]
-    return [f"i.X.E = {{{rows[0]},  //", f"         {rows[1]},  //", f"         {rows[2]}}};"]
+    return [f"i.X.E << {rows[0]},  //", f"    {rows[1]},  //", f"    {rows[2]};"]
 
 
 def _origin(words: Words, j: int, shift: list[list[tuple[float, str]]] | None = None) -> str:
@@ -62,7 +62,7 @@ def _origin(words: Words, j: int, shift: list[list[tuple[float, str]]] | None = 
     entries = [
         words.printer.linear(shift[k] if shift else [], joint.translation[k]) for k in range(3)
     ]
-    return f"i.X.r = {{{', '.join(entries)}}};"
+    return f"i.X.r << {', '.join(entries)};"
 
 
 def _turned(words: Words, j: int) -> list[list[str]]:

@@ -99,7 +99,7 @@ class Members:
             run = f"Run<{freedoms(words, step)}> run;"
             self.lines[step.joint].append(f"{run}  // that it is joined with")
             if words.refine:
-                own = f"Dense<Real, {freedoms(words, step)}, {freedoms(words, step)}>"
+                own = f"Eigen::Matrix<Real, {freedoms(words, step)}, {freedoms(words, step)}>"
                 self.lines[step.joint].append(f"{own} P;  // mobility along the run")
         self.lines[step.joint].append(f"Joined<{kind}> joined;")
         if words.plan.joints[step.joint].rotor_inertia:

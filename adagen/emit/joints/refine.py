@@ -91,7 +91,7 @@ def _correction(words: Words, process: Process, step: Step) -> list[str]:
             return [f"{words.link_memory(step.link)}.pA = first_column({rho});"]
         case InvertRoot():
             product = f"{words.block(step.block)} * {words.link_memory(step.link)}.pA"
-            return [f"{words.bias(step.bias)} = -{product};"]
+            return [f"{words.bias(step.bias)}.noalias() = -{product};"]
         case _:
             return step_lines(words, process, step)
 

@@ -88,8 +88,8 @@ def values(words: Words) -> dict[str, object]:
         runtime += [part for part in ("spatial.hpp", "joins.hpp") if part not in runtime]
     refined: dict[str, object] = {}
     if words.refine:
-        blocks = ("spatial.hpp", "joins.hpp", "wide.hpp", "refine.hpp")
-        runtime += [part for part in blocks if part not in runtime]
+        eigen = ("spatial.hpp", "joins.hpp", "wide.hpp", "refine.hpp")
+        runtime += [part for part in eigen if part not in runtime]
         corrections = [writer.corrections() for writer in writers]
         count = len(plan.processes)
         refined = refinement_values(words, corrections[:count], corrections[count:])

@@ -94,9 +94,9 @@ void show(Workspace& w, const Way& way, Mat6& Phi, Columns6& b) {
                                   Mat6& Phi, Columns6& b) {
   const Mat6 half = way.moved * near;
   Phi = way.own;
-  Phi += half * way.moved.transpose();
+  Phi.noalias() += half * way.moved.transpose();
   b = way.free;
-  b += way.moved * near_bias;
+  b.noalias() += way.moved * near_bias;
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #define ADAGEN_SAMPLE_CUTS  // read alone, it is of a solver whose processes meet, and that refines
 #endif
 
-#include <algorithm>
 #include <cstddef>
 #include <cstring>
 
@@ -34,8 +33,8 @@ namespace {
 template <int link>
 void hold(Workspace& w, const Mat6& Phi, const Columns6& b) {
   constexpr Real kLeastPivot = sizeof(Real) == 8 ? Real(1e-5) : Real(1e-2);
-  const Real most[2] = {std::max({Phi(0, 0), Phi(1, 1), Phi(2, 2)}),
-                        std::max({Phi(3, 3), Phi(4, 4), Phi(5, 5)})};
+  const Real most[2] = {Phi.diagonal().template head<3>().maxCoeff(),
+                        Phi.diagonal().template tail<3>().maxCoeff()};
   Real least[6];
   ADAGEN_FOR (k, 0, 6) least[k] = kLeastPivot * most[k / 3];
   Mat6 I;

@@ -43,6 +43,8 @@ struct Body {
   Mat6 A;            // the same as a full matrix, where an algorithm wants that
   std::array<std::array<Real, 6>, 6> E;         // D^-1 S^T I^A
   std::array<std::array<Real, kColumns>, 6> u;  // D^-1 (tau - S^T p^A)
+
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
 struct Workspace {
@@ -52,6 +54,8 @@ struct Workspace {
   Real* qdd = nullptr;
   int status = kFine;
   std::array<Body, kJointCount> body;
+
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -27,7 +28,9 @@ const std::array<Inertia, kJointCount> kInertias = [] {
 // A turn by an angle about z, joint frame to child frame.
 inline Mat3 turned(Real angle) {
   const Real c = std::cos(angle), s = std::sin(angle);
-  return {c, s, 0, -s, c, 0, 0, 0, 1};
+  Mat3 E;
+  E << c, s, 0, -s, c, 0, 0, 0, 1;
+  return E;
 }
 
 // Where the joint puts its child: turn and move in the joint frame.
@@ -45,28 +48,29 @@ inline void displace(Workspace& w, int j, const Real* q, Mat3& turn, Vec3& move)
       return require_length(w, conjugate_rotation(q, turn), j);
     case JointKind::kPlanar:
       turn = turned(q[2]);
-      move = {q[0], q[1], 0};
+      move << q[0], q[1], 0;
       return;
     case JointKind::kFloating:
-      move = {q[0], q[1], q[2]};
+      move << q[0], q[1], q[2];
       return require_length(w, conjugate_rotation(q + 3, turn), j);
   }
 }
 
 // Velocities outwards; each link starts with its own inertia and v x* I v.
 inline void start(Workspace& w) {
+  using Constant3 = Eigen::Map<const Eigen::Matrix<Real, 3, 3, Eigen::RowMajor>>;
   for (int j = 0; j < kJointCount; ++j) {
     const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];
     Body& body = w.body[static_cast<std::size_t>(j)];
     require_finite(w, w.q + joint.q, joint.nq, j);
     require_finite(w, w.v + joint.v, joint.nv, j);
     require_finite(w, w.tau + joint.v, joint.nv, j);
-    const Mat3 rotation = Mat3::of_rows(joint.rotation);
+    const Constant3 rotation(joint.rotation);
     Mat3 turn;
     Vec3 move;
     displace(w, j, w.q + joint.q, turn, move);
-    body.X.E = turn * rotation.transpose();
-    body.X.r = Vec3::of(joint.translation) + rotation * move;
+    body.X.E.noalias() = turn * rotation.transpose();
+    body.X.r = Eigen::Map<const Vec3>(joint.translation) + rotation * move;
     with_kind(joint.kind, [&](auto kind) {
       using Kind = decltype(kind);
       body.v = joint_velocity<Kind>(w.v + joint.v);

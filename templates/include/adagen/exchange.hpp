@@ -1,6 +1,7 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -12,14 +13,16 @@ namespace {
 // What goes into a message, and out of one.
 template <class M>
 Number* put(Number* to, const M& m) {
-  std::copy(m.data(), m.data() + M::kSize, to);
-  return to + M::kSize;
+  Eigen::Map<Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>>{to} =
+      m.template cast<Number>();
+  return to + M::SizeAtCompileTime;
 }
 
 template <class M>
 const Number* get(const Number* from, M& m) {
-  m = M::of(from);
-  return from + M::kSize;
+  using Content = Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>;
+  m = Eigen::Map<const Content>(from).template cast<Real>();
+  return from + M::SizeAtCompileTime;
 }
 
 template <std::size_t n>

@@ -1,6 +1,7 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,7 +32,7 @@ struct Fused {
 template <int n>
 struct Run {
   Transform X;  // from the frame of the link before the run to the last one's
-  Dense<Real, 6, n> S;
+  Eigen::Matrix<Real, 6, n> S;
   Columns6 c;  // sum of X_(last<-j) (v_j x S_j qd_j); fused: B c
   Mat6 B;
   Mat6 BX;
@@ -64,8 +65,8 @@ void extend(Run<n>& i, const Transform& X) {
     const Mat3 E = X.E * i.X.E;
     i.X.r += i.X.E.transpose() * X.r;
     i.X.E = E;
-    const Dense<Real, 6, at> before = i.S.template block<6, at>(0, 0);
-    i.S.template block<6, at>(0, 0) = X * before;
+    const Eigen::Matrix<Real, 6, at> before = i.S.template leftCols<at>();
+    i.S.template leftCols<at>() = X * before;
     const Columns6 c = X * i.c;
     i.c = c;
   }
@@ -81,32 +82,30 @@ constexpr Real kNearLock = Real(1e-3);
 template <int n>
 ADAGEN_NOINLINE bool fuse(Run<n>& i) {
   Real squared = 0;
-  for (int k = 0; k < n; ++k) {
-    const Vec6 s = i.S.col(k);
-    if (s.template head<3>().squaredNorm() > 0)
-      squared = std::max(squared, s.template tail<3>().squaredNorm());
-  }
+  for (int k = 0; k < n; ++k)
+    if (i.S.col(k).template head<3>().squaredNorm() > 0)
+      squared = std::max(squared, i.S.col(k).template tail<3>().squaredNorm());
   const Real unit = squared > 0 ? 1 / std::sqrt(squared) : Real(1);
-  Dense<Real, 6, n> R = i.S;
-  R.template block<3, n>(3, 0) *= unit;
-  Dense<Real, n, 1> scale;
+  Eigen::Matrix<Real, 6, n> R = i.S;
+  R.template bottomRows<3>() *= unit;
+  Eigen::Matrix<Real, n, 1> scale;
   for (int k = 0; k < n; ++k) {
-    scale[k] = 1 / Vec6(R.col(k)).norm();
+    scale[k] = 1 / R.col(k).norm();
     R.col(k) *= scale[k];
   }
   i.B.setZero();
   for (int k = 0; k < 6; ++k) i.B(k, k) = k < 3 ? Real(1) : unit;
   for (int k = 0; k < n; ++k) {
     Vec6 u = R.col(k);
-    for (int l = 0; l < k; ++l) u[l] = 0;
+    u.head(k).setZero();
     u[k] += std::copysign(u.norm(), u[k]);
     const Real factor = 2 / u.squaredNorm();
-    const Dense<Real, 1, n> on_R = factor * (u.transpose() * R);
-    const Dense<Real, 1, 6> on_B = factor * (u.transpose() * i.B);
+    const Eigen::Matrix<Real, 1, n> on_R = factor * (u.transpose() * R);
+    const Eigen::Matrix<Real, 1, 6> on_B = factor * (u.transpose() * i.B);
     R -= u * on_R;
     i.B -= u * on_B;
   }
-  Dense<Real, n, n> inverse = Dense<Real, n, n>::Zero();
+  Eigen::Matrix<Real, n, n> inverse = Eigen::Matrix<Real, n, n>::Zero();
   for (int k = 0; k < n; ++k) {
     inverse(k, k) = 1 / R(k, k);
     for (int j = k - 1; j >= 0; --j) {
@@ -115,13 +114,12 @@ ADAGEN_NOINLINE bool fuse(Run<n>& i) {
       inverse(j, k) = -sum / R(j, j);
     }
   }
-  auto top = i.B.template block<n, 6>(0, 0);
-  top = inverse * Dense<Real, n, 6>(top);
-  for (int k = 0; k < n; ++k) i.B.row(k) *= scale[k];
+  const Eigen::Matrix<Real, n, 6> top = inverse * i.B.template topRows<n>();
+  i.B.template topRows<n>() = scale.asDiagonal() * top;
   const Mat6 X = i.X * Mat6(Mat6::Identity());
-  i.BX = i.B * X;
+  i.BX.noalias() = i.B * X;
   const Columns6 c = i.c;
-  i.c = i.B * c;
+  i.c.noalias() = i.B * c;
   i.lock = 1 / inverse.norm();
   return i.lock >= kLocked;
 }

@@ -92,7 +92,7 @@ void carry(const Geared<Kind>& i, Mat6& m) {
   const Articulated<Kind>& body = i;
   carry(body, own);
   share(i, m);
-  m = m.transpose();
+  m.transposeInPlace();
   share(i, m);
   m += own;
 }

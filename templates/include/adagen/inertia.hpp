@@ -1,6 +1,7 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 
@@ -127,8 +128,9 @@ ADAGEN_NOINLINE Inertia in_child(const Transform& X, const Inertia& m) {
 
 // X^-1 m: motions in the child's frame, expressed in the parent's.
 template <int columns>
-Dense<Real, 6, columns> motion_in_parent(const Transform& X, const Dense<Real, 6, columns>& m) {
-  Dense<Real, 6, columns> result;
+Eigen::Matrix<Real, 6, columns> motion_in_parent(const Transform& X,
+                                                 const Eigen::Matrix<Real, 6, columns>& m) {
+  Eigen::Matrix<Real, 6, columns> result;
   ADAGEN_FOR (k, 0, columns) {
     const Vec3 angular = X.E.transpose() * m.col(k).template head<3>();
     result.col(k).template head<3>() = angular;

@@ -1,6 +1,7 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 
@@ -71,11 +72,11 @@ class Refinement {
  public:
   // Joint forces of the last step, every right-hand side, and which of these is being found where
   // they are found one after the other.
-  std::array<Dense<Real, 6, kSides>, kJointCount> f;
+  std::array<Eigen::Matrix<Real, 6, kSides>, kJointCount> f;
   int side = 0;
-  std::array<Dense<Number, 6, 1>, kJointCount> force;  // the same with coupling torques
-  std::array<Number, kNv> step{};                      // accelerations of the last step
-  std::array<Number, kNv> still{};                     // no velocities
+  std::array<Eigen::Matrix<Number, 6, 1>, kJointCount> force;  // the same with coupling torques
+  std::array<Number, kNv> step{};                              // accelerations of the last step
+  std::array<Number, kNv> still{};                             // no velocities
   std::array<Number, kNv> lacking{};  // torques that forces inside runs lack along the joints
   std::array<Vec6, kLinkCount> rho;
   std::array<Wide, kNv> qdd{};
@@ -111,7 +112,7 @@ class Refinement {
   // that times the multiplier, and nothing along others.
   void couple(int j, int column, Number torque) {
     const JointConstants &joint = kJoints[j], &slaved = kJoints[kSlaved[column]];
-    Dense<Number, 6, 1> of_unit = f[j].col(column).template cast<Number>();
+    Eigen::Matrix<Number, 6, 1> of_unit = f[j].col(column).template cast<Number>();
     for (int k = 0; k < joint.nv; ++k) of_unit[free_row(joint.kind, k)] = 0;
     if (kSlaved[column] == j) of_unit[free_row(joint.kind, 0)] = 1;
     if (slaved.source == j) of_unit[free_row(joint.kind, 0)] = -Number(slaved.multiplier);

@@ -1,6 +1,8 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "fused.hpp"
 #include "joins.hpp"
 #include "sizes.hpp"
@@ -11,7 +13,7 @@ namespace {
 // A run that has been joined, for other biases and the torques in i.tau, which its forces lack.
 // P is R (Phi_A + Phi_B) R^T.
 template <int n>
-void rejoin(Joined<Fused<n>>& i, const Dense<Real, n, n>& P, const Columns6& b_A,
+void rejoin(Joined<Fused<n>>& i, const Eigen::Matrix<Real, n, n>& P, const Columns6& b_A,
             const Columns6& b_B) {
   Vec6 beta = b_A.col(0) - b_B.col(0);
   for (int k = 0; k < n; ++k) {

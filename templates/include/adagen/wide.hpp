@@ -1,6 +1,7 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
+#include <Eigen/Core>
 #include <cmath>
 #include <type_traits>
 
@@ -13,26 +14,28 @@ namespace {
 
 // Joints and links in wide numbers, for what refinement finds to be left over.
 using Wide = std::conditional_t<std::is_same_v<Real, float>, double, long double>;
-using Wide3 = Dense<Wide, 3, 1>;
-using Wide6 = Dense<Wide, 6, 1>;
-using WideMat3 = Dense<Wide, 3, 3>;
+using Wide3 = Eigen::Matrix<Wide, 3, 1>;
+using Wide6 = Eigen::Matrix<Wide, 6, 1>;
+using WideMat3 = Eigen::Matrix<Wide, 3, 3>;
 template <class T>
-using Six = Dense<T, 6, 1>;
+using Six = Eigen::Matrix<T, 6, 1>;
 
 template <class T>
-Six<T> spatial(const Dense<T, 3, 1>& angular, const Dense<T, 3, 1>& linear) {
-  return {angular[0], angular[1], angular[2], linear[0], linear[1], linear[2]};
+Six<T> spatial(const Eigen::Matrix<T, 3, 1>& angular, const Eigen::Matrix<T, 3, 1>& linear) {
+  Six<T> result;
+  result << angular, linear;
+  return result;
 }
 inline Wide6 wide(const Wide3& angular, const Wide3& linear) { return spatial(angular, linear); }
 
 // From a joint's parent link's coordinates to its child link's.
 template <class T>
 struct Carrier {
-  Dense<T, 3, 3> E;
-  Dense<T, 3, 1> r;  // origin of the child frame in the parent's
+  Eigen::Matrix<T, 3, 3> E;
+  Eigen::Matrix<T, 3, 1> r;  // origin of the child frame in the parent's
 
   Six<T> operator()(const Six<T>& m) const {
-    const Dense<T, 3, 1> angular = m.template head<3>();
+    const Eigen::Matrix<T, 3, 1> angular = m.template head<3>();
     return spatial<T>(E * angular, E * (m.template tail<3>() - r.cross(angular)));
   }
 };
@@ -74,7 +77,7 @@ inline Wide6 returned(const Carrier<Wide>& X, const Wide6& f) {
 // I m of a link: its mass at the centre of mass, its tensor about it.
 template <class T>
 Six<T> times_inertia(int link, const Six<T>& m) {
-  using Vector = Dense<T, 3, 1>;
+  using Vector = Eigen::Matrix<T, 3, 1>;
   const LinkConstants& body = kLinks[link];
   const Vector c(body.com[0], body.com[1], body.com[2]), angular = m.template head<3>();
   const Vector force = T(body.mass) * (m.template tail<3>() + angular.cross(c));
@@ -88,9 +91,11 @@ Six<T> times_inertia(int link, const Six<T>& m) {
 inline WideMat3 oriented(const Number* quaternion) {
   const Wide x = quaternion[0], y = quaternion[1], z = quaternion[2], w = quaternion[3];
   const Wide s = 2 / (x * x + y * y + z * z + w * w);
-  return {1 - s * (y * y + z * z), s * (x * y - z * w),     s * (x * z + y * w),  //
-          s * (x * y + z * w),     1 - s * (x * x + z * z), s * (y * z - x * w),  //
-          s * (x * z - y * w),     s * (y * z + x * w),     1 - s * (x * x + y * y)};
+  WideMat3 turn;
+  turn << 1 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w),  //
+      s * (x * y + z * w), 1 - s * (x * x + z * z), s * (y * z - x * w),      //
+      s * (x * z - y * w), s * (y * z + x * w), 1 - s * (x * x + y * y);
+  return turn;
 }
 
 // From its parent link's frame to its child link's, at a configuration.

@@ -42,8 +42,8 @@ inline void keep_one_force(Workspace& w, int j, const Motion<Value>& a) {
   }
   const Matrix<Value> R = matrix_at(w.of(j, kAxes));
   n = transposed_times(R, n), f = transposed_times(R, f);
-  w.refinement.f[static_cast<std::size_t>(j)].col(w.refinement.side) = {n.x, n.y, n.z,
-                                                                        f.x, f.y, f.z};
+  w.refinement.f[static_cast<std::size_t>(j)].col(w.refinement.side) << n.x, n.y, n.z, f.x, f.y,
+      f.z;
 }
 template <bool reversed, class T>
 ADAGEN_INLINE void keep_force(Workspace& w, const Joints<T>& joints, const Motion<T>& a) {

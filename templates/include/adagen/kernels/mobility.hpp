@@ -38,13 +38,15 @@ const Columns6 kGround = Columns6::Zero();
 // about the handles' origins, in the axes that their bodies are expressed in (turned.hpp), and so
 // are forces at handles; b are accelerations beyond those of a Frame.
 inline Mat3 mat3_of(const Matrix<Value>& R) {
-  return {R.x.x, R.x.y, R.x.z, R.y.x, R.y.y, R.y.z, R.z.x, R.z.y, R.z.z};
+  Mat3 result;
+  result << R.x.x, R.x.y, R.x.z, R.y.x, R.y.y, R.y.z, R.z.x, R.z.y, R.z.z;
+  return result;
 }
 template <class M>
 M rotated(const Mat3& R, const M& m) {
   M result;
-  result.template block<3, M::kColumns>(0, 0) = R * m.template block<3, M::kColumns>(0, 0);
-  result.template block<3, M::kColumns>(3, 0) = R * m.template block<3, M::kColumns>(3, 0);
+  result.template topRows<3>().noalias() = R * m.template topRows<3>();
+  result.template bottomRows<3>().noalias() = R * m.template bottomRows<3>();
   return result;
 }
 // Columns at a link from the axes that they are expressed in there to those of the base, and back.
@@ -66,16 +68,20 @@ ADAGEN_INLINE Motion<Value> motion_of(const Columns6& a) {
   return {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}};
 }
 ADAGEN_INLINE Columns6 columns_of(const Motion<Value>& a) {
-  return {a.angular.x, a.angular.y, a.angular.z, a.linear.x, a.linear.y, a.linear.z};
+  Columns6 result;
+  result << a.angular.x, a.angular.y, a.angular.z, a.linear.x, a.linear.y, a.linear.z;
+  return result;
 }
 
 inline Mat6 inertia_of(const Body<Value>& X) {
-  return {X.A.xx,  X.A.xy,  X.A.xz,  X.B.x.x, X.B.x.y, X.B.x.z,  //
-          X.A.xy,  X.A.yy,  X.A.yz,  X.B.y.x, X.B.y.y, X.B.y.z,  //
-          X.A.xz,  X.A.yz,  X.A.zz,  X.B.z.x, X.B.z.y, X.B.z.z,  //
-          X.B.x.x, X.B.y.x, X.B.z.x, X.C.xx,  X.C.xy,  X.C.xz,   //
-          X.B.x.y, X.B.y.y, X.B.z.y, X.C.xy,  X.C.yy,  X.C.yz,   //
-          X.B.x.z, X.B.y.z, X.B.z.z, X.C.xz,  X.C.yz,  X.C.zz};
+  Mat6 I;
+  I << X.A.xx, X.A.xy, X.A.xz, X.B.x.x, X.B.x.y, X.B.x.z,  //
+      X.A.xy, X.A.yy, X.A.yz, X.B.y.x, X.B.y.y, X.B.y.z,   //
+      X.A.xz, X.A.yz, X.A.zz, X.B.z.x, X.B.z.y, X.B.z.z,   //
+      X.B.x.x, X.B.y.x, X.B.z.x, X.C.xx, X.C.xy, X.C.xz,   //
+      X.B.x.y, X.B.y.y, X.B.z.y, X.C.xy, X.C.yy, X.C.yz,   //
+      X.B.x.z, X.B.y.z, X.B.z.z, X.C.xz, X.C.yz, X.C.zz;
+  return I;
 }
 inline Columns6 force_of(const Body<Value>& X) { return columns_of({X.n, X.f}); }
 
@@ -117,7 +123,7 @@ ADAGEN_INLINE bool invert(const Mat6& m, const Real (&least)[6], Mat6& inverse) 
   Real least[6];
   ADAGEN_FOR (k, 0, 6) least[k] = kRounding * I(k, k);
   const bool good = invert(I, least, Phi);
-  b = -Phi * force_of(X);
+  b.noalias() = -Phi * force_of(X);
   return good;
 }
 
@@ -134,7 +140,7 @@ void bare_link(Workspace& w, const Mat6& Phi, Columns6& b) {
   static_assert(turned_link(link));
   Body<Value> X{};
   add_own_link(w, single(link - 1), X);
-  b = -Phi * force_of(X);
+  b.noalias() = -Phi * force_of(X);
 }
 
 // A planar joint's freedoms one after the other, the last one to be eliminated first, at its
@@ -308,7 +314,7 @@ template <int link>
 void solve_mobility(Workspace& w, const Mat6& Phi, const Columns6& b) {
   const Body<Value>& X = w.bodies[link];
   const Mat6 M = Mat6::Identity() + Phi * inertia_of(X);
-  const Columns6 a = solve(M, b - Phi * force_of(X));
+  const Columns6 a = M.partialPivLu().solve(b - Phi * force_of(X));
   w.motions[link] = motion_of(in_base(w, link, a));
 }
 
@@ -336,11 +342,11 @@ Columns6 force_on(Workspace& w) {
   const Mat3 back = mat3_of(matrix_at(w.of(j, kAxes))).transpose();
   const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
   X.E = back;
-  X.r = {r.x, r.y, r.z};
+  X.r << r.x, r.y, r.z;
   if (turned_link(parent)) {
     const Mat3 R = mat3_of(matrix_at(w.of(parent - 1, kAxes)));
     X.E = mat3_of(matrix_at(w.of(j, kTurn))).transpose();
-    X.r = R.transpose() * X.r;
+    X.r = (R.transpose() * X.r).eval();
   }
   Y.E = turned_link(j + 1) ? Mat3(Mat3::Identity()) : back;
   Y.r.setZero();

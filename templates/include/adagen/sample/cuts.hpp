@@ -29,6 +29,7 @@ struct Cuts {
 #if defined(ADAGEN_SAMPLE_CUTS)
   std::array<Columns6, kLinkCount> loads;
   Refinement refinement;
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 #else
   struct {
     std::array<double, kRefine> corrections{};

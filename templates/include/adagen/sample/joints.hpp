@@ -22,6 +22,7 @@ struct Workspace {
   std::array<Number, kParameterCount> parameters = first_parameters<Number>();
   Columns6 ground;
   Refinement refinement;
+  EIGEN_MAKE_ALIGNED_OPERATOR_NEW
 };
 
 }  // namespace
