@@ -184,7 +184,7 @@ _RUNS = {
     ("traverse", "each"): "kinematics.run",
     ("traverse", "segments"): "kinematics_segments.run",
     ("accelerate", "each"): "accelerate.run",
-    ("accelerate", "segments"): "accelerate.run",
+    ("accelerate", "along"): "accelerate.run",
 }
 
 

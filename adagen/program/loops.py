@@ -91,6 +91,7 @@ class Loops:
         self.by_columns: set[int] = set()  # those of them that are set up by columns, too
         self.swept: set[Run] = set()  # runs that are swept inwards by columns
         self.along: set[Run] = set()  # those that unit wrenches are carried through meanwhile
+        self.loaded: set[Run] = set()  # of these, those whose joints take a load when they move
         # A sweep that is repeated with other forces leaves mobilities as they are.
         self.once = not (again or plan.slaved)
         self.found: list[Operation] = []
@@ -308,12 +309,20 @@ class Loops:
 
     def _deliver(self, steps: list[Deliver]) -> None:
         by_joint = {step.joint: step for step in steps}
+        whole = self._accelerated()
         for run in swept(self.joints, steps):
             inside = set(links_of_run(self.joints, run)) - set(ends_of_run(self.joints, run))
             method: Method = "through" if inside and inside <= self.through else "each"
-            if method == "through" and run in self.along and self._of_one_freedom(run):
+            if method == "through" and run in self.along & whole and self._of_one_freedom(run):
                 method = "along"
+                self.loaded.add(run)
             self._add("deliver", run, method, (by_joint[j] for j in _inwards(run)))
+
+    def _accelerated(self) -> set[Run]:
+        """Runs whose joints' accelerations are all found in one pass."""
+        steps = [step for step in self.process.steps if isinstance(step, Accelerate)]
+        units = units_of_sweep(self.joints, steps, self.limbs, outward_order)
+        return {u for u in units if isinstance(u, Run) and self.needed.issuperset(u.joints())}
 
     def _accelerate(self, steps: list[Accelerate]) -> None:
         by_joint = {step.joint: step for step in steps}
@@ -327,7 +336,8 @@ class Loops:
             joints = list(takewhile(self.needed.__contains__, outwards))
             if joints:
                 run = Run(min(joints), max(joints), unit.reversed)
-                self._add("accelerate", run, "each", (by_joint[j] for j in joints))
+                method: Method = "along" if run in self.loaded else "each"
+                self._add("accelerate", run, method, (by_joint[j] for j in joints))
 
     def _free_accelerations(self, steps: list[FreeAcceleration]) -> None:
         for step in steps:

@@ -260,7 +260,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(6);
   w.loads[4] = in_base(w, 4, w.j_shoulder_pitch.F_on_forearm);
   deliver_along<0, 3>(w, way_0);  // "base_yaw" .. "elbow_pitch"
-  accelerate<0, 0, 3>(w);  // "base_yaw" .. "elbow_pitch"
+  accelerate_along<0, 0, 3>(w);  // "base_yaw" .. "elbow_pitch"
   stamp(7);
   require_finite(w, w.answer.data(), 0, 5, &JointConstants::v, kOverflow);
   give(w, 0, 5);

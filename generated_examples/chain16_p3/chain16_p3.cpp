@@ -318,7 +318,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(6);
   w.loads[7] = in_base(w, 7, w.j_joint04.F_on_rod07);
   deliver_along<0, 6>(w, way_0);  // "joint01" .. "joint07"
-  accelerate<0, 0, 6>(w);  // "joint01" .. "joint07"
+  accelerate_along<0, 0, 6>(w);  // "joint01" .. "joint07"
   stamp(7);
   require_finite(w, w.answer.data(), 0, 8, &JointConstants::v, kOverflow);
   give(w, 0, 8);
@@ -395,7 +395,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.loads[11] = in_base(w, 11, w.j_joint10.F_on_rod11);
   deliver_along<8, 10>(w, way_8);  // "joint09" .. "joint11"
   accelerate_root<8>(w, w.j_joint10.Phi_rod08, w.j_joint10.b_rod08);
-  accelerate<1, 8, 10>(w);  // "joint09" .. "joint11"
+  accelerate_along<1, 8, 10>(w);  // "joint09" .. "joint11"
   stamp(9);
   require_finite(w, w.answer.data(), 8, 4, &JointConstants::v, kOverflow);
   give(w, 8, 4);

@@ -53,6 +53,7 @@ def test_wrenches_go_along_with_a_sweep_that_is_not_repeated() -> None:
     plan = gathered(serial_chain(20))
     once, again = kernels_of(plan), text_of(plan, shape="kernels", refine=1)
     assert "= inward_and_carry<" in once and " deliver_along<" in once
+    assert " accelerate_along<" in once
     assert " carry<" not in once
     assert " carry<" in again and "_along<" not in again
 

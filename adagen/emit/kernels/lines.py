@@ -399,7 +399,8 @@ class KernelLines:
             return [f"accelerate_group<{self.p}, {self._number(run)}>(w);"]
         assert isinstance(run, Run)
         self.parts.add(ends_of_run(self.joints, run)[0])
-        return [self._sweep(run, "accelerate") + self._names(run)]
+        verb = "accelerate" + "_along" * (operation.method == "along")
+        return [self._sweep(run, verb) + self._names(run)]
 
     def _free_acceleration(self, operation: Operation) -> list[str]:
         joint = getattr(operation.steps[0], "joint", 0)

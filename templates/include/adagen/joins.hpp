@@ -107,20 +107,22 @@ void backward_substitute(const std::array<std::array<Real, m>, m>& L,
 }
 
 // Cholesky's factorization in place, the inverse of the diagonal in its place. False where a pivot
-// has lost every digit, or was none to begin with.
+// has lost every digit, or was none to begin with. What is left is reduced by pivots, not by their
+// roots: a pivot that waits for the one before does not wait for its root, too.
 template <std::size_t m>
 bool factorize(std::array<std::array<Real, m>, m>& L) {
   bool good = true;
+  std::array<std::array<Real, m>, m> own = L;  // what is left; columns of pivots are L D
   for (std::size_t j = 0; j < m; ++j) {
-    Real pivot = L[j][j];
-    const Real least = 8 * std::numeric_limits<Real>::epsilon() * pivot;
-    for (std::size_t k = 0; k < j; ++k) pivot -= L[j][k] * L[j][k];
+    const Real pivot = own[j][j];
+    const Real least = 8 * std::numeric_limits<Real>::epsilon() * L[j][j];
     good = good && pivot > least && pivot <= std::numeric_limits<Real>::max();
-    const Real inverse = 1 / std::sqrt(pivot);
-    L[j][j] = inverse;
+    const Real inverse = 1 / pivot, root = std::sqrt(inverse);
+    L[j][j] = root;
     for (std::size_t i = j + 1; i < m; ++i) {
-      for (std::size_t k = 0; k < j; ++k) L[i][j] -= L[i][k] * L[j][k];
-      L[i][j] *= inverse;
+      const Real l = own[i][j] * inverse;
+      for (std::size_t k = j + 1; k <= i; ++k) own[i][k] -= l * own[k][j];
+      L[i][j] = own[i][j] * root;
     }
   }
   return good;

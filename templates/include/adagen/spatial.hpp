@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <array>
 #include <cstddef>
+#include <cstring>
 
 #include "common.hpp"
 #include "constants.hpp"
@@ -49,23 +50,70 @@ struct Transform {
   }
 };
 
-ADAGEN_NOINLINE Mat6 operator*(const Transform& X, const Mat6& m) {
-  Mat6 result;
-  X.times(m, result);
-  return result;
+// A column of a 6x6 matrix in registers of four numbers and two: Eigen takes them by twos or one by
+// one.
+typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
+typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
+struct InRegisters {
+  Four low;
+  Two high;
+};
+inline InRegisters operator+(const InRegisters& x, const InRegisters& y) {
+  return {x.low + y.low, x.high + y.high};
 }
-
-ADAGEN_NOINLINE Mat6 times_transposed(const Transform& X, const Mat6& m) {
-  Mat6 transposed, result;
-  transposed.noalias() = m.transpose();
-  X.times(transposed, result);
-  return result;
+inline InRegisters operator-(const InRegisters& x, const InRegisters& y) {
+  return {x.low - y.low, x.high - y.high};
+}
+inline InRegisters operator*(const InRegisters& x, Real s) { return {x.low * s, x.high * s}; }
+inline InRegisters column_of(const Mat6& m, int k) {
+  InRegisters x;
+  std::memcpy(&x.low, m.data() + 6 * k, sizeof x.low);
+  std::memcpy(&x.high, m.data() + 6 * k + 4, sizeof x.high);
+  return x;
+}
+inline void put_column(const InRegisters& x, int k, Mat6& m) {
+  std::memcpy(m.data() + 6 * k, &x.low, sizeof x.low);
+  std::memcpy(m.data() + 6 * k + 4, &x.high, sizeof x.high);
 }
 
 // m X^T, which is (X m^T)^T: with m = X Phi the congruence X Phi X^T.
 ADAGEN_NOINLINE Mat6 from_right(const Mat6& m, const Transform& X) {
-  Mat6 result = times_transposed(X, m);
-  result.transposeInPlace();
+  Mat6 result;
+  const Vec3& r = X.r;
+  const InRegisters x = column_of(m, 0), y = column_of(m, 1), z = column_of(m, 2);
+  const InRegisters u = column_of(m, 3) - (z * r[1] - y * r[2]);
+  const InRegisters v = column_of(m, 4) - (x * r[2] - z * r[0]);
+  const InRegisters w = column_of(m, 5) - (y * r[0] - x * r[1]);
+  for (int k = 0; k < 3; ++k) {
+    put_column(x * X.E(k, 0) + y * X.E(k, 1) + z * X.E(k, 2), k, result);
+    put_column(u * X.E(k, 0) + v * X.E(k, 1) + w * X.E(k, 2), 3 + k, result);
+  }
+  return result;
+}
+
+[[maybe_unused]] inline Mat6 times_transposed(const Transform& X, const Mat6& m) {
+  return from_right(m, X).transpose();
+}
+
+ADAGEN_NOINLINE Mat6 operator*(const Transform& X, const Mat6& m) {
+  Mat6 result;
+  const Vec3& r = X.r;
+  Four E[3];  // columns; the fourth number is not used
+  std::memcpy(E, X.E.data(), 4 * sizeof(Real));
+  std::memcpy(E + 1, X.E.data() + 3, 4 * sizeof(Real));
+  E[2] = Four{X.E(0, 2), X.E(1, 2), X.E(2, 2), 0};
+  for (int k = 0; k < 6; ++k) {
+    const Real* c = m.data() + 6 * k;
+    const Real x = c[0], y = c[1], z = c[2];
+    const Real u = c[3] - (r[1] * z - r[2] * y), v = c[4] - (r[2] * x - r[0] * z),
+               w = c[5] - (r[0] * y - r[1] * x);
+    const Four angular = E[0] * x + E[1] * y + E[2] * z;
+    const Four linear = E[0] * u + E[1] * v + E[2] * w;
+    std::memcpy(result.data() + 6 * k, &angular, 4 * sizeof(Real));
+    const Two low{linear[0], linear[1]};
+    std::memcpy(result.data() + 6 * k + 3, &low, 2 * sizeof(Real));
+    result(5, k) = linear[2];
+  }
   return result;
 }
 

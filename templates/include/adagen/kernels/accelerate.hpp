@@ -127,20 +127,6 @@ ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, M
   }
 }
 
-// Joints first .. last outwards; what moves along with a link is kept where other paths start.
-template <int p, int first, int last>
-void accelerate(Workspace& w) {
-  Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
-  Reached<Value> reached = reached_at(w, kJoints[first].parent);
-  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
-    move<false>(w, single(first + k), kind, a);
-    if constexpr (kWide) keep_force<false>(w, single(first + k), a);
-    reach(w, single(first + k), kind, a, reached);
-    const std::size_t far = static_cast<std::size_t>(first + k + 1);
-    if (kRoles[p][far].parts) w.motions[far] = a, keep_reached(w, far, reached);
-  });
-}
-
 // Six numbers that follow from each other are no work for lanes: g++ takes a fifth longer with
 // them.
 #if defined(__clang__)
@@ -148,6 +134,26 @@ void accelerate(Workspace& w) {
 #else
 #define ADAGEN_ONE_BY_ONE __attribute__((optimize("no-tree-slp-vectorize")))
 #endif
+
+// Joints first .. last outwards, each after what is done before(joint); what moves along with a
+// link is kept where other paths start.
+template <int p, int first, int last, class Before>
+ADAGEN_INLINE void accelerate_after(Workspace& w, const Before& before) {
+  Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
+  Reached<Value> reached = reached_at(w, kJoints[first].parent);
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    before(first + k);
+    move<false>(w, single(first + k), kind, a);
+    if constexpr (kWide) keep_force<false>(w, single(first + k), a);
+    reach(w, single(first + k), kind, a, reached);
+    const std::size_t far = static_cast<std::size_t>(first + k + 1);
+    if (kRoles[p][far].parts) w.motions[far] = a, keep_reached(w, far, reached);
+  });
+}
+template <int p, int first, int last>
+ADAGEN_ONE_BY_ONE void accelerate(Workspace& w) {
+  accelerate_after<p, first, last>(w, [](int) ADAGEN_ALWAYS {});
+}
 template <int p, int first, int last>
 ADAGEN_ONE_BY_ONE void accelerate_reversed(Workspace& w) {
   Motion<Value> a = w.motions[last + 1];

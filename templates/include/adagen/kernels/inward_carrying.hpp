@@ -10,6 +10,7 @@
 #include "../sample/robot.hpp"
 #include "../spatial.hpp"
 #include "../value.hpp"
+#include "accelerate.hpp"
 #include "carry.hpp"
 #include "columns.hpp"
 #include "inward.hpp"
@@ -37,19 +38,23 @@ ADAGEN_NOINLINE Way inward_and_carry(Workspace& w) {
   return wrenches.way();
 }
 
-// The load of the link beyond joints first .. last, of one freedom each: gives each joint its part
-// by what unit wrenches there did to it, so that none waits for the next one.
+// What the near link feels of the load of the link beyond joints first .. last.
 template <int first, int last>
 void deliver_along(Workspace& w, const Way& way) {
-  const Columns6& load = w.loads[last + 1];
-  Lanes wrench{};
-  ADAGEN_FOR (i, 0, 6) wrench[i] = load[i];
-  for (int j = first; j <= last; ++j) {
-    const Lanes part = w.driven[static_cast<std::size_t>(j)] * wrench;
+  w.loads[kJoints[first].parent] += way.moved.transpose() * w.loads[last + 1];
+}
+
+// Joints first .. last, of one freedom each, outwards. Each takes its part of that load: what unit
+// wrenches there did to it, so that none waits for the next one.
+template <int p, int first, int last>
+ADAGEN_ONE_BY_ONE void accelerate_along(Workspace& w) {
+  const Columns6 load = w.loads[last + 1];
+  accelerate_after<p, first, last>(w, [&](int j) ADAGEN_ALWAYS {
+    const Lanes& x = w.driven[static_cast<std::size_t>(j)];
     Value* const e = w.joints[static_cast<std::size_t>(j)].e;
-    e[6] += e[7] * (((part[0] + part[1]) + (part[2] + part[3])) + (part[4] + part[5]));
-  }
-  w.loads[kJoints[first].parent] += way.moved.transpose() * load;
+    e[6] += e[7] * (((x[0] * load[0] + x[1] * load[1]) + (x[2] * load[2] + x[3] * load[3])) +
+                    (x[4] * load[4] + x[5] * load[5]));
+  });
 }
 
 }  // namespace
