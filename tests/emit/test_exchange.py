@@ -45,8 +45,8 @@ def test_loops_that_exchange_are_solved(
 def test_long_parts_are_traversed_in_segments() -> None:
     schedule = named_schedule("balanced", Topology.of(serial_chain(160)), 8, profile=PROFILE)
     text = kernels_of(make_plan(serial_chain(160), schedule, meeting="exchange"))
-    assert "  traverse_in_segments<0, " in text and "  traverse<" not in text
-    assert "  pass_outward" not in text
+    assert "starts_0 = traverse_in_segments<0, " in text and " traverse<" not in text
+    assert " outward_traversed<0, " in text and "  pass_outward" not in text
 
 
 def test_straight_lines_that_exchange_are_solved(builder: Builder, tmp_path: Path) -> None:

@@ -65,6 +65,9 @@ class KernelLines:
         self.segments = tuple(  # runs that are passed outwards in segments
             op.block for op in operations if op.method == "segments" and isinstance(op.block, Run)
         )
+        self.traversed = frozenset(self.segments) & frozenset(
+            op.block for op in operations if op.does == "traverse" and isinstance(op.block, Run)
+        )
         self.along = {
             op.block for op in operations if (op.does, op.method) == ("propagate", "along")
         }
@@ -193,6 +196,9 @@ class KernelLines:
         if operation.method == "base":
             return [f"free_base_frame<{block.first}>(w);"]
         verb = "pass_outward" if operation.does == PASSING else "outward"
+        if block in self.traversed and operation.does != PASSING:
+            call = f"outward_traversed<{block.first}, {block.last}>(w, starts_{block.first});"
+            return [call + self._names(block)]
         in_segments = "_in_segments" * (operation.method == "segments")
         return [f"{verb}{in_segments}<{block.first}, {block.last}>(w);" + self._names(block)]
 
@@ -204,7 +210,8 @@ class KernelLines:
         assert isinstance(run, Run)
         verb = "traverse" + "_in_segments" * (operation.method == "segments")
         own = self.words.passage(step.passage)
-        return [f"{verb}<{run.first}, {run.last}>(w, {own});" + self._names(run)]
+        found = f"const auto starts_{run.first} = " * (run in self.traversed)
+        return [f"{found}{verb}<{run.first}, {run.last}>(w, {own});" + self._names(run)]
 
     def _append(self, operation: Operation) -> list[str]:
         (step,) = operation.steps

@@ -100,8 +100,9 @@ ADAGEN_INLINE Vector<Lanes> spins(const Workspace& w, int row, int beyond, const
   return R * Vector<Lanes>{x, y, z};
 }
 
-// Keeps r, and axes where they belong to it, of those joints of a row that lie in eight lanes.
-template <class Run, int begin>
+// Keeps r, and axes where they belong to it, of the joints of a row, those of eight lanes at a
+// time.
+template <class Run, int begin = 0>
 ADAGEN_INLINE void keep_levers(Workspace& w, int row, int beyond, const Vector<Lanes>& axis,
                                const Vector<Lanes>& r) {
   const auto memory = [&](int lane) -> Memory& {
@@ -129,6 +130,7 @@ ADAGEN_INLINE void keep_levers(Workspace& w, int row, int beyond, const Vector<L
         memory(lane).axis = {axis.x[lane], axis.y[lane], axis.z[lane]};
     }
   }
+  if constexpr (begin + 8 < kPerBlock) keep_levers<Run, begin + 8>(w, row, beyond, axis, r);
 }
 
 // A row's numbers, from one of its blocks.
@@ -164,9 +166,7 @@ ADAGEN_INLINE Vector<Lanes> spin_segments(Workspace& w, int beyond, const Matrix
     put_at(row_at<Run>(w, row, kAlpha), spin);
     omega += spin;
     put_at(row_at<Run>(w, row, kOmega), omega);
-    const Vector<Lanes> axis{R.x.z, R.y.z, R.z.z};
-    keep_levers<Run, 0>(w, row, beyond, axis, r);
-    if constexpr (kPerBlock > 8) keep_levers<Run, kPerBlock - 8>(w, row, beyond, axis, r);
+    keep_levers<Run>(w, row, beyond, {R.x.z, R.y.z, R.z.z}, r);
   }
   return omega;
 }
@@ -213,18 +213,21 @@ ADAGEN_INLINE void along_segments(Workspace& w, int beyond, Frame<Value> at) {
   }
 }
 
-// How the last link of each segment lies and moves relative to the segment's start.
-template <class Run>
-ADAGEN_INLINE Passage<Lanes> through_segments(const Workspace& w, int beyond) {
+// How the last link of each segment lies and moves relative to the segment's start. kept:
+// orientations relative to that are left in the links' blocks.
+template <class Run, bool kept>
+ADAGEN_INLINE Passage<Lanes> through_segments(Workspace& w, int beyond) {
   const Vector<Lanes> first = origins_of(Run::row(0, beyond));
   Passage<Lanes> at{matrix_at<Lanes>(row_at<Run>(w, 0, kTurn)), {}, {}, first, {}, {}};
   at.omega = spins<Run>(w, 0, beyond, at.R);
+  if constexpr (kept) put_at(row_at<Run>(w, 0, kAxes), at.R);
   for (int row = 1; row < Run::kRows; ++row) {
     const Vector<Lanes> r = at.R * origins_of(Run::row(row, beyond)), v = cross(at.omega, r);
     at.p += r;
     at.v += v;
     at.a += cross(at.omega, v) + cross(at.alpha, r);
     at.R = at.R * matrix_at<Lanes>(row_at<Run>(w, row, kTurn));
+    if constexpr (kept) put_at(row_at<Run>(w, row, kAxes), at.R);
     const Vector<Lanes> spin = spins<Run>(w, row, beyond, at.R);
     at.alpha += cross(at.omega, spin);
     at.omega += spin;
@@ -232,30 +235,65 @@ ADAGEN_INLINE Passage<Lanes> through_segments(const Workspace& w, int beyond) {
   return at;
 }
 
-// The frame of the last link, seen from a start that moves; and how far it is from there, and how
-// fast. Seen from a start that turns, what moves there has the acceleration of Coriolis besides,
-// 2 omega x v, and its spin omega x its own.
-template <class Run>
-ADAGEN_INLINE Passage<Value> passage_past_segments(const Workspace& w, int beyond,
-                                                   Frame<Value> at) {
-  const Passage<Lanes> own = through_segments<Run>(w, beyond);
-  Passage<Value> all{at.R, at.omega, at.alpha, {}, {}, at.a};
-  const Matrix<Lanes> R = products_before(own.R, all.R);
-  const Vector<Lanes> spin = R * own.omega, p = R * own.p, v = R * own.v;
-  const Vector<Lanes> omega = sums_before(spin, all.omega);
-  const Vector<Lanes> turns = R * own.alpha + cross(omega, spin);
-  const Vector<Lanes> alpha = sums_before(turns, all.alpha);
-  const Vector<Lanes> ride = cross(omega, p);
-  sums_before(p, all.p);
-  sums_before(v + ride, all.v);
-  sums_before(R * own.a + cross(alpha, p) + cross(omega, ride + (v + v)), all.a);
-  return all;
+// A run's passage: that of each segment's start, and of all.
+struct Passages {
+  Passage<Lanes> starts;
+  Passage<Value> all;
+};
+
+// Places and velocities are as seen from the run's start. Seen from a start that turns, what moves
+// there has the acceleration of Coriolis besides, 2 omega x v, and its spin omega x its own.
+template <class Run, bool kept = false>
+ADAGEN_INLINE Passages passages_of_segments(Workspace& w, int beyond, const Frame<Value>& at) {
+  const Passage<Lanes> own = through_segments<Run, kept>(w, beyond);
+  Passages found{{}, {at.R, at.omega, at.alpha, {}, {}, at.a}};
+  auto& [starts, all] = found;
+  starts.R = products_before(own.R, all.R);
+  const Vector<Lanes> spin = starts.R * own.omega, p = starts.R * own.p, v = starts.R * own.v;
+  starts.omega = sums_before(spin, all.omega);
+  const Vector<Lanes> turns = starts.R * own.alpha + cross(starts.omega, spin);
+  starts.alpha = sums_before(turns, all.alpha);
+  const Vector<Lanes> ride = cross(starts.omega, p);
+  starts.p = sums_before(p, all.p);
+  starts.v = sums_before(v + ride, all.v);
+  starts.a = sums_before(
+      starts.R * own.a + cross(starts.alpha, p) + cross(starts.omega, ride + (v + v)), all.a);
+  return found;
 }
 
 template <class Run>
-ADAGEN_INLINE Frame<Value> past_segments(const Workspace& w, int beyond, const Frame<Value>& at) {
-  const Passage<Value> all = passage_past_segments<Run>(w, beyond, at);
+ADAGEN_INLINE Frame<Value> past_segments(Workspace& w, int beyond, const Frame<Value>& at) {
+  const Passage<Value> all = passages_of_segments<Run>(w, beyond, at).all;
   return {all.R, all.omega, all.alpha, all.a};
+}
+
+// What the links' frames need, left in their blocks, where orientations relative to each segment's
+// start were left before, and the segments' starts are known as seen from the run's.
+template <class Run>
+ADAGEN_INLINE void along_traversed(Workspace& w, const Passage<Lanes>& starts,
+                                   const Frame<Value>& at) {
+  const Matrix<Lanes> base{in_all_lanes(at.R.x), in_all_lanes(at.R.y), in_all_lanes(at.R.z)};
+  const Vector<Lanes> turning = in_all_lanes(at.omega), spin = base * starts.omega;
+  const Vector<Lanes> p = base * starts.p, v = base * starts.v;
+  const Matrix<Lanes> start = base * starts.R;
+  Vector<Lanes> omega = turning + spin;
+  Vector<Lanes> alpha = in_all_lanes(at.alpha) + base * starts.alpha + cross(turning, spin);
+  Vector<Lanes> a = in_all_lanes(at.a) + base * starts.a + cross(in_all_lanes(at.alpha), p) +
+                    cross(turning, cross(turning, p) + (v + v));
+  Matrix<Lanes> R = start;
+  for (int row = 0; row < Run::kRows; ++row) {
+    const Vector<Lanes> r = R * origins_of(Run::row(row, 0));
+    a += cross(omega, cross(omega, r)) + cross(alpha, r);
+    put_at(row_at<Run>(w, row, kAcceleration), a);
+    R = start * matrix_at<Lanes>(row_at<Run>(w, row, kAxes));
+    put_at(row_at<Run>(w, row, kAxes), R);
+    const Vector<Lanes> relative = spins<Run>(w, row, 0, R);
+    alpha += cross(omega, relative);
+    put_at(row_at<Run>(w, row, kAlpha), alpha);
+    omega += relative;
+    put_at(row_at<Run>(w, row, kOmega), omega);
+    keep_levers<Run>(w, row, 0, {R.x.z, R.y.z, R.z.z}, r);
+  }
 }
 
 // See outward and pass_outward in outward.hpp, and take_angles in links.hpp. Functions of their
@@ -268,12 +306,19 @@ template <int first, int last>
 ADAGEN_NOINLINE void pass_outward_in_segments(Workspace& w) {
   keep(w, slot_of(last), past_segments<Segments<first, last>>(w, 0, frame_near<first>(w)));
 }
-// The same as seen from the link that they hang on, were that at rest.
+// The same as seen from the link that they hang on, were that at rest, and then for the links
+// themselves as that moves.
 template <int first, int last>
-ADAGEN_NOINLINE void traverse_in_segments(const Workspace& w, Passage<Value>& own) {
+ADAGEN_NOINLINE Passage<Lanes> traverse_in_segments(Workspace& w, Passage<Value>& own) {
   const Value one = Value{} + 1, none{};
   const Frame<Value> still{{{one, none, none}, {none, one, none}, {none, none, one}}, {}, {}, {}};
-  own = passage_past_segments<Segments<first, last>>(w, 0, still);
+  const Passages found = passages_of_segments<Segments<first, last>, true>(w, 0, still);
+  own = found.all;
+  return found.starts;
+}
+template <int first, int last>
+ADAGEN_NOINLINE void outward_traversed(Workspace& w, const Passage<Lanes>& starts) {
+  along_traversed<Segments<first, last>>(w, starts, frame_near<first>(w));
 }
 template <int first, int last>
 void take_angles_in_segments(Workspace& w, int beyond = 0) {
