@@ -4,8 +4,8 @@
         [--write docs/records/loops.md]
 
 FOLDER has NAME.urdf, NAME.scene.toml and NAME.json for each: states, true accelerations and how
-far they can be known (tolerance), or that it is to be refused. Plans of form segment on one and on
-two processes, and of form ada, are carried out in double as straight lines are. With --kept what
+far they can be known (tolerance), or that it is to be refused. Plans of both forms on one and on
+two processes are carried out in double as straight lines are. With --kept what
 was found is added to a file, and the command again goes on from there.
 """
 
@@ -28,7 +28,7 @@ from adagen.schedule import load_profile
 from adagen.search import best_schedule
 from benchmarks.page import write_between_marks
 
-WAYS = (("segment", 1), ("segment", 2), ("ada", 1))
+WAYS = (("segment", 1), ("segment", 2), ("ada", 1), ("ada", 2))
 
 
 def _worst(model: Model, form: str, processes: int, joints: dict[str, Any]) -> float | str:
@@ -114,8 +114,9 @@ def main() -> int:
                 with options.kept.open("a", encoding="utf-8") as file:
                     file.write(json.dumps(row) + "\n")
     lines = [
-        "| mechanism | base | tolerance | segment | segment, P = 2 | ada | error / tolerance |",
-        "|---|---|--:|--:|--:|--:|--:|",
+        "| mechanism | base | tolerance | segment | segment, P = 2 | ada | ada, P = 2 "
+        "| error / tolerance |",
+        "|---|---|--:|--:|--:|--:|--:|--:|",
         *(_cells(rows[key]) for key in sorted(rows)),
     ]
     if options.write is None:

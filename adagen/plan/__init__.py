@@ -169,13 +169,14 @@ def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto
     """
     joints, runs = joints_of(model), runs_of(model)
     if model.closed and form == "ada":
+        closures = closures_of(model)  # what no form can solve is refused first
         refuse_held_by_loops(model)
         return ClosedAdaPlanner(
             joints,
             schedule,
             runs,
             clusters_of(model, runs),
-            closures_of(model),
+            closures,
             loops_of(model),
             couplings_of(model),
         )

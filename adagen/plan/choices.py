@@ -51,12 +51,7 @@ def chosen(
     pattern = np.abs(samples).max(axis=0) > 0.0
     offers = offers_of(samples, depths, whole=whole)
     losses = [np.array([largest(offer, each) for each in samples]) for offer in offers]
-    covers = [
-        max((covered(offer, *of) for of in zip(samples, inertias, strict=False)), default=1.0)
-        for offer in offers
-    ]
-    most = max(COVERED, 10 * min(covers))
-    fine = [k for k, cover in enumerate(covers) if cover <= most]
+    fine = uncovered(offers, samples, inertias)
     best = min(fine, key=lambda k: expected(offers[k], pattern, losses[k]))
     kept = list(dict.fromkeys(rows for _, rows in offers))
     apart = np.array([[_apart(rows, each) for each in samples] for rows in kept])
@@ -70,6 +65,24 @@ def chosen(
         taken.append(kept[k])
         so_far = np.maximum(so_far, apart[k])
     return offers[best], taken
+
+
+def uncovered(
+    offers: Sequence[tuple[Numbers, Numbers]], samples: Array, inertias: Sequence[Array]
+) -> list[int]:
+    """Return which choices let no heavy link follow light ones, or hardly more than the best.
+
+    Args:
+        offers: columns that follow with rows that they follow by.
+        samples: J at states, shape (S, rows, columns).
+        inertias: of the columns at the first of these, shape (columns, columns) each.
+    """
+    covers = [
+        max((covered(offer, *of) for of in zip(samples, inertias, strict=False)), default=1.0)
+        for offer in offers
+    ]
+    most = max(COVERED, 10 * min(covers, default=1.0))
+    return [k for k, cover in enumerate(covers) if cover <= most]
 
 
 def offers_of(

@@ -182,7 +182,7 @@ def with_choices(model: Model, tied: Tied, samples: Array) -> Closure:
     """Choose what follows from what: so that G is least where it is largest."""
     found = sampled_rows(model, tied, samples)
     whole = len(found.columns) <= MOST_HELD
-    inertias = _inertias(model, found.columns) if whole else []
+    inertias = inertias_of(model, found.columns) if whole else []
     (moved, kept), others = chosen(found.own, depths_of(model, tied.path), inertias, whole=whole)
     choices = [found.choice(moved, kept)]
     looped = any(k < len(model.loops) for k in tied.members)
@@ -191,8 +191,8 @@ def with_choices(model: Model, tied: Tied, samples: Array) -> Closure:
     return closure_of(model, tied, found.rows, choices, whole=whole)
 
 
-def _inertias(model: Model, columns: Sequence[int]) -> list[Array]:
-    """The inertias of some freedoms at the first samples, all beyond them held fast."""
+def inertias_of(model: Model, columns: Sequence[int]) -> list[Array]:
+    """Return the inertias of some freedoms at the first samples, all beyond them held fast."""
     q, _ = sampled(model)
     found = [joint_space_inertia(model, each) for each in q[:WEIGHED]]
     return [each[np.ix_(columns, columns)] for each in found]

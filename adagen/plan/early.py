@@ -15,13 +15,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.model import Model
-from adagen.plan.choices import LARGE, expected, largest, offers_of
+from adagen.plan.choices import LARGE, expected, largest, offers_of, uncovered
 from adagen.plan.closures import (
     MOST_HELD,
     Closure,
     closure_of,
     closures_of,
     depths_of,
+    inertias_of,
     sampled,
     sampled_rows,
     with_choices,
@@ -152,7 +153,8 @@ def _ending_early(model: Model, one: Tied, samples: Array, poor: float) -> Closu
     ]
     pattern = np.abs(matrices[:, :, : len(counted)]).max(axis=0) > 0.0
     losses = [np.array([largest(offer, each, counted) for each in matrices]) for offer in offers]
-    fine = [k for k, loss in enumerate(losses) if float((loss > LARGE).mean()) <= poor]
+    light = uncovered(offers, rows.own, inertias_of(model, rows.columns))
+    fine = [k for k in light if float((losses[k] > LARGE).mean()) <= poor]
     if not fine:
         return None
     best = min(fine, key=lambda k: expected(offers[k], pattern, losses[k]))

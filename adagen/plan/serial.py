@@ -71,8 +71,8 @@ def check_reproducible(plan: Plan, gathered: Gathered | None) -> None:
         raise UsageError("only form segment is reproducible")
     if plan.closed:
         raise UsageError(
-            "loops and couplings are solved in loops of code, which are not reproducible: leave "
-            "out --reproducible"
+            "closed loops are not reproducible: each is solved by one process, by statements that "
+            "others do not share; leave out --reproducible"
         )
     if sum(bool(process.steps) for process in plan.processes) < 2:
         return

@@ -142,7 +142,7 @@ def test_what_depends_on_the_processes_is_refused() -> None:
         make_plan(model, schedule, meeting="gather", reproducible=True)
     with pytest.raises(UsageError, match="only form segment is reproducible"):
         make_plan(model, schedule, form="ada", reproducible=True)
-    with pytest.raises(UsageError, match="loops and couplings are solved in loops of code"):
+    with pytest.raises(UsageError, match="closed loops are not reproducible"):
         reproducible_plan(four_bar())
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from adagen.plan.choices import chosen, covered
+from adagen.plan.choices import chosen, covered, uncovered
 
 ROW = np.array([[1.0, 0.9, 0.8]])
 LIGHT = 1e-8
@@ -32,3 +32,7 @@ def test_what_a_choice_hides() -> None:
     hidden = covered(((0,), (0,)), ROW, inertia)
     assert hidden == pytest.approx(42.0 * 0.8**2 / (LIGHT * (1 + 0.64 / 0.81)), rel=1e-6)
     assert covered(((1,), (0,)), ROW, inertia) == pytest.approx(1.0, rel=1e-6)
+    offers = [((0,), (0,)), ((1,), (0,)), ((2,), (0,))]
+    assert uncovered(offers, ROW[None], [inertia]) == [1, 2]
+    assert uncovered(offers[:1], ROW[None], [inertia]) == [0]  # where nothing else is to be had
+    assert uncovered(offers, ROW[None], []) == [0, 1, 2]
