@@ -1,7 +1,7 @@
 """Emitted solvers in hard states of random small robots: what is right, refused, and wrong.
 
-    python -m benchmarks.adversary [--robots 120] [--states 200] [--seed 1] [--record FILE]
-                                   [--write FILE]
+    python -m benchmarks.adversary [--robots 120] [--states 200] [--seed 1 ...]
+                                   [--record FILE] [--write FILE]
 
 The robots are of the families of adagen/studies/stability/adversary.py; each is solved in loops and
 as a straight line, on one thread and, where it can be, on two that are joined. An answer is wrong
@@ -117,19 +117,21 @@ def main() -> int:
     )
     parser.add_argument("--robots", type=int, default=120)
     parser.add_argument("--states", type=int, default=200)
-    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--seed", type=int, nargs="+", default=[1], metavar="SEED")
     parser.add_argument("--record", type=Path)
     parser.add_argument("--write", type=Path)
     options = parser.parse_args()
     toolchain, record, records = find_toolchain(), Record(options.record), []
-    asked = Asked(options.robots, options.states, options.seed)
-    for k, (_, model, states) in enumerate(hard_robots(asked)):
-        found = record.of(asked, k, partial(_figures, model, states, toolchain))
-        records.append(found)
-        tell_wrong(k, model.name, found)
+    for seed in options.seed:
+        asked = Asked(options.robots, options.states, seed)
+        for k, (_, model, states) in enumerate(hard_robots(asked)):
+            found = record.of(asked, k, partial(_figures, model, states, toolchain))
+            records.append(found)
+            tell_wrong(k, model.name, found)
+    seeds = " ".join(map(str, options.seed))
     lines = [
-        f"{asked.robots} robots, {asked.states} states each, {platform.machine()}, "
-        f"`python -m benchmarks.adversary {asked}`",
+        f"{len(records)} robots, {options.states} states each, {platform.machine()}, `python -m "
+        f"benchmarks.adversary --robots {options.robots} --states {options.states} --seed {seeds}`",
         "",
         *table(summed(records)),
     ]

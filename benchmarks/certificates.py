@@ -4,15 +4,16 @@
                                              [--record FILE] [--write FILE]
     python -m benchmarks.certificates loops [the same]
     python -m benchmarks.certificates times [ROBOT.urdf ...] [--write FILE]
+    python -m benchmarks.certificates mechanisms [--write FILE]
 
 Errors are those of hard states of random robots of twelve families (adagen/studies/stability), in
 the energy norm against certified accelerations; "loops" takes mechanisms with closed loops, half of
 their states as near singular ones as are found, and compares with the plan in 400 bits: which rows
 are left out where they follow from others is its choice, and a state in doubles closes loops up to
-rounding only. Times are minima of runs with and without
-certificates by turns; loops are in a scene of the robot's name beside it. With --record, what was
-found of each robot is a line of JSON in a file: the command again goes on with the robots that are
-not there yet. Each table has a file of its own.
+rounding only. Times are minima of runs with and without certificates by turns, of robots or, for
+"mechanisms", of benchmarks/closed_robots.py; loops are in a scene of the robot's name beside it.
+With --record, what was found of each robot is a line of JSON in a file: the command again goes on
+with the robots that are not there yet. Each table has a file of its own.
 """
 
 from __future__ import annotations
@@ -27,10 +28,16 @@ import numpy as np
 
 import adagen
 from adagen.build import Toolchain, build_executable
+from adagen.emit import emit
 from adagen.errors import AdagenError
 from adagen.model import Model
+from adagen.plan import make_plan
+from adagen.plan.certificate import certified
+from adagen.schedule import load_profile
+from adagen.search import best_schedule
 from adagen.states import States
 from adagen.studies.stability.bounds import FACTOR, Bounded, Certified, bounded
+from benchmarks.closed_robots import MECHANISMS
 from benchmarks.hard import MODELS, Asked, Record, fastest, hard_mechanisms, hard_robots, study
 
 WAYS = [
@@ -148,10 +155,42 @@ def measured_times(paths: Iterable[Path], toolchain: Toolchain) -> list[str]:
     return lines
 
 
+def measured_mechanisms(_: Asked, __: Record, toolchain: Toolchain) -> list[str]:
+    """Return the table of times of mechanisms, plain and certified, which nothing is asked of."""
+    lines = [
+        "| mechanism | plain, ns | certified, ns | ratio | batch: plain | certified | ratio |",
+        "|---|--:|--:|--:|--:|--:|--:|",
+    ]
+    profile = load_profile("default")
+    for name, make in MECHANISMS.items():
+        model = make()
+        plain = make_plan(model, best_schedule(model, 1, profile))
+        cells = [name]
+        for batch in (0, 1):
+            try:
+                plans = [each.alternatives[-batch] for each in (plain, certified(plain))]
+            except AdagenError as error:
+                print(f"{name}: {error}", file=sys.stderr)
+                break
+            sources = [emit(each, name="timed", shape="unrolled", batch=batch) for each in plans]
+            programs = [
+                build_executable(each["timed_p1.cpp"], "timed_p1", toolchain) for each in sources
+            ]
+            least = fastest(programs, toolchain)
+            cells += [*(f"{x:.0f}" for x in least), f"{least[1] / least[0]:.2f}"]
+        else:
+            lines.append(f"| {' | '.join(cells)} |")
+    return lines
+
+
 def main() -> int:
     """Print a table, or put it into a document."""
     usual = Asked(24, 400, 1)
-    tables = {"errors": measured_errors, "loops": measured_loops}
+    tables = {
+        "errors": measured_errors,
+        "loops": measured_loops,
+        "mechanisms": measured_mechanisms,
+    }
     return study("certificates", __doc__, usual, ROBOTS, tables, measured_times)
 
 
