@@ -51,24 +51,21 @@ def test_clang_has_nothing_to_say(stem: str, part: tuple[str, ...], builder: Bui
     builder.with_compiler("clang++").check(text(BY_STEM[stem]), stem, quiet)
 
 
-RARE = [options_of(False, "float")]
 KINDS = [options_of(mpi, number) for mpi in (False, True) for number in ("double", "float")]
 
 
-@pytest.mark.parametrize(
-    "kind", [pytest.param(kind, marks=() if kind in RARE else pytest.mark.slow) for kind in KINDS]
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", KINDS)
 def test_gcc_has_nothing_to_say_of_the_program(kind: str, builder: Builder) -> None:
-    """Of the usual kinds in each test that builds a solver: there, too, a warning is an error."""
+    """Quick tests build solvers with programs of each kind: there, too, a warning is an error."""
     builder.check(program_text(), "adagen_program", (*kind.split(), *QUICK))
 
 
 @clang
-@pytest.mark.parametrize(
-    "kind",
-    [KINDS[0], *(pytest.param(kind, marks=pytest.mark.slow) for kind in KINDS[1:3]), KINDS[3]],
-)
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", KINDS)
 def test_clang_has_nothing_to_say_of_the_program(kind: str, builder: Builder) -> None:
+    """The same with clang++, where quick tests build three of four kinds."""
     flags = ("-Wno-unused-command-line-argument", *kind.split(), *QUICK)
     builder.with_compiler("clang++").check(program_text(), "adagen_program", flags)
 

@@ -67,9 +67,7 @@ def test_what_is_computed_is_true(name: str) -> None:
     assert error < case.magnified * ROUNDING["double"]
 
 
-@pytest.mark.parametrize(
-    "k", [pytest.param(k, marks=[pytest.mark.slow] * (k > 2)) for k in range(20)]
-)
+@pytest.mark.parametrize("k", range(20))
 def test_straight_lines_of_random_robots_are_the_executor(
     k: int, builder: Builder, tmp_path: Path
 ) -> None:
