@@ -103,14 +103,18 @@ def fit_steps(samples: Sequence[Sample]) -> dict[str, float]:
         size = np.sqrt((rows**2).sum(axis=0).mean())
         stacked = np.vstack([rows, _STEADY * size * alike])
         x = nnls(stacked, np.concatenate([b * scale * weight, np.zeros(len(alike))]))
-        off = np.abs((A @ x - b) * scale)
-        typical = max(1e-3, float(np.median(off)))
-        weight = np.sqrt(np.minimum(1.0, 2 * typical / np.maximum(off, 1e-12)))  # Huber
+        weight = huber(np.abs((A @ x - b) * scale))
     table = {name: float(x[k]) for k, name in enumerate(NAMES)}
     for group in ("propagate", "deliver"):
         if not A[:, column[f"{group}.reversed"]].any():  # turning a joint round costs the same
             table[f"{group}.reversed"] = table["accelerate.reversed"]
     return table
+
+
+def huber(off: Array) -> Array:
+    """Return what equations count by how far off they are: those that are far off count less."""
+    typical = max(1e-3, float(np.median(off)))
+    return np.sqrt(np.minimum(1.0, 2 * typical / np.maximum(off, 1e-12)))
 
 
 def _alike() -> Array:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.calibrate.fit import SHORT, Sample
+from adagen.calibrate.fit import SHORT, Sample, huber
 from adagen.calibrate.nnls import nnls
 from adagen.cost.straight import straight_stretches
 from adagen.executor.stretches import SINES, WAITS, at_once
@@ -21,6 +21,7 @@ HELD = range(1000, 6001, 500)
 _WORK = ("unrolled.operation", "unrolled.move", "unrolled.fetched")
 _NAMES = (*_WORK, WAITS, SINES, "unrolled.evaluation")
 _TURNS = 60
+_BEYOND = 5
 
 
 @dataclass(frozen=True)
@@ -73,32 +74,38 @@ def _timed(sample: Sample) -> Iterator[Timed]:
 def fit_straight(timed: Sequence[Timed]) -> dict[str, float]:
     """Return the coefficients of straight lines of statements, microseconds.
 
-    How many statements the first instruction cache holds is what explains the times best.
+    How many statements the first instruction cache holds is what explains the times best, of
+    numbers that several lines are longer than: one by itself would be explained by anything.
     """
-    return min((_fit(timed, float(held)) for held in HELD), key=lambda found: found[0])[1]
+    lengths = sorted(each.statements for each in timed)
+    most = lengths[-min(_BEYOND, len(lengths))]
+    tried = [held for held in HELD if held < most] or HELD[:1]
+    return min((_fit(timed, float(held)) for held in tried), key=lambda found: found[0])[1]
 
 
 def _fit(timed: Sequence[Timed], held: float) -> tuple[float, dict[str, float]]:
     """Return how far off the times are, and the coefficients by which they are.
 
     A time is linear in its operations and its waits but for ``at_once``; that is a sum of both with
-    weights that depend on them, from turn to turn.
+    weights that depend on them, from turn to turn. A line whose instructions happen to lie badly in
+    the caches takes longer in all its runs: it counts for less (Huber).
     """
     weight = 1 / np.array([each.time for each in timed])
     A = np.array([each.row(held) for each in timed]) * weight[:, None]
     work, waits = range(len(_WORK)), _NAMES.index(WAITS)
-    weights = np.full((len(timed), 2), 0.5)
+    weights, trust = np.full((len(timed), 2), 0.5), np.ones(len(timed))
     for _ in range(_TURNS):
         B = A.copy()
         B[:, work] *= weights[:, :1]
         B[:, waits] *= weights[:, 1]
-        x = nnls(B, np.ones(len(timed)))
+        x = nnls(B * trust[:, None], trust)
         parts = np.column_stack([A[:, work] @ x[work], A[:, waits] * x[waits]])
         both = np.array([at_once(*each) for each in parts])
         # By Euler's theorem the sum with these weights is what both take together.
         weights = np.maximum((parts / np.maximum(both, 1e-12)[:, None]) ** 3, 1e-9)
-    off = both + A[:, waits + 1 :] @ x[waits + 1 :] - 1
-    return float((off**2).sum()), {
+        off = np.abs(both + A[:, waits + 1 :] @ x[waits + 1 :] - 1)
+        trust = huber(off)
+    return float(off.sum()), {
         **dict(zip(_NAMES, map(float, x), strict=True)),
         "unrolled.held": held,
     }
