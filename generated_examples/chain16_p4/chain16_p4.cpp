@@ -1,15 +1,15 @@
 // Forward dynamics of "chain16" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // command   adagen ../models/chain16.urdf --procs 4 --form=ada --channel=message
-// input     profile default, sha256 7212f79f076826295046b57bc1c2ad583fd0f0a582d41e23f2342820958c62e8
+// input     profile default, sha256 8872469473a16616fb35eb0cbe19e7438b62853be4a16ebc93dcd28eb93898a1
 // options   form ada, shape joints, scalar double, channel message, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI
-// program   4 processes, joined at cuts; 2.34 us predicted (default profile)
-//           process 0: joint01 .. joint06, joint10
-//           process 1: joint07 .. joint09
-//           process 2: joint11 .. joint14
-//           process 3: joint15 .. joint16
-// schedule  joint10@0-3(joint06@0-1(joint05@0(joint04(joint03(joint02(joint01|)|)|)|) | joint07@1(|joint08(|joint09))) | joint14@2-3(joint11@2(|joint12(|joint13)) | joint15@3(|joint16)))
+// program   4 processes, joined at cuts; 2.17 us predicted (default profile)
+//           process 0: joint01 .. joint05, joint09
+//           process 1: joint06 .. joint08
+//           process 2: joint10 .. joint13
+//           process 3: joint14 .. joint16
+// schedule  joint09@0-3(joint05@0-1(joint04@0(joint03(joint02(joint01|)|)|) | joint06@1(|joint07(|joint08))) | joint13@2-3(joint10@2(|joint11(|joint12)) | joint14@3(|joint15(|joint16))))
 // licence   yours to choose: generated code belongs to its user
 //
 // Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
@@ -152,18 +152,18 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 namespace {
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 12> kMessages{ {
-    {1, 0, 120},  // 0: assembled: chain of "joint07"
-    {3, 2, 42},  // 1: assembled: chain of "joint15"
-    {2, 0, 42},  // 2: assembled: chain of "joint14"
-    {0, 2, 6},  // 3: forces on: chain of "joint14"
-    {0, 1, 12},  // 4: forces on: chain of "joint07"
-    {2, 3, 6},  // 5: forces on: chain of "joint15"
-    {0, 1, 21},  // 6: state
+    {1, 0, 120},  // 0: assembled: chain of "joint06"
+    {3, 2, 42},  // 1: assembled: chain of "joint14"
+    {2, 0, 42},  // 2: assembled: chain of "joint13"
+    {0, 2, 6},  // 3: forces on: chain of "joint13"
+    {0, 1, 12},  // 4: forces on: chain of "joint06"
+    {2, 3, 6},  // 5: forces on: chain of "joint14"
+    {0, 1, 19},  // 6: state
     {1, 0, 3},  // 7: accelerations
-    {0, 2, 32},  // 8: state
+    {0, 2, 30},  // 8: state
     {2, 0, 4},  // 9: accelerations
-    {0, 3, 34},  // 10: state
-    {3, 0, 2},  // 11: accelerations
+    {0, 3, 35},  // 10: state
+    {3, 0, 3},  // 11: accelerations
 } };
 
 }  // namespace
@@ -223,23 +223,27 @@ struct Joint_joint04 {
 struct Joint_joint05 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod05"
-  Columns6 b;  // bias of the bare link "rod05"
-  Mat6 Phi_rod05;  // of the chain it completes
-  Columns6 b_rod05;
+  Mat6 Phi_rod08;  // of the chain it completes
+  Columns6 b_rod08;
   Joined<Revolute> joined;
-  Coupled<Revolute> at_rod05;
-  Columns6 F_on_rod05;  // outer wrench on that chain
+  Coupled<Revolute> at_rod08;
+  Columns6 b;  // bias of the bare link "rod05"
+  Columns6 F_on_rod08;  // outer wrench on that chain
 };
 
 struct Joint_joint06 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod06"
-  Mat6 Phi_rod09;  // of the chain it completes
-  Columns6 b_rod09;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod09;
   Columns6 b;  // bias of the bare link "rod06"
-  Columns6 F_on_rod09;  // outer wrench on that chain
+  Mat6 Phi_rod05;  // of the chain it completes
+  Mat6 Phi_rod05_rod08;  // of the chain it completes
+  Mat6 Phi_rod08;  // of the chain it completes
+  Columns6 b_rod05;
+  Columns6 b_rod08;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod05;
+  Coupled<Revolute> at_rod08;
+  Columns6 F_on_rod05;  // outer wrench on that chain
 };
 
 struct Joint_joint07 {
@@ -247,13 +251,13 @@ struct Joint_joint07 {
   Vec6 v;  // velocity of link "rod07"
   Columns6 b;  // bias of the bare link "rod07"
   Mat6 Phi_rod06;  // of the chain it completes
-  Mat6 Phi_rod06_rod09;  // of the chain it completes
-  Mat6 Phi_rod09;  // of the chain it completes
+  Mat6 Phi_rod06_rod08;  // of the chain it completes
+  Mat6 Phi_rod08;  // of the chain it completes
   Columns6 b_rod06;
-  Columns6 b_rod09;
+  Columns6 b_rod08;
   Joined<Revolute> joined;
   Coupled<Revolute> at_rod06;
-  Coupled<Revolute> at_rod09;
+  Coupled<Revolute> at_rod08;
   Columns6 F_on_rod06;  // outer wrench on that chain
 };
 
@@ -262,36 +266,36 @@ struct Joint_joint08 {
   Vec6 v;  // velocity of link "rod08"
   Columns6 b;  // bias of the bare link "rod08"
   Mat6 Phi_rod07;  // of the chain it completes
-  Mat6 Phi_rod07_rod09;  // of the chain it completes
-  Mat6 Phi_rod09;  // of the chain it completes
+  Mat6 Phi_rod07_rod08;  // of the chain it completes
+  Mat6 Phi_rod08;  // of the chain it completes
   Columns6 b_rod07;
-  Columns6 b_rod09;
+  Columns6 b_rod08;
   Joined<Revolute> joined;
   Coupled<Revolute> at_rod07;
-  Coupled<Revolute> at_rod09;
+  Coupled<Revolute> at_rod08;
   Columns6 F_on_rod07;  // outer wrench on that chain
 };
 
 struct Joint_joint09 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod09"
-  Columns6 b;  // bias of the bare link "rod09"
-  Mat6 Phi_rod08;  // of the chain it completes
-  Mat6 Phi_rod08_rod09;  // of the chain it completes
-  Mat6 Phi_rod09;  // of the chain it completes
-  Columns6 b_rod08;
-  Columns6 b_rod09;
   Joined<Revolute> joined;
-  Coupled<Revolute> at_rod08;
-  Coupled<Revolute> at_rod09;
-  Columns6 F_on_rod08;  // outer wrench on that chain
+  Columns6 b;  // bias of the bare link "rod09"
 };
 
 struct Joint_joint10 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod10"
-  Joined<Revolute> joined;
   Columns6 b;  // bias of the bare link "rod10"
+  Mat6 Phi_rod09;  // of the chain it completes
+  Mat6 Phi_rod09_rod12;  // of the chain it completes
+  Mat6 Phi_rod12;  // of the chain it completes
+  Columns6 b_rod09;
+  Columns6 b_rod12;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod09;
+  Coupled<Revolute> at_rod12;
+  Columns6 F_on_rod12;  // outer wrench on that chain
 };
 
 struct Joint_joint11 {
@@ -299,14 +303,14 @@ struct Joint_joint11 {
   Vec6 v;  // velocity of link "rod11"
   Columns6 b;  // bias of the bare link "rod11"
   Mat6 Phi_rod10;  // of the chain it completes
-  Mat6 Phi_rod10_rod13;  // of the chain it completes
-  Mat6 Phi_rod13;  // of the chain it completes
+  Mat6 Phi_rod10_rod12;  // of the chain it completes
+  Mat6 Phi_rod12;  // of the chain it completes
   Columns6 b_rod10;
-  Columns6 b_rod13;
+  Columns6 b_rod12;
   Joined<Revolute> joined;
   Coupled<Revolute> at_rod10;
-  Coupled<Revolute> at_rod13;
-  Columns6 F_on_rod13;  // outer wrench on that chain
+  Coupled<Revolute> at_rod12;
+  Columns6 F_on_rod10;  // outer wrench on that chain
 };
 
 struct Joint_joint12 {
@@ -314,40 +318,36 @@ struct Joint_joint12 {
   Vec6 v;  // velocity of link "rod12"
   Columns6 b;  // bias of the bare link "rod12"
   Mat6 Phi_rod11;  // of the chain it completes
-  Mat6 Phi_rod11_rod13;  // of the chain it completes
-  Mat6 Phi_rod13;  // of the chain it completes
+  Mat6 Phi_rod11_rod12;  // of the chain it completes
+  Mat6 Phi_rod12;  // of the chain it completes
   Columns6 b_rod11;
-  Columns6 b_rod13;
+  Columns6 b_rod12;
   Joined<Revolute> joined;
   Coupled<Revolute> at_rod11;
-  Coupled<Revolute> at_rod13;
+  Coupled<Revolute> at_rod12;
   Columns6 F_on_rod11;  // outer wrench on that chain
 };
 
 struct Joint_joint13 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod13"
-  Columns6 b;  // bias of the bare link "rod13"
-  Mat6 Phi_rod12;  // of the chain it completes
-  Mat6 Phi_rod12_rod13;  // of the chain it completes
-  Mat6 Phi_rod13;  // of the chain it completes
-  Columns6 b_rod12;
-  Columns6 b_rod13;
+  Mat6 Phi_rod09;  // of the chain it completes
+  Columns6 b_rod09;
   Joined<Revolute> joined;
-  Coupled<Revolute> at_rod12;
-  Coupled<Revolute> at_rod13;
-  Columns6 F_on_rod12;  // outer wrench on that chain
+  Coupled<Revolute> at_rod09;
+  Columns6 b;  // bias of the bare link "rod13"
+  Columns6 F_on_rod09;  // outer wrench on that chain
 };
 
 struct Joint_joint14 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod14"
-  Mat6 Phi_rod10;  // of the chain it completes
-  Columns6 b_rod10;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod10;
   Columns6 b;  // bias of the bare link "rod14"
-  Columns6 F_on_rod10;  // outer wrench on that chain
+  Mat6 Phi_rod13;  // of the chain it completes
+  Columns6 b_rod13;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod13;
+  Columns6 F_on_rod13;  // outer wrench on that chain
 };
 
 struct Joint_joint15 {
@@ -586,7 +586,7 @@ void kinematics_joint05(Workspace& w) {
   i.v = i.X * w.j_joint04.v + joint_velocity<Revolute>(w.v + 4);
 }
 
-// A: the chain of "joint04"; B: link "rod05"; C feels the joint at "rod05"
+// A: the chain of "joint04"; B: the chain of "joint06"; C feels the joint at "rod08"
 void assemble_joint05(Workspace& w) {
   auto& i = w.j_joint05;
   load_torque(w, 4, 4, i.joined.tau);
@@ -594,22 +594,23 @@ void assemble_joint05(Workspace& w) {
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 4);
   constexpr std::array<Real, 6> least{7.157930644734229e-11, 1.5829154999642512e-12, 1.5829154999642512e-12, 2.842170943040401e-14, 7.073701457568329e-14, 7.073701457568329e-14};
-  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod05, least))
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint06.Phi_rod05, least))
     fail(w, kGrowth, 4);
-  if (!join(i.joined, Phi_A, kPhi_rod05, i.X * w.j_joint04.b_rod04, w.j_joint05.b, c))
+  if (!join(i.joined, Phi_A, w.j_joint06.Phi_rod05, i.X * w.j_joint04.b_rod04, w.j_joint06.b_rod05, c))
     fail(w, kFactorization, 4);
-  couple(i.joined, kPhi_rod05, i.at_rod05);
-  i.Phi_rod05 = kPhi_rod05 - product(i.at_rod05, i.at_rod05);  // Eq. (4)
-  i.b_rod05 = w.j_joint05.b + bias_change(i.joined, i.at_rod05);  // Eq. (7)
+  couple(i.joined, w.j_joint06.Phi_rod05_rod08, i.at_rod08);
+  i.Phi_rod08 = w.j_joint06.Phi_rod08 - product(i.at_rod08, i.at_rod08);  // Eq. (4)
+  i.b_rod08 = w.j_joint06.b_rod08 + bias_change(i.joined, i.at_rod08);  // Eq. (7)
 }
 
 void disassemble_joint05(Workspace& w) {
   auto& i = w.j_joint05;
   Release<Revolute> release(i.joined);
-  release.feel_B(i.at_rod05, w.j_joint05.F_on_rod05);
+  release.feel_B(i.at_rod08, w.j_joint05.F_on_rod08);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 4, 4, release.qdd());  // Eq. (9)
   w.j_joint04.F_on_rod04 = -i.X.transposed_times(f);
+  w.j_joint06.F_on_rod05 = f;
 }
 
 // ---- joint 5 "joint06": revolute, between links "rod05" and "rod06"
@@ -626,30 +627,34 @@ void kinematics_joint06(Workspace& w) {
   i.v = i.X * w.j_joint05.v + joint_velocity<Revolute>(w.v + 5);
 }
 
-// A: the chain of "joint05"; B: the chain of "joint07"; C feels the joint at "rod09"
+// A: link "rod05"; B: the chain of "joint07"; C feels the joint at "rod05", "rod08"
 void assemble_joint06(Workspace& w) {
   auto& i = w.j_joint06;
   load_torque(w, 5, 5, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint05.Phi_rod05;
+  const Mat6 X_Phi_A = i.X * kPhi_rod05;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 5);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 1.5829154999642512e-12, 7.157930644734229e-11, 7.073701457568329e-14, 7.073701457568329e-14, 2.842170943040401e-14};
   if (!keeps_digits<Revolute>(Phi_A, w.j_joint07.Phi_rod06, least))
     fail(w, kGrowth, 5);
-  if (!join(i.joined, Phi_A, w.j_joint07.Phi_rod06, i.X * w.j_joint05.b_rod05, w.j_joint07.b_rod06, c))
+  if (!join(i.joined, Phi_A, w.j_joint07.Phi_rod06, i.X * w.j_joint05.b, w.j_joint07.b_rod06, c))
     fail(w, kFactorization, 5);
-  couple(i.joined, w.j_joint07.Phi_rod06_rod09, i.at_rod09);
-  i.Phi_rod09 = w.j_joint07.Phi_rod09 - product(i.at_rod09, i.at_rod09);  // Eq. (4)
-  i.b_rod09 = w.j_joint07.b_rod09 + bias_change(i.joined, i.at_rod09);  // Eq. (7)
+  couple(i.joined, X_Phi_A, i.at_rod05);
+  couple(i.joined, w.j_joint07.Phi_rod06_rod08, i.at_rod08);
+  i.Phi_rod05 = kPhi_rod05 - product(i.at_rod05, i.at_rod05);  // Eq. (3)
+  i.Phi_rod05_rod08 = product(i.at_rod05, i.at_rod08);  // Eq. (5)
+  i.Phi_rod08 = w.j_joint07.Phi_rod08 - product(i.at_rod08, i.at_rod08);  // Eq. (4)
+  i.b_rod05 = w.j_joint05.b - bias_change(i.joined, i.at_rod05);  // Eq. (6)
+  i.b_rod08 = w.j_joint07.b_rod08 + bias_change(i.joined, i.at_rod08);  // Eq. (7)
 }
 
 void disassemble_joint06(Workspace& w) {
   auto& i = w.j_joint06;
   Release<Revolute> release(i.joined);
-  release.feel_B(i.at_rod09, w.j_joint06.F_on_rod09);
+  release.feel_A(i.at_rod05, w.j_joint06.F_on_rod05);
+  release.feel_B(i.at_rod08, w.j_joint05.F_on_rod08);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 5, 5, release.qdd());  // Eq. (9)
-  w.j_joint05.F_on_rod05 = -i.X.transposed_times(f);
   w.j_joint07.F_on_rod06 = f;
 }
 
@@ -667,7 +672,7 @@ void kinematics_joint07(Workspace& w) {
   i.v = i.X * w.j_joint06.v + joint_velocity<Revolute>(w.v + 6);
 }
 
-// A: link "rod06"; B: the chain of "joint08"; C feels the joint at "rod06", "rod09"
+// A: link "rod06"; B: the chain of "joint08"; C feels the joint at "rod06", "rod08"
 void assemble_joint07(Workspace& w) {
   auto& i = w.j_joint07;
   load_torque(w, 6, 6, i.joined.tau);
@@ -680,19 +685,19 @@ void assemble_joint07(Workspace& w) {
   if (!join(i.joined, Phi_A, w.j_joint08.Phi_rod07, i.X * w.j_joint06.b, w.j_joint08.b_rod07, c))
     fail(w, kFactorization, 6);
   couple(i.joined, X_Phi_A, i.at_rod06);
-  couple(i.joined, w.j_joint08.Phi_rod07_rod09, i.at_rod09);
+  couple(i.joined, w.j_joint08.Phi_rod07_rod08, i.at_rod08);
   i.Phi_rod06 = kPhi_rod06 - product(i.at_rod06, i.at_rod06);  // Eq. (3)
-  i.Phi_rod06_rod09 = product(i.at_rod06, i.at_rod09);  // Eq. (5)
-  i.Phi_rod09 = w.j_joint08.Phi_rod09 - product(i.at_rod09, i.at_rod09);  // Eq. (4)
+  i.Phi_rod06_rod08 = product(i.at_rod06, i.at_rod08);  // Eq. (5)
+  i.Phi_rod08 = w.j_joint08.Phi_rod08 - product(i.at_rod08, i.at_rod08);  // Eq. (4)
   i.b_rod06 = w.j_joint06.b - bias_change(i.joined, i.at_rod06);  // Eq. (6)
-  i.b_rod09 = w.j_joint08.b_rod09 + bias_change(i.joined, i.at_rod09);  // Eq. (7)
+  i.b_rod08 = w.j_joint08.b_rod08 + bias_change(i.joined, i.at_rod08);  // Eq. (7)
 }
 
 void disassemble_joint07(Workspace& w) {
   auto& i = w.j_joint07;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_rod06, w.j_joint07.F_on_rod06);
-  release.feel_B(i.at_rod09, w.j_joint06.F_on_rod09);
+  release.feel_B(i.at_rod08, w.j_joint05.F_on_rod08);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 6, 6, release.qdd());  // Eq. (9)
   w.j_joint08.F_on_rod07 = f;
@@ -712,7 +717,7 @@ void kinematics_joint08(Workspace& w) {
   i.v = i.X * w.j_joint07.v + joint_velocity<Revolute>(w.v + 7);
 }
 
-// A: link "rod07"; B: the chain of "joint09"; C feels the joint at "rod07", "rod09"
+// A: link "rod07"; B: link "rod08"; C feels the joint at "rod07", "rod08"
 void assemble_joint08(Workspace& w) {
   auto& i = w.j_joint08;
   load_torque(w, 7, 7, i.joined.tau);
@@ -720,27 +725,26 @@ void assemble_joint08(Workspace& w) {
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 7);
   constexpr std::array<Real, 6> least{7.157930644734229e-11, 1.5829154999642512e-12, 1.5829154999642512e-12, 2.842170943040401e-14, 7.073701457568329e-14, 7.073701457568329e-14};
-  if (!keeps_digits<Revolute>(Phi_A, w.j_joint09.Phi_rod08, least))
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod08, least))
     fail(w, kGrowth, 7);
-  if (!join(i.joined, Phi_A, w.j_joint09.Phi_rod08, i.X * w.j_joint07.b, w.j_joint09.b_rod08, c))
+  if (!join(i.joined, Phi_A, kPhi_rod08, i.X * w.j_joint07.b, w.j_joint08.b, c))
     fail(w, kFactorization, 7);
   couple(i.joined, X_Phi_A, i.at_rod07);
-  couple(i.joined, w.j_joint09.Phi_rod08_rod09, i.at_rod09);
+  couple(i.joined, kPhi_rod08, i.at_rod08);
   i.Phi_rod07 = kPhi_rod07 - product(i.at_rod07, i.at_rod07);  // Eq. (3)
-  i.Phi_rod07_rod09 = product(i.at_rod07, i.at_rod09);  // Eq. (5)
-  i.Phi_rod09 = w.j_joint09.Phi_rod09 - product(i.at_rod09, i.at_rod09);  // Eq. (4)
+  i.Phi_rod07_rod08 = product(i.at_rod07, i.at_rod08);  // Eq. (5)
+  i.Phi_rod08 = kPhi_rod08 - product(i.at_rod08, i.at_rod08);  // Eq. (4)
   i.b_rod07 = w.j_joint07.b - bias_change(i.joined, i.at_rod07);  // Eq. (6)
-  i.b_rod09 = w.j_joint09.b_rod09 + bias_change(i.joined, i.at_rod09);  // Eq. (7)
+  i.b_rod08 = w.j_joint08.b + bias_change(i.joined, i.at_rod08);  // Eq. (7)
 }
 
 void disassemble_joint08(Workspace& w) {
   auto& i = w.j_joint08;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_rod07, w.j_joint08.F_on_rod07);
-  release.feel_B(i.at_rod09, w.j_joint06.F_on_rod09);
-  const Columns6 f = release.force();  // Eq. (8), (10)
+  release.feel_B(i.at_rod08, w.j_joint05.F_on_rod08);
+  release.force();  // Eq. (8)
   store_acceleration(w, 7, 7, release.qdd());  // Eq. (9)
-  w.j_joint09.F_on_rod08 = f;
 }
 
 // ---- joint 8 "joint09": revolute, between links "rod08" and "rod09"
@@ -757,34 +761,27 @@ void kinematics_joint09(Workspace& w) {
   i.v = i.X * w.j_joint08.v + joint_velocity<Revolute>(w.v + 8);
 }
 
-// A: link "rod08"; B: link "rod09"; C feels the joint at "rod08", "rod09"
+// A: the chain of "joint05"; B: the chain of "joint13"; C feels the joint at no link
 void assemble_joint09(Workspace& w) {
   auto& i = w.j_joint09;
   load_torque(w, 8, 8, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_rod08;
+  const Mat6 X_Phi_A = i.X * w.j_joint05.Phi_rod08;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 8);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 1.5829154999642512e-12, 7.157930644734229e-11, 7.073701457568329e-14, 7.073701457568329e-14, 2.842170943040401e-14};
-  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod09, least))
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint13.Phi_rod09, least))
     fail(w, kGrowth, 8);
-  if (!join(i.joined, Phi_A, kPhi_rod09, i.X * w.j_joint08.b, w.j_joint09.b, c))
+  if (!join(i.joined, Phi_A, w.j_joint13.Phi_rod09, i.X * w.j_joint05.b_rod08, w.j_joint13.b_rod09, c))
     fail(w, kFactorization, 8);
-  couple(i.joined, X_Phi_A, i.at_rod08);
-  couple(i.joined, kPhi_rod09, i.at_rod09);
-  i.Phi_rod08 = kPhi_rod08 - product(i.at_rod08, i.at_rod08);  // Eq. (3)
-  i.Phi_rod08_rod09 = product(i.at_rod08, i.at_rod09);  // Eq. (5)
-  i.Phi_rod09 = kPhi_rod09 - product(i.at_rod09, i.at_rod09);  // Eq. (4)
-  i.b_rod08 = w.j_joint08.b - bias_change(i.joined, i.at_rod08);  // Eq. (6)
-  i.b_rod09 = w.j_joint09.b + bias_change(i.joined, i.at_rod09);  // Eq. (7)
 }
 
 void disassemble_joint09(Workspace& w) {
   auto& i = w.j_joint09;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod08, w.j_joint09.F_on_rod08);
-  release.feel_B(i.at_rod09, w.j_joint06.F_on_rod09);
-  release.force();  // Eq. (8)
+  const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 8, 8, release.qdd());  // Eq. (9)
+  w.j_joint05.F_on_rod08 = -i.X.transposed_times(f);
+  w.j_joint13.F_on_rod09 = f;
 }
 
 // ---- joint 9 "joint10": revolute, between links "rod09" and "rod10"
@@ -801,27 +798,35 @@ void kinematics_joint10(Workspace& w) {
   i.v = i.X * w.j_joint09.v + joint_velocity<Revolute>(w.v + 9);
 }
 
-// A: the chain of "joint06"; B: the chain of "joint14"; C feels the joint at no link
+// A: link "rod09"; B: the chain of "joint11"; C feels the joint at "rod09", "rod12"
 void assemble_joint10(Workspace& w) {
   auto& i = w.j_joint10;
   load_torque(w, 9, 9, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint06.Phi_rod09;
+  const Mat6 X_Phi_A = i.X * kPhi_rod09;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 9);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
-  if (!keeps_digits<Revolute>(Phi_A, w.j_joint14.Phi_rod10, least))
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint11.Phi_rod10, least))
     fail(w, kGrowth, 9);
-  if (!join(i.joined, Phi_A, w.j_joint14.Phi_rod10, i.X * w.j_joint06.b_rod09, w.j_joint14.b_rod10, c))
+  if (!join(i.joined, Phi_A, w.j_joint11.Phi_rod10, i.X * w.j_joint09.b, w.j_joint11.b_rod10, c))
     fail(w, kFactorization, 9);
+  couple(i.joined, X_Phi_A, i.at_rod09);
+  couple(i.joined, w.j_joint11.Phi_rod10_rod12, i.at_rod12);
+  i.Phi_rod09 = kPhi_rod09 - product(i.at_rod09, i.at_rod09);  // Eq. (3)
+  i.Phi_rod09_rod12 = product(i.at_rod09, i.at_rod12);  // Eq. (5)
+  i.Phi_rod12 = w.j_joint11.Phi_rod12 - product(i.at_rod12, i.at_rod12);  // Eq. (4)
+  i.b_rod09 = w.j_joint09.b - bias_change(i.joined, i.at_rod09);  // Eq. (6)
+  i.b_rod12 = w.j_joint11.b_rod12 + bias_change(i.joined, i.at_rod12);  // Eq. (7)
 }
 
 void disassemble_joint10(Workspace& w) {
   auto& i = w.j_joint10;
   Release<Revolute> release(i.joined);
+  release.feel_A(i.at_rod09, w.j_joint13.F_on_rod09);
+  release.feel_B(i.at_rod12, w.j_joint10.F_on_rod12);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 9, 9, release.qdd());  // Eq. (9)
-  w.j_joint06.F_on_rod09 = -i.X.transposed_times(f);
-  w.j_joint14.F_on_rod10 = f;
+  w.j_joint11.F_on_rod10 = f;
 }
 
 // ---- joint 10 "joint11": revolute, between links "rod10" and "rod11"
@@ -838,7 +843,7 @@ void kinematics_joint11(Workspace& w) {
   i.v = i.X * w.j_joint10.v + joint_velocity<Revolute>(w.v + 10);
 }
 
-// A: link "rod10"; B: the chain of "joint12"; C feels the joint at "rod10", "rod13"
+// A: link "rod10"; B: the chain of "joint12"; C feels the joint at "rod10", "rod12"
 void assemble_joint11(Workspace& w) {
   auto& i = w.j_joint11;
   load_torque(w, 10, 10, i.joined.tau);
@@ -851,19 +856,19 @@ void assemble_joint11(Workspace& w) {
   if (!join(i.joined, Phi_A, w.j_joint12.Phi_rod11, i.X * w.j_joint10.b, w.j_joint12.b_rod11, c))
     fail(w, kFactorization, 10);
   couple(i.joined, X_Phi_A, i.at_rod10);
-  couple(i.joined, w.j_joint12.Phi_rod11_rod13, i.at_rod13);
+  couple(i.joined, w.j_joint12.Phi_rod11_rod12, i.at_rod12);
   i.Phi_rod10 = kPhi_rod10 - product(i.at_rod10, i.at_rod10);  // Eq. (3)
-  i.Phi_rod10_rod13 = product(i.at_rod10, i.at_rod13);  // Eq. (5)
-  i.Phi_rod13 = w.j_joint12.Phi_rod13 - product(i.at_rod13, i.at_rod13);  // Eq. (4)
+  i.Phi_rod10_rod12 = product(i.at_rod10, i.at_rod12);  // Eq. (5)
+  i.Phi_rod12 = w.j_joint12.Phi_rod12 - product(i.at_rod12, i.at_rod12);  // Eq. (4)
   i.b_rod10 = w.j_joint10.b - bias_change(i.joined, i.at_rod10);  // Eq. (6)
-  i.b_rod13 = w.j_joint12.b_rod13 + bias_change(i.joined, i.at_rod13);  // Eq. (7)
+  i.b_rod12 = w.j_joint12.b_rod12 + bias_change(i.joined, i.at_rod12);  // Eq. (7)
 }
 
 void disassemble_joint11(Workspace& w) {
   auto& i = w.j_joint11;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod10, w.j_joint14.F_on_rod10);
-  release.feel_B(i.at_rod13, w.j_joint11.F_on_rod13);
+  release.feel_A(i.at_rod10, w.j_joint11.F_on_rod10);
+  release.feel_B(i.at_rod12, w.j_joint10.F_on_rod12);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 10, 10, release.qdd());  // Eq. (9)
   w.j_joint12.F_on_rod11 = f;
@@ -883,7 +888,7 @@ void kinematics_joint12(Workspace& w) {
   i.v = i.X * w.j_joint11.v + joint_velocity<Revolute>(w.v + 11);
 }
 
-// A: link "rod11"; B: the chain of "joint13"; C feels the joint at "rod11", "rod13"
+// A: link "rod11"; B: link "rod12"; C feels the joint at "rod11", "rod12"
 void assemble_joint12(Workspace& w) {
   auto& i = w.j_joint12;
   load_torque(w, 11, 11, i.joined.tau);
@@ -891,27 +896,26 @@ void assemble_joint12(Workspace& w) {
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 11);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 1.5829154999642512e-12, 7.157930644734229e-11, 7.073701457568329e-14, 7.073701457568329e-14, 2.842170943040401e-14};
-  if (!keeps_digits<Revolute>(Phi_A, w.j_joint13.Phi_rod12, least))
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod12, least))
     fail(w, kGrowth, 11);
-  if (!join(i.joined, Phi_A, w.j_joint13.Phi_rod12, i.X * w.j_joint11.b, w.j_joint13.b_rod12, c))
+  if (!join(i.joined, Phi_A, kPhi_rod12, i.X * w.j_joint11.b, w.j_joint12.b, c))
     fail(w, kFactorization, 11);
   couple(i.joined, X_Phi_A, i.at_rod11);
-  couple(i.joined, w.j_joint13.Phi_rod12_rod13, i.at_rod13);
+  couple(i.joined, kPhi_rod12, i.at_rod12);
   i.Phi_rod11 = kPhi_rod11 - product(i.at_rod11, i.at_rod11);  // Eq. (3)
-  i.Phi_rod11_rod13 = product(i.at_rod11, i.at_rod13);  // Eq. (5)
-  i.Phi_rod13 = w.j_joint13.Phi_rod13 - product(i.at_rod13, i.at_rod13);  // Eq. (4)
+  i.Phi_rod11_rod12 = product(i.at_rod11, i.at_rod12);  // Eq. (5)
+  i.Phi_rod12 = kPhi_rod12 - product(i.at_rod12, i.at_rod12);  // Eq. (4)
   i.b_rod11 = w.j_joint11.b - bias_change(i.joined, i.at_rod11);  // Eq. (6)
-  i.b_rod13 = w.j_joint13.b_rod13 + bias_change(i.joined, i.at_rod13);  // Eq. (7)
+  i.b_rod12 = w.j_joint12.b + bias_change(i.joined, i.at_rod12);  // Eq. (7)
 }
 
 void disassemble_joint12(Workspace& w) {
   auto& i = w.j_joint12;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_rod11, w.j_joint12.F_on_rod11);
-  release.feel_B(i.at_rod13, w.j_joint11.F_on_rod13);
-  const Columns6 f = release.force();  // Eq. (8), (10)
+  release.feel_B(i.at_rod12, w.j_joint10.F_on_rod12);
+  release.force();  // Eq. (8)
   store_acceleration(w, 11, 11, release.qdd());  // Eq. (9)
-  w.j_joint13.F_on_rod12 = f;
 }
 
 // ---- joint 12 "joint13": revolute, between links "rod12" and "rod13"
@@ -928,34 +932,31 @@ void kinematics_joint13(Workspace& w) {
   i.v = i.X * w.j_joint12.v + joint_velocity<Revolute>(w.v + 12);
 }
 
-// A: link "rod12"; B: link "rod13"; C feels the joint at "rod12", "rod13"
+// A: the chain of "joint10"; B: the chain of "joint14"; C feels the joint at "rod09"
 void assemble_joint13(Workspace& w) {
   auto& i = w.j_joint13;
   load_torque(w, 12, 12, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_rod12;
+  const Mat6 X_Phi_A = i.X * w.j_joint10.Phi_rod12;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 12);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
-  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod13, least))
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint14.Phi_rod13, least))
     fail(w, kGrowth, 12);
-  if (!join(i.joined, Phi_A, kPhi_rod13, i.X * w.j_joint12.b, w.j_joint13.b, c))
+  if (!join(i.joined, Phi_A, w.j_joint14.Phi_rod13, i.X * w.j_joint10.b_rod12, w.j_joint14.b_rod13, c))
     fail(w, kFactorization, 12);
-  couple(i.joined, X_Phi_A, i.at_rod12);
-  couple(i.joined, kPhi_rod13, i.at_rod13);
-  i.Phi_rod12 = kPhi_rod12 - product(i.at_rod12, i.at_rod12);  // Eq. (3)
-  i.Phi_rod12_rod13 = product(i.at_rod12, i.at_rod13);  // Eq. (5)
-  i.Phi_rod13 = kPhi_rod13 - product(i.at_rod13, i.at_rod13);  // Eq. (4)
-  i.b_rod12 = w.j_joint12.b - bias_change(i.joined, i.at_rod12);  // Eq. (6)
-  i.b_rod13 = w.j_joint13.b + bias_change(i.joined, i.at_rod13);  // Eq. (7)
+  couple(i.joined, times_transposed(i.X, w.j_joint10.Phi_rod09_rod12), i.at_rod09);
+  i.Phi_rod09 = w.j_joint10.Phi_rod09 - product(i.at_rod09, i.at_rod09);  // Eq. (3)
+  i.b_rod09 = w.j_joint10.b_rod09 - bias_change(i.joined, i.at_rod09);  // Eq. (6)
 }
 
 void disassemble_joint13(Workspace& w) {
   auto& i = w.j_joint13;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod12, w.j_joint13.F_on_rod12);
-  release.feel_B(i.at_rod13, w.j_joint11.F_on_rod13);
-  release.force();  // Eq. (8)
+  release.feel_A(i.at_rod09, w.j_joint13.F_on_rod09);
+  const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 12, 12, release.qdd());  // Eq. (9)
+  w.j_joint10.F_on_rod12 = -i.X.transposed_times(f);
+  w.j_joint14.F_on_rod13 = f;
 }
 
 // ---- joint 13 "joint14": revolute, between links "rod13" and "rod14"
@@ -972,30 +973,29 @@ void kinematics_joint14(Workspace& w) {
   i.v = i.X * w.j_joint13.v + joint_velocity<Revolute>(w.v + 13);
 }
 
-// A: the chain of "joint11"; B: the chain of "joint15"; C feels the joint at "rod10"
+// A: link "rod13"; B: the chain of "joint15"; C feels the joint at "rod13"
 void assemble_joint14(Workspace& w) {
   auto& i = w.j_joint14;
   load_torque(w, 13, 13, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint11.Phi_rod13;
+  const Mat6 X_Phi_A = i.X * kPhi_rod13;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 13);
   constexpr std::array<Real, 6> least{7.157930644734229e-11, 1.5829154999642512e-12, 1.5829154999642512e-12, 2.842170943040401e-14, 7.073701457568329e-14, 7.073701457568329e-14};
   if (!keeps_digits<Revolute>(Phi_A, w.j_joint15.Phi_rod14, least))
     fail(w, kGrowth, 13);
-  if (!join(i.joined, Phi_A, w.j_joint15.Phi_rod14, i.X * w.j_joint11.b_rod13, w.j_joint15.b_rod14, c))
+  if (!join(i.joined, Phi_A, w.j_joint15.Phi_rod14, i.X * w.j_joint13.b, w.j_joint15.b_rod14, c))
     fail(w, kFactorization, 13);
-  couple(i.joined, times_transposed(i.X, w.j_joint11.Phi_rod10_rod13), i.at_rod10);
-  i.Phi_rod10 = w.j_joint11.Phi_rod10 - product(i.at_rod10, i.at_rod10);  // Eq. (3)
-  i.b_rod10 = w.j_joint11.b_rod10 - bias_change(i.joined, i.at_rod10);  // Eq. (6)
+  couple(i.joined, X_Phi_A, i.at_rod13);
+  i.Phi_rod13 = kPhi_rod13 - product(i.at_rod13, i.at_rod13);  // Eq. (3)
+  i.b_rod13 = w.j_joint13.b - bias_change(i.joined, i.at_rod13);  // Eq. (6)
 }
 
 void disassemble_joint14(Workspace& w) {
   auto& i = w.j_joint14;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod10, w.j_joint14.F_on_rod10);
+  release.feel_A(i.at_rod13, w.j_joint14.F_on_rod13);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 13, 13, release.qdd());  // Eq. (9)
-  w.j_joint11.F_on_rod13 = -i.X.transposed_times(f);
   w.j_joint15.F_on_rod14 = f;
 }
 
@@ -1081,7 +1081,7 @@ void disassemble_joint16(Workspace& w) {
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 7 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint05", "joint06", ...; kinematics of 3 more on the way to the ground
+// Process 0: 6 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint05", "joint09"; kinematics of 3 more on the way to the ground
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
   stamp(0);
@@ -1094,7 +1094,6 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_joint07(w);
   kinematics_joint08(w);
   kinematics_joint09(w);
-  kinematics_joint10(w);
   stamp(1);
   link_bias(kLinks[1], w.j_joint01.v, w.j_joint01.b);
   assemble_joint01(w);
@@ -1104,46 +1103,43 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   assemble_joint03(w);
   link_bias(kLinks[4], w.j_joint04.v, w.j_joint04.b);
   assemble_joint04(w);
-  link_bias(kLinks[5], w.j_joint05.v, w.j_joint05.b);
-  assemble_joint05(w);
   stamp(2);
-  {  // from process 1: assembled: chain of "joint07"
+  {  // from process 1: assembled: chain of "joint06"
     const Number* from = channel.receive(0, w.status);
-    from = get(from, w.j_joint07.Phi_rod06);
-    from = get(from, w.j_joint07.Phi_rod06_rod09);
-    from = get(from, w.j_joint07.Phi_rod09);
-    from = get(from, w.j_joint07.b_rod06);
-    get(from, w.j_joint07.b_rod09);
+    from = get(from, w.j_joint06.Phi_rod05);
+    from = get(from, w.j_joint06.Phi_rod05_rod08);
+    from = get(from, w.j_joint06.Phi_rod08);
+    from = get(from, w.j_joint06.b_rod05);
+    get(from, w.j_joint06.b_rod08);
   }
   stamp(3);
-  assemble_joint06(w);
+  assemble_joint05(w);
   stamp(4);
-  {  // from process 2: assembled: chain of "joint14"
+  {  // from process 2: assembled: chain of "joint13"
     const Number* from = channel.receive(2, w.status);
-    from = get(from, w.j_joint14.Phi_rod10);
-    get(from, w.j_joint14.b_rod10);
+    from = get(from, w.j_joint13.Phi_rod09);
+    get(from, w.j_joint13.b_rod09);
   }
   stamp(5);
-  assemble_joint10(w);
+  assemble_joint09(w);
   stamp(6);
-  disassemble_joint10(w);
+  disassemble_joint09(w);
   stamp(7);
-  {  // to process 2: forces on: chain of "joint14"
+  {  // to process 2: forces on: chain of "joint13"
     Number* to = channel.outgoing(3, w.status);
-    put(to, w.j_joint14.F_on_rod10);
+    put(to, w.j_joint13.F_on_rod09);
     channel.send(3, w.status);
   }
   stamp(8);
-  disassemble_joint06(w);
+  disassemble_joint05(w);
   stamp(9);
-  {  // to process 1: forces on: chain of "joint07"
+  {  // to process 1: forces on: chain of "joint06"
     Number* to = channel.outgoing(4, w.status);
-    to = put(to, w.j_joint07.F_on_rod06);
-    put(to, w.j_joint06.F_on_rod09);
+    to = put(to, w.j_joint06.F_on_rod05);
+    put(to, w.j_joint05.F_on_rod08);
     channel.send(4, w.status);
   }
   stamp(10);
-  disassemble_joint05(w);
   disassemble_joint04(w);
   disassemble_joint03(w);
   disassemble_joint02(w);
@@ -1151,7 +1147,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(11);
 }
 
-// Process 1: 3 of 16 joints: "joint07", "joint08", "joint09"; kinematics of 6 more on the way to the ground
+// Process 1: 3 of 16 joints: "joint06", "joint07", "joint08"; kinematics of 5 more on the way to the ground
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
   stamp(0);
@@ -1163,39 +1159,38 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_joint06(w);
   kinematics_joint07(w);
   kinematics_joint08(w);
-  kinematics_joint09(w);
   stamp(1);
-  link_bias(kLinks[8], w.j_joint08.v, w.j_joint08.b);
-  link_bias(kLinks[9], w.j_joint09.v, w.j_joint09.b);
-  assemble_joint09(w);
   link_bias(kLinks[7], w.j_joint07.v, w.j_joint07.b);
+  link_bias(kLinks[8], w.j_joint08.v, w.j_joint08.b);
   assemble_joint08(w);
   link_bias(kLinks[6], w.j_joint06.v, w.j_joint06.b);
   assemble_joint07(w);
+  link_bias(kLinks[5], w.j_joint05.v, w.j_joint05.b);
+  assemble_joint06(w);
   stamp(2);
-  {  // to process 0: assembled: chain of "joint07"
+  {  // to process 0: assembled: chain of "joint06"
     Number* to = channel.outgoing(0, w.status);
-    to = put(to, w.j_joint07.Phi_rod06);
-    to = put(to, w.j_joint07.Phi_rod06_rod09);
-    to = put(to, w.j_joint07.Phi_rod09);
-    to = put(to, w.j_joint07.b_rod06);
-    put(to, w.j_joint07.b_rod09);
+    to = put(to, w.j_joint06.Phi_rod05);
+    to = put(to, w.j_joint06.Phi_rod05_rod08);
+    to = put(to, w.j_joint06.Phi_rod08);
+    to = put(to, w.j_joint06.b_rod05);
+    put(to, w.j_joint06.b_rod08);
     channel.send(0, w.status);
   }
   stamp(3);
-  {  // from process 0: forces on: chain of "joint07"
+  {  // from process 0: forces on: chain of "joint06"
     const Number* from = channel.receive(4, w.status);
-    from = get(from, w.j_joint07.F_on_rod06);
-    get(from, w.j_joint06.F_on_rod09);
+    from = get(from, w.j_joint06.F_on_rod05);
+    get(from, w.j_joint05.F_on_rod08);
   }
   stamp(4);
+  disassemble_joint06(w);
   disassemble_joint07(w);
   disassemble_joint08(w);
-  disassemble_joint09(w);
   stamp(5);
 }
 
-// Process 2: 4 of 16 joints: "joint11", "joint12", "joint13", "joint14"; kinematics of 10 more on the way to the ground
+// Process 2: 4 of 16 joints: "joint10", "joint11", "joint12", "joint13"; kinematics of 9 more on the way to the ground
 void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
   stamp(0);
@@ -1212,51 +1207,50 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_joint11(w);
   kinematics_joint12(w);
   kinematics_joint13(w);
-  kinematics_joint14(w);
   stamp(1);
-  link_bias(kLinks[12], w.j_joint12.v, w.j_joint12.b);
-  link_bias(kLinks[13], w.j_joint13.v, w.j_joint13.b);
-  assemble_joint13(w);
   link_bias(kLinks[11], w.j_joint11.v, w.j_joint11.b);
+  link_bias(kLinks[12], w.j_joint12.v, w.j_joint12.b);
   assemble_joint12(w);
   link_bias(kLinks[10], w.j_joint10.v, w.j_joint10.b);
   assemble_joint11(w);
+  link_bias(kLinks[9], w.j_joint09.v, w.j_joint09.b);
+  assemble_joint10(w);
   stamp(2);
-  {  // from process 3: assembled: chain of "joint15"
+  {  // from process 3: assembled: chain of "joint14"
     const Number* from = channel.receive(1, w.status);
-    from = get(from, w.j_joint15.Phi_rod14);
-    get(from, w.j_joint15.b_rod14);
+    from = get(from, w.j_joint14.Phi_rod13);
+    get(from, w.j_joint14.b_rod13);
   }
   stamp(3);
-  assemble_joint14(w);
+  assemble_joint13(w);
   stamp(4);
-  {  // to process 0: assembled: chain of "joint14"
+  {  // to process 0: assembled: chain of "joint13"
     Number* to = channel.outgoing(2, w.status);
-    to = put(to, w.j_joint14.Phi_rod10);
-    put(to, w.j_joint14.b_rod10);
+    to = put(to, w.j_joint13.Phi_rod09);
+    put(to, w.j_joint13.b_rod09);
     channel.send(2, w.status);
   }
   stamp(5);
-  {  // from process 0: forces on: chain of "joint14"
+  {  // from process 0: forces on: chain of "joint13"
     const Number* from = channel.receive(3, w.status);
-    get(from, w.j_joint14.F_on_rod10);
+    get(from, w.j_joint13.F_on_rod09);
   }
   stamp(6);
-  disassemble_joint14(w);
+  disassemble_joint13(w);
   stamp(7);
-  {  // to process 3: forces on: chain of "joint15"
+  {  // to process 3: forces on: chain of "joint14"
     Number* to = channel.outgoing(5, w.status);
-    put(to, w.j_joint15.F_on_rod14);
+    put(to, w.j_joint14.F_on_rod13);
     channel.send(5, w.status);
   }
   stamp(8);
+  disassemble_joint10(w);
   disassemble_joint11(w);
   disassemble_joint12(w);
-  disassemble_joint13(w);
   stamp(9);
 }
 
-// Process 3: 2 of 16 joints: "joint15", "joint16"; kinematics of 14 more on the way to the ground
+// Process 3: 3 of 16 joints: "joint14", "joint15", "joint16"; kinematics of 13 more on the way to the ground
 void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
   stamp(0);
@@ -1282,49 +1276,52 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   assemble_joint16(w);
   link_bias(kLinks[14], w.j_joint14.v, w.j_joint14.b);
   assemble_joint15(w);
+  link_bias(kLinks[13], w.j_joint13.v, w.j_joint13.b);
+  assemble_joint14(w);
   stamp(2);
-  {  // to process 2: assembled: chain of "joint15"
+  {  // to process 2: assembled: chain of "joint14"
     Number* to = channel.outgoing(1, w.status);
-    to = put(to, w.j_joint15.Phi_rod14);
-    put(to, w.j_joint15.b_rod14);
+    to = put(to, w.j_joint14.Phi_rod13);
+    put(to, w.j_joint14.b_rod13);
     channel.send(1, w.status);
   }
   stamp(3);
-  {  // from process 2: forces on: chain of "joint15"
+  {  // from process 2: forces on: chain of "joint14"
     const Number* from = channel.receive(5, w.status);
-    get(from, w.j_joint15.F_on_rod14);
+    get(from, w.j_joint14.F_on_rod13);
   }
   stamp(4);
+  disassemble_joint14(w);
   disassemble_joint15(w);
   disassemble_joint16(w);
   stamp(5);
 }
 
 [[maybe_unused]] constexpr std::array<StageInfo, 11> kStages_0{ {
-    {"kinematics", 9, -1}, {"assembly", 4, -1}, {"receive", -1, 0}, {"assembly", 5, -1},
-    {"receive", -1, 2}, {"assembly", 9, -1}, {"disassembly", 9, -1}, {"send", -1, 3},
-    {"disassembly", 5, -1}, {"send", -1, 4}, {"disassembly", 4, -1}
+    {"kinematics", 8, -1}, {"assembly", 3, -1}, {"receive", -1, 0}, {"assembly", 4, -1},
+    {"receive", -1, 2}, {"assembly", 8, -1}, {"disassembly", 8, -1}, {"send", -1, 3},
+    {"disassembly", 4, -1}, {"send", -1, 4}, {"disassembly", 3, -1}
 } };
 [[maybe_unused]] constexpr std::array<StageInfo, 5> kStages_1{ {
-    {"kinematics", 8, -1}, {"assembly", 6, -1}, {"send", -1, 0}, {"receive", -1, 4},
-    {"disassembly", 6, -1}
+    {"kinematics", 7, -1}, {"assembly", 5, -1}, {"send", -1, 0}, {"receive", -1, 4},
+    {"disassembly", 5, -1}
 } };
 [[maybe_unused]] constexpr std::array<StageInfo, 9> kStages_2{ {
-    {"kinematics", 13, -1}, {"assembly", 10, -1}, {"receive", -1, 1}, {"assembly", 13, -1},
-    {"send", -1, 2}, {"receive", -1, 3}, {"disassembly", 13, -1}, {"send", -1, 5},
-    {"disassembly", 10, -1}
+    {"kinematics", 12, -1}, {"assembly", 9, -1}, {"receive", -1, 1}, {"assembly", 12, -1},
+    {"send", -1, 2}, {"receive", -1, 3}, {"disassembly", 12, -1}, {"send", -1, 5},
+    {"disassembly", 9, -1}
 } };
 [[maybe_unused]] constexpr std::array<StageInfo, 5> kStages_3{ {
-    {"kinematics", 15, -1}, {"assembly", 14, -1}, {"send", -1, 1}, {"receive", -1, 5},
-    {"disassembly", 14, -1}
+    {"kinematics", 15, -1}, {"assembly", 13, -1}, {"send", -1, 1}, {"receive", -1, 5},
+    {"disassembly", 13, -1}
 } };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2, run_3};
 
 // What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
-constexpr std::array<Range, 6> kRanges_0{ {{0, 10}, {0, 10}, {0, 6}, {9, 1}, {0, 6}, {9, 1}} };
-constexpr std::array<Range, 4> kRanges_1{ {{0, 9}, {0, 9}, {6, 3}, {6, 3}} };
-constexpr std::array<Range, 4> kRanges_2{ {{0, 14}, {0, 14}, {10, 4}, {10, 4}} };
-constexpr std::array<Range, 4> kRanges_3{ {{0, 16}, {0, 16}, {14, 2}, {14, 2}} };
+constexpr std::array<Range, 6> kRanges_0{ {{0, 9}, {0, 9}, {0, 5}, {8, 1}, {0, 5}, {8, 1}} };
+constexpr std::array<Range, 4> kRanges_1{ {{0, 8}, {0, 8}, {5, 3}, {5, 3}} };
+constexpr std::array<Range, 4> kRanges_2{ {{0, 13}, {0, 13}, {9, 4}, {9, 4}} };
+constexpr std::array<Range, 4> kRanges_3{ {{0, 16}, {0, 16}, {13, 3}, {13, 3}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
     {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {2, kRanges_0.data() + 2}, {2, kRanges_0.data() + 4}},
     {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}},
@@ -1349,8 +1346,8 @@ struct chain16_p4_solver : Solver {};
 namespace {
 
 // From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 106, 0.425};
-constexpr adagen::Hop kMessageHop{20.7, 174, 0.587};
+constexpr adagen::Hop kWindowHop{0, 106, 0.396};
+constexpr adagen::Hop kMessageHop{19, 169, 0.54};
 
 adagen::Description<Number> description() {
   static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>(), table<kStages_2>(), table<kStages_3>()} };
