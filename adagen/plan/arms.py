@@ -114,6 +114,8 @@ def _shape(plan: Plan, one: ClosureSteps, chain: Sequence[int]) -> tuple[object,
     joints, how = [plan.joints[j] for j in chain], one.eliminate
     if not set(chain).issubset(one.held) or len(one.held) < len(one.path):
         return None
+    if not how.moved:  # by an orthogonal basis of all, arms have no parts of their own
+        return None
     if any(joint.kind not in KINDS or joint.prescribed for joint in joints):
         return None
     if any(
