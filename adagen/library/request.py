@@ -102,7 +102,7 @@ class Request:
         )
         checked_shape(self.refinement, self.shape)
         if self.residual != "auto" and not self.refinement:
-            raise UsageError("--residual needs --refine")
+            raise UsageError("--residual needs --refine: add --refine 1, or leave out --residual")
         if self.batch:
             check_batch(self.shape, self.refinement, self.channel)
         if self.certify:
