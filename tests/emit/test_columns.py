@@ -22,6 +22,7 @@ from tests.models import ALL_KINDS, random_tree, serial_chain
 from tests.schedules import random_schedule
 from tests.slow import slow
 
+BY_COLUMNS = by_method(load_profile("default"), "columns")
 MANY_HINGES = (*ALL_KINDS, REVOLUTE, REVOLUTE, PRISMATIC, PRISMATIC)
 
 
@@ -79,9 +80,9 @@ def test_chains_of_all_kinds_are_solved(
 ) -> None:
     model = chain_of_all_kinds(4, 9)
     plan = plan_of(model, 1, scalar=scalar)
-    assert "inward_in_columns<" in kernels_of(plan)
+    assert "inward_in_columns<" in text_of(plan, shape="kernels", profile=BY_COLUMNS)
     states = random_states(model, 4, seed=5)
-    solver = builder.solver(plan, flags, name="columns", shape="kernels")
+    solver = builder.solver(plan, flags, name="columns", shape="kernels", profile=BY_COLUMNS)
     assert solver.error(model, states, tmp_path, "--check") < ROUNDING[scalar]
 
 
@@ -91,9 +92,10 @@ def test_chains_swept_from_both_ends_are_solved(
 ) -> None:
     model = chain_of_all_kinds(seed, 14, floating=True)
     plan = plan_of(model, 2)
-    assert "inward_in_columns_reversed<" in kernels_of(plan)
+    text = text_of(plan, shape="kernels", profile=BY_COLUMNS)
+    assert "inward_in_columns_reversed<" in text
     states = random_states(model, 4, seed=seed)
-    solver = builder.solver(plan, name="columns", shape="kernels")
+    solver = builder.solver(plan, name="columns", shape="kernels", profile=BY_COLUMNS)
     assert solver.error(model, states, tmp_path, "--check") < 5 * ROUNDING["double"]
 
 
@@ -105,10 +107,9 @@ def test_runs_that_others_meet_on_the_way_are_solved(
 ) -> None:
     model = tree(seed)
     plan = make_plan(model, random_schedule(model, processes, np.random.default_rng(seed)))
-    by_columns = by_method(load_profile("default"), "columns")
-    assert "inward_in_columns<" in text_of(plan, shape="kernels", profile=by_columns)
+    assert "inward_in_columns<" in text_of(plan, shape="kernels", profile=BY_COLUMNS)
     states = random_states(model, 4, seed=seed)
-    solver = builder.solver(plan, name="columns", shape="kernels", profile=by_columns)
+    solver = builder.solver(plan, name="columns", shape="kernels", profile=BY_COLUMNS)
     assert solver.error(model, states, tmp_path, "--check") < 20 * ROUNDING["double"]
 
 
