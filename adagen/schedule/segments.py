@@ -63,7 +63,7 @@ class SegmentCosts:
         floats = [kind == "floating" for kind in self.priced_as]
         self.free = [g and f for g, f in zip(grounded, floats, strict=True)]
         rows = list(zip(self.priced_as, grounded, self.free, strict=True))
-        self.own = [self._ticks(f"kinematics.{kind}") for kind in kinds]
+        self.own = [self._ticks(f"kinematics.{kind}", "kinematics.step") for kind in kinds]
         self.passed = (
             self.own if passing is None else [round(passing[kind] * TICKS) for kind in kinds]
         )

@@ -78,7 +78,7 @@ def least_profile(
             price = min(table[f"propagate.{key}"], profile.steps.carried(kind))
             table[f"propagate.{key}"] = price
         table[f"deliver.{kind}"] = min(table[f"deliver.{kind}"], table["deliver.along"])
-    table["propagate.spread"] = table["deliver.load"] = 0.0
+    table["propagate.spread"] = table["deliver.load"] = table["kinematics.step"] = 0.0
     # A row on the ground is priced once.
     table["articulate.ground"] /= max(1, *(min(n, max(_ROWS)) for n in rows.values()))
     for group in ("kinematics", "articulate", "accelerate"):

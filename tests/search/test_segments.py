@@ -117,15 +117,40 @@ def test_the_search_is_exact(data: st.DataObject) -> None:
     assert found.makespan == pytest.approx(least, abs=1e-9)
 
 
+MISSED = {
+    **dict.fromkeys(("articulate__revolute", "join__revolute", "root__invert"), 0.0),
+    **dict.fromkeys(("articulate__prescribed", "join__prescribed", "kinematics__step"), 0.0),
+    "kinematics__revolute": 0.5,
+    "kinematics__spherical": 0.032,
+    "join__spherical": 0.038,
+    "join__ground": 0.042,
+    "join__coupling_a": 0.043,
+    "join__block": 0.045,
+    "disassemble__ground": 0.047,
+    "disassemble__spherical": 0.049,
+    "disassemble__coupling": 0.053,
+    "articulate__spherical": 0.056,
+    "articulate__ground": 0.06,
+    "propagate__revolute": 0.064,
+    "propagate__ground": 0.07,
+    "propagate__spread": 0.072,
+    "deliver__revolute": 0.073,
+    "deliver__load": 0.08,
+    "accelerate__revolute": 0.081,
+    "accelerate__spherical": 0.083,
+    "link__start": 0.143,
+    "root__accelerate": 0.146,
+    "process__evaluation": 0.157,
+}
+"""Costs by which the search misses the best schedule, all that matter there."""
+
+
 def test_nothing_is_called_optimal_that_is_not_on_cores_of_unequal_speed() -> None:
     """The search misses the best schedule here, and says that it has not proven its own."""
     kinds = ("revolute", "spherical", "revolute", "revolute", "spherical", "revolute")
     dofs = tuple(KINDS[kind].nv for kind in kinds)
     topology = Topology((0, 0, 1, 2, 2, 5), dofs, tuple("abcdef"), kinds, frozenset())
-    names = ("articulate__revolute", "join__revolute", "root__invert")
-    more = ("articulate__prescribed", "join__prescribed")
-    changes = dict.fromkeys((*names, *more), 0.0) | {"kinematics__revolute": 0.5}
-    profile = step_profile((1.0, 1.3), **changes)
+    profile = step_profile((1.0, 1.3), **MISSED)
     found = find_schedule(topology, 3, profile=profile)
     least = brute(topology, profile, 3)
     assert found.lower_bound <= least <= found.makespan < 1.01 * least
