@@ -10,6 +10,8 @@ Marks, each an HTML comment on a line of its own:
     <!-- in: a clone -->           the next block is run in a fresh clone of this repository
     <!-- on hosts: N -->           the next block is run on the first of N hosts, node1, node2, ...
                                    (tests/network), where there can be such
+    <!-- under: Slurm -->          those hosts are a cluster of Slurm's for the next block
+    <!-- under: Slurm, PMIx -->    the same, where Slurm can start MPI's processes itself
     <!-- status: N -->             the next block ends with exit status N
 """
 
@@ -23,7 +25,7 @@ ROOT = Path(__file__).resolve().parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))]
 
 _FENCE = re.compile(r"^( *)```([a-z]*)(?: title=\"([^\"]+)\")?$")
-_MARK = re.compile(r"^<!-- (file|before|not run|slow|needs|in|on hosts|status): (.*) -->$")
+_MARK = re.compile(r"^<!-- (file|before|not run|slow|needs|in|on hosts|under|status): (.*) -->$")
 
 
 @dataclass(frozen=True)
@@ -39,6 +41,7 @@ class Block:
     needs: str = ""
     clone: bool = False
     hosts: int = 0
+    under: str = ""
     status: int = 0
 
 
@@ -80,5 +83,6 @@ def _block(start: int, fence: re.Match[str], body: list[str], marks: dict[str, s
         needs=marks.get("needs", ""),
         clone=marks.get("in") == "a clone",
         hosts=int(marks.get("on hosts", "0")),
+        under=marks.get("under", ""),
         status=int(marks.get("status", "0")),
     )

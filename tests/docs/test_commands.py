@@ -18,6 +18,7 @@ from adagen.cli import main
 from adagen.cli.main import VERBS
 from tests.docs.blocks import PAGES, ROOT, Block, blocks
 from tests.network import Network, network, why_no_hosts
+from tests.network.slurm import slurm, why_no_slurm
 from tests.slow import spread
 
 RUN = ("sh", "python")
@@ -27,7 +28,8 @@ COMMAND = re.compile(
 )
 
 # How many blocks are not run, and why: who adds one changes this table.
-NOT_RUN = {"needs Slurm": 1}  # the block before it starts the same program by mpiexec's own file
+NOT_RUN: dict[str, int] = {}
+SLOTS = 4  # processes that a host takes under Slurm, as the pages say
 
 INLINE = re.compile(r"`((?:adagen |python -m benchmarks\.)[^`\n]*)`")
 
@@ -133,6 +135,8 @@ def is_run(block: Block, *, slow: bool) -> bool:
         return False
     if block.hosts and why_no_hosts():
         return False
+    if block.under and why_no_slurm(pmix="PMIx" in block.under):
+        return False
     return not block.not_run and (slow or not block.slow)
 
 
@@ -143,21 +147,24 @@ def run_block(page: Path, block: Block, folder: Path, net: Network | None) -> No
     if block.language == "python":
         words = [sys.executable, "-c", block.text]
     own = {} if block.clone else {"PYTHONPATH": str(ROOT)}
-    done = subprocess.run(
-        words if net is None else net.command(*words),
-        capture_output=True,
-        text=True,
-        timeout=1800 if block.slow else 600,
-        cwd=place,
-        env={
-            **os.environ,
-            **dict(find_toolchain().environment),  # root has to allow Open MPI to run
-            **({} if net is None else on_one_core(net)),
-            "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
-            "XDG_CONFIG_HOME": str(folder / "config"),
-            **own,
-        },
-    )
+    with ExitStack() as stack:
+        under = stack.enter_context(slurm(net, SLOTS)) if block.under and net else ()
+        done = subprocess.run(
+            words if net is None else net.command(*words),
+            capture_output=True,
+            text=True,
+            timeout=1800 if block.slow else 600,
+            cwd=place,
+            env={
+                **os.environ,
+                **dict(find_toolchain().environment),  # root has to allow Open MPI to run
+                **({} if net is None else on_one_core(net)),
+                **dict(under),
+                "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
+                "XDG_CONFIG_HOME": str(folder / "config"),
+                **own,
+            },
+        )
     what = f"{name(page)}:{block.line}: status {done.returncode}\n{block.text}\n{done.stderr}"
     assert done.returncode == block.status, what
 
