@@ -35,6 +35,9 @@ from adagen.plan.types import Plan
 Array = NDArray[np.float64]
 MOST = {"double": 2.0**18, "float": 2.0**12}
 """What tr A / D may be at most in axes of the base: 3e-11, or 2e-4, of D is lost then."""
+STOOD = {"double": 2.0**38, "float": 2.0**9}
+"""What tr A / D may be at most where nothing is lost by it: loops in axes of the base take a
+thousand times that for a pivot without digits."""
 ENOUGH = 2.0**8
 """Beyond which tr A / D loops repeat a sweep that may come to lose more than that."""
 SEEDS = (1, 2, 3)
@@ -75,7 +78,7 @@ def turned_joints(plan: Plan) -> Turned:
     """Return the joints of a plan of form segment that are eliminated in their own axes."""
     steps = _articulated(plan)
     worst, usual = _losing(plan, steps)
-    sides = _sides(plan.joints, plan.links)
+    sides = _sides(plan.joints, plan.links, plan.scalar)
     usual |= {step for step in worst if sides[step].usual > ENOUGH}
     fused = any(isinstance(step, FusedJoin) for p in plan.processes for step in p.steps)
     for j, backwards in worst:  # mobilities of fused runs take away most of what is passed to them
@@ -115,7 +118,7 @@ def _losing(
     plan: Plan, steps: Iterable[tuple[int, bool]]
 ) -> tuple[set[tuple[int, bool]], set[tuple[int, bool]]]:
     """Joints that may lose too many digits in some pose, and those that do as a rule."""
-    most, sides = MOST[plan.scalar], _sides(plan.joints, plan.links)
+    most, sides = MOST[plan.scalar], _sides(plan.joints, plan.links, plan.scalar)
     seen = {step: sides[step] for step in steps if step in sides}
     worst = {step for step, side in seen.items() if side.most > most * side.least}
     return worst, {step for step, side in seen.items() if side.usual > most}
@@ -126,7 +129,7 @@ def _with_joints_beyond(
 ) -> frozenset[int]:
     """The joints that lose digits, and those beyond them that may come to lie along their axes."""
     most = MOST[plan.scalar]
-    sides = _sides(plan.joints, plan.links)
+    sides = _sides(plan.joints, plan.links, plan.scalar)
     beyond: dict[int, list[tuple[int, bool]]] = {}  # by the link that feels a joint
     for j, backwards in steps:
         beyond.setdefault(_near(plan, j, backwards), []).append((j, backwards))
@@ -201,7 +204,7 @@ def turned_in_units(
 def _pairs(plan: Plan, joints: frozenset[int]) -> list[tuple[int, int]]:
     """Joints and those beyond them, of some joints, that may come to lie along their axes."""
     most = MOST[plan.scalar]
-    sides = _sides(plan.joints, plan.links)
+    sides = _sides(plan.joints, plan.links, plan.scalar)
     steps = _articulated(plan)
     found = []
     for j, backwards in steps:
@@ -238,9 +241,10 @@ def _is_solid(link: PlanLink, side: Side | None, most: float) -> bool:
 
 @lru_cache(maxsize=4)  # plans of one robot that a search tries share their joints and links
 def _sides(
-    joints: tuple[PlanJoint, ...], links: tuple[PlanLink, ...]
+    joints: tuple[PlanJoint, ...], links: tuple[PlanLink, ...], scalar: str
 ) -> dict[tuple[int, bool], Side]:
     """What each joint with one freedom sees, outwards (False) and towards the ground (True)."""
+    bears = STOOD[scalar]
     bare = [_spatial_inertia(link) for link in links]
     flat = _flat(joints)
     transforms = [_transforms(joints, j) for j in range(len(joints))]
@@ -257,7 +261,8 @@ def _sides(
         if kind.nv == 1:
             half = slice(0, 3) if free[0] < 3 else slice(3, 6)
             trace = np.trace(inertia[:, half, half], axis1=1, axis2=2) + rotor
-            if flat[j] and not backwards:  # what is about other axes stays apart, exactly
+            stood = bool((trace <= bears * d[:, 0, 0]).all())
+            if flat[j] and stood and not backwards:  # what is about other axes stays apart, exactly
                 trace = rigid[j + 1][:, free[0], free[0]] + rotor
             least = float(own[:, free[0], free[0]].min()) + rotor
             usual = trace / np.maximum(d[:, 0, 0], _SMALLEST)
