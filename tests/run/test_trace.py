@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from itertools import pairwise
 from pathlib import Path
+from statistics import median
 from typing import Any
 from xml.etree import ElementTree as ET
 
@@ -128,6 +129,7 @@ def test_a_program_is_measured_stage_by_stage(solver: Solver) -> None:
     runs = [program.measure(repeat=2, channel=channel) for channel in ("window", "message")]
     assert [run.channel for run in runs] == ["window", "message"]
     best = combined(runs)
-    assert best.time == min(run.time for run in runs) and best.best <= best.time
+    assert best.time == median(run.time for run in runs)  # of two processes
+    assert best.best == min(run.best for run in runs) <= best.time
     assert len(best.stages) == sum(len(stages(p)) for p in program.plan.processes)
     assert [stage.process for stage in best.of(1)] == [1] * len(best.of(1))
