@@ -58,11 +58,6 @@ robot magnifies rounding more, its test says how much more.
 
 _INCLUDE = re.compile(r"^#include <.*>\n", re.MULTILINE)
 _SANITIZER = re.compile("-fsanitize=")
-_STATEMENTS = re.compile(r"^// options .* shape (unrolled|joints),", re.MULTILINE)
-"""Sources of statements, which g++ compiles in two thirds of the time if it optimises nothing.
-
-Loops take it as long: all that they call is inlined in any case.
-"""
 
 
 @dataclass(frozen=True)
@@ -111,8 +106,6 @@ class Builder:
         # The program around a solver is the same whatever the solver is optimised for.
         around = flags if any(map(_SANITIZER.match, flags)) else QUICK
         shared = flags in PARSED and options_in(source) is not None
-        if shared and _STATEMENTS.search(source):
-            flags = ("-O0", *flags[1:])
         common = (*STANDARD, *WARNINGS, "-Werror", *HURRIED)
         all_flags = (*common, *flags, *libraries)
         if shared:

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import chain
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,7 @@ from adagen.executor.front import End, Front, Opening
 from adagen.executor.kinematics import Motion
 from adagen.executor.loop_forces import forces_of_kept, give_forces
 from adagen.executor.loop_frames import LoopFrames
+from adagen.executor.mates import MatesInLanes
 from adagen.executor.state import State
 from adagen.graph import Expression, cross, dot, matrix_times, total
 from adagen.plan.alike import ClosureSteps, closures_in, side_by_side
@@ -62,9 +63,7 @@ class Closures:
         self.alone = closures_in(steps) if closed else {}
         self.together = side_by_side(state.plan, steps, state.limbs) if closed else {}
         self.arms = arms_among(state.plan, self.alone.values(), state.limbs)
-        arms = list(chain.from_iterable(self.arms.values()))
-        self.holds = {row[0]: row for each in arms for row in each.limbs.rows}
-        self.closing = {mates[0]: mates for each in arms for mates in each.loops}
+        self.mates = MatesInLanes(state.rows, list(chain.from_iterable(self.arms.values())))
         self.memory: dict[Any, Any] = state.memory
         self.fronts: dict[int, Front] = {}
         # Where loops are solved for at the end, each kept row has a right-hand side.
@@ -107,8 +106,8 @@ class Closures:
 
     def _loops(self, step: CloseLoop) -> list[int]:
         """Loops that are treated as one, by lanes."""
-        if step in self.closing:
-            own = self.closing[step]
+        if step in self.mates.closing:
+            own = self.mates.closing[step]
             width = 1 << (len(own) - 1).bit_length()
             return [each.loop for each in (*own, *[own[-1]] * (width - len(own)))]
         if step.closure not in self.together:
@@ -130,42 +129,6 @@ class Closures:
             self.state.rows.beyond_joints[places[0]] = places
         return places[0]
 
-    def _forces(self, step: CloseLoop, row: int) -> Mates:
-        """The numbers of a row's force, and of those that are treated as one with it."""
-        return tuple(each.first + row for each in self.closing.get(step, (step,)))
-
-    def _each(self, value: Expression, count: int) -> list[Expression]:
-        """A value for each of so many arms."""
-        return [each.item() for each in self.state.rows.each(np.array(value, object), count)]
-
-    def _together(self, values: Sequence[Expression]) -> Expression:
-        """The values of arms as one."""
-        whole = self.state.rows.together([np.array(value, object) for value in values])
-        return cast("Expression", whole.item())
-
-    def _add(self, front: Front, some: Mates, others: Mates, value: Expression) -> None:
-        """Add to entries of E, of alike arms lane by lane."""
-        for i, k, each in zip(some, others, self._each(value, len(some)), strict=True):
-            front.add(i, k, each)
-
-    def _add_bias(self, front: Front, mates: Mates, value: Array) -> None:
-        """Add to e likewise."""
-        for unknown, each in zip(mates, self.state.rows.each(value, len(mates)), strict=True):
-            front.add_bias(unknown, each)
-
-    def _add_columns(self, front: Front, links: Sequence[int], mates: Mates, column: Array) -> None:
-        """Add to C at links, one for each lane, likewise."""
-        each = self.state.rows.each(column, len(mates))
-        for link, unknown, own in zip(links, mates, each, strict=False):
-            front.add_column(link, unknown, own)
-
-    @staticmethod
-    def _freedoms(front: Front, count: int) -> list[Mates]:
-        """What is held back, as so many arms are treated as one."""
-        arms = [mates for each in front.arms for mates in each.freedoms if len(mates) == count > 1]
-        wide = {unknown for mates in arms for unknown in mates}
-        return [*((own,) * count for own in front.speeds if own not in wide), *arms]
-
     def _top(self, number: int) -> int:
         """The link at which a closure is eliminated."""
         return self.alone[number].eliminate.link
@@ -182,7 +145,7 @@ class Closures:
         tolerance = self._packed([one.tolerance for one in loops])
         fastest = self._refuse_open(place, frames.gap(), joints, tolerance)
         if self._moves_by_rows(step):
-            forces = tuple(self._forces(step, row) for row in range(len(step.rows)))
+            forces = tuple(self.mates.forces(step, row) for row in range(len(step.rows)))
             front.opening.append(Opening(place, fastest, forces))
         else:
             self._refuse_torn(place, frames.rate(), fastest)
@@ -199,7 +162,7 @@ class Closures:
         ]
         front.ends += [end for end in held if any(end.links)]
         for row, number in enumerate(step.rows):
-            unknown, mates = step.first + row, self._forces(step, row)
+            unknown, mates = step.first + row, self.mates.forces(step, row)
             linear, *directions = frames.row(number)
             bias = frames.turned(number, fields[0].omega, fields[1].omega)
             ends = zip((loop.link1, loop.link2), fields, directions, frames.arms, strict=True)
@@ -215,7 +178,7 @@ class Closures:
                 bias = bias + part * sign
                 if link > 0:
                     held[k].columns[unknown] = column * sign
-                    self._add_columns(front, held[k].links, mates, column * sign)
+                    self.mates.add_columns(front, held[k].links, mates, column * sign)
                     if unknown in self.column_of:
                         pushed = self.state.tied_links.setdefault(link, [])
                         pushed.append((self.column_of[unknown], column * sign))
@@ -223,7 +186,7 @@ class Closures:
             front.places.update((u, beyond + n) for u, n in zip(mates, numbers, strict=False))
             if self.state.left is not None:
                 bias = self._apart(front, unknown, self.state.left.of_row(bias, held, unknown))
-            self._add_bias(front, mates, self.state.column(np.array([bias], dtype=object))[0])
+            self.mates.add_bias(front, mates, self.state.column(np.array([bias], dtype=object))[0])
             in_frame = matrix_times(frames.two.axes.T, directions[1])
             if loop.turn2:
                 turn = self._packed([one.turn2 for one in loops])
@@ -304,14 +267,14 @@ class Closures:
     def _hold_back(self, step: HoldBack, front: Front) -> None:
         """Pass a joint as if it were rigid; what its motion does to all else goes into C, E, e."""
         j, parent = step.joint, self.state.plan.joints[step.joint].parent
-        joints, free = self.holds.get(j, (j,)), list(self.state.kind(j).free)
+        joints, free = self.mates.holds.get(j, (j,)), list(self.state.kind(j).free)
         inertia, p = self.memory["IA", j + 1], self.memory["pA", j + 1]
         columns = self._columns_beyond(front, joints)
         drift = self.motion.drift(j)
         if drift is not None:
             p = p + matrix_times(inertia, drift)
             for mates, column in columns:
-                self._add_bias(front, mates, matrix_times(column[None, :], drift)[0])
+                self.mates.add_bias(front, mates, matrix_times(column[None, :], drift)[0])
         pull, (_, speeds) = self.state.torques(j), self.state.configuration(j)
         rotor = self.state.rotor(j)
         held = self.alone[step.closure].held
@@ -320,18 +283,18 @@ class Closures:
         unknowns = [tuple(first + k for first in firsts) for k in range(len(free))]
         for k, row in enumerate(free):
             own = unknowns[k]
-            self._add_bias(front, own, p[row] - pull[k])
+            self.mates.add_bias(front, own, p[row] - pull[k])
             for m, other in enumerate(free[k:], start=k):
                 value = inertia[row, other]
                 if m == k and rotor is not None:
                     value = value + rotor
-                self._add(front, own, unknowns[m], value)
+                self.mates.add(front, own, unknowns[m], value)
             for mates, column in columns:
-                self._add(front, own, mates, column[row])
+                self.mates.add(front, own, mates, column[row])
             for unknown, factor in front.ties.get(j, []):
                 front.add(own[0], unknown, factor)
             front.places.update(zip(own, joints, strict=True))
-            front.speeds.update(zip(own, self._each(speeds[k], len(own)), strict=True))
+            front.speeds.update(zip(own, self.mates.each(speeds[k], len(own)), strict=True))
         if parent > 0:
             freed = [(own, inertia[:, row]) for own, row in zip(unknowns, free, strict=True)]
             self._pass(step, front, inertia, p, [*freed, *columns])
@@ -354,11 +317,11 @@ class Closures:
         columns: Sequence[tuple[Mates, Array]],
     ) -> None:
         """Hand what is beyond a joint inwards; what goes to the top waits for it."""
-        j, joints = step.joint, self.holds.get(step.joint, (step.joint,))
+        j, joints = step.joint, self.mates.holds.get(step.joint, (step.joint,))
         parents = [self.state.plan.joints[each].parent for each in joints]
         x: Transform = self.memory["X", j]
         for mates, column in columns:
-            self._add_columns(front, parents, mates, x.force(column))
+            self.mates.add_columns(front, parents, mates, x.force(column))
         passed = {"IA": x.inertia(inertia), "pA": columnwise(x.force, p)}
         for name, value in passed.items():
             if parents[0] == self._top(step.closure):
@@ -371,7 +334,7 @@ class Closures:
         zero = self.state.graph.constant(0)
         for opening in front.opening:
             rates = []
-            mates_of = self._freedoms(front, len(opening.rows[0]) if opening.rows else 1)
+            mates_of = self.mates.freedoms(front, len(opening.rows[0]) if opening.rows else 1)
             for forces in opening.rows:
                 terms = []
                 for mates in mates_of:
@@ -380,7 +343,7 @@ class Closures:
                     if any(entry is not None for entry in entries):
                         there = [zero if entry is None else entry for entry in entries]
                         speeds = [front.speeds[own] for own in mates]
-                        terms.append(self._together(there) * self._together(speeds))
+                        terms.append(self.mates.together(there) * self.mates.together(speeds))
                 if terms:
                     rates.append(total(terms))
             if rates:
@@ -468,7 +431,7 @@ class Closures:
         drift = self.motion.drift(j)
         if drift is not None:
             a = a + drift
-        firsts = [front.first[each] for each in self.holds.get(j, (j,))]
+        firsts = [front.first[each] for each in self.mates.holds.get(j, (j,))]
         found = [[front.found[first + k] for first in firsts] for k in range(len(free))]
         qdd = np.array([self.state.rows.together(each) for each in found], dtype=object)
         far = a.copy()

@@ -89,6 +89,7 @@ class Loops:
         self.holding: set[int] = set()  # links at which an inertia has been left
         self.bare: set[int] = set()  # links whose own inertia is set up
         self.by_columns: set[int] = set()  # those of them that are set up by columns, too
+        self.traversed: set[Run] = set()  # runs whose passages were found in segments
         self.swept: set[Run] = set()  # runs that are swept inwards by columns
         self.along: set[Run] = set()  # those that unit wrenches are carried through meanwhile
         self.loaded: set[Run] = set()  # of these, those whose joints take a load when they move
@@ -163,6 +164,8 @@ class Loops:
             what = "kinematics" if unit.treated else PASSING
             for run, in_segments in split(unit.run, self.slots.segments):
                 method: Method = "segments" if in_segments else "each"
+                if run in self.traversed and unit.treated:
+                    method = "traversed"
                 self._add(what, run, method, map(Kinematics, range(run.first, run.last + 1)))
 
     def _prepare_angles(self, joints: Iterable[int]) -> None:
@@ -176,6 +179,8 @@ class Loops:
             run = Run(step.passage.first, step.passage.last)
             self._prepare_angles(run.joints())
             method: Method = "segments" if run in self.slots.segments else "each"
+            if method == "segments":
+                self.traversed.add(run)
             self._add("traverse", run, method, [step])
 
     def _put_together(self, steps: list[Append | Arrive]) -> None:

@@ -22,6 +22,7 @@ Method = Literal[
     "columns",
     "turned",
     "segments",
+    "traversed",
     "lanes",
     "base",
     "carried",
@@ -38,6 +39,7 @@ Method = Literal[
 * ``turned``: a loop over a run, number by number, or over limbs side by side, joints that lose
   digits in axes of the base in their own (see adagen/plan/turned.py);
 * ``segments``: a run cut into as many segments as there are SIMD lanes, one in each;
+* ``traversed``: the same, from what a traversal of the run has found of the segments;
 * ``lanes``: limbs side by side, one in each SIMD lane;
 * ``base``: a floating base, whose frame is its own;
 * ``carried``: the mobility of a run's last link, by unit wrenches there that are carried through

@@ -65,9 +65,7 @@ class KernelLines:
         self.segments = tuple(  # runs that are passed outwards in segments
             op.block for op in operations if op.method == "segments" and isinstance(op.block, Run)
         )
-        self.traversed = frozenset(self.segments) & frozenset(
-            op.block for op in operations if op.does == "traverse" and isinstance(op.block, Run)
-        )
+        self.traversed = {op.block for op in operations if op.method == "traversed"}
         self.along = {
             op.block for op in operations if (op.does, op.method) == ("propagate", "along")
         }
@@ -196,7 +194,7 @@ class KernelLines:
         if operation.method == "base":
             return [f"free_base_frame<{block.first}>(w);"]
         verb = "pass_outward" if operation.does == PASSING else "outward"
-        if block in self.traversed and operation.does != PASSING:
+        if operation.method == "traversed":
             call = f"outward_traversed<{block.first}, {block.last}>(w, starts_{block.first});"
             return [call + self._names(block)]
         in_segments = "_in_segments" * (operation.method == "segments")
