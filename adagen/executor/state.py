@@ -232,6 +232,9 @@ class State:
             result[:, 0] = self.left.of_joint(j, result[:, 0])
         for column, factor in self.tied_joints.get(j, ()) if len(result) else ():
             result[0, column] = result[0, column] - factor
+        for column, (lent, k) in enumerate(reversed(self.plan.lent), start=1):
+            if j == lent and len(result):
+                result[k, -column] = self.graph.constant(-1)
         for column, slaved in enumerate(self.plan.slaved, start=1):
             mimic = self.plan.joints[slaved].mimic
             assert mimic is not None
@@ -266,10 +269,11 @@ class State:
         return cast("Expression", self.rows.of_joint(j, read)[()])
 
     def rotor(self, j: int) -> Expression | None:
-        """Rotor inertia of a joint, None for none."""
-        if not self.plan.joints[j].rotor_inertia:
+        """Rotor inertia of a joint with what it is lent, None for none."""
+        joint = self.plan.joints[j]
+        if not (joint.rotor_inertia or joint.lent):
             return None
-        return self._of_joint(j, lambda joint: joint.rotor_inertia)
+        return self._of_joint(j, lambda joint: joint.rotor_inertia + joint.lent)
 
     def keep_force(self, j: int, force: Array, *, driven: bool = False) -> None:
         """Keep the force of a joint in its child link's frame, shape (6, columns).

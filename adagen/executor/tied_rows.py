@@ -77,12 +77,13 @@ class TiedRows:
             others: further rows that have to vanish, shape (columns,) each; they come first.
             names: what is to blame for these.
         """
-        values, tied = self.values(), self.state.plan.tied_rows
-        rows = self.state.zeros(len(others) + len(tied), self.state.columns)
-        for k, row in enumerate([*others, *(values[u] for u in tied)]):
+        values, tied, plan = self.values(), self.state.plan.tied_rows, self.state.plan
+        every = [*others, *(values[u] for u in tied), *self._lent()]
+        rows = self.state.zeros(len(every), self.state.columns)
+        for k, row in enumerate(every):
             rows[k] = row
         forces, diagonal = solved_by_reflections(rows[:, 1:], -rows[:, :1])
-        blamed = [*names, *(self.front.places[u] for u in tied)]
+        blamed = [*names, *(self.front.places[u] for u in tied), *(j for j, _ in plan.lent)]
         lost = (16 * EPSILON[self.state.plan.scalar]) ** 2
         for k, (place, pivot) in enumerate(zip(blamed, diagonal, strict=True)):
             least = total([x * x for x in rows[:, 1 + k]]) * lost
@@ -91,9 +92,18 @@ class TiedRows:
         first = len(others)
         for k, unknown in enumerate(tied):
             self.front.found[unknown] = forces[first + k]
-        if self.state.plan.loop_forces:
+        if plan.loop_forces:
             self._give(values)
         return forces[:, 0]
+
+    def _lent(self) -> list[Array]:
+        """Rows of what freedoms are lent: its torque, K qdd, is taken off again."""
+        rows = []
+        for column, (j, k) in enumerate(self.state.plan.lent, -len(self.state.plan.lent)):
+            row = self.memory["qdd", j][k].copy()
+            row[column] = row[column] + 1.0 / self.state.plan.joints[j].lent
+            rows.append(row)
+        return rows
 
     def _check_left_out(self, values: dict[int, Array], forces: Array) -> None:
         """Rows that follow from the others may not part, either."""
@@ -114,8 +124,9 @@ class TiedRows:
         by_kept = self.state.zeros(len(left_out), len(tied))
         if left_out:
             first = len(self.state.plan.slaved) + 1
-            kept = np.array([values[u][first:] for u in tied], dtype=object)
-            others = np.array([values[u][first:] for u in left_out], dtype=object)
+            own = slice(first, first + len(tied))
+            kept = np.array([values[u][own] for u in tied], dtype=object)
+            others = np.array([values[u][own] for u in left_out], dtype=object)
             by_kept = solved_by_reflections(kept.T.copy(), others.T.copy())[0].T
         self.front.pushed = Pushed(tied, None, (), none, none, none, left_out, by_kept)
         give_forces(self.state, self.front, None)

@@ -9,7 +9,7 @@ from adagen.model import Model
 from adagen.model.fuse import runs_of, settled
 from adagen.plan.ada import AdaPlanner
 from adagen.plan.closed import ClosedPlanner
-from adagen.plan.closed_ada import ClosedAdaPlanner, refuse_held_by_loops
+from adagen.plan.closed_ada import ClosedAdaPlanner
 from adagen.plan.closures import closures_of
 from adagen.plan.clusters import ClusterPlanner, clusters_of
 from adagen.plan.constants import (
@@ -23,6 +23,7 @@ from adagen.plan.constants import (
 from adagen.plan.early import early_closures_of
 from adagen.plan.exchange import ExchangePlanner
 from adagen.plan.gather import GatherPlanner, why_not_gather
+from adagen.plan.lent import lending, with_lent
 from adagen.plan.parameters import parameters_of, refuse_inverted
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.serial import check_reproducible
@@ -95,7 +96,7 @@ def make_plan(
             raise UsageError(f'unknown {what} "{word}"; known: {", ".join(known)}')
     if loop_forces:
         _check_forces(model)
-    joints, parameters = joints_of(model), parameters_of(model, runtime)
+    parameters = parameters_of(model, runtime)
     refuse_outputs(model, form)
     planner = planner_of(model, schedule, form, meeting)
     planner.asked = handles_of(model)
@@ -117,8 +118,8 @@ def make_plan(
         floating=model.floating,
         gravity=tuple(float(g) + 0.0 for g in model.gravity),
         links=links_of(model, bare),
-        joints=joints,
-        slaved=tuple(j for j, joint in enumerate(joints) if joint.mimic is not None),
+        joints=planner.joints,
+        slaved=tuple(j for j, joint in enumerate(planner.joints) if joint.mimic is not None),
         processes=processes,
         messages=messages,
         wrenches=wrenches_of(model),
@@ -167,19 +168,18 @@ def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto
         form: one of ``FORMS``.
         meeting: one of ``MEETINGS``.
     """
-    joints, runs = joints_of(model), runs_of(model)
     if model.closed and form == "ada":
-        closures = closures_of(model)  # what no form can solve is refused first
-        refuse_held_by_loops(model)
+        runs = runs_of(with_lent(model))
         return ClosedAdaPlanner(
-            joints,
+            lending(joints_of(model), model),
             schedule,
             runs,
-            clusters_of(model, runs),
-            closures,
+            clusters_of(with_lent(model), runs),
+            closures_of(model),
             loops_of(model),
             couplings_of(model),
         )
+    joints, runs = joints_of(model), runs_of(model)
     if model.closed:
         _check_closed(schedule)
         return ClosedPlanner(

@@ -62,7 +62,7 @@ def closures_in(steps: Iterable[Step]) -> dict[int, ClosureSteps]:
 
 def nature(joint: PlanJoint) -> tuple[object, ...]:
     """Return what joints of a row have in common, whatever the numbers are."""
-    effects = (joint.damping, joint.friction, joint.stiffness, joint.rotor_inertia)
+    effects = (joint.damping, joint.friction, joint.stiffness, joint.rotor_inertia + joint.lent)
     return (joint.kind, joint.prescribed, *map(bool, effects))
 
 

@@ -4,15 +4,13 @@ The chain is assembled and disassembled as without loops, but with one more righ
 constraint: what a unit of its force does. Process 0 then solves for the forces that keep all loops
 closed, as it does for the torques of slaved joints. So loops may go through any chains on any
 processes, and no other step knows of them. Links whose inertia cannot be inverted are joined in
-runs and clusters, as without loops; what only the loops resist is refused.
+runs and clusters, as without loops; what only the loops resist is lent inertia (lent.py).
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from adagen.errors import UsageError, printable
-from adagen.model import Model
 from adagen.model.fuse import Run
 from adagen.model.loops import LOOP_KINDS
 from adagen.plan.closures import Closure
@@ -32,23 +30,6 @@ from adagen.plan.steps import (
 )
 from adagen.plan.types import Message, Process
 from adagen.schedule import Schedule
-from adagen.urdf.mobility import weakest
-
-
-def refuse_held_by_loops(model: Model) -> None:
-    """Refuse motions of the tree that meet no inertia: form ada solves the tree without its loops.
-
-    Raises:
-        UsageError: there is one; the message names its joint.
-    """
-    weak = weakest(model)
-    if weak.singular:
-        link = printable(model.links[weak.joint + 1].name)
-        raise UsageError(
-            f"form ada solves the tree before its loops, and joint "
-            f"{printable(model.joints[weak.joint].name)} (link {link}) moves no inertia there: "
-            "only loops resist; use --form segment"
-        )
 
 
 class ClosedAdaPlanner(ClusterPlanner):
@@ -89,7 +70,8 @@ class ClosedAdaPlanner(ClusterPlanner):
 
     def coupled(self) -> set[int]:
         """Return the joints whose accelerations depend on each other."""
-        return super().coupled().union(*(closure.path for closure in self.closures))
+        lent = {j for j, joint in enumerate(self.joints) if joint.lent}
+        return super().coupled().union(lent, *(closure.path for closure in self.closures))
 
     def plan(self) -> tuple[tuple[Process, ...], tuple[Message, ...]]:
         """Return every process's steps, and the messages between them."""

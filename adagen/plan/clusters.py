@@ -16,6 +16,7 @@ from adagen.errors import InputError
 from adagen.model import Inertia, Model
 from adagen.model.fuse import Run, runs_of, settled
 from adagen.plan.constants import inverse_inertia
+from adagen.plan.lent import with_lent
 from adagen.plan.robot import PlanJoint
 from adagen.plan.segment import SegmentPlanner
 from adagen.schedule import Node, Schedule, Topology
@@ -135,6 +136,8 @@ def fold_of(model: Model, form: str) -> Fold:
         model: the robot.
         form: "segment" or "ada".
     """
+    if form == "ada":
+        model = with_lent(model)
     runs = runs_of(model)
     clusters = clusters_of(model, runs) if form == "ada" else {}
     return fold(Topology.of(model), runs, clusters.keys())

@@ -143,6 +143,8 @@ def why_not_in_lines(plan: Plan) -> str | None:
     several = sum(bool(process.steps) for process in plan.processes) > 1
     if plan.form == "ada" and several:
         return "closed loops are refined in form ada on one process alone"
+    if plan.lent:
+        return f'joint "{plan.joints[plan.lent[0][0]].name}" is lent inertia: that is not refined'
     for joint in plan.joints if plan.form == "ada" else ():
         if joint.prescribed or joint.rotor_inertia:
             return (

@@ -53,6 +53,8 @@ class PlanJoint:
         rest: rad or m.
         rotor_inertia: J in D = S^T U + J, kg m^2 or kg.
         prescribed: whether tau holds its acceleration instead of its torque.
+        lent: inertia that form ada adds to that of its rotor for the tree without loops, and takes
+            back by a right-hand side of its own (adagen/plan/lent.py), kg m^2 or kg.
     """
 
     name: str
@@ -70,6 +72,7 @@ class PlanJoint:
     rest: float = field(default=0.0, metadata=OPTIONAL)
     rotor_inertia: float = field(default=0.0, metadata=OPTIONAL)
     prescribed: bool = field(default=False, metadata=OPTIONAL)
+    lent: float = field(default=0.0, metadata=OPTIONAL)
 
 
 @dataclass(frozen=True)

@@ -226,9 +226,16 @@ class Plan:
     def right_hand_sides(self) -> int:
         """Columns of every bias, force and acceleration.
 
-        One is the motion; then there is one for each slaved joint, and for each tied row.
+        One is the motion; then there is one for each slaved joint, for each tied row, and for each
+        freedom that is lent inertia.
         """
-        return 1 + len(self.slaved) + len(self.tied_rows)
+        return 1 + len(self.slaved) + len(self.tied_rows) + len(self.lent)
+
+    @cached_property
+    def lent(self) -> tuple[tuple[int, int], ...]:
+        """Freedoms that are lent inertia: joint, and number among its freedoms."""
+        joints = (j for j, joint in enumerate(self.joints) if joint.lent)
+        return tuple((j, k) for j in joints for k in range(KINDS[self.joints[j].kind].nv))
 
     @cached_property
     def bound_by_loops(self) -> frozenset[int]:

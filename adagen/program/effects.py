@@ -383,6 +383,7 @@ def _coupled(plan: Plan) -> tuple[Place, ...]:
         found["qdd", slaved] = found["qdd", mimic[0]] = None
     if plan.tied_rows:
         found.update(dict.fromkeys(_between_ends(plan)))
+        found.update((("qdd", j), None) for j, _ in plan.lent)
     return tuple(found)
 
 

@@ -15,17 +15,19 @@ from adagen.model import (
     BASE,
     FLOATING,
     LOOP_KINDS,
+    PLANAR,
     PRISMATIC,
     REVOLUTE,
     SPHERICAL,
     WORLD,
     Inertia,
+    JointKind,
     LoopEnd,
     Model,
     NamedLoop,
 )
 from adagen.plan import Plan, make_plan, plan_from_json, plan_to_json
-from adagen.plan.refine import corrected
+from adagen.plan.refine import corrected, why_not_in_lines
 from adagen.program import check
 from adagen.program.lower import lower
 from adagen.reference.closed import closed_forward_dynamics
@@ -145,22 +147,63 @@ def test_links_without_mass_are_joined_in_runs_and_clusters(
         assert forward_error(refined, truth_of(model, states)) < 1e-14
 
 
-def test_what_only_loops_resist_is_refused_by_name() -> None:
-    with pytest.raises(UsageError, match=r"joint p1 \(link p1_link\) moves no inertia.*segment"):
-        ada_plan(open_four_bar(), 1)
+def open_four_bar(kind: JointKind = REVOLUTE, held: str = "revolute") -> Model:
+    """Return a four-bar whose coupler has no mass and hangs on the crank alone in the tree.
 
-
-def open_four_bar() -> Model:
-    """Return a four-bar whose coupler has no mass and hangs on the crank alone in the tree."""
+    Args:
+        kind: of the joint by which it does.
+        held: kind of the loop by which the rocker holds it.
+    """
     pin = vector(0.0, 1.0, 0.0)
     parts = [
         Part("p0", None, REVOLUTE, rod(1.0, vector(0.2, 0, 0)), axis=pin),
-        Part("p1", "p0", REVOLUTE, Inertia.zero(), vector(0.2, 0, 0), axis=pin),
+        Part("p1", "p0", kind, Inertia.zero(), vector(0.2, 0, 0), axis=pin),
         Part("p2", None, REVOLUTE, rod(1.0, vector(0.4, 0, 0)), vector(0.45, 0, 0), axis=pin),
     ]
     ends = LoopEnd("p1_link", (0.5, 0.0, 0.0)), LoopEnd("p2_link", (0.4, 0.0, 0.0))
-    pinned = NamedLoop("pin", "revolute", *ends, (0.0, 1.0, 0.0))
+    pinned = NamedLoop("pin", held, *ends, (0.0, 1.0, 0.0))
     return with_loops(assemble("open", parts), (pinned,))
+
+
+def pinned_base() -> Model:
+    """Return a four-bar all of whose links hang in one chain on a floating link without mass."""
+    pin = vector(0.0, 1.0, 0.0)
+    parts = [Part(BASE, None, FLOATING, Inertia.zero())]
+    for name, parent, length, place in (
+        ("p0", BASE, 0.2, 0.0),
+        ("p1", "p0", 0.5, 0.2),
+        ("p2", "p1", 0.4, 0.5),
+    ):
+        body = rod(1.0, vector(length, 0.1, 0))
+        parts.append(Part(name, parent, REVOLUTE, body, vector(place, 0, 0), axis=pin))
+    ends = LoopEnd("p2_link", (0.4, 0.0, 0.0)), LoopEnd(f"{BASE}_link", (0.45, 0.0, 0.0))
+    pinned = NamedLoop("pin", "revolute", *ends, (0.0, 1.0, 0.0))
+    return with_loops(assemble("base", parts, floating=True), (pinned,))
+
+
+@pytest.mark.parametrize("processes", [1, 2])
+@pytest.mark.parametrize("make", [open_four_bar, partial(open_four_bar, SPHERICAL), pinned_base])
+def test_what_only_loops_resist_is_lent_inertia(make: Callable[[], Model], processes: int) -> None:
+    """It is taken off again: accelerations and forces are those of the robot itself."""
+    model = make()
+    states = states_of(model, 4)
+    plan = ada_plan(model, processes)
+    segment = make_plan(model, best_schedule(model, 1, load_profile("default")), loop_forces=True)
+    forces = ada_plan(model, processes, loop_forces=True)
+    assert plan.lent
+    check(lower(plan, "unrolled"))
+    assert worst(model, plan, states) < 1e-10
+    for row in zip(states.q, states.v, states.tau, strict=True):
+        found, expected = (interpret(one, *row, once=True) for one in (forces, segment))
+        assert np.abs(found - expected).max() < 1e-9 * np.abs(expected).max()
+    assert plan_from_json(plan_to_json(plan)) == plan
+    assert "lent" in (why_not_in_lines(plan) or "")
+
+
+def test_what_nothing_can_be_lent_to_is_refused_by_name() -> None:
+    """A joint that turns and slides has inertias of two units."""
+    with pytest.raises(UsageError, match=r"joint p1 \(link p1_link\) moves no inertia.*segment"):
+        ada_plan(open_four_bar(PLANAR, "weld"), 1)
 
 
 def test_emitted_for_two_processes(builder: Builder, tmp_path: Path) -> None:
