@@ -39,6 +39,7 @@ def schedule_to_dict(schedule: Schedule, topology: Topology) -> dict[str, Any]:
     return {
         "makespan": schedule.makespan,
         "verdict": schedule.verdict,
+        "among": schedule.among,
         "gap": schedule.gap if math.isfinite(schedule.gap) else None,
         "lower_bound": schedule.lower_bound,
         "processes": schedule.processes,

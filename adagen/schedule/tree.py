@@ -129,7 +129,8 @@ class Schedule:
     def among(self) -> str:
         """What the verdict is about, in words: straight lines are bounded only by being priced."""
         lines = self.straight_lines
-        return f"loops and {lines} straight line{'s' * (lines > 1)}" if lines else ""
+        priced = f" and {lines} straight line{'s' * (lines > 1)}" if lines else ""
+        return f"loops{priced}" if self.families else ""
 
     @property
     def proven(self) -> str:
