@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,7 +15,7 @@ from adagen.emit.shapes import chosen_shape
 from adagen.errors import EnvironmentFault
 from adagen.executor import Grouping
 from adagen.plan import Plan
-from adagen.run import launch
+from adagen.run import laid_anew, launch
 from adagen.schedule import CostProfile
 
 TIMEOUT = 120.0
@@ -142,10 +141,10 @@ def timed(
     Raises:
         EnvironmentFault: it failed, or the time is up.
     """
-    with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
-        trace = Path(folder, "trace.json")
+    with laid_anew(executable) as copy:
+        trace = copy.with_name("trace.json")
         words = ["--time", "--json", "--repeat", str(repeat), "--trace", str(trace), *arguments]
-        done = launch(executable, processes, words, toolchain, TIMEOUT)
+        done = launch(copy, processes, words, toolchain, TIMEOUT)
         if done.status != 0:
             raise EnvironmentFault(f"{executable.name} cannot be timed: {done.stderr}")
         report = json.loads(done.stdout)

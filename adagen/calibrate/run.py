@@ -45,6 +45,7 @@ Progress = Callable[[str, int, int], None]
 _ROUNDS = 6
 _REPEAT = 25
 _MOST_CORES = 8  # whose speed is compared
+_COMPARED = 5  # programs, of which the one in the middle counts: any may happen to lie badly
 _ALIKE = 0.9  # cores that differ by less count as equally fast: the rest is noise
 
 
@@ -294,12 +295,15 @@ def _speeds(programs: Sequence[Program], cores: int) -> tuple[float, ...]:
     if cores < 2 or not alone or not hasattr(os, "sched_setaffinity"):
         return ()
     cpus = sorted(os.sched_getaffinity(0))
-    best = [float("inf")] * len(cpus)
+    compared = alone[:_COMPARED]
+    best = [[float("inf")] * len(cpus) for _ in compared]
     for _ in range(3):
         for k, cpu in enumerate(cpus):
             with _confined_to(cpu):
-                best[k] = min(best[k], alone[0].measure(repeat=_REPEAT).best)
-    speeds = tuple(round(min(best) / time, 2) for time in best)
+                for times, program in zip(best, compared, strict=True):
+                    times[k] = min(times[k], program.measure(repeat=_REPEAT).best)
+    own = [median(min(times) / times[k] for times in best) for k in range(len(cpus))]
+    speeds = tuple(round(speed / max(own), 2) for speed in own)
     return () if min(speeds) >= _ALIKE else speeds
 
 

@@ -51,6 +51,8 @@ CHOSEN = (
     ("segment", "cable", 2, 1, "gathered"),
     ("segment", "cable", 2, 1, "half"),
     ("segment", "cable", 2, 1, "shared"),
+    ("segment", "rope", 2, 1, "exchanged"),
+    ("segment", "cable", 2, 1, "exchanged"),
     ("segment", "legs", 1, 1, ""),
     ("segment", "paws", 1, 1, ""),
     ("segment", "wings", 1, 1, ""),
@@ -79,6 +81,7 @@ RARE = (
     ("segment", "others", 2, 1, "gathered"),
     ("segment", "track", 2, 1, "half"),
     ("segment", "turns", 2, 1, "shared"),
+    ("segment", "vine", 2, 1, "exchanged"),
 )
 """Likewise: what tells of rare kinds of joints."""
 
@@ -244,6 +247,7 @@ def _robots() -> Iterator[Model]:
     yield robot("slides", star(4, 6), ["revolute", *["prismatic"] * 24], 31)
     yield robot("balls", star(4, 4), ["revolute", *["spherical"] * 16], 32)
     yield robot("track", chain(40), ["revolute", "prismatic", "spherical"], 33)
+    yield robot("vine", chain(80), ["revolute", "spherical"], 36)
     yield robot("turns", chain(24), ["spherical"], 34)
     yield robot("fence", [0, 1, 0, 3, 0, 5, 0, 7, 0, 0, 0, 0], ["revolute"], 35)
     yield prescribed(robot("driven", chain(20), ROWS, 16))
@@ -290,12 +294,14 @@ def _plan(
         processes,
         profile,
         seed,
-        share={"half": 0.45, "gathered": 0.45, "mixed": 0.3, "shared": 0.3}.get(how, 0.2),
+        share={"mixed": 0.3, "shared": 0.3, "": 0.2}.get(how, 0.45),
         mixed=how == "mixed",
         shared=how == "shared",
     )
     if how == "gathered":
         schedule = replace(schedule, meeting="gather")
+    if how == "exchanged":
+        schedule = replace(schedule, meeting="exchange")
     return make_plan(model, schedule, form=form)
 
 

@@ -179,7 +179,7 @@ _RUNS = {
     ("kinematics", "each"): "kinematics.run",
     (PASSING, "each"): "kinematics.run",
     ("kinematics", "segments"): "kinematics_segments.run",
-    ("kinematics", "traversed"): "kinematics_segments.run",
+    ("kinematics", "traversed"): "kinematics_traversed.run",
     ("kinematics", "tiles"): "kinematics_segments.run",
     (PASSING, "segments"): "kinematics_segments.run",
     ("traverse", "each"): "kinematics.run",
@@ -240,7 +240,9 @@ def _limbs_features(operation: Operation, limbs: Limbs, joints: Sequence[PlanJoi
 def _of_step(step: Step, operation: Operation, joints: Sequence[PlanJoint]) -> Features:
     """Of a step by the method that its operation passes its block by."""
     match step, operation.method:
-        case Kinematics(), "segments" | "traversed":
+        case Kinematics(), "traversed":
+            return {f"kinematics_traversed.{joints[step.joint].kind}": 1}
+        case Kinematics(), "segments":
             group = "passing_segments" if operation.does == PASSING else "kinematics_segments"
             return {f"{group}.{joints[step.joint].kind}": 1}
         case Traverse(passage), "segments":

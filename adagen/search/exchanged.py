@@ -100,6 +100,7 @@ class ExchangedSchedules:
         inside, within = (count - 1) / count, max(0, count - 2) / count
         join = min(costs[f"join.{kind}"] + costs[f"disassemble.{kind}"] for kind in set(self.kinds))
         beside = (costs["join.block"] + costs["disassemble.coupling"]) * (levels - 1) / 2
+        run = min(costs["kinematics.run"], costs["kinematics_segments.run"])
         alike = count & (count - 1) == 0  # halves are of equal size, on all levels
         waits = levels / 2 + (1 / 4 if count > 2 else 0) if alike else levels / 3
         return (
@@ -109,7 +110,8 @@ class ExchangedSchedules:
             + inside * costs["root.invert"]
             + within * 3 * costs["propagate_run.product"]
             + (levels - inside) * costs["kinematics.floating"]
-            + (1 + inside) * min(costs["kinematics.run"], costs["kinematics_segments.run"])
+            + run
+            + inside * min(run, costs["kinematics_traversed.run"])
             + min(costs["articulate.run"], costs["articulate_columns.run"])
         )
 
@@ -207,10 +209,13 @@ def _sweep(costs: StepCosts, kind: str) -> float:
 
 def _first_sweep(costs: StepCosts, kind: str, outermost: bool) -> float:
     """What a joint takes in a part until its process can tell others of it; microseconds."""
-    kinematics = min(costs[f"kinematics.{kind}"], costs[f"kinematics_segments.{kind}"])
+    groups = ("kinematics", "kinematics_segments" if outermost else "kinematics_traversed")
+    kinematics = min(costs[f"{group}.{kind}"] for group in groups)
     own = kinematics + costs["link.start"] + _sweep(costs, kind)
-    passing = costs[f"passing_segments.{kind}"] + costs.carried(kind)
-    return own if outermost else own + passing
+    if outermost:
+        return own
+    passing = min(costs[f"kinematics.{kind}"], costs[f"passing_segments.{kind}"])
+    return own + passing + costs.carried(kind)
 
 
 def _ready(plan: Plan, line: Timeline) -> list[float]:

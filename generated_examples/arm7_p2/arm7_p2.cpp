@@ -1,12 +1,12 @@
 // Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 2 --schedule=balanced --shape=kernels
-// input     profile default, sha256 8872469473a16616fb35eb0cbe19e7438b62853be4a16ebc93dcd28eb93898a1
+// input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI
-// program   2 processes, joined at cuts; 0.769 us predicted (default profile)
+// program   2 processes, joined at cuts; 0.664 us predicted (default profile)
 //           process 0: base_yaw .. forearm_roll
-//           process 1: wrist_pitch .. right_finger_slide
+//           process 1: left_finger_slide | right_finger_slide in 2 lanes, wrist_pitch .. flange_roll
 // schedule  forearm_roll@0-1(shoulder_pitch@0(base_yaw | upper_arm_roll(|elbow_pitch)) | flange_roll@1(wrist_pitch | left_finger_slide(right_finger_slide|)))
 // licence   yours to choose: generated code belongs to its user
 //
@@ -147,6 +147,10 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
 } };
 
 struct Layout : PlainLayout {
+  static constexpr int kSlotCount = 12;
+  static constexpr bool kReordered = true;
+  static constexpr int kSlots[kJointCount] = {0, 1, 2, 3, 4, 10, 11, 8, 9};
+  static constexpr bool kInLanes = true;
   static constexpr bool kByColumns = true;
   static constexpr bool kCarriesAlong = true;
 };
@@ -192,6 +196,7 @@ struct Cuts {
 #include "adagen/kernels/reach_nothing.hpp"
 #include "adagen/kernels/sweeps.hpp"
 #include "adagen/kernels/inward_columns.hpp"
+#include "adagen/kernels/groups.hpp"
 #include "adagen/kernels/mobility.hpp"
 #include "adagen/kernels/wrenches.hpp"
 #include "adagen/kernels/carry.hpp"
@@ -199,6 +204,9 @@ struct Cuts {
 #include "adagen/exchange.hpp"
 
 namespace {
+
+// "left_finger_slide", "right_finger_slide"
+constexpr Limbs<2, 1> kLimbs0{8, {{7, 8}}};
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
@@ -208,7 +216,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.v, 0, 5, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 0, 5, &JointConstants::v, kNotFinite);
   stamp(0);
-  std::copy_n(w.q + 0, 5, w.angle.data() + 0);
+  take_angles<0, 4>(w);
   turn<block(0), block(4) + 1>(w);
   outward<0, 4>(w);  // "base_yaw" .. "forearm_roll"
   stamp(1);
@@ -264,16 +272,19 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.v, 0, 9, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 5, 4, &JointConstants::v, kNotFinite);
   stamp(0);
-  std::copy_n(w.q + 0, 7, w.angle.data() + 0);
-  turn<block(0), block(8) + 1>(w);
+  take_angles<0, 8>(w);
+  turn<block(0), block(11) + 1>(w);
   pass_outward<0, 4>(w);  // "base_yaw" .. "forearm_roll"
-  outward<5, 7>(w);  // "wrist_pitch" .. "left_finger_slide"
-  outward<8, 8>(w);  // "right_finger_slide"
+  outward<5, 6>(w);  // "wrist_pitch" .. "flange_roll"
+  outward_group<kLimbs0>(w);
   stamp(1);
-  set_up_links<block(4), block(8) + 1>(w);
-  set_up_columns<block(5), block(7) + 1>(w);
-  inward<1, 8, 8, true>(w);  // "right_finger_slide"
-  inward_in_columns<1, 5, 7, true>(w);  // "wrist_pitch" .. "left_finger_slide"
+  set_up_links<block(4), block(11) + 1>(w);
+  {
+    const auto X = inward_group<1, kLimbs0>(w);
+    leave<true>(w, 7, lane(X, 0));
+    leave<false>(w, 7, lane(X, 1));
+  }
+  inward<1, 5, 6, true>(w);  // "wrist_pitch" .. "flange_roll"
   invert_root<1, 5>(w, w.j_flange_roll.Phi_wrist_housing, w.j_flange_roll.b_wrist_housing);
   stamp(2);
   {  // to process 0: assembled: chain of "flange_roll"
@@ -290,8 +301,8 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(4);
   w.loads[5] = in_base(w, 5, w.j_flange_roll.F_on_wrist_housing);
   accelerate_root<5>(w, w.j_flange_roll.Phi_wrist_housing, w.j_flange_roll.b_wrist_housing);
-  accelerate<1, 5, 7>(w);  // "wrist_pitch" .. "left_finger_slide"
-  accelerate<1, 8, 8>(w);  // "right_finger_slide"
+  accelerate<1, 5, 6>(w);  // "wrist_pitch" .. "flange_roll"
+  accelerate_group<1, kLimbs0>(w);
   stamp(5);
   require_finite(w, w.answer.data(), 5, 4, &JointConstants::v, kOverflow);
   give(w, 5, 4);
@@ -332,8 +343,8 @@ struct arm7_p2_solver : Solver {};
 namespace {
 
 // From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 106, 0.396};
-constexpr adagen::Hop kMessageHop{19, 169, 0.54};
+constexpr adagen::Hop kWindowHop{0, 98.7, 0.394};
+constexpr adagen::Hop kMessageHop{19.3, 163, 0.552};
 
 adagen::Description<Number> description() {
   static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>()} };

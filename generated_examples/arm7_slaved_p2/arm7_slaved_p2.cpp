@@ -1,10 +1,10 @@
 // Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --mimic --procs 2 --form=ada --name=arm7_slaved
-// input     profile default, sha256 8872469473a16616fb35eb0cbe19e7438b62853be4a16ebc93dcd28eb93898a1
+// input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
 // options   form ada, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI
-// program   2 processes, joined at cuts; 1.6 us predicted (default profile)
+// program   2 processes, joined at cuts; 1.54 us predicted (default profile)
 //           process 0: base_yaw .. wrist_pitch
 //           process 1: flange_roll .. right_finger_slide
 // schedule  wrist_pitch@0-1(forearm_roll@0(elbow_pitch(upper_arm_roll(shoulder_pitch(base_yaw|)|)|)|) | flange_roll@1(|left_finger_slide(right_finger_slide|)))
@@ -792,8 +792,8 @@ struct arm7_slaved_p2_solver : Solver {};
 namespace {
 
 // From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 106, 0.396};
-constexpr adagen::Hop kMessageHop{19, 169, 0.54};
+constexpr adagen::Hop kWindowHop{0, 98.7, 0.394};
+constexpr adagen::Hop kMessageHop{19.3, 163, 0.552};
 
 adagen::Description<Number> description() {
   static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>()} };

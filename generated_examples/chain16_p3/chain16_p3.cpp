@@ -1,10 +1,10 @@
 // Forward dynamics of "chain16" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // command   adagen ../models/chain16.urdf --procs 3 --schedule=balanced --shape=kernels
-// input     profile default, sha256 8872469473a16616fb35eb0cbe19e7438b62853be4a16ebc93dcd28eb93898a1
+// input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
 // options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI
-// program   3 processes, joined at cuts; 1.26 us predicted (default profile)
+// program   3 processes, joined at cuts; 1.14 us predicted (default profile)
 //           process 0: joint01 .. joint08
 //           process 1: joint09 .. joint12
 //           process 2: joint13 .. joint16
@@ -479,8 +479,8 @@ struct chain16_p3_solver : Solver {};
 namespace {
 
 // From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 106, 0.396};
-constexpr adagen::Hop kMessageHop{19, 169, 0.54};
+constexpr adagen::Hop kWindowHop{0, 98.7, 0.394};
+constexpr adagen::Hop kMessageHop{19.3, 163, 0.552};
 
 adagen::Description<Number> description() {
   static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>(), table<kStages_2>()} };

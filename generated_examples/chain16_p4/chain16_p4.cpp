@@ -1,15 +1,15 @@
 // Forward dynamics of "chain16" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // command   adagen ../models/chain16.urdf --procs 4 --form=ada --channel=message
-// input     profile default, sha256 8872469473a16616fb35eb0cbe19e7438b62853be4a16ebc93dcd28eb93898a1
+// input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
 // options   form ada, shape joints, scalar double, channel message, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI
-// program   4 processes, joined at cuts; 2.17 us predicted (default profile)
-//           process 0: joint01 .. joint05, joint09
-//           process 1: joint06 .. joint08
-//           process 2: joint10 .. joint13
+// program   4 processes, joined at cuts; 2.07 us predicted (default profile)
+//           process 0: joint01 .. joint07, joint10
+//           process 1: joint08 .. joint09
+//           process 2: joint11 .. joint13
 //           process 3: joint14 .. joint16
-// schedule  joint09@0-3(joint05@0-1(joint04@0(joint03(joint02(joint01|)|)|) | joint06@1(|joint07(|joint08))) | joint13@2-3(joint10@2(|joint11(|joint12)) | joint14@3(|joint15(|joint16))))
+// schedule  joint10@0-3(joint07@0-1(joint06@0(joint05(joint04(joint03(joint02(joint01|)|)|)|)|) | joint08@1(|joint09)) | joint13@2-3(joint11@2(|joint12) | joint14@3(|joint15(|joint16))))
 // licence   yours to choose: generated code belongs to its user
 //
 // Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
@@ -152,16 +152,16 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 namespace {
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 12> kMessages{ {
-    {1, 0, 120},  // 0: assembled: chain of "joint06"
+    {1, 0, 120},  // 0: assembled: chain of "joint08"
     {3, 2, 42},  // 1: assembled: chain of "joint14"
     {2, 0, 42},  // 2: assembled: chain of "joint13"
     {0, 2, 6},  // 3: forces on: chain of "joint13"
-    {0, 1, 12},  // 4: forces on: chain of "joint06"
+    {0, 1, 12},  // 4: forces on: chain of "joint08"
     {2, 3, 6},  // 5: forces on: chain of "joint14"
-    {0, 1, 19},  // 6: state
-    {1, 0, 3},  // 7: accelerations
-    {0, 2, 30},  // 8: state
-    {2, 0, 4},  // 9: accelerations
+    {0, 1, 20},  // 6: state
+    {1, 0, 2},  // 7: accelerations
+    {0, 2, 29},  // 8: state
+    {2, 0, 3},  // 9: accelerations
     {0, 3, 35},  // 10: state
     {3, 0, 3},  // 11: accelerations
 } };
@@ -223,42 +223,34 @@ struct Joint_joint04 {
 struct Joint_joint05 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod05"
-  Mat6 Phi_rod08;  // of the chain it completes
-  Columns6 b_rod08;
-  Joined<Revolute> joined;
-  Coupled<Revolute> at_rod08;
   Columns6 b;  // bias of the bare link "rod05"
-  Columns6 F_on_rod08;  // outer wrench on that chain
+  Mat6 Phi_rod05;  // of the chain it completes
+  Columns6 b_rod05;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod05;
+  Columns6 F_on_rod05;  // outer wrench on that chain
 };
 
 struct Joint_joint06 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod06"
   Columns6 b;  // bias of the bare link "rod06"
-  Mat6 Phi_rod05;  // of the chain it completes
-  Mat6 Phi_rod05_rod08;  // of the chain it completes
-  Mat6 Phi_rod08;  // of the chain it completes
-  Columns6 b_rod05;
-  Columns6 b_rod08;
+  Mat6 Phi_rod06;  // of the chain it completes
+  Columns6 b_rod06;
   Joined<Revolute> joined;
-  Coupled<Revolute> at_rod05;
-  Coupled<Revolute> at_rod08;
-  Columns6 F_on_rod05;  // outer wrench on that chain
+  Coupled<Revolute> at_rod06;
+  Columns6 F_on_rod06;  // outer wrench on that chain
 };
 
 struct Joint_joint07 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod07"
-  Columns6 b;  // bias of the bare link "rod07"
-  Mat6 Phi_rod06;  // of the chain it completes
-  Mat6 Phi_rod06_rod08;  // of the chain it completes
-  Mat6 Phi_rod08;  // of the chain it completes
-  Columns6 b_rod06;
-  Columns6 b_rod08;
+  Mat6 Phi_rod09;  // of the chain it completes
+  Columns6 b_rod09;
   Joined<Revolute> joined;
-  Coupled<Revolute> at_rod06;
-  Coupled<Revolute> at_rod08;
-  Columns6 F_on_rod06;  // outer wrench on that chain
+  Coupled<Revolute> at_rod09;
+  Columns6 b;  // bias of the bare link "rod07"
+  Columns6 F_on_rod09;  // outer wrench on that chain
 };
 
 struct Joint_joint08 {
@@ -266,36 +258,36 @@ struct Joint_joint08 {
   Vec6 v;  // velocity of link "rod08"
   Columns6 b;  // bias of the bare link "rod08"
   Mat6 Phi_rod07;  // of the chain it completes
-  Mat6 Phi_rod07_rod08;  // of the chain it completes
-  Mat6 Phi_rod08;  // of the chain it completes
+  Mat6 Phi_rod07_rod09;  // of the chain it completes
+  Mat6 Phi_rod09;  // of the chain it completes
   Columns6 b_rod07;
-  Columns6 b_rod08;
+  Columns6 b_rod09;
   Joined<Revolute> joined;
   Coupled<Revolute> at_rod07;
-  Coupled<Revolute> at_rod08;
+  Coupled<Revolute> at_rod09;
   Columns6 F_on_rod07;  // outer wrench on that chain
 };
 
 struct Joint_joint09 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod09"
-  Joined<Revolute> joined;
   Columns6 b;  // bias of the bare link "rod09"
+  Mat6 Phi_rod08;  // of the chain it completes
+  Mat6 Phi_rod08_rod09;  // of the chain it completes
+  Mat6 Phi_rod09;  // of the chain it completes
+  Columns6 b_rod08;
+  Columns6 b_rod09;
+  Joined<Revolute> joined;
+  Coupled<Revolute> at_rod08;
+  Coupled<Revolute> at_rod09;
+  Columns6 F_on_rod08;  // outer wrench on that chain
 };
 
 struct Joint_joint10 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod10"
-  Columns6 b;  // bias of the bare link "rod10"
-  Mat6 Phi_rod09;  // of the chain it completes
-  Mat6 Phi_rod09_rod12;  // of the chain it completes
-  Mat6 Phi_rod12;  // of the chain it completes
-  Columns6 b_rod09;
-  Columns6 b_rod12;
   Joined<Revolute> joined;
-  Coupled<Revolute> at_rod09;
-  Coupled<Revolute> at_rod12;
-  Columns6 F_on_rod12;  // outer wrench on that chain
+  Columns6 b;  // bias of the bare link "rod10"
 };
 
 struct Joint_joint11 {
@@ -310,7 +302,7 @@ struct Joint_joint11 {
   Joined<Revolute> joined;
   Coupled<Revolute> at_rod10;
   Coupled<Revolute> at_rod12;
-  Columns6 F_on_rod10;  // outer wrench on that chain
+  Columns6 F_on_rod12;  // outer wrench on that chain
 };
 
 struct Joint_joint12 {
@@ -331,12 +323,12 @@ struct Joint_joint12 {
 struct Joint_joint13 {
   Transform X;  // parent link's to child link's frame
   Vec6 v;  // velocity of link "rod13"
-  Mat6 Phi_rod09;  // of the chain it completes
-  Columns6 b_rod09;
+  Mat6 Phi_rod10;  // of the chain it completes
+  Columns6 b_rod10;
   Joined<Revolute> joined;
-  Coupled<Revolute> at_rod09;
+  Coupled<Revolute> at_rod10;
   Columns6 b;  // bias of the bare link "rod13"
-  Columns6 F_on_rod09;  // outer wrench on that chain
+  Columns6 F_on_rod10;  // outer wrench on that chain
 };
 
 struct Joint_joint14 {
@@ -586,7 +578,7 @@ void kinematics_joint05(Workspace& w) {
   i.v = i.X * w.j_joint04.v + joint_velocity<Revolute>(w.v + 4);
 }
 
-// A: the chain of "joint04"; B: the chain of "joint06"; C feels the joint at "rod08"
+// A: the chain of "joint04"; B: link "rod05"; C feels the joint at "rod05"
 void assemble_joint05(Workspace& w) {
   auto& i = w.j_joint05;
   load_torque(w, 4, 4, i.joined.tau);
@@ -594,23 +586,22 @@ void assemble_joint05(Workspace& w) {
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 4);
   constexpr std::array<Real, 6> least{7.157930644734229e-11, 1.5829154999642512e-12, 1.5829154999642512e-12, 2.842170943040401e-14, 7.073701457568329e-14, 7.073701457568329e-14};
-  if (!keeps_digits<Revolute>(Phi_A, w.j_joint06.Phi_rod05, least))
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod05, least))
     fail(w, kGrowth, 4);
-  if (!join(i.joined, Phi_A, w.j_joint06.Phi_rod05, i.X * w.j_joint04.b_rod04, w.j_joint06.b_rod05, c))
+  if (!join(i.joined, Phi_A, kPhi_rod05, i.X * w.j_joint04.b_rod04, w.j_joint05.b, c))
     fail(w, kFactorization, 4);
-  couple(i.joined, w.j_joint06.Phi_rod05_rod08, i.at_rod08);
-  i.Phi_rod08 = w.j_joint06.Phi_rod08 - product(i.at_rod08, i.at_rod08);  // Eq. (4)
-  i.b_rod08 = w.j_joint06.b_rod08 + bias_change(i.joined, i.at_rod08);  // Eq. (7)
+  couple(i.joined, kPhi_rod05, i.at_rod05);
+  i.Phi_rod05 = kPhi_rod05 - product(i.at_rod05, i.at_rod05);  // Eq. (4)
+  i.b_rod05 = w.j_joint05.b + bias_change(i.joined, i.at_rod05);  // Eq. (7)
 }
 
 void disassemble_joint05(Workspace& w) {
   auto& i = w.j_joint05;
   Release<Revolute> release(i.joined);
-  release.feel_B(i.at_rod08, w.j_joint05.F_on_rod08);
+  release.feel_B(i.at_rod05, w.j_joint05.F_on_rod05);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 4, 4, release.qdd());  // Eq. (9)
   w.j_joint04.F_on_rod04 = -i.X.transposed_times(f);
-  w.j_joint06.F_on_rod05 = f;
 }
 
 // ---- joint 5 "joint06": revolute, between links "rod05" and "rod06"
@@ -627,35 +618,30 @@ void kinematics_joint06(Workspace& w) {
   i.v = i.X * w.j_joint05.v + joint_velocity<Revolute>(w.v + 5);
 }
 
-// A: link "rod05"; B: the chain of "joint07"; C feels the joint at "rod05", "rod08"
+// A: the chain of "joint05"; B: link "rod06"; C feels the joint at "rod06"
 void assemble_joint06(Workspace& w) {
   auto& i = w.j_joint06;
   load_torque(w, 5, 5, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_rod05;
+  const Mat6 X_Phi_A = i.X * w.j_joint05.Phi_rod05;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 5);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 1.5829154999642512e-12, 7.157930644734229e-11, 7.073701457568329e-14, 7.073701457568329e-14, 2.842170943040401e-14};
-  if (!keeps_digits<Revolute>(Phi_A, w.j_joint07.Phi_rod06, least))
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod06, least))
     fail(w, kGrowth, 5);
-  if (!join(i.joined, Phi_A, w.j_joint07.Phi_rod06, i.X * w.j_joint05.b, w.j_joint07.b_rod06, c))
+  if (!join(i.joined, Phi_A, kPhi_rod06, i.X * w.j_joint05.b_rod05, w.j_joint06.b, c))
     fail(w, kFactorization, 5);
-  couple(i.joined, X_Phi_A, i.at_rod05);
-  couple(i.joined, w.j_joint07.Phi_rod06_rod08, i.at_rod08);
-  i.Phi_rod05 = kPhi_rod05 - product(i.at_rod05, i.at_rod05);  // Eq. (3)
-  i.Phi_rod05_rod08 = product(i.at_rod05, i.at_rod08);  // Eq. (5)
-  i.Phi_rod08 = w.j_joint07.Phi_rod08 - product(i.at_rod08, i.at_rod08);  // Eq. (4)
-  i.b_rod05 = w.j_joint05.b - bias_change(i.joined, i.at_rod05);  // Eq. (6)
-  i.b_rod08 = w.j_joint07.b_rod08 + bias_change(i.joined, i.at_rod08);  // Eq. (7)
+  couple(i.joined, kPhi_rod06, i.at_rod06);
+  i.Phi_rod06 = kPhi_rod06 - product(i.at_rod06, i.at_rod06);  // Eq. (4)
+  i.b_rod06 = w.j_joint06.b + bias_change(i.joined, i.at_rod06);  // Eq. (7)
 }
 
 void disassemble_joint06(Workspace& w) {
   auto& i = w.j_joint06;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod05, w.j_joint06.F_on_rod05);
-  release.feel_B(i.at_rod08, w.j_joint05.F_on_rod08);
+  release.feel_B(i.at_rod06, w.j_joint06.F_on_rod06);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 5, 5, release.qdd());  // Eq. (9)
-  w.j_joint07.F_on_rod06 = f;
+  w.j_joint05.F_on_rod05 = -i.X.transposed_times(f);
 }
 
 // ---- joint 6 "joint07": revolute, between links "rod06" and "rod07"
@@ -672,34 +658,30 @@ void kinematics_joint07(Workspace& w) {
   i.v = i.X * w.j_joint06.v + joint_velocity<Revolute>(w.v + 6);
 }
 
-// A: link "rod06"; B: the chain of "joint08"; C feels the joint at "rod06", "rod08"
+// A: the chain of "joint06"; B: the chain of "joint08"; C feels the joint at "rod09"
 void assemble_joint07(Workspace& w) {
   auto& i = w.j_joint07;
   load_torque(w, 6, 6, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_rod06;
+  const Mat6 X_Phi_A = i.X * w.j_joint06.Phi_rod06;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 6);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
   if (!keeps_digits<Revolute>(Phi_A, w.j_joint08.Phi_rod07, least))
     fail(w, kGrowth, 6);
-  if (!join(i.joined, Phi_A, w.j_joint08.Phi_rod07, i.X * w.j_joint06.b, w.j_joint08.b_rod07, c))
+  if (!join(i.joined, Phi_A, w.j_joint08.Phi_rod07, i.X * w.j_joint06.b_rod06, w.j_joint08.b_rod07, c))
     fail(w, kFactorization, 6);
-  couple(i.joined, X_Phi_A, i.at_rod06);
-  couple(i.joined, w.j_joint08.Phi_rod07_rod08, i.at_rod08);
-  i.Phi_rod06 = kPhi_rod06 - product(i.at_rod06, i.at_rod06);  // Eq. (3)
-  i.Phi_rod06_rod08 = product(i.at_rod06, i.at_rod08);  // Eq. (5)
-  i.Phi_rod08 = w.j_joint08.Phi_rod08 - product(i.at_rod08, i.at_rod08);  // Eq. (4)
-  i.b_rod06 = w.j_joint06.b - bias_change(i.joined, i.at_rod06);  // Eq. (6)
-  i.b_rod08 = w.j_joint08.b_rod08 + bias_change(i.joined, i.at_rod08);  // Eq. (7)
+  couple(i.joined, w.j_joint08.Phi_rod07_rod09, i.at_rod09);
+  i.Phi_rod09 = w.j_joint08.Phi_rod09 - product(i.at_rod09, i.at_rod09);  // Eq. (4)
+  i.b_rod09 = w.j_joint08.b_rod09 + bias_change(i.joined, i.at_rod09);  // Eq. (7)
 }
 
 void disassemble_joint07(Workspace& w) {
   auto& i = w.j_joint07;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod06, w.j_joint07.F_on_rod06);
-  release.feel_B(i.at_rod08, w.j_joint05.F_on_rod08);
+  release.feel_B(i.at_rod09, w.j_joint07.F_on_rod09);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 6, 6, release.qdd());  // Eq. (9)
+  w.j_joint06.F_on_rod06 = -i.X.transposed_times(f);
   w.j_joint08.F_on_rod07 = f;
 }
 
@@ -717,7 +699,7 @@ void kinematics_joint08(Workspace& w) {
   i.v = i.X * w.j_joint07.v + joint_velocity<Revolute>(w.v + 7);
 }
 
-// A: link "rod07"; B: link "rod08"; C feels the joint at "rod07", "rod08"
+// A: link "rod07"; B: the chain of "joint09"; C feels the joint at "rod07", "rod09"
 void assemble_joint08(Workspace& w) {
   auto& i = w.j_joint08;
   load_torque(w, 7, 7, i.joined.tau);
@@ -725,26 +707,27 @@ void assemble_joint08(Workspace& w) {
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 7);
   constexpr std::array<Real, 6> least{7.157930644734229e-11, 1.5829154999642512e-12, 1.5829154999642512e-12, 2.842170943040401e-14, 7.073701457568329e-14, 7.073701457568329e-14};
-  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod08, least))
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint09.Phi_rod08, least))
     fail(w, kGrowth, 7);
-  if (!join(i.joined, Phi_A, kPhi_rod08, i.X * w.j_joint07.b, w.j_joint08.b, c))
+  if (!join(i.joined, Phi_A, w.j_joint09.Phi_rod08, i.X * w.j_joint07.b, w.j_joint09.b_rod08, c))
     fail(w, kFactorization, 7);
   couple(i.joined, X_Phi_A, i.at_rod07);
-  couple(i.joined, kPhi_rod08, i.at_rod08);
+  couple(i.joined, w.j_joint09.Phi_rod08_rod09, i.at_rod09);
   i.Phi_rod07 = kPhi_rod07 - product(i.at_rod07, i.at_rod07);  // Eq. (3)
-  i.Phi_rod07_rod08 = product(i.at_rod07, i.at_rod08);  // Eq. (5)
-  i.Phi_rod08 = kPhi_rod08 - product(i.at_rod08, i.at_rod08);  // Eq. (4)
+  i.Phi_rod07_rod09 = product(i.at_rod07, i.at_rod09);  // Eq. (5)
+  i.Phi_rod09 = w.j_joint09.Phi_rod09 - product(i.at_rod09, i.at_rod09);  // Eq. (4)
   i.b_rod07 = w.j_joint07.b - bias_change(i.joined, i.at_rod07);  // Eq. (6)
-  i.b_rod08 = w.j_joint08.b + bias_change(i.joined, i.at_rod08);  // Eq. (7)
+  i.b_rod09 = w.j_joint09.b_rod09 + bias_change(i.joined, i.at_rod09);  // Eq. (7)
 }
 
 void disassemble_joint08(Workspace& w) {
   auto& i = w.j_joint08;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_rod07, w.j_joint08.F_on_rod07);
-  release.feel_B(i.at_rod08, w.j_joint05.F_on_rod08);
-  release.force();  // Eq. (8)
+  release.feel_B(i.at_rod09, w.j_joint07.F_on_rod09);
+  const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 7, 7, release.qdd());  // Eq. (9)
+  w.j_joint09.F_on_rod08 = f;
 }
 
 // ---- joint 8 "joint09": revolute, between links "rod08" and "rod09"
@@ -761,27 +744,34 @@ void kinematics_joint09(Workspace& w) {
   i.v = i.X * w.j_joint08.v + joint_velocity<Revolute>(w.v + 8);
 }
 
-// A: the chain of "joint05"; B: the chain of "joint13"; C feels the joint at no link
+// A: link "rod08"; B: link "rod09"; C feels the joint at "rod08", "rod09"
 void assemble_joint09(Workspace& w) {
   auto& i = w.j_joint09;
   load_torque(w, 8, 8, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint05.Phi_rod08;
+  const Mat6 X_Phi_A = i.X * kPhi_rod08;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 8);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 1.5829154999642512e-12, 7.157930644734229e-11, 7.073701457568329e-14, 7.073701457568329e-14, 2.842170943040401e-14};
-  if (!keeps_digits<Revolute>(Phi_A, w.j_joint13.Phi_rod09, least))
+  if (!keeps_digits<Revolute>(Phi_A, kPhi_rod09, least))
     fail(w, kGrowth, 8);
-  if (!join(i.joined, Phi_A, w.j_joint13.Phi_rod09, i.X * w.j_joint05.b_rod08, w.j_joint13.b_rod09, c))
+  if (!join(i.joined, Phi_A, kPhi_rod09, i.X * w.j_joint08.b, w.j_joint09.b, c))
     fail(w, kFactorization, 8);
+  couple(i.joined, X_Phi_A, i.at_rod08);
+  couple(i.joined, kPhi_rod09, i.at_rod09);
+  i.Phi_rod08 = kPhi_rod08 - product(i.at_rod08, i.at_rod08);  // Eq. (3)
+  i.Phi_rod08_rod09 = product(i.at_rod08, i.at_rod09);  // Eq. (5)
+  i.Phi_rod09 = kPhi_rod09 - product(i.at_rod09, i.at_rod09);  // Eq. (4)
+  i.b_rod08 = w.j_joint08.b - bias_change(i.joined, i.at_rod08);  // Eq. (6)
+  i.b_rod09 = w.j_joint09.b + bias_change(i.joined, i.at_rod09);  // Eq. (7)
 }
 
 void disassemble_joint09(Workspace& w) {
   auto& i = w.j_joint09;
   Release<Revolute> release(i.joined);
-  const Columns6 f = release.force();  // Eq. (8), (10)
+  release.feel_A(i.at_rod08, w.j_joint09.F_on_rod08);
+  release.feel_B(i.at_rod09, w.j_joint07.F_on_rod09);
+  release.force();  // Eq. (8)
   store_acceleration(w, 8, 8, release.qdd());  // Eq. (9)
-  w.j_joint05.F_on_rod08 = -i.X.transposed_times(f);
-  w.j_joint13.F_on_rod09 = f;
 }
 
 // ---- joint 9 "joint10": revolute, between links "rod09" and "rod10"
@@ -798,35 +788,27 @@ void kinematics_joint10(Workspace& w) {
   i.v = i.X * w.j_joint09.v + joint_velocity<Revolute>(w.v + 9);
 }
 
-// A: link "rod09"; B: the chain of "joint11"; C feels the joint at "rod09", "rod12"
+// A: the chain of "joint07"; B: the chain of "joint13"; C feels the joint at no link
 void assemble_joint10(Workspace& w) {
   auto& i = w.j_joint10;
   load_torque(w, 9, 9, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * kPhi_rod09;
+  const Mat6 X_Phi_A = i.X * w.j_joint07.Phi_rod09;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 9);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
-  if (!keeps_digits<Revolute>(Phi_A, w.j_joint11.Phi_rod10, least))
+  if (!keeps_digits<Revolute>(Phi_A, w.j_joint13.Phi_rod10, least))
     fail(w, kGrowth, 9);
-  if (!join(i.joined, Phi_A, w.j_joint11.Phi_rod10, i.X * w.j_joint09.b, w.j_joint11.b_rod10, c))
+  if (!join(i.joined, Phi_A, w.j_joint13.Phi_rod10, i.X * w.j_joint07.b_rod09, w.j_joint13.b_rod10, c))
     fail(w, kFactorization, 9);
-  couple(i.joined, X_Phi_A, i.at_rod09);
-  couple(i.joined, w.j_joint11.Phi_rod10_rod12, i.at_rod12);
-  i.Phi_rod09 = kPhi_rod09 - product(i.at_rod09, i.at_rod09);  // Eq. (3)
-  i.Phi_rod09_rod12 = product(i.at_rod09, i.at_rod12);  // Eq. (5)
-  i.Phi_rod12 = w.j_joint11.Phi_rod12 - product(i.at_rod12, i.at_rod12);  // Eq. (4)
-  i.b_rod09 = w.j_joint09.b - bias_change(i.joined, i.at_rod09);  // Eq. (6)
-  i.b_rod12 = w.j_joint11.b_rod12 + bias_change(i.joined, i.at_rod12);  // Eq. (7)
 }
 
 void disassemble_joint10(Workspace& w) {
   auto& i = w.j_joint10;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod09, w.j_joint13.F_on_rod09);
-  release.feel_B(i.at_rod12, w.j_joint10.F_on_rod12);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 9, 9, release.qdd());  // Eq. (9)
-  w.j_joint11.F_on_rod10 = f;
+  w.j_joint07.F_on_rod09 = -i.X.transposed_times(f);
+  w.j_joint13.F_on_rod10 = f;
 }
 
 // ---- joint 10 "joint11": revolute, between links "rod10" and "rod11"
@@ -867,8 +849,8 @@ void assemble_joint11(Workspace& w) {
 void disassemble_joint11(Workspace& w) {
   auto& i = w.j_joint11;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod10, w.j_joint11.F_on_rod10);
-  release.feel_B(i.at_rod12, w.j_joint10.F_on_rod12);
+  release.feel_A(i.at_rod10, w.j_joint13.F_on_rod10);
+  release.feel_B(i.at_rod12, w.j_joint11.F_on_rod12);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 10, 10, release.qdd());  // Eq. (9)
   w.j_joint12.F_on_rod11 = f;
@@ -913,7 +895,7 @@ void disassemble_joint12(Workspace& w) {
   auto& i = w.j_joint12;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_rod11, w.j_joint12.F_on_rod11);
-  release.feel_B(i.at_rod12, w.j_joint10.F_on_rod12);
+  release.feel_B(i.at_rod12, w.j_joint11.F_on_rod12);
   release.force();  // Eq. (8)
   store_acceleration(w, 11, 11, release.qdd());  // Eq. (9)
 }
@@ -932,30 +914,30 @@ void kinematics_joint13(Workspace& w) {
   i.v = i.X * w.j_joint12.v + joint_velocity<Revolute>(w.v + 12);
 }
 
-// A: the chain of "joint10"; B: the chain of "joint14"; C feels the joint at "rod09"
+// A: the chain of "joint11"; B: the chain of "joint14"; C feels the joint at "rod10"
 void assemble_joint13(Workspace& w) {
   auto& i = w.j_joint13;
   load_torque(w, 12, 12, i.joined.tau);
-  const Mat6 X_Phi_A = i.X * w.j_joint10.Phi_rod12;
+  const Mat6 X_Phi_A = i.X * w.j_joint11.Phi_rod12;
   const Mat6 Phi_A = from_right(X_Phi_A, i.X);
   const Columns6 c = velocity_product<Revolute>(i.v, w.v + 12);
   constexpr std::array<Real, 6> least{1.5829154999642512e-12, 7.157930644734229e-11, 1.5829154999642512e-12, 7.073701457568329e-14, 2.842170943040401e-14, 7.073701457568329e-14};
   if (!keeps_digits<Revolute>(Phi_A, w.j_joint14.Phi_rod13, least))
     fail(w, kGrowth, 12);
-  if (!join(i.joined, Phi_A, w.j_joint14.Phi_rod13, i.X * w.j_joint10.b_rod12, w.j_joint14.b_rod13, c))
+  if (!join(i.joined, Phi_A, w.j_joint14.Phi_rod13, i.X * w.j_joint11.b_rod12, w.j_joint14.b_rod13, c))
     fail(w, kFactorization, 12);
-  couple(i.joined, times_transposed(i.X, w.j_joint10.Phi_rod09_rod12), i.at_rod09);
-  i.Phi_rod09 = w.j_joint10.Phi_rod09 - product(i.at_rod09, i.at_rod09);  // Eq. (3)
-  i.b_rod09 = w.j_joint10.b_rod09 - bias_change(i.joined, i.at_rod09);  // Eq. (6)
+  couple(i.joined, times_transposed(i.X, w.j_joint11.Phi_rod10_rod12), i.at_rod10);
+  i.Phi_rod10 = w.j_joint11.Phi_rod10 - product(i.at_rod10, i.at_rod10);  // Eq. (3)
+  i.b_rod10 = w.j_joint11.b_rod10 - bias_change(i.joined, i.at_rod10);  // Eq. (6)
 }
 
 void disassemble_joint13(Workspace& w) {
   auto& i = w.j_joint13;
   Release<Revolute> release(i.joined);
-  release.feel_A(i.at_rod09, w.j_joint13.F_on_rod09);
+  release.feel_A(i.at_rod10, w.j_joint13.F_on_rod10);
   const Columns6 f = release.force();  // Eq. (8), (10)
   store_acceleration(w, 12, 12, release.qdd());  // Eq. (9)
-  w.j_joint10.F_on_rod12 = -i.X.transposed_times(f);
+  w.j_joint11.F_on_rod12 = -i.X.transposed_times(f);
   w.j_joint14.F_on_rod13 = f;
 }
 
@@ -1081,7 +1063,7 @@ void disassemble_joint16(Workspace& w) {
 
 // ---- 5. processes -------------------------------------------------------------------------------
 
-// Process 0: 6 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint05", "joint09"; kinematics of 3 more on the way to the ground
+// Process 0: 8 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint05", "joint06", ...; kinematics of 2 more on the way to the ground
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
   stamp(0);
@@ -1094,6 +1076,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_joint07(w);
   kinematics_joint08(w);
   kinematics_joint09(w);
+  kinematics_joint10(w);
   stamp(1);
   link_bias(kLinks[1], w.j_joint01.v, w.j_joint01.b);
   assemble_joint01(w);
@@ -1103,43 +1086,49 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   assemble_joint03(w);
   link_bias(kLinks[4], w.j_joint04.v, w.j_joint04.b);
   assemble_joint04(w);
+  link_bias(kLinks[5], w.j_joint05.v, w.j_joint05.b);
+  assemble_joint05(w);
+  link_bias(kLinks[6], w.j_joint06.v, w.j_joint06.b);
+  assemble_joint06(w);
   stamp(2);
-  {  // from process 1: assembled: chain of "joint06"
+  {  // from process 1: assembled: chain of "joint08"
     const Number* from = channel.receive(0, w.status);
-    from = get(from, w.j_joint06.Phi_rod05);
-    from = get(from, w.j_joint06.Phi_rod05_rod08);
-    from = get(from, w.j_joint06.Phi_rod08);
-    from = get(from, w.j_joint06.b_rod05);
-    get(from, w.j_joint06.b_rod08);
+    from = get(from, w.j_joint08.Phi_rod07);
+    from = get(from, w.j_joint08.Phi_rod07_rod09);
+    from = get(from, w.j_joint08.Phi_rod09);
+    from = get(from, w.j_joint08.b_rod07);
+    get(from, w.j_joint08.b_rod09);
   }
   stamp(3);
-  assemble_joint05(w);
+  assemble_joint07(w);
   stamp(4);
   {  // from process 2: assembled: chain of "joint13"
     const Number* from = channel.receive(2, w.status);
-    from = get(from, w.j_joint13.Phi_rod09);
-    get(from, w.j_joint13.b_rod09);
+    from = get(from, w.j_joint13.Phi_rod10);
+    get(from, w.j_joint13.b_rod10);
   }
   stamp(5);
-  assemble_joint09(w);
+  assemble_joint10(w);
   stamp(6);
-  disassemble_joint09(w);
+  disassemble_joint10(w);
   stamp(7);
   {  // to process 2: forces on: chain of "joint13"
     Number* to = channel.outgoing(3, w.status);
-    put(to, w.j_joint13.F_on_rod09);
+    put(to, w.j_joint13.F_on_rod10);
     channel.send(3, w.status);
   }
   stamp(8);
-  disassemble_joint05(w);
+  disassemble_joint07(w);
   stamp(9);
-  {  // to process 1: forces on: chain of "joint06"
+  {  // to process 1: forces on: chain of "joint08"
     Number* to = channel.outgoing(4, w.status);
-    to = put(to, w.j_joint06.F_on_rod05);
-    put(to, w.j_joint05.F_on_rod08);
+    to = put(to, w.j_joint08.F_on_rod07);
+    put(to, w.j_joint07.F_on_rod09);
     channel.send(4, w.status);
   }
   stamp(10);
+  disassemble_joint06(w);
+  disassemble_joint05(w);
   disassemble_joint04(w);
   disassemble_joint03(w);
   disassemble_joint02(w);
@@ -1147,7 +1136,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(11);
 }
 
-// Process 1: 3 of 16 joints: "joint06", "joint07", "joint08"; kinematics of 5 more on the way to the ground
+// Process 1: 2 of 16 joints: "joint08", "joint09"; kinematics of 7 more on the way to the ground
 void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
   stamp(0);
@@ -1159,38 +1148,36 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   kinematics_joint06(w);
   kinematics_joint07(w);
   kinematics_joint08(w);
+  kinematics_joint09(w);
   stamp(1);
-  link_bias(kLinks[7], w.j_joint07.v, w.j_joint07.b);
   link_bias(kLinks[8], w.j_joint08.v, w.j_joint08.b);
+  link_bias(kLinks[9], w.j_joint09.v, w.j_joint09.b);
+  assemble_joint09(w);
+  link_bias(kLinks[7], w.j_joint07.v, w.j_joint07.b);
   assemble_joint08(w);
-  link_bias(kLinks[6], w.j_joint06.v, w.j_joint06.b);
-  assemble_joint07(w);
-  link_bias(kLinks[5], w.j_joint05.v, w.j_joint05.b);
-  assemble_joint06(w);
   stamp(2);
-  {  // to process 0: assembled: chain of "joint06"
+  {  // to process 0: assembled: chain of "joint08"
     Number* to = channel.outgoing(0, w.status);
-    to = put(to, w.j_joint06.Phi_rod05);
-    to = put(to, w.j_joint06.Phi_rod05_rod08);
-    to = put(to, w.j_joint06.Phi_rod08);
-    to = put(to, w.j_joint06.b_rod05);
-    put(to, w.j_joint06.b_rod08);
+    to = put(to, w.j_joint08.Phi_rod07);
+    to = put(to, w.j_joint08.Phi_rod07_rod09);
+    to = put(to, w.j_joint08.Phi_rod09);
+    to = put(to, w.j_joint08.b_rod07);
+    put(to, w.j_joint08.b_rod09);
     channel.send(0, w.status);
   }
   stamp(3);
-  {  // from process 0: forces on: chain of "joint06"
+  {  // from process 0: forces on: chain of "joint08"
     const Number* from = channel.receive(4, w.status);
-    from = get(from, w.j_joint06.F_on_rod05);
-    get(from, w.j_joint05.F_on_rod08);
+    from = get(from, w.j_joint08.F_on_rod07);
+    get(from, w.j_joint07.F_on_rod09);
   }
   stamp(4);
-  disassemble_joint06(w);
-  disassemble_joint07(w);
   disassemble_joint08(w);
+  disassemble_joint09(w);
   stamp(5);
 }
 
-// Process 2: 4 of 16 joints: "joint10", "joint11", "joint12", "joint13"; kinematics of 9 more on the way to the ground
+// Process 2: 3 of 16 joints: "joint11", "joint12", "joint13"; kinematics of 10 more on the way to the ground
 void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
   stamp(0);
@@ -1213,8 +1200,6 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   assemble_joint12(w);
   link_bias(kLinks[10], w.j_joint10.v, w.j_joint10.b);
   assemble_joint11(w);
-  link_bias(kLinks[9], w.j_joint09.v, w.j_joint09.b);
-  assemble_joint10(w);
   stamp(2);
   {  // from process 3: assembled: chain of "joint14"
     const Number* from = channel.receive(1, w.status);
@@ -1226,14 +1211,14 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(4);
   {  // to process 0: assembled: chain of "joint13"
     Number* to = channel.outgoing(2, w.status);
-    to = put(to, w.j_joint13.Phi_rod09);
-    put(to, w.j_joint13.b_rod09);
+    to = put(to, w.j_joint13.Phi_rod10);
+    put(to, w.j_joint13.b_rod10);
     channel.send(2, w.status);
   }
   stamp(5);
   {  // from process 0: forces on: chain of "joint13"
     const Number* from = channel.receive(3, w.status);
-    get(from, w.j_joint13.F_on_rod09);
+    get(from, w.j_joint13.F_on_rod10);
   }
   stamp(6);
   disassemble_joint13(w);
@@ -1244,7 +1229,6 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     channel.send(5, w.status);
   }
   stamp(8);
-  disassemble_joint10(w);
   disassemble_joint11(w);
   disassemble_joint12(w);
   stamp(9);
@@ -1298,18 +1282,18 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 [[maybe_unused]] constexpr std::array<StageInfo, 11> kStages_0{ {
-    {"kinematics", 8, -1}, {"assembly", 3, -1}, {"receive", -1, 0}, {"assembly", 4, -1},
-    {"receive", -1, 2}, {"assembly", 8, -1}, {"disassembly", 8, -1}, {"send", -1, 3},
-    {"disassembly", 4, -1}, {"send", -1, 4}, {"disassembly", 3, -1}
+    {"kinematics", 9, -1}, {"assembly", 5, -1}, {"receive", -1, 0}, {"assembly", 6, -1},
+    {"receive", -1, 2}, {"assembly", 9, -1}, {"disassembly", 9, -1}, {"send", -1, 3},
+    {"disassembly", 6, -1}, {"send", -1, 4}, {"disassembly", 5, -1}
 } };
 [[maybe_unused]] constexpr std::array<StageInfo, 5> kStages_1{ {
-    {"kinematics", 7, -1}, {"assembly", 5, -1}, {"send", -1, 0}, {"receive", -1, 4},
-    {"disassembly", 5, -1}
+    {"kinematics", 8, -1}, {"assembly", 7, -1}, {"send", -1, 0}, {"receive", -1, 4},
+    {"disassembly", 7, -1}
 } };
 [[maybe_unused]] constexpr std::array<StageInfo, 9> kStages_2{ {
-    {"kinematics", 12, -1}, {"assembly", 9, -1}, {"receive", -1, 1}, {"assembly", 12, -1},
+    {"kinematics", 12, -1}, {"assembly", 10, -1}, {"receive", -1, 1}, {"assembly", 12, -1},
     {"send", -1, 2}, {"receive", -1, 3}, {"disassembly", 12, -1}, {"send", -1, 5},
-    {"disassembly", 9, -1}
+    {"disassembly", 10, -1}
 } };
 [[maybe_unused]] constexpr std::array<StageInfo, 5> kStages_3{ {
     {"kinematics", 15, -1}, {"assembly", 13, -1}, {"send", -1, 1}, {"receive", -1, 5},
@@ -1318,9 +1302,9 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2, run_3};
 
 // What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
-constexpr std::array<Range, 6> kRanges_0{ {{0, 9}, {0, 9}, {0, 5}, {8, 1}, {0, 5}, {8, 1}} };
-constexpr std::array<Range, 4> kRanges_1{ {{0, 8}, {0, 8}, {5, 3}, {5, 3}} };
-constexpr std::array<Range, 4> kRanges_2{ {{0, 13}, {0, 13}, {9, 4}, {9, 4}} };
+constexpr std::array<Range, 6> kRanges_0{ {{0, 10}, {0, 10}, {0, 7}, {9, 1}, {0, 7}, {9, 1}} };
+constexpr std::array<Range, 4> kRanges_1{ {{0, 9}, {0, 9}, {7, 2}, {7, 2}} };
+constexpr std::array<Range, 4> kRanges_2{ {{0, 13}, {0, 13}, {10, 3}, {10, 3}} };
 constexpr std::array<Range, 4> kRanges_3{ {{0, 16}, {0, 16}, {13, 3}, {13, 3}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
     {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {2, kRanges_0.data() + 2}, {2, kRanges_0.data() + 4}},
@@ -1346,8 +1330,8 @@ struct chain16_p4_solver : Solver {};
 namespace {
 
 // From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 106, 0.396};
-constexpr adagen::Hop kMessageHop{19, 169, 0.54};
+constexpr adagen::Hop kWindowHop{0, 98.7, 0.394};
+constexpr adagen::Hop kMessageHop{19.3, 163, 0.552};
 
 adagen::Description<Number> description() {
   static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>(), table<kStages_2>(), table<kStages_3>()} };

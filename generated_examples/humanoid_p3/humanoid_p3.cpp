@@ -1,10 +1,10 @@
 // Forward dynamics of "humanoid" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 3 --form=ada
-// input     profile default, sha256 8872469473a16616fb35eb0cbe19e7438b62853be4a16ebc93dcd28eb93898a1
+// input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
 // options   form ada, shape joints, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI
-// program   3 processes, joined at cuts; 3.32 us predicted (default profile)
+// program   3 processes, joined at cuts; 2.94 us predicted (default profile)
 //           process 0: __base__ .. waist_yaw
 //           process 1: waist_roll .. left_shoulder_pitch, neck_yaw .. right_wrist_pitch
 //           process 2: left_shoulder_roll .. left_wrist_pitch
@@ -2080,8 +2080,8 @@ struct humanoid_p3_solver : Solver {};
 namespace {
 
 // From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 106, 0.396};
-constexpr adagen::Hop kMessageHop{19, 169, 0.54};
+constexpr adagen::Hop kWindowHop{0, 98.7, 0.394};
+constexpr adagen::Hop kMessageHop{19.3, 163, 0.552};
 
 adagen::Description<Number> description() {
   static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>(), table<kStages_2>()} };

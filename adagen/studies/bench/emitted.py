@@ -15,10 +15,9 @@ from numpy.typing import NDArray
 from adagen.build import Toolchain, build_executable
 from adagen.errors import EnvironmentFault
 from adagen.model import Model
-from adagen.run import launch
+from adagen.run import laid_anew, launch
 from adagen.states import States, read_result, write_states
 from adagen.studies.bench.contest import Contestant, Turn, cores, from_stretches
-from adagen.studies.bench.program import laid_anew
 
 Array = NDArray[np.float64]
 TIMEOUT = 300.0

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import json
 import re
-import shutil
 import subprocess
 import tempfile
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -20,6 +18,7 @@ from numpy.typing import NDArray
 from adagen.build import Toolchain, build_executable
 from adagen.build.toolchain import STANDARD
 from adagen.errors import EnvironmentFault, printable
+from adagen.run import laid_anew
 from adagen.studies.bench.contest import Turn
 
 Array = NDArray[np.float64]
@@ -89,19 +88,6 @@ class Coordinates:
         path.write_bytes(
             b"".join(np.ascontiguousarray(x, dtype=np.float64).tobytes() for x in parts)
         )
-
-
-@contextmanager
-def laid_anew(executable: Path) -> Iterator[Path]:
-    """Lend a copy of a program.
-
-    Where in memory a file's pages lie decides how its code shares caches, for as long as the file
-    is kept in memory: small solvers differ by a third. Copies lie elsewhere each time.
-    """
-    with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
-        copy = Path(folder, executable.name)
-        shutil.copy2(executable, copy)
-        yield copy
 
 
 @dataclass(frozen=True)
