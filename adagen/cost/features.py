@@ -130,7 +130,8 @@ def _without_joint(step: Step, joints: Sequence[PlanJoint]) -> Features | None:
     """Of a step that is not about one joint, or the same whatever joint; None for others."""
     if isinstance(step, Certify | Refine):
         times = step.count if isinstance(step, Refine) else 1
-        return added(times * [_weighed(joint) for joint in joints])
+        own = (step.joints if isinstance(step, Certify) else ()) or range(len(joints))
+        return added(times * [_weighed(joints[j]) for j in own])
     if isinstance(step, Traverse):
         run = range(step.passage.first, step.passage.last + 1)
         return added({f"kinematics.{joints[j].kind}": 1} for j in run)

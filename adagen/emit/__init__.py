@@ -96,6 +96,7 @@ def emit(
     Raises:
         UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
     """
+    plan = plan.for_batches if batch else plan
     processes = batch or len(plan.processes)
     stem = stem_of(plan, name, batch)
     steps = checked_steps(refine)

@@ -11,7 +11,7 @@ from adagen.emit.words import Words
 from adagen.executor import simulate
 from adagen.plan.stages import stages
 from adagen.plan.steps import LinkBias, StartLink
-from adagen.plan.types import ENERGIES, Message, Process
+from adagen.plan.types import CERTIFICATE, ENERGIES, Message, Process
 
 _NAMED = 6  # joints that a summary names before it only counts
 
@@ -50,6 +50,8 @@ def describe_message(words: Words, message: Message) -> str:
     """Return what a message is about, in a few words."""
     if message.sweep == ENERGIES:
         return "how large corrections are"
+    if message.sweep == CERTIFICATE:
+        return "its share of the certificate"
     if message.joint is None:
         what = "accelerations" if message.sweep == "slaved" else "torques"
         return f"{what} of slaved joints"

@@ -20,6 +20,7 @@ from adagen.emit.words import Words
 from adagen.errors import UsageError
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan
+from adagen.plan.certificate import several
 from adagen.plan.certificate import why_not as why_not_corrected
 from adagen.plan.refine import corrected, refinable, why_not_in_lines
 from adagen.plan.turned import balls_lose
@@ -139,6 +140,8 @@ def why_not_own(plan: Plan, shape: str) -> str | None:
     if shape != "kernels":
         return f"shape {shape} has residuals in wider numbers alone"
     reason = why_not_corrected(plan) or kernels.why_not_weighed(plan)
+    if reason is None and several(plan):
+        reason = "several processes share the robot"
     return None if reason is None else f"residuals are in wider numbers here: {reason}"
 
 

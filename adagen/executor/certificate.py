@@ -9,6 +9,7 @@ cause. What the sweep cannot see is allowed for (allowance.py).
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -18,10 +19,12 @@ from adagen.executor.allowance import Allowance
 from adagen.executor.frames import Transform
 from adagen.executor.kinematics import Motion
 from adagen.executor.segments import Articulated
+from adagen.executor.shares_of_bound import Heard, seen_with, told
 from adagen.executor.state import State
 from adagen.graph import Expression, Factors, factorize, matrix_times, total
 from adagen.plan.certificate import ROUNDING
 from adagen.plan.digits import EPSILON
+from adagen.plan.steps import Certify, StartLink, Step
 
 Array = NDArray[Any]
 
@@ -34,36 +37,61 @@ class Certificate(Allowance):
 
     Attributes:
         seen: parts of the square of the error that shows.
+        own: links that the process looks at.
     """
 
-    def __init__(self, state: State, motion: Motion) -> None:
+    def __init__(self, state: State, motion: Motion, steps: Iterable[Step]) -> None:
         super().__init__(state, motion)
         self.seen: list[Expression] = []
+        self.own = {step.link for step in steps if isinstance(step, StartLink)}
 
     def reach(self, j: int) -> None:
         """Look at the link beyond a joint, whose acceleration is there: while it is at hand."""
         self.size(j)
         self._start(j + 1)
 
-    def carry_out(self) -> None:
-        """Find the squares of the energy norms of the error, as bounded, and of the answer."""
+    def carry_out(self, step: Certify) -> None:
+        """Find the squares of the energy norms of the error, as bounded, and of the answer.
+
+        Where several processes share the robot, each finds its share; process 0 finishes it.
+        """
+        shares = [Heard(self, share) for share in step.hears]
+        energies = [*self._swept(step), *(each.energy for each in shares)]
+        self.seen += [each.seen for each in shares]
+        unit = ROUNDING * EPSILON[self.state.plan.scalar]
+        rounded = total([total(self.rounded) * unit**2, *(each.rounded for each in shares)])
+        if step.tells is not None:
+            own = [total(self.seen), rounded, total(energies)]
+            self.memory["share", step.tells.process] = told(self, step, own)
+            return
+        parted = [x for each in shares for x in each.parted]
+        error = seen_with(total(self.seen), parted) if parted else total(self.seen)
+        self.state.certificate = (error + rounded, total(energies))
+
+    def _swept(self, step: Certify) -> list[Expression]:
+        """Sweep what is left over inwards; return parts of the energy of the answer."""
         inwards = [name[1] for name in list(self.memory) if _is(name, "articulated")]
         energies: list[Expression] = []
         for j in inwards:
+            if step.joints and j not in step.joints:
+                continue
             self._inwards(j)
             body: Articulated = self.memory["articulated", j]
             energies += [self.whole(j, x) for x in body.u[:, 0] * body.moved[:, 0]]
         for base in self.bases:
-            self._error_of_base(base)
-            energies.append(self._energy_of_base(base))
-        unit = ROUNDING * EPSILON[self.state.plan.scalar]
-        error = total(self.seen) + total(self.rounded) * unit**2
-        self.state.certificate = (error, total(energies))
+            if not step.joints or base in step.joints:
+                self._error_of_base(base)
+                energies.append(self._energy_of_base(base))
+        return energies
 
     # -- the sweep --------------------------------------------------------------------------------
 
     def _start(self, link: int) -> None:
         """What a link by itself takes, and what is uncertain of its acceleration."""
+        if link not in self.own:  # another process adds it
+            self.memory["left", link], self.memory["noise", link] = map(self.state.zeros, (6, 4))
+            self.memory["bare", link] = self.state.zeros(4)
+            return
         inertia, own = self.motion.link_inertia(link), self.motion.link_force(link)
         self.memory["left", link] = matrix_times(inertia, self.memory["a", link][:, 0]) + own
         self.memory["noise", link] = self.pushed(link)

@@ -24,7 +24,7 @@ from adagen.executor.segments import Articulated
 from adagen.graph import Expression, factorize, total
 from adagen.plan.certificate import ROUNDING
 from adagen.plan.digits import EPSILON
-from adagen.plan.steps import Articulate, Eliminate, HoldBack, SolveRoot, StartLink, Step
+from adagen.plan.steps import Articulate, Certify, Eliminate, HoldBack, SolveRoot, StartLink, Step
 
 if TYPE_CHECKING:
     from adagen.executor.machine import Machine
@@ -46,7 +46,7 @@ class ClosedCertificate(Allowance):
         self.size(j)
         self.uncertain_motion(j + 1, self.motion.link_inertia(j + 1))
 
-    def carry_out(self) -> None:
+    def carry_out(self, _: Certify) -> None:
         """Find the squares of the energy norms of the error, as bounded, and of the answer."""
         corrections = self.machine.corrections
         for link in corrections.links():

@@ -55,7 +55,7 @@ from adagen.plan.steps import (
     Step,
     Traverse,
 )
-from adagen.plan.types import ENERGIES, Message, Plan
+from adagen.plan.types import CERTIFICATE, ENERGIES, Message, Plan
 
 Array = NDArray[Any]
 RECEIVED = "w.from"
@@ -89,7 +89,9 @@ class Machine(State):
         self.joins = Joins(self, self.motion)
         self.passages = Passages(self, self.motion)
         self.closures = Closures(self, self.motion, steps)
-        self.bounds = ClosedCertificate(self) if plan.closed else Certificate(self, self.motion)
+        self.bounds: ClosedCertificate | Certificate = (
+            ClosedCertificate(self) if plan.closed else Certificate(self, self.motion, steps)
+        )
         self.given_outputs = Outputs(self, self.motion)
         self.corrections = Corrections(self, steps)
         self.received: dict[int, dict[Any, Array]] = {}
@@ -141,7 +143,7 @@ class Machine(State):
         """Do a step inside a segment, or one that looks back at all of them."""
         match step:
             case Certify():
-                self.bounds.carry_out()
+                self.bounds.carry_out(step)
                 return
             case Correct():
                 self.corrections.step(step)
@@ -188,6 +190,8 @@ class Machine(State):
             return ["torques"]
         if message.sweep == ENERGIES:
             return [("energies", 0)]
+        if message.sweep == CERTIFICATE:
+            return [("share", message.source)]
         if message.repeats is not None:
             return [*message.biases, *(("pA", link) for link in message.inertias)]
         accelerations = [("qdd", j) for j in message.joints]

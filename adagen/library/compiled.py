@@ -190,8 +190,7 @@ def planned(model: Model, schedule: Schedule, request: Request, source_hash: str
     )
     if request.certify:
         plan = certified(plan)
-    # Lanes of a batch cannot go different ways: they go the one that suits all closed poses.
-    return plan.alternatives[-1] if request.batch and plan.closed else plan
+    return plan.for_batches if request.batch else plan
 
 
 def shape_of(plan: Plan, request: Request) -> str:

@@ -118,15 +118,10 @@ class Request:
         Raises:
             UsageError: it is asked for, too.
         """
-        if self.procs > 1:
-            why = (
-                "what bounds a batch's errors is not sent between processes"
-                if self.batch
-                else "several would round the part that they all solve for differently, unseen"
-            )
+        if self.procs > 1 and self.batch:
             raise UsageError(
-                f"answers are certified by one process: {why}; leave out --certify, or say "
-                "--procs 1"
+                "batches are certified by one process: bounds are not sent between processes; "
+                "leave out --certify, or say --procs 1"
             )
         for name, asked in (
             ("tune", self.tuned),

@@ -13,8 +13,12 @@ from adagen.plan.clusters import fold_of
 from adagen.schedule import CostProfile, Schedule, Topology, load_profile
 from adagen.schedule.tree import Named
 from adagen.search import named_schedule, schedule_from_json
+from adagen.search.around_base import (
+    alone_schedule,
+    certified_schedule,
+    reproducible_schedule,
+)
 from adagen.search.objective import schedule_for
-from adagen.search.reproducible import reproducible_schedule
 
 KNOWN = ("auto", *get_args(Named))
 """Schedules that are asked for by name."""
@@ -47,8 +51,12 @@ def searched(model: Model, request: Request) -> Schedule:
         UsageError: there is no such profile.
     """
     profile = load_profile(request.profile)
-    if request.reproducible and request.schedule == "auto":
+    if request.schedule == "auto" and request.reproducible:
+        if request.certify:  # a line that is shared tells no bound
+            return alone_schedule(model, request.sharing, profile)
         return reproducible_schedule(model, request.sharing, profile, request.scalar)
+    if request.schedule == "auto" and request.certify and request.sharing > 1:
+        return certified_schedule(model, request.sharing, profile, request.scalar, request.shape)
     if request.schedule != "auto":
         return _named(model, request, profile.joins_only() if request.form == "ada" else profile)
     return schedule_for(

@@ -1,26 +1,51 @@
-"""Which plans can be certified, and how much rounding a certificate allows for."""
+"""Which plans can be certified, and how much rounding a certificate allows for.
+
+Where several processes share a robot, each finds what its own limbs leave over. Process 0 adds up
+the links that they hang on, and finishes the certificate (adagen/executor/shares_of_bound.py).
+"""
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
 
 from adagen.errors import UsageError
-from adagen.plan.steps import CarryRows, Certify, Correct, FusedJoin, Step
-from adagen.plan.types import Plan
+from adagen.model.kinds import KINDS
+from adagen.plan.steps import (
+    Accelerate,
+    Articulate,
+    CarryRows,
+    Certify,
+    Correct,
+    FreeAcceleration,
+    FreeBase,
+    FusedJoin,
+    Kinematics,
+    Receive,
+    Send,
+    Share,
+    SolveRoot,
+    StartEmpty,
+    StartLink,
+    Step,
+)
+from adagen.plan.types import CERTIFICATE, Message, Plan, Process
 
 ROUNDING = 8.0
 """How many units in the last place of what is added up count as uncertain."""
 
 
 def certified(plan: Plan) -> Plan:
-    """Return a plan whose process bounds the error of each answer after it.
+    """Return a plan whose processes bound the error of each answer after it.
 
     Raises:
         UsageError: the plan cannot be certified; the message says why.
     """
-    reason = why_not(plan)
+    reason = why_not(plan) or why_not_shared(plan)
     if reason is not None:
         raise UsageError(f"answers cannot be certified: {reason}; leave out --certify")
+    if several(plan):
+        return _shared(plan)
     processes = tuple(
         replace(
             process,
@@ -42,11 +67,9 @@ def _weighed(plan: Plan, steps: tuple[Step, ...]) -> tuple[Step, ...]:
 
 
 def why_not(plan: Plan) -> str | None:
-    """Return why a plan cannot be certified, None where it can."""
+    """Return why what a plan's answers leave over is not weighed, None where it can be."""
     if plan.form != "segment":
         return f"that is for form segment, not {plan.form}"
-    if sum(bool(process.steps) for process in plan.processes) > 1:
-        return "several processes share the robot"
     if plan.slaved:
         return f'joint "{plan.joints[plan.slaved[0]].name}" is slaved to another'
     for joint in plan.joints:
@@ -63,3 +86,115 @@ def why_not(plan: Plan) -> str | None:
             "that is not bounded (--refine 1 estimates errors)"
         )
     return None
+
+
+# -- several processes -----------------------------------------------------------------------------
+
+_GATHERED = (
+    *(Kinematics, StartLink, StartEmpty, FreeBase, Articulate, SolveRoot),
+    *(Accelerate, FreeAcceleration, Send, Receive),
+)
+"""Steps of processes that gather at the base or the ground."""
+
+
+def several(plan: Plan) -> bool:
+    """Return whether several processes share the robot."""
+    return sum(bool(process.steps) for process in plan.processes) > 1
+
+
+def why_not_shared(plan: Plan) -> str | None:
+    """Return why several processes do not certify what they answer together, None if they do."""
+    if not several(plan):
+        return None
+    steps = [step for process in plan.processes for step in process.steps]
+    turned = any(getattr(step, "reversed", False) for step in steps)
+    if plan.closed or turned or not all(isinstance(step, _GATHERED) for step in steps):
+        return (
+            "several processes share the robot otherwise than by limbs of its base or of the "
+            "ground: no process has the factors of all that is beyond a joint"
+        )
+    if plan.reproducible:
+        return "reproducible processes share the robot, and copy one line of statements"
+    if plan.wanted or plan.outputs:
+        return "processes share a robot of which a scene wants other outputs than accelerations"
+    if plan.sets_inertias:
+        return "processes share a robot whose masses can be set"
+    first = {step.link for step in plan.processes[0].steps if isinstance(step, StartLink)}
+    met = {link for message in plan.messages for link in message.inertias}
+    if not plan.processes[0].steps or not met <= first:
+        return "process 0 does not add up the links that processes share"
+    return None
+
+
+def _shared(plan: Plan) -> Plan:
+    """The plan with a certificate to which each process adds its share."""
+    met = {j for process in plan.processes for j in process.shares}
+    met |= {link - 1 for message in plan.messages for link in message.inertias}
+    shares, messages = [], list(plan.messages)
+    processes = list(plan.processes)
+    hears: tuple[Step, ...] = ()
+    for p, process in enumerate(plan.processes):
+        if p == 0 or not process.steps:
+            continue
+        told = {link for m in plan.messages if m.source == p for link in m.inertias}
+        share = Share(p, tuple(sorted(told)))
+        own = tuple(j for j in process.owns if j not in met)
+        last = (Certify(own, tells=share), Send(len(messages)))
+        hears = (*hears, Receive(len(messages)))
+        processes[p] = replace(process, steps=(*process.steps, *last))
+        messages.append(Message(p, 0, CERTIFICATE, 0, weighed=share.links))
+        shares.append(share)
+    chief = processes[0]
+    certify = Certify(tuple(chief.treated), hears=tuple(shares))
+    processes[0] = replace(chief, steps=(*chief.steps, *hears, certify))
+    return replace(plan, processes=tuple(processes), messages=tuple(messages))
+
+
+@dataclass(frozen=True)
+class Spread:
+    """What limbs that hang on a link take if it accelerates otherwise, and their joints do not.
+
+    Of a difference of its angular acceleration x and of its linear one y, at most
+    turning |x|^2 + sliding |y|^2, kg m^2 and kg; squares of distances along joints come to turning.
+
+    Attributes:
+        turning: where no joint is slid.
+        along: entries of q that are distances, and what their squares are multiplied by.
+        sliding: twice the limbs' mass.
+    """
+
+    turning: float
+    along: tuple[tuple[int, float], ...]
+    sliding: float
+
+
+def spread(plan: Plan, joints: Iterable[int], link: int) -> Spread:
+    """Return what those of some joints take that are limbs of a link.
+
+    A link at p with its centre of mass at p + c takes m |y + x cross (p + c)|^2 and its rotation,
+    and the n vectors that p + c is a sum of are no longer together than n times their squares.
+    """
+    depth, order = {link: 0}, []
+    for j in sorted(joints):  # parents come before their children
+        if plan.joints[j].parent in depth:
+            depth[j + 1] = depth[plan.joints[j].parent] + 1
+            order.append(j)
+    count = max(depth.values()) + 1
+    mass = {j + 1: plan.links[j + 1].mass for j in order}
+    turning, along = 0.0, []
+    for j in reversed(order):
+        own, joint = plan.links[j + 1], plan.joints[j]
+        if joint.parent in mass:
+            mass[joint.parent] += mass[j + 1]
+        turning += sum(own.tensor[k][k] for k in range(3))
+        turning += 2 * count * own.mass * sum(x * x for x in own.com)
+        slides = sum(place >= 3 for place in KINDS[joint.kind].free)
+        fixed = 2 * count * mass[j + 1] * (2 if slides else 1)
+        turning += fixed * sum(x * x for x in joint.translation)
+        along += [(joint.q + k, fixed) for k in range(slides)]
+    return Spread(turning, tuple(along), 2 * sum(plan.links[j + 1].mass for j in order))
+
+
+def own_links(process: Process) -> Iterator[int]:
+    """Yield the links whose inertia a process starts with."""
+    return (step.link for step in process.steps if isinstance(step, StartLink))

@@ -44,6 +44,11 @@ ENERGIES = "energies"
 MOST_ENERGIES = 11
 """Energies in them: of the answer, of all that accelerates, and of up to nine corrections."""
 
+CERTIFICATE = "certificate"
+"""Messages that tell another process what it needs to finish a certificate."""
+NUMBERS_OF_SHARE, NUMBERS_AT_LINK = 3, 22
+"""Most numbers in them, and at each link (adagen/executor/certificate.py)."""
+
 
 @dataclass(frozen=True)
 class Message:
@@ -53,7 +58,8 @@ class Message:
         source: sending process.
         target: receiving process.
         sweep: "kinematics", "assembly", "disassembly", "slaved" (accelerations of slaved joints
-            and their sources, to be solved for), "torques" (the answer) or "energies".
+            and their sources, to be solved for), "torques" (the answer), "energies" or
+            "certificate".
         joint: the joint that completed the chain that is spoken of; None for the last two.
         blocks: blocks in it, 36 numbers each.
         biases: biases in it, 6 numbers for each right-hand side.
@@ -64,6 +70,7 @@ class Message:
         passages: how runs of joints move their last links, 24 numbers each.
         repeats: number of the message that it repeats for a correction: of blocks and inertias
             nothing is sent again, and of motions nothing.
+        weighed: of a certificate, links at which limbs hang that its source has looked at.
     """
 
     source: int
@@ -77,6 +84,7 @@ class Message:
     inertias: tuple[int, ...] = ()
     passages: tuple[Passage, ...] = field(default=(), metadata=OPTIONAL)
     repeats: int | None = field(default=None, metadata=OPTIONAL)
+    weighed: tuple[int, ...] = field(default=(), metadata=OPTIONAL)
 
     def numbers(self, columns: int, joints: Sequence[PlanJoint]) -> int:
         """Return how many numbers it holds, with so many right-hand sides, of a plan's joints."""
@@ -84,6 +92,8 @@ class Message:
             return columns - 1
         if self.sweep == ENERGIES:
             return MOST_ENERGIES
+        if self.sweep == CERTIFICATE:
+            return NUMBERS_OF_SHARE + NUMBERS_AT_LINK * len(self.weighed)
         vectors = len(self.biases) + len(self.forces) + len(self.inertias)
         matrices = 36 * len(self.blocks) + 21 * len(self.inertias) + 24 * len(self.passages)
         matrices = matrices if self.repeats is None else 0
@@ -280,6 +290,14 @@ class Plan:
         while plans[-1].recovers:
             plans.append(plans[-1].recovering())
         return tuple(plans)
+
+    @property
+    def for_batches(self) -> Plan:
+        """What is done for many states at once.
+
+        Lanes of a batch cannot go different ways: they go the one that suits all closed poses.
+        """
+        return self.alternatives[-1] if self.closed else self
 
     @property
     def nv(self) -> int:

@@ -8,7 +8,8 @@ A place is a name: a ``Block``, ``Bias`` or ``Force`` of the plan, or a pair of 
 * ``("projected", joint)``: U, D and u of a joint that was swept inwards;
 * ``("load", link)``, ``("acceleration", link)``, ``("joined", joint)``, ``("qdd", joint)``;
 * ``("torques", 0)``: of slaved joints;
-* ``("certificate", 0)``: the bound of the error; ``("correction", k)``: a correction of the answer;
+* ``("certificate", 0)``: the bound of the error; ``("share", p)``: what a process adds to it;
+* ``("correction", k)``: a correction of the answer;
 * ``("loop", k)``, ``("coupling", k)``, ``("held", joint)``, ``("carried", joint)``: what they add
   to their closure; ``("closure", k)``: it, eliminated; ``("released", k)``: it, solved for.
 """
@@ -67,7 +68,7 @@ from adagen.plan.steps import (
     Traverse,
     blocks_set_by,
 )
-from adagen.plan.types import ENERGIES, Message, Plan
+from adagen.plan.types import CERTIFICATE, ENERGIES, Message, Plan
 
 Place = Block | Bias | Force | Passage | tuple[str, int]
 
@@ -145,7 +146,7 @@ def effects(plan: Plan, step: Step, runs: Mapping[int, tuple[int, ...]]) -> Effe
             reads = tuple(("correction", k) for k in range(step.count))
             return Effects(reads, (("energies", 0),))
         case Certify() | Refine():
-            return _certify(plan)
+            return _certify(plan, step)
         case GiveOutput():
             return _output(plan, step)
         case Send() | Receive():
@@ -282,18 +283,26 @@ def _parts(plan: Plan, closure: int) -> tuple[tuple[str, int], ...]:
     return tuple(found)
 
 
-def _certify(plan: Plan) -> Effects:
-    """All links' motions, and the factors of all joints that do not float on the ground.
+def _certify(plan: Plan, step: Certify | Refine) -> Effects:
+    """The links' motions, and the factors of all joints that do not float on the ground.
 
     Of closed loops the answer's correction, which was found with these.
     """
     if plan.closed:
         return Effects((("correction", 0),), (("certificate", 0),))
     reads: list[Place] = []
-    for j, joint in enumerate(plan.joints):
+    tells, own = None, tuple(range(len(plan.joints)))
+    if isinstance(step, Certify):
+        tells, own = step.tells, step.joints or own
+        reads += [("share", share.process) for share in step.hears]
+    if tells is not None:
+        reads += [("acceleration", link) for link in tells.links]
+    for j in own:
+        joint = plan.joints[j]
         reads += [("qdd", j), ("transform", j), ("velocity", j + 1), ("acceleration", j + 1)]
         reads.append(("inertia" if is_base(joint) else "projected", j + is_base(joint)))
-    return Effects(tuple(reads), (("certificate", 0),))
+    found = ("certificate", 0) if tells is None else ("share", tells.process)
+    return Effects(tuple(reads), (found,))
 
 
 def _correct(plan: Plan, step: Correct) -> Effects:
@@ -314,6 +323,8 @@ def contents(message: Message) -> tuple[Place, ...]:
         return (("torques", 0),)
     if message.sweep == ENERGIES:
         return (("energies", 0),)
+    if message.sweep == CERTIFICATE:
+        return (("share", message.source),)
     if message.repeats is not None:  # the steps before and behind it tell of a correction
         return ()
     accelerations: tuple[Place, ...] = tuple(("qdd", joint) for joint in message.joints)

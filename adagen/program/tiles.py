@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from adagen.plan import Plan
-from adagen.plan.steps import Certify, Refine
 from adagen.program.runs import Run, pays_columns
 from adagen.program.turned import turned_in_loops
 from adagen.schedule.costs import StepCosts
@@ -41,7 +40,7 @@ def fits_tiles(plan: Plan, segments: Sequence[Run], costs: StepCosts) -> bool:
         return False
     if plan.wanted or plan.outputs or plan.at_rest:
         return False
-    if any(isinstance(step, Certify | Refine) for step in plan.processes[0].steps):
+    if plan.weighed:
         return False  # certificates and corrections sweep all joints once more
     if any(joint.kind != "revolute" or joint.prescribed for joint in joints):
         return False

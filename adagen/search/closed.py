@@ -49,7 +49,9 @@ def closed_schedule(
         return alone
     plan = make_plan(model, alone, scalar=scalar)
     layouts = _layouts(model, plan, processes)
-    return cheapest_of(model, alone, layouts, profile, scalar=scalar)
+    return cheapest_of(
+        alone, layouts, profile, lambda schedule: make_plan(model, schedule, scalar=scalar)
+    )
 
 
 def _layouts(model: Model, plan: Plan, processes: int) -> Iterator[Gathered]:

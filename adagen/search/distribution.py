@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import Any
 
 from adagen.cost import timeline
 from adagen.emit.predicted import priced_program
-from adagen.errors import InputError
+from adagen.errors import AdagenError
 from adagen.executor.machine import Machine
-from adagen.model import Model
-from adagen.plan import make_plan
+from adagen.plan import Plan
 from adagen.plan.edges import Edge, edges_from, joints_at
 from adagen.plan.gather_trees import moving_trees
 from adagen.plan.robot import PlanJoint
@@ -25,28 +23,28 @@ _OPENED = 6
 
 
 def cheapest_of(
-    model: Model,
     alone: Schedule,
     layouts: Iterable[Gathered],
     profile: CostProfile,
-    **options: Any,
+    make: Callable[[Schedule], Plan],
+    shape: str = "unrolled",
 ) -> Schedule:
     """Return the layout of least time; the schedule in which one process has it all is the first.
 
     Args:
-        model: the robot.
         alone: that schedule.
         layouts: where processes gather instead; those that cannot be had are passed over.
         profile: has costs of steps.
-        options: further arguments of ``make_plan``.
+        make: makes the plan of a schedule, or raises an AdagenError where that cannot be had.
+        shape: of the code (``priced_program``).
     """
     costs = profile.steps
     assert costs is not None
-    tried = [_played(model, alone, profile, options)]
+    tried = [_played(alone, profile, make, shape)]
     for gathered in dict.fromkeys(layouts):
         found = replace(alone, meeting="gather", gathered=gathered)
-        with suppress(InputError):  # it would divide a closure
-            tried.append(_played(model, found, profile, options))
+        with suppress(AdagenError):  # it would divide a closure, or is not certified
+            tried.append(_played(found, profile, make, shape))
     best = min(tried, key=lambda schedule: schedule.makespan)
     # Whoever exchanges anything waits for a message.
     fastest = max(costs.speed(p) for p in range(alone.processes))
@@ -60,11 +58,11 @@ def cheapest_of(
 
 
 def _played(
-    model: Model, schedule: Schedule, profile: CostProfile, options: dict[str, Any]
+    schedule: Schedule, profile: CostProfile, make: Callable[[Schedule], Plan], shape: str
 ) -> Schedule:
     """A schedule with the time that its program is predicted to take."""
-    plan = make_plan(model, schedule, **options)
-    line = timeline(priced_program(plan, "unrolled", profile), profile)
+    plan = make(schedule)
+    line = timeline(priced_program(plan, shape, profile), profile)
     loads = tuple(line.busy(p) for p in range(len(plan.processes)))
     return replace(schedule, makespan=line.makespan, lower_bound=0.0, loads=loads)
 

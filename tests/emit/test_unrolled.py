@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from adagen.model import Inertia, Model
 from adagen.states import random_states, write_states
 from tests.emit.unusual import CASES, chain_with_thin_link, require_solved
 from tests.emitted import ROUNDING, Builder, Solver, plan_of, text_of
+from tests.mechanisms import four_bar, quadruped
 from tests.models import human_figure, random_tree, serial_chain
 from tests.scene.effects import with_effects, with_wrenches
 
@@ -189,3 +191,13 @@ class TestFailures:
         line = self.said(solver, tmp_path / "s.json")
         assert line.startswith('state 1: joint "j00')
         assert "factorization failed" in line
+
+
+@pytest.mark.parametrize("mechanism", [four_bar, quadruped])
+def test_a_batch_goes_the_way_that_suits_all_closed_poses(
+    mechanism: Callable[[], Model],
+) -> None:
+    """Lanes cannot go different ways, also where nobody has chosen one for them."""
+    plan = plan_of(mechanism(), 1)
+    assert plan.recovers
+    assert text_of(plan, batch=1) == text_of(plan.alternatives[-1], batch=1)

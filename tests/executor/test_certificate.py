@@ -10,21 +10,25 @@ import pytest
 from numpy.typing import NDArray
 
 from adagen.errors import UsageError
+from adagen.executor import certificate
+from adagen.executor.allowance import Allowance
 from adagen.executor.grouping import offered_groupings
 from adagen.executor.lanes import Grouping
 from adagen.executor.refine import WideLinks
 from adagen.executor.run import each_for_itself
 from adagen.executor.segments import Articulated, Segments
 from adagen.executor.solve import Run
-from adagen.graph import BALLS, DOUBLE, FLOAT, Algebra
-from adagen.model import SPHERICAL, Frame, Model, Wrench
+from adagen.graph import BALLS, DOUBLE, FLOAT, Algebra, Expression
+from adagen.model import PRISMATIC, REVOLUTE, SPHERICAL, Frame, Model, Wrench
+from adagen.model.kinds import KINDS
 from adagen.plan import Plan, plan_from_json, plan_to_json
-from adagen.plan.certificate import certified
+from adagen.plan.certificate import certified, spread
 from adagen.plan.steps import Articulate, Certify
 from adagen.program import check, lower
 from adagen.reference import exact_forward_dynamics
 from adagen.states import random_states
 from adagen.studies.stability.adversary import FAMILIES, hard_states, robots
+from adagen.studies.stability.bounds import certified_plan
 from tests.emitted import plan_of
 from tests.models import human_figure, random_rotation, random_tree, serial_chain, star
 
@@ -176,6 +180,82 @@ def test_what_is_not_certified_is_refused(model: Model, options: dict[str, str],
         certified(plan_of(model, 1, **options))
 
 
-def test_several_processes_are_refused() -> None:
-    with pytest.raises(UsageError, match="several processes share the robot"):
-        certified(plan_of(serial_chain(12), 2))
+MOVING = (REVOLUTE, PRISMATIC, SPHERICAL)
+SHARED: dict[str, Callable[[], Model]] = {
+    "fixed tree": lambda: star(3, 2),
+    "floating tree": lambda: random_tree(np.random.default_rng(5), 19, floating=True),
+    "slides": lambda: random_tree(np.random.default_rng(3), 12, floating=True, kinds=MOVING),
+    "figure": human_figure,
+}
+
+
+@pytest.mark.parametrize("name", SHARED)
+def test_processes_that_share_a_robot_find_the_bound_of_one(name: str) -> None:
+    model = SHARED[name]()
+    one, states = certified_plan(model), random_states(model, 3, seed=6)
+    for processes in (2, 3):
+        plan = certified_plan(model, processes=processes)
+        assert plan.certified
+        assert plan_from_json(plan_to_json(plan)) == plan
+        for shape in ("kernels", "unrolled"):
+            check(lower(plan, shape))
+        for state in zip(states.q, states.v, states.tau, strict=True):
+            _, error, answer = _squares(one, state)
+            _, shared, as_large = _squares(plan, state)
+            assert np.sqrt(shared / error) == pytest.approx(1, abs=0.1)
+            assert as_large == pytest.approx(answer, rel=1e-12)
+
+
+def test_limbs_that_move_otherwise_are_part_of_the_bound(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a process finds for the links that its limbs hang on may differ from the answer."""
+    model = star(3, 2, floating=True)
+    plan, (state,) = certified_plan(model, processes=2), zip(*_one(model), strict=True)
+    honest, right = certificate.told, _squares(plan, state)[1]
+
+    def off(found: Allowance, step: Certify, sums: list[Expression]) -> Array:
+        found.memory["a", 1] = found.memory["a", 1] + found.state.constants(1e-6)
+        return honest(found, step, sums)
+
+    monkeypatch.setattr(certificate, "told", off)
+    each_for_itself.cache_clear()
+    beyond = [j for j in plan.processes[1].owns if j not in plan.processes[0].treated]
+    limbs = spread(plan, beyond, 1)
+    _, bound, _ = _squares(plan, state)
+    each_for_itself.cache_clear()
+    assert bound - right == pytest.approx(27e-12 * (limbs.turning + limbs.sliding), rel=1e-6)
+
+
+def _one(model: Model) -> tuple[Array, Array, Array]:
+    states = random_states(model, 1, seed=2)
+    return states.q, states.v, states.tau
+
+
+def test_what_limbs_take_is_no_more_than_their_spread() -> None:
+    """Limbs of a floating base, whose joints do not accelerate while it does."""
+    model = random_tree(np.random.default_rng(3), 9, kinds=MOVING, floating=True)
+    plan, states = plan_of(model, 1), random_states(model, 20, seed=1)
+    limbs, base = spread(plan, range(1, len(plan.joints)), 1), plan.links[1]
+    rng = np.random.default_rng(4)
+    for q, v in zip(states.q, states.v, strict=True):
+        chain = WideLinks(plan, q, v, np.longdouble)
+        turning = limbs.turning + sum(scale * q[k] ** 2 for k, scale in limbs.along)
+        for x, y in rng.normal(size=(5, 2, 3)):
+            qdd = np.zeros(len(v))
+            qdd[list(KINDS["floating"].free).index(0) :][:3] = x
+            qdd[list(KINDS["floating"].free).index(3) :][:3] = y
+            at_centre = y + np.cross(x, base.com)
+            own = base.mass * at_centre @ at_centre + x @ np.array(base.tensor) @ x
+            taken = float(chain.energy(qdd.astype(np.longdouble)) - own)
+            assert 0 < taken <= turning * x @ x + limbs.sliding * y @ y
+
+
+@pytest.mark.parametrize(
+    ("plan", "said"),
+    [
+        (lambda: plan_of(serial_chain(12), 2), "otherwise than by limbs of its base"),
+        (lambda: plan_of(human_figure(), 2), "otherwise than by limbs of its base"),
+    ],
+)
+def test_processes_that_meet_elsewhere_are_refused(plan: Callable[[], Plan], said: str) -> None:
+    with pytest.raises(UsageError, match=said):
+        certified(plan())

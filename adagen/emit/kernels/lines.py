@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from adagen.emit import guards
 from adagen.emit.effects import push_calls
-from adagen.emit.kernels import messages, mobility
+from adagen.emit.kernels import messages, mobility, shared_bound
+from adagen.emit.kernels.weighing import Weighing, blocks_of, links_looked_at, word
 from adagen.emit.stages import stamped
 from adagen.emit.words import Words
 from adagen.plan.edges import is_base
@@ -150,8 +149,8 @@ class KernelLines:
         self.oriented.update(oriented)
         return [
             *self._take_angles(joints),
-            *(f"turn<{a}, {b}>(w);" for a, b in self._blocks(turning)),
-            *(f"orient<{self.p}, {a}, {b}>(w);" for a, b in self._blocks(oriented)),
+            *(f"turn<{a}, {b}>(w);" for a, b in blocks_of(self.slots, turning)),
+            *(f"orient<{self.p}, {a}, {b}>(w);" for a, b in blocks_of(self.slots, oriented)),
         ]
 
     def _take_angles(self, joints: list[int]) -> list[str]:
@@ -175,10 +174,6 @@ class KernelLines:
                 count = 1
             copies.append((j, q, count))
         return [f"std::copy_n(w.q + {q}, {n}, w.angle.data() + {j});" for j, q, n in copies]
-
-    def _blocks(self, joints: Iterable[int]) -> list[tuple[str, str]]:
-        """First block of each range of slots that holds joints, and the one behind its last."""
-        return [(f"block({a})", f"block({b}) + 1") for a, b in self.slots.ranges(joints)]
 
     def _kinematics(self, operation: Operation) -> list[str]:
         block = operation.block
@@ -232,7 +227,7 @@ class KernelLines:
         links = operation.block.numbers
         if operation.method == "tiles":
             return []  # each tile's where it is swept
-        blocks = self._blocks(link - 1 for link in links)
+        blocks = blocks_of(self.slots, (link - 1 for link in links))
         return [
             *(f"set_up_links<{a}, {b}>(w);" for a, b in blocks),
             *push_calls(self.words, links),
@@ -242,11 +237,11 @@ class KernelLines:
         assert isinstance(operation.block, Links)
         (link,) = operation.block.numbers
         name = self.words.quoted_link(link)
-        return [f"place<{link}, {_word(operation.first[0])}>(w);  // {name} itself"]
+        return [f"place<{link}, {word(operation.first[0])}>(w);  // {name} itself"]
 
     def _link_columns(self, operation: Operation) -> list[str]:
         assert isinstance(operation.block, Links)
-        blocks = self._blocks(link - 1 for link in operation.block.numbers)
+        blocks = blocks_of(self.slots, (link - 1 for link in operation.block.numbers))
         return [f"set_up_columns<{a}, {b}>(w);" for a, b in blocks]
 
     def _clear_inertia(self, operation: Operation) -> list[str]:
@@ -255,9 +250,13 @@ class KernelLines:
         return []  # what comes first takes its place
 
     def _send(self, operation: Operation) -> list[str]:
+        if shared_bound.tells(self.words, operation):
+            return shared_bound.told(self.words, self.process, operation)
         return messages.sent(self.words, operation)
 
     def _receive(self, operation: Operation) -> list[str]:
+        if shared_bound.tells(self.words, operation):
+            return shared_bound.heard(self.words, operation)
         return messages.received(self.words, operation)
 
     def _solve_coupling(self, _: Operation) -> list[str]:
@@ -270,7 +269,7 @@ class KernelLines:
         assert isinstance(operation.block, Run)
         joint = operation.block.first
         self.gathers.add(joint + 1)
-        return [f"free_base<{joint}, {_word(operation.first[0])}>(w);"]
+        return [f"free_base<{joint}, {word(operation.first[0])}>(w);"]
 
     def _articulate(self, operation: Operation) -> list[str]:
         run = operation.block
@@ -294,7 +293,7 @@ class KernelLines:
         found = ""
         if run in self.along:
             verb, found = "inward_and_carry", f"const Way {mobility.way_of(run)} = "
-        return [found + self._sweep(run, verb, _word(operation.first[0])) + self._names(run)]
+        return [found + self._sweep(run, verb, word(operation.first[0])) + self._names(run)]
 
     def _articulate_limbs(self, limbs: Limbs, first: tuple[bool, ...]) -> list[str]:
         """Sweep limbs inwards and leave what is found at the links that they hang on."""
@@ -306,7 +305,7 @@ class KernelLines:
         in_own &= not self.turned.isdisjoint(near - 1 for near in nears)
         leave = "leave_own" if in_own else "leave"
         left = [
-            f"  {leave}<{_word(first[k])}>(w, {near}, lane(X, {k + limbs.idle}));"
+            f"  {leave}<{word(first[k])}>(w, {near}, lane(X, {k + limbs.idle}));"
             for k, near in enumerate(nears)
             if near > 0
         ]
@@ -334,18 +333,12 @@ class KernelLines:
         reaches = [f"reach_base<{link - 1}>(w);"] if self.words.plan.weighed else []
         return [f"solve_root<{self.p}, {link}>(w);", *reaches]
 
-    def _certify(self, _: Operation) -> list[str]:
+    def _certify(self, operation: Operation) -> list[str]:
         """Sweep inwards once more, block by block, for what the equations of motion leave over."""
-        weigh = {
-            "link_inertia": self._weigh_links,
-            "place_inertia": self._weigh_placed,
-            "free_base": self._weigh_free_base,
-            "articulate": self._weigh,
-            "solve_root": self._weigh_root,
-        }
-        swept = [op for op in self.operations if op.does in weigh]
-        lines = [line for op in swept for line in weigh[op.does](op)]
-        return ["begin_weighing(w);", *lines, "end_weighing(w);"]
+        (step,) = operation.steps
+        self.parts |= links_looked_at(step)
+        weighing = Weighing(self.words, self.p, self.slots)
+        return weighing.lines(step, self.operations)
 
     def _refine(self, operation: Operation) -> list[str]:
         """What is left over inwards, what it changes outwards, as many times as asked."""
@@ -359,37 +352,6 @@ class KernelLines:
                 lines.append(f"reach_base<{_link(op.steps[0]) - 1}>(w);")
         lines.append("end_own_correction(w);")
         return ["for (int k = 0; k < kRefine; ++k) {", *(f"  {line}" for line in lines), "}"]
-
-    def _weigh_links(self, operation: Operation) -> list[str]:
-        assert isinstance(operation.block, Links)
-        blocks = self._blocks(link - 1 for link in operation.block.numbers)
-        return [f"weigh_links<{a}, {b}>(w);" for a, b in blocks]
-
-    def _weigh_placed(self, operation: Operation) -> list[str]:
-        assert isinstance(operation.block, Links)
-        (link,) = operation.block.numbers
-        return [f"weigh_placed<{link}, {_word(operation.first[0])}>(w);"]
-
-    def _weigh_free_base(self, operation: Operation) -> list[str]:
-        assert isinstance(operation.block, Run)
-        return [f"weigh_free_base<{operation.block.first}, {_word(operation.first[0])}>(w);"]
-
-    def _weigh_root(self, operation: Operation) -> list[str]:
-        return [f"weigh_root<{self.p}, {_link(operation.steps[0])}>(w);"]
-
-    def _weigh(self, operation: Operation) -> list[str]:
-        block = operation.block
-        if isinstance(block, Limbs):
-            sweep = f"weigh_group<{self.p}, {self._number(block)}>(w);"
-            nears = [self.joints[j].parent for j in block.rows[0]]
-            left = [
-                f"  leave_left<{_word(operation.first[k])}>(w, {near}, lane(X, {k + block.idle}));"
-                for k, near in enumerate(nears)
-                if near > 0
-            ]
-            return ["{", f"  const auto X = {sweep}", *left, "}"] if left else [sweep]
-        assert isinstance(block, Run)
-        return [self._sweep(block, "weigh", _word(operation.first[0])) + self._names(block)]
 
     def _load_root(self, operation: Operation) -> list[str]:
         (step,) = operation.steps
@@ -422,11 +384,6 @@ class KernelLines:
     def _names(self, run: Run) -> str:
         """Which joints a run is of, as a comment."""
         return f"  // {self.words.span(run.first, run.last)}"
-
-
-def _word(first: bool) -> str:
-    """Whether what is left at a link is the first there, as a template argument."""
-    return "true" if first else "false"
 
 
 def _link(step: Step) -> int:

@@ -18,13 +18,14 @@ from adagen.emit.refine import refinement_values
 from adagen.emit.settings import overridden
 from adagen.emit.words import Words
 from adagen.plan import Plan
-from adagen.plan.certificate import ROUNDING
+from adagen.plan.certificate import ROUNDING, own_links
 from adagen.plan.digits import EPSILON
 from adagen.plan.edges import is_base
 from adagen.plan.gather import why_not_gather
 from adagen.plan.robot import PlanLink
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.turned import ENOUGH, Turned
+from adagen.plan.types import CERTIFICATE, Process
 from adagen.program.segments import LANES
 from adagen.program.slots import Slots
 from adagen.program.turned import turned_in_loops
@@ -112,6 +113,8 @@ def values(words: Words) -> dict[str, object]:
         "layout": _layout(words, turned, by_columns, along),
         "inertias": [_inertia(words, link) for link in plan.links[1:]],
         "roles": [writer.roles() for writer in writers],
+        "starts": [_starts(plan, process) for process in plan.processes] if plan.weighed else [],
+        "shares": sum(message.sweep == CERTIFICATE for message in plan.messages),
         "steps": lines[: len(plan.processes)],
         "recovery": lines[len(plan.processes) :],
         "tile": slots.tile,
@@ -157,6 +160,12 @@ def _layout(words: Words, turned: Turned, by_columns: bool, along: bool) -> list
         floats = ("bool", "kFloats", any(map(is_base, plan.joints)), False)
         lines += overridden([floats, ("Real", "kUnit", unit, "")])
     return lines
+
+
+def _starts(plan: Plan, process: Process) -> list[int]:
+    """Whether a process starts with the inertia of the link beyond each joint."""
+    own = set(own_links(process))
+    return [int(j + 1 in own) for j in range(len(plan.joints))]
 
 
 def _braced(numbers: Iterable[object]) -> str:

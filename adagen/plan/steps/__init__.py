@@ -51,6 +51,7 @@ from adagen.plan.steps.process import (
     Receive,
     Refine,
     Send,
+    Share,
     SolveCoupling,
     Traverse,
 )
@@ -96,6 +97,7 @@ __all__ = [
     "Refine",
     "Release",
     "Send",
+    "Share",
     "SolveCoupling",
     "SolveMobility",
     "SolveRoot",

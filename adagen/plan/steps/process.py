@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import ClassVar
 
 from adagen.plan.steps.names import Passage
+
+_OPTIONAL = {"optional": True}  # fields that are not written where they have their default
 
 
 @dataclass(frozen=True)
@@ -146,8 +148,31 @@ class Refine:
 
 
 @dataclass(frozen=True)
+class Share:
+    """What one process finds of a certificate that another one needs to finish it.
+
+    Attributes:
+        process: who finds it.
+        links: where its limbs hang on what all processes solve for, ascending.
+    """
+
+    process: int
+    links: tuple[int, ...]
+
+
+@dataclass(frozen=True)
 class Certify:
-    """A bound of the answer's error, from what its links' equations of motion leave over."""
+    """A bound of the answer's error, from what its links' equations of motion leave over.
+
+    Attributes:
+        joints: those whose share the process finds, ascending; none stands for all.
+        tells: what it is for, where another process finishes the certificate.
+        hears: what other processes have found.
+    """
 
     does: ClassVar[str] = "certify"
     about: ClassVar[str] = "bound of the answer's error"
+
+    joints: tuple[int, ...] = field(default=(), metadata=_OPTIONAL)
+    tells: Share | None = field(default=None, metadata=_OPTIONAL)
+    hears: tuple[Share, ...] = field(default=(), metadata=_OPTIONAL)

@@ -13,15 +13,15 @@ from numpy.typing import NDArray
 
 from adagen.build import Toolchain, build_executable
 from adagen.emit import emit, stem_of
-from adagen.errors import AdagenError
+from adagen.errors import AdagenError, UsageError
 from adagen.executor.refine import WideLinks
 from adagen.executor.solve import interpret
 from adagen.graph import BALLS
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.certificate import certified
-from adagen.schedule import Topology, load_profile
-from adagen.search import named_schedule
+from adagen.schedule import load_profile
+from adagen.search.around_base import alone_schedule, certified_layouts
 from adagen.states import States
 from adagen.studies.stability.audit import truths
 from adagen.studies.stability.mechanisms import BITS
@@ -39,14 +39,17 @@ class Certified:
         shape: "kernels" or "unrolled".
         batch: whether states are solved many at once.
         scalar: "double" or "float".
+        processes: threads that share the robot, whether that pays or not.
     """
 
     shape: str
     batch: bool = False
     scalar: str = "double"
+    processes: int = 1
 
     def __str__(self) -> str:
         words = [self.shape] + ["batch"] * self.batch
+        words += [f"P = {self.processes}"] * (self.processes > 1)
         return ", ".join(words + [self.scalar] * (self.scalar != "double"))
 
 
@@ -70,15 +73,23 @@ class Bounded:
         return np.where(self.errors > 0, self.errors / self.bounds, 0.0)
 
 
-def certified_plan(model: Model, scalar: str = "double") -> Plan:
-    """Return the certified plan of one process.
+def certified_plan(model: Model, scalar: str = "double", processes: int = 1) -> Plan:
+    """Return the certified plan of one process, or of threads that share the robot.
 
     Raises:
         AdagenError: the robot has none.
     """
-    profile = load_profile("default")
-    schedule = named_schedule("balanced", Topology.of(model), 1, profile=profile)
-    return certified(make_plan(model, schedule, scalar=scalar))
+    alone = alone_schedule(model, processes, load_profile("default"))
+    plan = certified(make_plan(model, alone, scalar=scalar))
+    if processes == 1:
+        return plan
+    for gathered in certified_layouts(model, plan.joints, alone, scalar):
+        shared = replace(alone, meeting="gather", gathered=gathered)
+        with suppress(AdagenError):
+            plan = certified(make_plan(model, shared, scalar=scalar, channel="threads"))
+    if not any(process.steps for process in plan.processes[1:]):
+        raise UsageError("no limbs can be shared")
+    return plan
 
 
 def bounded(
@@ -96,9 +107,8 @@ def bounded(
     known: dict[str, tuple[States, list[Array | None]]] = {}
     for way in ways:
         try:
-            plan = certified_plan(model, way.scalar)
-            plan = plan.alternatives[-1] if way.batch else plan  # lanes go one way
-            text = emit(plan, name="certified", shape=way.shape, batch=int(way.batch))
+            plan = certified_plan(model, way.scalar, way.processes)
+            text = emit(plan, name=_NAME, shape=way.shape, batch=int(way.batch))
         except AdagenError:
             continue
         if way.scalar not in known:
@@ -108,7 +118,7 @@ def bounded(
             every = own_truths(plan, given) if plan.closed else truths(model, given)
             known[way.scalar] = given, every
         given, truth = known[way.scalar]
-        answers, bounds = _answers(text[f"{_STEM}.cpp"], plan, way, given, toolchain)
+        answers, bounds = _answers(text[f"{stem_of(plan, _NAME)}.cpp"], plan, way, given, toolchain)
         rows = [
             (_error(plan, given.q[k], given.v[k], answers[k], true), bounds[k])
             for k, true in enumerate(truth)
@@ -138,7 +148,7 @@ def own_truths(plan: Plan, states: States) -> list[Array | None]:
     return found
 
 
-_STEM = "certified_p1"
+_NAME = "certified"
 
 
 def _error(plan: Plan, q: Array, v: Array, answer: Array, true: Array) -> float:
@@ -152,23 +162,26 @@ def _answers(
     source: str, plan: Plan, way: Certified, states: States, toolchain: Toolchain
 ) -> tuple[Array, Array]:
     """Accelerations, shape (S, nv), and their bounds, shape (S,); NaN where there is none."""
-    assert stem_of(plan, "certified") == _STEM
+    stem = stem_of(plan, _NAME)
     flags = (*toolchain.flags, "-shared", "-fPIC", "-DADAGEN_NO_MAIN")
     built = build_executable(
-        f"#define ADAGEN_NO_MAIN\n{source}", f"{_STEM}.so", replace(toolchain, flags=flags)
+        f"#define ADAGEN_NO_MAIN\n{source}", f"{stem}.so", replace(toolchain, flags=flags)
     )
     library = ctypes.CDLL(str(built))
     number = np.dtype(np.float64 if way.scalar == "double" else np.float32)
     pointer = ctypes.c_void_p
 
     def function(name: str, result: Any, *arguments: Any) -> Any:
-        called = getattr(library, f"{_STEM}_{name}")
+        called = getattr(library, f"{stem}_{name}")
         called.restype, called.argtypes = result, arguments
         return called
 
     rows = [np.ascontiguousarray(x, number) for x in (states.q, states.v, states.tau)]
     qdd, bounds = np.full(states.v.shape, np.nan, number), np.full(states.count, np.nan)
-    opened = function("open", pointer)()
+    if plan.threads:
+        opened = function("open_threads", pointer, pointer, ctypes.c_double)(None, 60.0)
+    else:
+        opened = function("open", pointer)()
     try:
         if way.batch:
             solve = function(

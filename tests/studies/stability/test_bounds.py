@@ -85,6 +85,26 @@ def test_there_is_something_to_be_bounded(
     assert (bare.ratios > FACTOR).any()
 
 
+@pytest.mark.parametrize(
+    ("way", "k"), [(replace(LOOPS, processes=2), 19), slow(replace(LINE, processes=3), 7)]
+)
+def test_bounds_of_processes_that_share_a_robot(way: Certified, k: int, quick: Toolchain) -> None:
+    model = robots(k + 1, seed=104)[k]
+    assert FAMILIES[k % len(FAMILIES)].__name__ == "trees"
+    found = bounded(model, hard_states(model, 40, seed=8), [way], quick)
+    assert found[way].errors.size == 40
+    assert np.median(found[way].bounds) < 1e-12
+    _hold(found)
+
+
+def test_no_bound_is_found_with_factors_of_no_digits(quick: Toolchain) -> None:
+    """Ball joints with slender links, as loops in float: see seen_by in kernels/certify.hpp."""
+    model, way = robots(22, seed=104)[21], IN_FLOAT[0]
+    found = bounded(model, hard_states(model, 400, seed=104), [way], quick)
+    assert found[way].errors.max() > 0.1
+    _hold(found)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(10, 13))
 def test_no_bound_is_exceeded_on_many(seed: int, quick: Toolchain) -> None:

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 
 #include "../common.hpp"
 #include "../constants.hpp"
@@ -35,12 +36,13 @@ ADAGEN_INLINE void operator+=(Left<T>& a, const Left<T>& b) {
   a.moments += b.moments, a.forces += b.forces;
 }
 
-// Whether a slot is filled: slots of other processes are empty.
+// Whether a slot is filled by a process: it starts with the inertia of the link.
+template <int p>
 constexpr std::array<PerJoint, kBlockCount> kFilled = [] {
   std::array<PerJoint, kBlockCount> result{};
   for (int j = 0; j < kJointCount; ++j)
     result[static_cast<std::size_t>(slot_of(j) / kPerBlock)]
-          [static_cast<std::size_t>(slot_of(j) % kPerBlock)] = 1;
+          [static_cast<std::size_t>(slot_of(j) % kPerBlock)] = kStarts[p][j];
   return result;
 }();
 
@@ -58,7 +60,7 @@ ADAGEN_INLINE Value over_links(const Lanes& x) {
 // What links of blocks first .. last - 1 take with all that they gain; what of it may be rounding,
 // as their inertia is expressed in axes of the base; the energy of the answer, and of what is
 // uncertain of it.
-template <int first, int last>
+template <int p, int first, int last>
 void weigh_links(Workspace& w) {
   Lanes energy{}, rounded{};
   const Vector<Lanes> fall{Lanes{} + w.fall.x, Lanes{} + w.fall.y, Lanes{} + w.fall.z};
@@ -68,7 +70,7 @@ void weigh_links(Workspace& w) {
     const auto at = [&](int entry) { return wide_vector(entries + entry); };
     const Vector<Lanes> Ax = at(kRotational), Ay = at(kRotational + 3), c = at(kMoments);
     const Symmetric<Lanes> A{Ax.x, Ax.y, Ax.z, Ay.x, Ay.y, Ay.z};
-    const Lanes mass = wide(w.constants_of(b).mass), filled = wide(kFilled[std::size_t(b)]);
+    const Lanes mass = wide(w.constants_of(b).mass), filled = wide(kFilled<p>[std::size_t(b)]);
     const Vector<Lanes> alpha = at(kGained), gained = at(kGainedAlong), a = gained - fall;
     Vector<Lanes> n = A * alpha + cross(c, a), f = a * mass + cross(alpha, c);
     energy += filled * (dot(alpha, n) + dot(a, f));
@@ -99,6 +101,21 @@ ADAGEN_INLINE T trace_of_inverse(const T* factors) {
   const T *d = factors, *l = factors + 3;
   const T corner = l[0] * l[2] - l[1];
   return d[0] + d[1] * (1 + l[0] * l[0]) + d[2] * (1 + l[2] * l[2] + corner * corner);
+}
+
+// The trace of a matrix, by its factors.
+template <class T>
+ADAGEN_INLINE T trace_of(const T* factors) {
+  const T *d = factors, *l = factors + 3;
+  return (1 + l[0] * l[0] + l[1] * l[1]) / d[0] + (1 + l[2] * l[2]) / d[1] + 1 / d[2];
+}
+
+// A part of the error that is seen by factors of a matrix in axes of the base. The least of their
+// pivots is uncertain by a part d = unit tr(A) tr(A^-1) of it: 1 / (1 - d), infinite beyond 1.
+template <class T>
+ADAGEN_INLINE T seen_by(const T* factors, const T& part) {
+  const T known = 1 - Real(kUnit) * trace_of(factors) * trace_of_inverse(factors);
+  return known > T{} ? part / known : part + std::numeric_limits<Real>::infinity();
 }
 
 // What was seen of the error at some joints, and what rounding may be.
@@ -184,7 +201,7 @@ ADAGEN_INLINE void weigh_rotations(Workspace& w, const Joints<T>& joints, Left<T
   const Vector<T> u = torque - X.n;
   X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
   const Vector<T> y = solved(e + 12, u);
-  found.seen += dot(u, y);
+  found.seen += seen_by(e + 12, dot(u, y));
   if constexpr (kRefine > 0) e[9] = y.x, e[10] = y.y, e[11] = y.z;
   found.rounded += X.moments * trace_of_inverse(e + 12);
   X.f += transposed_times(Matrix<T>{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}}, u);
@@ -227,7 +244,7 @@ ADAGEN_INLINE Motion<Value> weigh_unheld(const Body<Value>& body, const Left<Val
   factorize(C, sliding, checks);
   const Vector<Value> rest = X.f - transposed_times(K, X.n);
   const Vector<Value> turn = solved(turning, X.n), slide = solved(sliding, rest);
-  found.seen += dot(X.n, turn) + dot(rest, slide);
+  found.seen += seen_by(turning, dot(X.n, turn)) + dot(rest, slide);
   const Vector<Value>&x = K.x, &y = K.y, &z = K.z;
   const Value passed =
       dot(x, solved(sliding, x)) + dot(y, solved(sliding, y)) + dot(z, solved(sliding, z));
@@ -301,7 +318,7 @@ ADAGEN_INLINE void leave_left(Workspace& w, int link, const Left<Value>& X) {
 template <int link, bool starts>
 void weigh_placed(Workspace& w) {
   Left<Value> X{};
-  add_weighed_link(w, single(link - 1), X);
+  if constexpr (!weighed_apart(link - 1)) add_weighed_link(w, single(link - 1), X);
   leave_left<starts>(w, link, X);
 }
 template <int j, bool starts>

@@ -21,7 +21,7 @@ struct Cuts {
   std::array<std::array<Value, kNv>, kSlavedCount> responses{};
   std::array<Real, kSlavedCount> coupling{};
   std::array<Value, 2> certificate{};
-  Value seen{}, rounded{}, energy{};
+  Value seen{}, rounded{}, energy{}, parted{};
   Vector<Value> fall{};
   std::array<Reached<Value>, kLinkCount> reached{};
   std::array<Left<Value>, kLinkCount> lefts{};

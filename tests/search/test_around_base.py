@@ -1,11 +1,12 @@
-"""Schedules of reproducible programs."""
+"""Schedules of processes that gather at the base: reproducible and certified programs."""
 
 from __future__ import annotations
 
 from adagen.emit.predicted import predict
 from adagen.plan import make_plan
+from adagen.plan.certificate import certified
 from adagen.schedule import load_profile
-from adagen.search.reproducible import reproducible_schedule
+from adagen.search.around_base import certified_schedule, reproducible_schedule
 from tests.models import binary, human_figure, serial_chain
 
 DEFAULT = load_profile("default")
@@ -37,3 +38,19 @@ def test_nothing_slower_than_one_process_is_taken() -> None:
         alone = make_plan(model, reproducible_schedule(model, 1, DEFAULT), reproducible=True)
         assert found.makespan <= predict(alone, DEFAULT, "unrolled").makespan
         assert found.lower_bound <= found.makespan
+
+
+def test_certified_limbs_are_shared_where_that_pays() -> None:
+    model = binary(6, floating=True)
+    both = certified_schedule(model, 2, DEFAULT, "double", "auto")
+    plan = certified(make_plan(model, both))
+    assert predict(plan, DEFAULT).makespan == both.makespan
+    one = certified(make_plan(model, certified_schedule(model, 1, DEFAULT, "double", "auto")))
+    assert both.makespan < 0.8 * predict(one, DEFAULT).makespan
+    assert all(process.steps for process in plan.processes)
+
+
+def test_what_cannot_be_certified_by_several_is_done_by_one() -> None:
+    model = serial_chain(100)
+    plan = certified(make_plan(model, certified_schedule(model, 2, DEFAULT, "double", "auto")))
+    assert [bool(process.owns) for process in plan.processes] == [True, False]

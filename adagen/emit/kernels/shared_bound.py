@@ -1,0 +1,82 @@
+"""What processes of shape kernels tell process 0 of the bound of an answer's error.
+
+See templates/include/adagen/kernels/shared_bound.hpp.
+"""
+
+from __future__ import annotations
+
+from adagen.emit.processes import describe_message
+from adagen.emit.words import Words
+from adagen.plan.certificate import spread
+from adagen.plan.steps import Certify, Receive, Send
+from adagen.plan.types import CERTIFICATE, Process
+from adagen.program import Operation
+
+
+def tells(words: Words, operation: Operation) -> bool:
+    """Return whether a message tells what a process adds to the bound of the answer's error."""
+    (step,) = operation.steps
+    assert isinstance(step, Send | Receive)
+    return words.plan.messages[step.message].sweep == CERTIFICATE
+
+
+def told(words: Words, process: Process, operation: Operation) -> list[str]:
+    """Return the lines that tell process 0 of a process's share."""
+    (step,) = operation.steps
+    assert isinstance(step, Send)
+    message = words.plan.messages[step.message]
+    (joints,) = (s.joints for s in process.steps if isinstance(s, Certify))
+    lines = [
+        f"{{  // to process {message.target}: {describe_message(words, message)}",
+        f"  Number* to = channel.outgoing({step.message}, w.status);",
+        "  to = tell_sums(to, w);",
+    ]
+    number = words.printer.number
+    for link in message.weighed:
+        limbs = spread(words.plan, joints, link)
+        terms = [number(limbs.turning)]
+        terms += [f"{number(scale)} * w.q[{k}] * w.q[{k}]" for k, scale in limbs.along]
+        numbers = f"{' + '.join(terms)}, {number(limbs.sliding)}"
+        lines.append(f"  to = tell_link(to, w, {link}, {numbers});")
+    return [*lines, f"  channel.send({step.message}, w.status);", "}"]
+
+
+def heard(words: Words, operation: Operation) -> list[str]:
+    """Return the lines that keep what another process has told."""
+    (step,) = operation.steps
+    assert isinstance(step, Receive)
+    message = words.plan.messages[step.message]
+    call = f"channel.receive({step.message}, w.status)"
+    about = f"  // from process {message.source}: {describe_message(words, message)}"
+    return [f"w.heard[{_place(words, message.source)}] = {call};{about}"]
+
+
+def sums(step: Certify) -> list[str]:
+    """Return the lines that add what others have found of error and answer."""
+    if not step.hears:
+        return []
+    return ["w.parted = 0;", *(f"hear_sums(w, w.heard[{k}]);" for k in range(len(step.hears)))]
+
+
+def at_links(words: Words, operation: Operation) -> list[str]:
+    """Return the lines that add what limbs of another process leave over.
+
+    Args:
+        words: the plan's names.
+        operation: takes the inertias of these limbs, and knows what is first at a link.
+    """
+    (step,) = operation.steps
+    assert isinstance(step, Receive)
+    message = words.plan.messages[step.message]
+    shares = [m for m in words.plan.messages if m.sweep == CERTIFICATE]
+    place = _place(words, message.source)
+    return [
+        f"hear_link<{'true' if first else 'false'}>"
+        f"(w, {link}, w.heard[{place}] + kSums + {shares[place].weighed.index(link)} * kAtLink);"
+        for link, first in zip(message.inertias, operation.first, strict=True)
+    ]
+
+
+def _place(words: Words, source: int) -> int:
+    """Where what a process has told is kept."""
+    return [m.source for m in words.plan.messages if m.sweep == CERTIFICATE].index(source)

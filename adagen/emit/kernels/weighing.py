@@ -1,0 +1,120 @@
+"""The lines of a certificate in shape kernels: one more sweep inwards (kernels/certify.hpp)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from adagen.emit.kernels import shared_bound
+from adagen.emit.words import Words
+from adagen.plan.simd_groups import Limbs
+from adagen.plan.steps import Articulate, Certify, FreeBase, SolveRoot, Step
+from adagen.program import Links, Operation
+from adagen.program.runs import Run
+from adagen.program.slots import Slots
+
+
+def word(first: bool) -> str:
+    """Return whether what is left at a link is the first there, as a template argument."""
+    return "true" if first else "false"
+
+
+def blocks_of(slots: Slots, joints: Iterable[int]) -> list[tuple[str, str]]:
+    """Return the first block of each range of slots that holds joints, and one past its last."""
+    return [(f"block({a})", f"block({b}) + 1") for a, b in slots.ranges(joints)]
+
+
+def links_looked_at(step: Step) -> set[int]:
+    """Return the links whose accelerations processes compare that share a certificate."""
+    if not isinstance(step, Certify):
+        return set()
+    shares = [*step.hears, *([] if step.tells is None else [step.tells])]
+    return {link for share in shares for link in share.links}
+
+
+class Weighing:
+    """Turns operations of a process into the lines that sweep what its answer leaves over.
+
+    Args:
+        words: the plan's names.
+        p: the process that the calls name.
+        slots: where joints lie in memory.
+    """
+
+    def __init__(self, words: Words, p: int, slots: Slots) -> None:
+        self.words, self.p, self.slots = words, p, slots
+        self.joints = words.plan.joints
+
+    def lines(self, step: Step, operations: Sequence[Operation]) -> list[str]:
+        """Return the lines of a step that certifies or refines, block by block.
+
+        Args:
+            step: the step.
+            operations: all of the process.
+        """
+        weigh = {
+            "link_inertia": self._links,
+            "place_inertia": self._placed,
+            "free_base": self._free_base,
+            "articulate": self._sweep,
+            "solve_root": self._root,
+            "receive": self._received,
+        }
+        share = step if isinstance(step, Certify) else Certify()
+        lines = ["begin_weighing(w);", *shared_bound.sums(share)]
+        for op in operations:
+            if op.does in weigh and _is_own(share, op):
+                lines += weigh[op.does](op)
+        if share.tells is not None:
+            return lines
+        return [*lines, "end_shared_weighing(w);" if share.hears else "end_weighing(w);"]
+
+    def _links(self, operation: Operation) -> list[str]:
+        assert isinstance(operation.block, Links)
+        blocks = blocks_of(self.slots, (link - 1 for link in operation.block.numbers))
+        return [f"weigh_links<{self.p}, {a}, {b}>(w);" for a, b in blocks]
+
+    def _placed(self, operation: Operation) -> list[str]:
+        assert isinstance(operation.block, Links)
+        (link,) = operation.block.numbers
+        return [f"weigh_placed<{link}, {word(operation.first[0])}>(w);"]
+
+    def _free_base(self, operation: Operation) -> list[str]:
+        assert isinstance(operation.block, Run)
+        return [f"weigh_free_base<{operation.block.first}, {word(operation.first[0])}>(w);"]
+
+    def _root(self, operation: Operation) -> list[str]:
+        (step,) = operation.steps
+        assert isinstance(step, SolveRoot)
+        return [f"weigh_root<{self.p}, {step.link}>(w);"]
+
+    def _received(self, operation: Operation) -> list[str]:
+        """What others' limbs leave over comes where their inertias came."""
+        if shared_bound.tells(self.words, operation):
+            return []
+        return shared_bound.at_links(self.words, operation)
+
+    def _sweep(self, operation: Operation) -> list[str]:
+        block, first = operation.block, operation.first
+        if isinstance(block, Limbs):
+            sweep = f"weigh_group<{self.p}, kLimbs{self.slots.numbers[block]}>(w);"
+            nears = [self.joints[j].parent for j in block.rows[0]]
+            left = [
+                f"  leave_left<{word(first[k])}>(w, {near}, lane(X, {k + block.idle}));"
+                for k, near in enumerate(nears)
+                if near > 0
+            ]
+            return ["{", f"  const auto X = {sweep}", *left, "}"] if left else [sweep]
+        assert isinstance(block, Run)
+        ends = f"{self.p}, {block.first}, {block.last}, {word(first[0])}"
+        return [f"weigh<{ends}>(w);  // {self.words.span(block.first, block.last)}"]
+
+
+def _is_own(share: Certify, operation: Operation) -> bool:
+    """Whether a share of a certificate has an operation: others sweep their own joints."""
+    if operation.does == "receive":
+        return bool(share.hears)
+    swept = next(iter(operation.steps), None)
+    if not share.joints or not isinstance(swept, Articulate | FreeBase | SolveRoot):
+        return True
+    joint = swept.link - 1 if isinstance(swept, SolveRoot) else swept.joint
+    return joint in share.joints

@@ -1,0 +1,81 @@
+"""What processes that share a robot tell each other of the bound of an answer's error.
+
+Each process sweeps what its own limbs leave over to the links at which they hang; process 0 goes on
+from there. Each has solved for these links by itself, so that their accelerations may differ in the
+last digits, and the answer has those of process 0. Limbs that move with others are in error by
+more: as a motion of all their links its energy is at most ``spread`` (adagen/plan/certificate.py),
+which is added as a length: with |a + b|^2 <= 9/8 |a|^2 + 9 |b|^2.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.executor.allowance import Allowance
+from adagen.graph import Expression, total
+from adagen.plan.certificate import spread
+from adagen.plan.steps import Certify, Share
+
+Array = NDArray[Any]
+
+
+def told(found: Allowance, step: Certify, sums: Sequence[Expression]) -> Array:
+    """Return what a process tells of its share: three sums, and what is known of each link."""
+    assert step.tells is not None
+    content = list(sums)
+    for link in step.tells.links:
+        for _, name in _kept(found):
+            content += list(found.memory[name, link])
+        content += list(found.memory["a", link][:, 0])
+        content += _spread(found, step.joints, link)
+    return np.array(content, dtype=object)
+
+
+def _kept(found: Allowance) -> list[tuple[int, str]]:
+    """What is kept of a link that limbs add to: how many numbers, and its name."""
+    return [(6, "left"), (4, "noise"), *([(4, "bare")] if found.bases else [])]
+
+
+def _spread(found: Allowance, joints: Sequence[int], link: int) -> list[Expression]:
+    """What a process's limbs at a link take where it turns otherwise, and where it slides."""
+    graph, limbs = found.state.graph, spread(found.state.plan, joints, link)
+    distances = [graph.input(f"q[{entry}]") * scale**0.5 for entry, scale in limbs.along]
+    turning = total([graph.constant(limbs.turning), found.square(distances)])
+    return [turning, graph.constant(limbs.sliding)]
+
+
+class Heard:
+    """What another process has told: adds what its limbs leave over to the links that they hang on.
+
+    Attributes:
+        seen: the square of what shows of the error.
+        rounded: that of what may be rounding.
+        energy: that of the answer.
+        parted: squares of what the limbs take for moving with other accelerations.
+    """
+
+    def __init__(self, found: Allowance, share: Share) -> None:
+        content = list(found.memory["share", share.process])
+        self.seen, self.rounded, self.energy = content[:3]
+        self.parted: list[Expression] = []
+        place = 3
+        for link in share.links:
+            for count, name in _kept(found):
+                own = np.array(content[place : place + count], dtype=object)
+                found.state.rows.add(name, [link], 1, own)
+                place += count
+            a = np.array(content[place : place + 6], dtype=object)
+            turning, sliding = content[place + 6 : place + 8]
+            place += 8
+            apart = a - found.memory["a", link][:, 0]
+            self.parted.append(turning * found.square(apart[:3]))
+            self.parted.append(sliding * found.square(apart[3:]))
+
+
+def seen_with(seen: Expression, parted: Sequence[Expression]) -> Expression:
+    """Return the square of a sum: that of what is seen, and those that the rest is made of."""
+    return seen * 1.125 + total(parted) * 9
