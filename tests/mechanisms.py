@@ -123,15 +123,46 @@ def looped_tree(
     return _closed_somewhere(model, kind, one, two, rng)
 
 
+def between(model: Model, *ties: tuple[str, str, str], seed: int = 1) -> Model:
+    """Return a robot with loops of kinds between two links each, closed in some configuration."""
+    rng = np.random.default_rng(seed)
+    numbers, q = {link.name: k for k, link in enumerate(model.links)}, _somewhere(model, rng)
+    return with_loops(
+        model,
+        tuple(
+            _closed_at(model, q, f"loop{k}", kind, numbers[one], numbers[two], rng)
+            for k, (kind, one, two) in enumerate(ties)
+        ),
+    )
+
+
 def _closed_somewhere(
     model: Model, kind: str, one: int, two: int, rng: np.random.Generator
 ) -> Model:
     """Put frame 2 where frame 1 is at a random configuration."""
+    loop = _closed_at(model, _somewhere(model, rng), "loop", kind, one, two, rng)
+    return with_loops(model, (loop,))
+
+
+def _somewhere(model: Model, rng: np.random.Generator) -> NDArray[np.float64]:
+    """A random configuration."""
     start = np.zeros(model.nq)
     for j, joint in enumerate(model.joints):
         if joint.kind.quaternion is not None:
             start[model.q_start[j] + joint.kind.nq - 1] = 1.0
-    q = moved(model, start, rng.uniform(-1.5, 1.5, model.nv))
+    return moved(model, start, rng.uniform(-1.5, 1.5, model.nv))
+
+
+def _closed_at(
+    model: Model,
+    q: NDArray[np.float64],
+    name: str,
+    kind: str,
+    one: int,
+    two: int,
+    rng: np.random.Generator,
+) -> NamedLoop:
+    """A loop that is closed at a configuration: frame 2 is where frame 1 is."""
     place1 = rng.uniform(-0.2, 0.2, 3)
     turn1, at1 = pose_of(model, q, one)
     turn2, at2 = pose_of(model, q, two)
@@ -142,7 +173,7 @@ def _closed_somewhere(
         LoopEnd(model.links[two].name, tuple(place2.tolist()), _rpy(turned)),
     )
     axis2 = (1.0, 0.0, 0.0) if LOOP_WORDS[kind].axes == 2 else (0.0, 0.0, 1.0)
-    return with_loops(model, (NamedLoop("loop", kind, *ends, axis2=axis2),))
+    return NamedLoop(name, kind, *ends, axis2=axis2)
 
 
 def standing(

@@ -61,6 +61,9 @@ def describe_message(words: Words, message: Message) -> str:
     if message.passages:
         spans = (words.span(own.first, own.last) for own in message.passages)
         return f"how {', '.join(spans)} move their last link"
+    if message.sides:
+        bases = ", ".join(words.quoted_joint(side.joints[0]) for side in message.sides)
+        return f"what hangs on {bases} does to loops"
     what = "assembled" if message.sweep == "assembly" else "forces on"
     return f"{what}: chain of {words.quoted_joint(message.joint)}"
 

@@ -86,6 +86,7 @@ class Closures:
             case CarryRows():
                 self._carry(step, front)
             case Eliminate():
+                front.end_waiting()
                 lanes = [lane.eliminate for lane in self.lanes(step.closure)]
                 self._look_at_rates(front)
                 Elimination(self.state, lanes, front).run()
@@ -186,12 +187,20 @@ class Closures:
             front.places.update((u, beyond + n) for u, n in zip(mates, numbers, strict=False))
             if self.state.left is not None:
                 bias = self._apart(front, unknown, self.state.left.of_row(bias, held, unknown))
-            self.mates.add_bias(front, mates, self.state.column(np.array([bias], dtype=object))[0])
+            column = self.state.column(np.array([bias], dtype=object))[0]
+            if self._told(step):
+                front.waiting[unknown], column = column, self.state.zeros(len(column))
+            self.mates.add_bias(front, mates, column)
             in_frame = matrix_times(frames.two.axes.T, directions[1])
             if loop.turn2:
                 turn = self._packed([one.turn2 for one in loops])
                 in_frame = matrix_times(turn, in_frame)
             front.loops[step.loop].append((unknown, linear, in_frame))
+
+    def _told(self, step: CloseLoop) -> bool:
+        """Whether others may tell what they do to a loop's rows, the only unknowns then."""
+        one = self.alone.get(step.closure)
+        return one is not None and not (one.held or one.eliminate.moved)
 
     def _moves_by_rows(self, step: CloseLoop) -> bool:
         """Whether how fast a loop opens follows from what its rows do to what is held back."""

@@ -115,7 +115,7 @@ class Corrections:
         """
         memory = self.current.memory
         for item, value in known.items():
-            if isinstance(item, Block):
+            if isinstance(item, Block) or item[0] == "square":
                 memory[item] = value
             elif item in added and item[0] == "IA":
                 memory[item] = memory[item] + value

@@ -417,7 +417,7 @@ class Elimination:
             if own is not None:
                 rest = own - dot(pushed[:, k], found[:, k])
                 left = own * own * FOLLOWS**4 - rest * rest
-                self._check(left, 0.0, unknown, "kLoopSingular")
+                self._check(left, 0.0, unknown, self.fails)
 
     def _check_inverse(
         self, every: Sequence[int], matrix: Array, diagonal: Sequence[Expression]
@@ -426,7 +426,7 @@ class Elimination:
         lost = (16 * self.epsilon) ** 2
         for k, (unknown, pivot) in enumerate(zip(every, diagonal, strict=True)):
             least = total(_squares(matrix[:, k])) * lost
-            self._check(pivot * pivot, least, unknown, "kLoopSingular")
+            self._check(pivot * pivot, least, unknown, self.fails)
 
     def _check_inertia(self, blamed: Sequence[int], factors: Factors) -> None:
         """No pivot of the inertia may have lost its digits."""

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from itertools import combinations_with_replacement
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
 
 from adagen.graph import Expression, Factors
@@ -127,6 +129,7 @@ class Front:
         columns: C by link and unknown, shape (6,) each.
         square: E by pairs of unknowns, the smaller one first; those that are not there are zero.
         bias: e by unknown, shape (columns,).
+        waiting: what loops by themselves add to it, where that waits for what others tell.
         solved: what has been eliminated, in the order in which it is found outwards.
         carried: joints that were articulated, with their rows of C, by unknown, shape (n,) each.
         found: w by unknown, shape (columns,), on the way outwards.
@@ -152,6 +155,7 @@ class Front:
     columns: dict[int, dict[int, Array]] = field(default_factory=dict)
     square: dict[tuple[int, int], Expression] = field(default_factory=dict)
     bias: dict[int, Array] = field(default_factory=dict)
+    waiting: dict[int, Array] = field(default_factory=dict)
     solved: list[Solved] = field(default_factory=list)
     carried: dict[int, dict[int, Array]] = field(default_factory=dict)
     found: dict[int, Array] = field(default_factory=dict)
@@ -194,3 +198,25 @@ class Front:
     def add_bias(self, unknown: int, value: Array) -> None:
         """Add to e, shape (columns,)."""
         self.bias[unknown] = self.bias[unknown] + value if unknown in self.bias else value
+
+    def end_waiting(self) -> None:
+        """Add to e what loops do by themselves."""
+        for unknown, value in self.waiting.items():
+            self.add_bias(unknown, value)
+
+    def shown(self, rows: int, zero: Expression) -> tuple[Array, Array]:
+        """Return E of so many rows, row by row from the diagonal on, and e, shape (rows, columns).
+
+        Nothing else is unknown, so that rows are numbered from 0.
+        """
+        pairs = combinations_with_replacement(range(rows), 2)
+        square = [zero if (entry := self.entry(*pair)) is None else entry for pair in pairs]
+        return np.array(square, dtype=object), np.array([self.bias[k] for k in range(rows)])
+
+    def take(self, square: Array, bias: Array) -> None:
+        """Add what another process has shown of them."""
+        pairs = combinations_with_replacement(range(len(bias)), 2)
+        for pair, value in zip(pairs, square, strict=True):
+            self.add(*pair, value)
+        for unknown, value in enumerate(bias):
+            self.add_bias(unknown, value)

@@ -192,8 +192,9 @@ class Machine(State):
             return [("energies", 0)]
         if message.sweep == CERTIFICATE:
             return [("share", message.source)]
+        parted = [("bias", side) for side in message.sides]
         if message.repeats is not None:
-            return [*message.biases, *(("pA", link) for link in message.inertias)]
+            return [*message.biases, *(("pA", link) for link in message.inertias), *parted]
         accelerations = [("qdd", j) for j in message.joints]
         inertias = [(what, link) for link in message.inertias for what in ("IA", "pA")]
         passages = message.passages
@@ -204,11 +205,17 @@ class Machine(State):
             *message.forces,
             *accelerations,
             *inertias,
+            *(("square", side) for side in message.sides),
+            *parted,
         ]
 
     def _send(self, number: int) -> None:
         message = self.plan.messages[number]
-        memory = self._told(message).memory
+        machine = self._told(message)
+        memory, zero = machine.memory, self.graph.constant(0)
+        for side in message.sides:
+            square, bias = machine.closures.fronts[side.closure].shown(side.rows, zero)
+            memory["square", side], memory["bias", side] = square, bias
         items = [(item, memory[item]) for item in self._items(message)]
         content: dict[Expression, None] = {}
         for _, value in items:
@@ -244,6 +251,10 @@ class Machine(State):
             memory = machine.memory
             memory[item] = memory[item] + value if item in added else value
             self.received.setdefault(number, {})[item] = value
+        for side in message.sides:
+            memory = machine.memory
+            front = machine.closures.fronts[side.closure]
+            front.take(memory["square", side], memory["bias", side])
         return True
 
     def _told(self, message: Message) -> Machine:

@@ -8,6 +8,7 @@ from adagen.errors import UsageError
 from adagen.model import Model
 from adagen.model.fuse import runs_of, settled
 from adagen.plan.ada import AdaPlanner
+from adagen.plan.apart import apart_closures_of
 from adagen.plan.closed import ClosedPlanner
 from adagen.plan.closed_ada import ClosedAdaPlanner
 from adagen.plan.closures import closures_of
@@ -187,6 +188,7 @@ def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto
             schedule,
             closures_of(model),
             early_closures_of(model),
+            apart_closures_of(model),
             loops_of(model),
             couplings_of(model),
         )

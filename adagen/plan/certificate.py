@@ -38,9 +38,12 @@ ROUNDING = 8.0
 def certified(plan: Plan) -> Plan:
     """Return a plan whose processes bound the error of each answer after it.
 
+    Closures that may carry their rows or not do not.
+
     Raises:
         UsageError: the plan cannot be certified; the message says why.
     """
+    plan = plan.held_back()
     reason = why_not(plan) or why_not_shared(plan)
     if reason is not None:
         raise UsageError(f"answers cannot be certified: {reason}; leave out --certify")

@@ -5,7 +5,9 @@ top they are eliminated. Limbs that no loop goes through are swept first on the 
 last on the way outwards, so that they can share code, one in each SIMD lane.
 
 Several processes gather (gather.py): each closure is one process's, and what is above its top knows
-nothing of it. In poses in which what follows is found poorly, each process does all for itself.
+nothing of it. But trees that float apart (apart.py) may be different processes': these tell each
+other what their trees do to the rows of the loops between them, and each eliminates the closure. In
+poses in which what follows is found poorly, each process does all for itself.
 """
 
 from __future__ import annotations
@@ -27,8 +29,11 @@ from adagen.plan.steps import (
     Accelerate,
     ApplyCoupling,
     Articulate,
+    FreeAcceleration,
+    FreeBase,
     Kinematics,
     Release,
+    SideOfLoops,
     SolveCoupling,
     StartLink,
     Step,
@@ -49,6 +54,7 @@ class ClosedPlanner(AdaPlanner):
         schedule: says where processes gather; without that, all joints are process 0's.
         closures: its closures.
         early: the same, those that reach the ground ending before it; none where none can.
+        apart: the same, those between trees that float apart holding nothing back; none likewise.
         loops: its loop joints.
         couplings: its couplings.
     """
@@ -59,11 +65,13 @@ class ClosedPlanner(AdaPlanner):
         schedule: Schedule,
         closures: Sequence[Closure],
         early: Sequence[Closure],
+        apart: Sequence[Closure],
         loops: Sequence[PlanLoop],
         couplings: Sequence[PlanCoupling],
     ) -> None:
         super().__init__(joints, schedule)
-        self.closures, self.early, self.loops, self.couplings = closures, early, loops, couplings
+        self.closures, self.early, self.apart = closures, early, apart
+        self.loops, self.couplings = loops, couplings
         self.open_limbs = self._joints_beside_loops()
 
     def plan(self) -> tuple[tuple[Process, ...], tuple[Message, ...]]:
@@ -87,7 +95,7 @@ class ClosedPlanner(AdaPlanner):
         return self.schedule.gathered
 
     def _ways(self) -> list[ClosedWay]:
-        """How closures go: early ones first, then all by their first choices, their second, ..."""
+        """How closures go: the quickest way, then all by their first choices, their second, ..."""
         most = max((len(one.choices) for one in self.closures), default=1)
         found = [
             [(one, one.choices[min(k, len(one.choices) - 1)]) for one in self.closures]
@@ -95,6 +103,8 @@ class ClosedPlanner(AdaPlanner):
         ]
         if self.early:  # where these are poor, an orthogonal basis loses nothing
             found = [[(one, one.choices[0]) for one in self.early], *(found[1:] or found)]
+        elif self.apart:
+            found.insert(0, [(one, one.choices[0]) for one in self.apart])
         return [
             ClosedWay(
                 self.joints,
@@ -149,7 +159,7 @@ class ClosedPlanner(AdaPlanner):
         recovery: tuple[tuple[Step, ...], ...] = ()
         if way.recovers or any(tree.hold for tree in trees):
             recovery = tuple(tuple(self._steps(other)) for other in others)
-        messages = tuple(exchange(trees))
+        messages = (*exchange(trees), *_between(trees, way))
         processes = []
         for p, sides in enumerate(sides_of(messages, self.schedule.processes)):
             steps = _ClosedSteps(self.joints, trees, p, way)
@@ -174,6 +184,10 @@ def _refuse_divided(trees: Sequence[Tree], way: ClosedWay, loops: Sequence[PlanL
     against = {e.joint for tree in trees for e in tree.edges if e.reversed}
     against |= {e.joint for tree in trees for e in tree.ground_side}
     for closure in way.closures:
+        if closure.apart:
+            owner |= {base: tree.participants[0] for base, tree in _whole(trees).items()}
+            if all(j in owner for j in closure.path) and against.isdisjoint(closure.path):
+                continue
         owners = {owner.get(j) for j in closure.path}
         if len(owners) > 1 or None in owners or against.intersection(closure.path):
             names = ", ".join(f'"{loops[k].name}"' for k in closure.loops)
@@ -181,6 +195,28 @@ def _refuse_divided(trees: Sequence[Tree], way: ClosedWay, loops: Sequence[PlanL
                 f"processes cannot gather as the schedule has it: joints of loops {names} are not "
                 "all of one process, or are beyond the root"
             )
+
+
+def _whole(trees: Sequence[Tree]) -> dict[int, Tree]:
+    """Trees that float by their root and are all one process's, by their bases."""
+    return {
+        tree.base: tree
+        for tree in trees
+        if tree.base is not None and len(tree.participants) == 1 and tree.root == tree.base + 1
+    }
+
+
+def _between(trees: Sequence[Tree], way: ClosedWay) -> Iterator[Message]:
+    """Yield what processes tell each other of trees that float apart."""
+    owner = {j: tree.participants[0] for tree in trees for j in (*tree.joints, tree.base)}
+    for number, closure in enumerate(way.closures):
+        sides: dict[int, list[int]] = {}
+        for j in closure.path if closure.apart else ():
+            sides.setdefault(owner[j], []).append(j)
+        for p, own in sides.items():
+            side = SideOfLoops(number, tuple(own), len(closure.rows))
+            others = (other for other in sides if other != p)
+            yield from (Message(p, q, "assembly", own[0], sides=(side,)) for q in others)
 
 
 class _ClosedSteps(ProcessSteps):
@@ -199,14 +235,53 @@ class _ClosedSteps(ProcessSteps):
         super().__init__(joints, trees, process)
         self.way = way
         own = set(self.owns())
-        self.numbers = [k for k, one in enumerate(way.closures) if own.issuperset(one.path)]
+        self.numbers = [k for k, one in enumerate(way.closures) if not own.isdisjoint(one.path)]
         self._left = {k: len(way.closures[k].path) for k in self.numbers}
         self._released: set[int] = set()
+        paths = [one.path for one in way.closures if one.apart]
+        self._apart = {j for path in paths for j in path if joints[j].parent == 0}
+
+    def looks_at(self) -> Iterable[int]:
+        """Return the joints of its closures: rows are known by where both of their links are."""
+        return (j for number in self.numbers for j in self.way.closures[number].path)
+
+    def tells_of(self, tree: Tree) -> bool:
+        """Return whether others wait for a tree; so they do where it floats apart from theirs."""
+        return super().tells_of(tree) or tree.base in self._apart
 
     def evaluation(self, sends: Iterable[int], receives: Iterable[int]) -> list[Step]:
         """Return its steps but for kinematics; the rows of its loops come first."""
         rows = [step for number in self.numbers for step in self.way.constraints(number)]
         return [*rows, *super().evaluation(sends, receives)]
+
+    def _inwards(self, tree: Tree) -> Iterator[Step]:
+        """What is swept inwards; a base that carries rows is articulated as other joints are."""
+        base = tree.base if tree.base in self._apart else None
+        yield from (
+            step
+            for step in super()._inwards(tree)
+            if base is None or not isinstance(step, FreeBase)
+        )
+        if base is not None:
+            yield from self.way.inwards(base)
+
+    def _solve(self, tree: Tree) -> Iterator[Step]:
+        if tree.base is None or tree.base not in self._apart:
+            yield from super()._solve(tree)
+            return
+        number = self.way.closure_of(tree.base)
+        assert number is not None  # which is apart
+        if number not in self._released:
+            yield self.way.eliminate(number)
+            self._released.add(number)
+            yield Release(0, number)
+        yield self.way.outwards(tree.base)
+
+    def _outwards_again(self, tree: Tree) -> Iterator[Step]:
+        """What finds accelerations; that of a base which carries rows is known by then."""
+        base = tree.base in self._apart
+        again = super()._outwards_again(tree)
+        return (step for step in again if not (base and isinstance(step, FreeAcceleration)))
 
     def swept(self, own: Sequence[Edge]) -> Iterator[Step]:
         """Yield what sweeps its joints inwards; closures end with the last joint of theirs."""
@@ -217,7 +292,7 @@ class _ClosedSteps(ProcessSteps):
                 continue
             yield from self.way.inwards(edge.joint)
             self._left[number] -= 1
-            if not self._left[number]:
+            if not self._left[number] and not self.way.closures[number].apart:
                 yield self.way.eliminate(number)
 
     def accelerated(self, own: Sequence[Edge]) -> Iterator[Step]:

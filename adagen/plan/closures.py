@@ -77,6 +77,11 @@ class Closure:
     rows: tuple[int, ...]
     choices: tuple[Choice, ...]
 
+    @property
+    def apart(self) -> bool:
+        """Whether it is between trees that float apart, which carry its rows (apart.py)."""
+        return not self.held
+
 
 @lru_cache(maxsize=4)  # asked for by every plan that is tried
 def closures_of(model: Model) -> tuple[Closure, ...]:
@@ -172,7 +177,7 @@ def closure_of(
         tuple(k for k in tied.members if k < loops),
         tuple(k - loops for k in tied.members if k >= loops),
         tied.path,
-        tied.path if whole else tuple(sorted(held | _must_be_held(model, tied.path))),
+        tied.path if whole else tuple(sorted(held | must_be_held(model, tied.path))),
         tuple(rows),
         tuple(choices),
     )
@@ -203,8 +208,8 @@ def depths_of(model: Model, path: Sequence[int]) -> list[int]:
     return [len(joints_from(model, j + 1)) for j in path for _ in freedoms_of(model, [j])]
 
 
-def _must_be_held(model: Model, path: Sequence[int]) -> set[int]:
-    """Joints of a path that cannot be articulated as they are passed: rotors act on them."""
+def must_be_held(model: Model, path: Sequence[int]) -> set[int]:
+    """Return joints of a path that cannot be articulated as they are passed: rotors act on them."""
     rotors = {j for j in path if model.joints[j].passive.rotor_inertia}
     coupled = {j for coupling in model.couplings for j, _ in coupling.terms}
     return rotors | coupled.intersection(path)

@@ -113,6 +113,14 @@ class ProcessSteps:
     def _has_base(self, tree: Tree) -> bool:
         return tree.base is not None and tree.link_owner(tree.base + 1) == self.process
 
+    def looks_at(self) -> Iterable[int]:
+        """Return joints whose motion it has to know besides."""
+        return ()
+
+    def tells_of(self, tree: Tree) -> bool:
+        """Return whether others wait for what the process finds of a tree."""
+        return len(tree.participants) > 1
+
     def process_of(self, evaluation: Sequence[Step], recovery: Sequence[Step] = ()) -> Process:
         """Return the process.
 
@@ -123,7 +131,7 @@ class ProcessSteps:
         """
         owns = self.owns()
         shared = {joint for tree in self.trees for joint in tree.core}
-        reads = on_the_way(self.joints, (*owns, *shared))
+        reads = on_the_way(self.joints, (*owns, *shared, *self.looks_at()))
         kinematics = [Kinematics(joint) for joint in reads]
         again = (*kinematics, *recovery) if recovery else ()
         extra = tuple(sorted(shared.difference(owns)))
@@ -136,8 +144,8 @@ class ProcessSteps:
             sends: the numbers of the messages that it sends.
             receives: the numbers of those that it takes.
         """
-        apart = [tree for tree in self.trees if len(tree.participants) > 1]
-        alone = [tree for tree in self.trees if len(tree.participants) == 1]
+        apart = [tree for tree in self.trees if self.tells_of(tree)]
+        alone = [tree for tree in self.trees if not self.tells_of(tree)]
         steps = [step for tree in apart for step in self._inwards(tree)]
         steps += map(Send, sends)
         steps += [step for tree in alone for step in self._inwards(tree)]

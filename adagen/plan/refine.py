@@ -70,9 +70,13 @@ def paths_of(plan: Plan, process: Process) -> tuple[int, ...]:
 
 
 def corrected(plan: Plan, count: int) -> Plan:
-    """Return a plan whose process corrects each answer by what its own numbers leave over."""
+    """Return a plan whose process corrects each answer by what its own numbers leave over.
+
+    Where processes share a closure, none knows all that moves its rows: each has it all by itself.
+    """
     if plan.closed:
-        return _corrected_lines(plan, count)
+        shared = any(message.sides for message in plan.messages)
+        return _corrected_lines(plan.held_back() if shared else plan, count)
     processes = tuple(
         replace(process, steps=(*process.steps, Refine(count))) if process.steps else process
         for process in plan.processes

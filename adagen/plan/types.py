@@ -26,10 +26,12 @@ from adagen.plan.robot import (
 from adagen.plan.steps import (
     Bias,
     Block,
+    CarryRows,
     Certify,
     Force,
     Passage,
     Refine,
+    SideOfLoops,
     SolveCoupling,
     Step,
 )
@@ -68,6 +70,8 @@ class Message:
         inertias: links whose I^A and p^A, as far as the source knows them, are in it: 21 numbers,
             and 6 for each right-hand side. The target adds them to its own.
         passages: how runs of joints move their last links, 24 numbers each.
+        sides: what the source's joints do to the rows of closures, which the target adds to what
+            its own do: of n rows n (n + 1) / 2 numbers, and n for each right-hand side.
         repeats: number of the message that it repeats for a correction: of blocks and inertias
             nothing is sent again, and of motions nothing.
         weighed: of a certificate, links at which limbs hang that its source has looked at.
@@ -83,6 +87,7 @@ class Message:
     joints: tuple[int, ...] = ()
     inertias: tuple[int, ...] = ()
     passages: tuple[Passage, ...] = field(default=(), metadata=OPTIONAL)
+    sides: tuple[SideOfLoops, ...] = field(default=(), metadata=OPTIONAL)
     repeats: int | None = field(default=None, metadata=OPTIONAL)
     weighed: tuple[int, ...] = field(default=(), metadata=OPTIONAL)
 
@@ -96,9 +101,11 @@ class Message:
             return NUMBERS_OF_SHARE + NUMBERS_AT_LINK * len(self.weighed)
         vectors = len(self.biases) + len(self.forces) + len(self.inertias)
         matrices = 36 * len(self.blocks) + 21 * len(self.inertias) + 24 * len(self.passages)
+        matrices += sum(side.rows * (side.rows + 1) // 2 for side in self.sides)
         matrices = matrices if self.repeats is None else 0
+        rows = sum(side.rows for side in self.sides)
         freedoms = sum(KINDS[joints[j].kind].nv for j in self.joints)
-        return matrices + columns * (6 * vectors + freedoms)
+        return matrices + columns * (6 * vectors + freedoms + rows)
 
 
 @dataclass(frozen=True)
@@ -277,6 +284,12 @@ class Plan:
             for p in self.processes
         )
         return replace(self, processes=tuple(processes))
+
+    def held_back(self) -> Plan:
+        """Return the plan in which closures carry no rows, where there is one; else this one."""
+        steps = (step for process in self.processes for step in process.steps)
+        carries = any(isinstance(step, CarryRows) for step in steps)
+        return self.recovering() if carries and self.recovers else self
 
     @property
     def recovers(self) -> bool:

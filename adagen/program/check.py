@@ -131,7 +131,7 @@ class _Memory:
                 case Send():
                     self._send(step.message, mail)
                 case _:
-                    self._apply(effects(self.plan, step, self.runs))
+                    self._apply(effects(self.plan, self.p, step, self.runs))
         self._leave(operation)
         return True
 

@@ -16,7 +16,7 @@ A place is a name: a ``Block``, ``Bias`` or ``Force`` of the plan, or a pair of 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from adagen.model import LINK_ACCELERATION, REACTION_FORCE
@@ -111,11 +111,12 @@ def joined_runs(plan: Plan) -> dict[int, tuple[int, ...]]:
     return {j.joint: j.run if isinstance(j, FusedJoin) else (j.joint,) for j in joins}
 
 
-def effects(plan: Plan, step: Step, runs: Mapping[int, tuple[int, ...]]) -> Effects:
+def effects(plan: Plan, process: int, step: Step, runs: Mapping[int, tuple[int, ...]]) -> Effects:
     """Return what a step that is no message reads and sets.
 
     Args:
         plan: the plan.
+        process: the number of a process.
         step: one of its steps.
         runs: what joins put together (``joined_runs``).
     """
@@ -137,7 +138,7 @@ def effects(plan: Plan, step: Step, runs: Mapping[int, tuple[int, ...]]) -> Effe
             | Release()
             | AccelerateHeld()
         ):
-            return _closed(plan, step)
+            return _closed(plan, process, step)
         case Traverse() | Append() | Arrive():
             return _passed(step)
         case Correct():
@@ -235,7 +236,7 @@ def _of_link(step: _OfLink) -> Effects:
 _Closed = CloseLoop | CloseCoupling | HoldBack | CarryRows | Eliminate | Release | AccelerateHeld
 
 
-def _closed(plan: Plan, step: _Closed) -> Effects:
+def _closed(plan: Plan, process: int, step: _Closed) -> Effects:
     """Of a step of closed loops."""
     reads: tuple[Place, ...]
     match step:
@@ -253,11 +254,14 @@ def _closed(plan: Plan, step: _Closed) -> Effects:
             return Effects((("projected", j),), (("carried", j),))
         case Eliminate():
             top = _moving(("inertia", step.link))
-            return Effects(_parts(plan, step.closure), (("closure", step.closure),), top)
+            every = range(len(plan.processes))
+            return Effects(_parts(plan, every, step.closure), (("closure", step.closure),), top)
         case Release():
             reads = (("closure", step.closure), *_moving(("acceleration", step.link)))
             carried = tuple(
-                ("projected", k) for what, k in _parts(plan, step.closure) if what == "carried"
+                ("projected", k)
+                for what, k in _parts(plan, (process,), step.closure)
+                if what == "carried"
             )
             return Effects(reads, (("released", step.closure),), (), carried)
         case AccelerateHeld(j):
@@ -266,11 +270,11 @@ def _closed(plan: Plan, step: _Closed) -> Effects:
             return Effects(reads, (("qdd", j), ("acceleration", j + 1)))
 
 
-def _parts(plan: Plan, closure: int) -> tuple[tuple[str, int], ...]:
-    """What is added to a closure before it is eliminated."""
+def _parts(plan: Plan, processes: Iterable[int], closure: int) -> tuple[tuple[str, int], ...]:
+    """What some processes add to a closure before it is eliminated."""
     found: dict[tuple[str, int], None] = {}
-    for process in plan.processes:
-        for step in process.steps:
+    for p in processes:
+        for step in plan.processes[p].steps:
             match step:
                 case CloseLoop(k) if step.closure == closure:
                     found["loop", k] = None
@@ -328,7 +332,14 @@ def contents(message: Message) -> tuple[Place, ...]:
     if message.repeats is not None:  # the steps before and behind it tell of a correction
         return ()
     accelerations: tuple[Place, ...] = tuple(("qdd", joint) for joint in message.joints)
-    return (*message.passages, *message.blocks, *message.biases, *message.forces, *accelerations)
+    sides: Iterator[Place] = (("carried", joint) for side in message.sides for joint in side.joints)
+    named: tuple[Place, ...] = (
+        *message.passages,
+        *message.blocks,
+        *message.biases,
+        *message.forces,
+    )
+    return (*named, *accelerations, *sides)
 
 
 def added_by(message: Message) -> tuple[int, ...]:

@@ -108,6 +108,7 @@ def _of_step(plan: Plan, operation: Operation) -> dict[str, Any]:
 def _message(plan: Plan, number: int) -> dict[str, Any]:
     message = plan.messages[number]
     passages = [[plan.joints[j].name for j in (p.first, p.last)] for p in message.passages]
+    sides = [[plan.joints[j].name for j in side.joints] for side in message.sides]
     return {
         "from": message.source,
         "to": message.target,
@@ -118,4 +119,5 @@ def _message(plan: Plan, number: int) -> dict[str, Any]:
         "inertias": [plan.links[k].name for k in message.inertias],
         "joints": [plan.joints[j].name for j in message.joints],
         **({"passages": passages} if passages else {}),
+        **({"sides": sides} if sides else {}),
     }

@@ -105,7 +105,9 @@ def title(program: Program) -> str:
         case "gathered":
             found = gathering(program)
             where = named(_links(program, found.roots))
-            how = f"gathered at {where}" if where else "each with limbs of its own"
+            apart = any(message.sides for message in program.plan.messages)
+            own = "each with trees of its own" if apart else "each with limbs of its own"
+            how = f"gathered at {where}" if where else own
             if found.core:
                 how += f", core {named(_joints(program, found.core))}"
     return f"{count} processes, {how}"

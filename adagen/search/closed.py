@@ -13,13 +13,14 @@ from typing import Any
 from adagen.executor import simulate
 from adagen.model import Model
 from adagen.plan import can_gather, make_plan
+from adagen.plan.apart import apart_closures_of
 from adagen.plan.closures import Closure, closures_of
 from adagen.plan.early import early_closures_of
 from adagen.plan.gather_trees import Tree, moving_trees
 from adagen.plan.types import Plan
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.tree import Gathered
-from adagen.search.distribution import cheapest_of, joint_weights, layouts_at
+from adagen.search.distribution import cheapest_of, joint_weights, layouts_at, whole_trees
 from adagen.search.schedules import find_schedule
 
 _SHARES = (0.46, 0.38, 0.31)
@@ -58,9 +59,12 @@ def _layouts(model: Model, plan: Plan, processes: int) -> Iterator[Gathered]:
     """Yield layouts around bases, and around the middle of the heaviest tree."""
     (simulated, *_) = simulate(plan)
     weights = joint_weights(plan.processes[0], simulated.machine)
-    closures = early_closures_of(model) or closures_of(model)
-    together = [closure.path for closure in closures]
+    closures = early_closures_of(model) or apart_closures_of(model) or closures_of(model)
     trees = moving_trees(plan.joints)
+    if any(closure.apart for closure in closures):
+        yield from whole_trees(plan.joints, trees, weights, processes)
+        return
+    together = [closure.path for closure in closures]
     roots = [0 if tree.base is None else tree.base + 1 for tree in trees]
     heavy = max(range(len(trees)), key=lambda k: (sum(weights[j] for j in trees[k].joints), -k))
     for link in dict.fromkeys((roots[heavy], *_middles(plan, trees[heavy], weights, closures))):

@@ -12,7 +12,7 @@ from adagen.errors import AdagenError
 from adagen.executor.machine import Machine
 from adagen.plan import Plan
 from adagen.plan.edges import Edge, edges_from, joints_at
-from adagen.plan.gather_trees import moving_trees
+from adagen.plan.gather_trees import Tree, moving_trees
 from adagen.plan.robot import PlanJoint
 from adagen.plan.types import Process
 from adagen.schedule import CostProfile, Schedule
@@ -174,6 +174,29 @@ def layouts_at(
         if not branches:
             return
         limbs = [*(each for each in limbs if each != heavy), *branches]
+
+
+def whole_trees(
+    joints: Sequence[PlanJoint], trees: Sequence[Tree], weights: Sequence[float], processes: int
+) -> Iterator[Gathered]:
+    """Yield layouts in which each tree of links that move together is one process's.
+
+    Args:
+        joints: the robot's joints.
+        trees: these.
+        weights: of joints.
+        processes: P.
+    """
+    roots = tuple(0 if tree.base is None else tree.base + 1 for tree in trees)
+    limbs = []
+    for tree in trees:
+        own = frozenset((*tree.joints, *([] if tree.base is None else [tree.base])))
+        first = Edge(min(own), 0, min(own) + 1, reversed=False)
+        limbs.append(_Limb((first,), own, sum(weights[j] for j in own)))
+    for count in range(2, min(processes, len(trees)) + 1):
+        dealt = enumerate(_dealt(limbs, count))
+        owner = {j: p for p, share in dealt for each in share for j in each.joints}
+        yield Gathered(roots, tuple(owner[j] for j in range(len(joints))))
 
 
 def _dealt(limbs: Sequence[_Limb], count: int) -> list[list[_Limb]]:

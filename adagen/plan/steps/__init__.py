@@ -39,7 +39,7 @@ from adagen.plan.steps.joins import (
     Join,
     LinkBias,
 )
-from adagen.plan.steps.names import Bias, Block, Force, Passage
+from adagen.plan.steps.names import Bias, Block, Force, Passage, SideOfLoops
 from adagen.plan.steps.process import (
     Append,
     ApplyCoupling,
@@ -98,6 +98,7 @@ __all__ = [
     "Release",
     "Send",
     "Share",
+    "SideOfLoops",
     "SolveCoupling",
     "SolveMobility",
     "SolveRoot",

@@ -1,12 +1,13 @@
 """Names of what steps read and set: blocks, biases and forces of partial chains.
 
-Four kinds of buffers are named, each living in the memory of the process that computes or receives
+Five kinds of buffers are named, each living in the memory of the process that computes or receives
 it:
 
 * ``Block``: Phi_gh of a partial chain, 6x6, row handle g and column handle h (links), g <= h;
 * ``Bias``: b_h of a partial chain, 6 numbers for each right-hand side;
 * ``Force``: the wrench that acts on handle h of a partial chain from outside, likewise.
 * ``Passage``: how a run of joints lies and moves seen from the link that it hangs on, 24 numbers.
+* ``SideOfLoops``: what one of the trees between which loops close does to their rows.
 
 Handles are links, in the link's own frame: all joints at one link share its block, seen through
 their constant or joint-dependent transforms. A partial chain is named by the joint that completed
@@ -60,3 +61,21 @@ class Passage:
     def link(self) -> int:
         """The link beyond the last joint."""
         return self.last + 1
+
+
+@dataclass(frozen=True, order=True)
+class SideOfLoops:
+    """What some joints of a closure do to its rows, once they have carried them to the ground.
+
+    How the rows' forces push each other through these joints, a symmetric matrix, and how far the
+    joints part each row by themselves, for each right-hand side.
+
+    Attributes:
+        closure: of which closure.
+        joints: all its joints on that side, ascending.
+        rows: how many rows it has.
+    """
+
+    closure: int
+    joints: tuple[int, ...]
+    rows: int
