@@ -3,17 +3,19 @@
     python -m benchmarks.certificates errors [--robots 24] [--states 400] [--seed 1]
                                              [--record FILE] [--write FILE]
     python -m benchmarks.certificates loops [the same]
+    python -m benchmarks.certificates shared [the same]
     python -m benchmarks.certificates times [ROBOT.urdf ...] [--write FILE]
     python -m benchmarks.certificates mechanisms [--write FILE]
 
 Errors are those of hard states of random robots of twelve families (adagen/studies/stability), in
-the energy norm against certified accelerations; "loops" takes mechanisms with closed loops, half of
-their states as near singular ones as are found, and compares with the plan in 400 bits: which rows
-are left out where they follow from others is its choice, and a state in doubles closes loops up to
-rounding only. Times are minima of runs with and without certificates by turns, of robots or, for
-"mechanisms", of benchmarks/closed_robots.py; loops are in a scene of the robot's name beside it.
-With --record, what was found of each robot is a line of JSON in a file: the command again goes on
-with the robots that are not there yet. Each table has a file of its own.
+the energy norm against certified accelerations; "shared" takes trees whose limbs two or three
+threads share; "loops" takes mechanisms with closed loops, half of their states as near singular
+ones as are found, and compares with the plan in 400 bits: which rows are left out where they follow
+from others is its choice, and a state in doubles closes loops up to rounding only. Times are minima
+of runs with and without certificates by turns, of robots or, for "mechanisms", of
+benchmarks/closed_robots.py; loops are in a scene of the robot's name beside it. With --record, what
+was found of each robot is a line of JSON in a file: the command again goes on with the robots that
+are not there yet. Each table has a file of its own.
 """
 
 from __future__ import annotations
@@ -36,6 +38,7 @@ from adagen.plan.certificate import certified
 from adagen.schedule import load_profile
 from adagen.search import best_schedule
 from adagen.states import States
+from adagen.studies.stability.adversary import trees
 from adagen.studies.stability.bounds import FACTOR, Bounded, Certified, bounded
 from benchmarks.closed_robots import MECHANISMS
 from benchmarks.hard import MODELS, Asked, Record, fastest, hard_mechanisms, hard_robots, study
@@ -47,6 +50,12 @@ WAYS = [
     Certified("kernels", batch=True),
     Certified("unrolled", scalar="float"),
     Certified("kernels", scalar="float"),
+]
+SHARED = [
+    Certified("unrolled", processes=2),
+    Certified("kernels", processes=2),
+    Certified("kernels", processes=3),
+    Certified("kernels", processes=2, scalar="float"),
 ]
 LOOPED = [Certified("unrolled"), Certified("unrolled", batch=True)]
 ROBOTS = [
@@ -89,6 +98,11 @@ def measured_errors(asked: Asked, record: Record, toolchain: Toolchain) -> list[
 def measured_loops(asked: Asked, record: Record, toolchain: Toolchain) -> list[str]:
     """Return the table of random mechanisms."""
     return _measured(hard_mechanisms(asked), LOOPED, asked, record, toolchain)
+
+
+def measured_shared(asked: Asked, record: Record, toolchain: Toolchain) -> list[str]:
+    """Return the table of trees that threads share."""
+    return _measured(hard_robots(asked, [trees]), SHARED, asked, record, toolchain)
 
 
 def _measured(
@@ -189,6 +203,7 @@ def main() -> int:
     tables = {
         "errors": measured_errors,
         "loops": measured_loops,
+        "shared": measured_shared,
         "mechanisms": measured_mechanisms,
     }
     return study("certificates", __doc__, usual, ROBOTS, tables, measured_times)

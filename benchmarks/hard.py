@@ -17,13 +17,18 @@ from adagen.build import Toolchain, find_toolchain
 from adagen.model import Model
 from adagen.run import launch
 from adagen.states import States
-from adagen.studies.stability.adversary import FAMILIES, hard_states, robots
+from adagen.studies.stability.adversary import FAMILIES, Family, hard_states, robots
 from adagen.studies.stability.mechanisms import mechanisms, worst_states
 from benchmarks.page import write_between_marks
 
 MODELS = Path(__file__).resolve().parents[1] / "generated_examples" / "models"
-NAMES = tuple(family.__name__.replace("_", " ") for family in FAMILIES)
-"""The families of robots, as tables have them."""
+
+
+def name_of(family: Family) -> str:
+    """Return the name of a family of robots, as tables have it."""
+    return family.__name__.replace("_", " ")
+
+
 ROUNDS = 5
 
 
@@ -77,10 +82,13 @@ Times = Callable[[Sequence[Path], Toolchain], list[str]]
 """The table of times of robots."""
 
 
-def hard_robots(asked: Asked) -> Iterator[tuple[str, Model, States]]:
+def hard_robots(
+    asked: Asked, families: Sequence[Family] = FAMILIES
+) -> Iterator[tuple[str, Model, States]]:
     """Yield random robots with their family and hard states; how far it is goes to stderr."""
-    for k, model in enumerate(robots(asked.robots, asked.seed)):
-        yield NAMES[k % len(NAMES)], model, hard_states(model, asked.states, asked.seed)
+    for k, model in enumerate(robots(asked.robots, asked.seed, families)):
+        name = name_of(families[k % len(families)])
+        yield name, model, hard_states(model, asked.states, asked.seed)
         print(f"{k + 1} of {asked.robots} robots", end="\r", file=sys.stderr)
 
 

@@ -26,9 +26,10 @@ from adagen.model import Model
 from adagen.plan import Plan
 from adagen.reference import energy_norm_error, joint_space_inertia
 from adagen.states import States
+from adagen.studies.stability.adversary import FAMILIES
 from adagen.studies.stability.audit import Way, planned, solved, truths
 from benchmarks.certificates import ROBOTS
-from benchmarks.hard import MODELS, NAMES, Asked, Record, fastest, hard_robots, study
+from benchmarks.hard import MODELS, Asked, Record, fastest, hard_robots, name_of, study
 
 RESIDUALS = ("", "own", "wide")
 """How answers are refined: not at all, or by residuals in these numbers."""
@@ -59,7 +60,7 @@ def _errors(model: Model, plan: Plan, states: States, toolchain: Toolchain) -> l
 
 def errors_table(asked: Asked, record: Record, toolchain: Toolchain) -> list[str]:
     """Return the table of random robots."""
-    found: dict[str, list[list[float]]] = {family: [] for family in NAMES}
+    found: dict[str, list[list[float]]] = {name_of(family): [] for family in FAMILIES}
     for k, (family, model, hard) in enumerate(hard_robots(asked)):
         plan = planned(model, Way("kernels"))
         assert plan is not None  # one process has all

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -90,11 +91,29 @@ def predicted_savings(
 
     profile = load_profile(options.profile)
     reduction: Reduction = options.reduction
-    after = _cost(reduction.model, plan, schedule, profile)
+    time = _time(reduction.model, plan, schedule, profile)
     whole = _whole(reduction, options, profile)
     if whole is None:
-        return saved(reduction, None, after), None
-    return saved(reduction, _cost(reduction.full, *whole, profile), after), whole[0]
+        return saved(reduction, None, Cost(*counted([plan]), time)), None
+    before, after = counted([whole[0], plan])
+    full = Cost(before, _time(reduction.full, *whole, profile))
+    return saved(reduction, full, Cost(after, time)), whole[0]
+
+
+def counted(plans: Sequence[Plan]) -> list[int]:
+    """Return the arithmetic of plans: of their straight lines, where all are emitted so.
+
+    These fold what is zero in every state, of a robot at rest above all; an operation in lanes
+    counts as one. Otherwise it is that of the algorithm's steps.
+    """
+    from adagen.emit.shapes import chosen_shape
+    from adagen.executor import straight_line
+    from adagen.plan.operations import operations
+
+    if any(chosen_shape(plan) != "unrolled" for plan in plans):
+        return list(map(operations, plans))
+    lines = [[line.operations for line in straight_line(plan)] for plan in plans]
+    return [sum(own.multiply + own.add + own.divide for own in line) for line in lines]
 
 
 def _tell_measured(whole: Plan, plan: Plan) -> None:
@@ -139,11 +158,10 @@ def _whole(
     return plan, schedule
 
 
-def _cost(model: Model, plan: Plan, schedule: Schedule, profile: CostProfile) -> Cost:
-    from adagen.plan.operations import operations
+def _time(model: Model, plan: Plan, schedule: Schedule, profile: CostProfile) -> float:
     from adagen.search import predicted_time
 
     time = schedule.makespan
     if profile.steps is not None:
         time = predicted_time(model, schedule, profile, plan.form)
-    return Cost(operations(plan), float(np.round(time, 6)))
+    return float(np.round(time, 6))

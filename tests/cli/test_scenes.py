@@ -4,16 +4,23 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from adagen.cli.main import main
+from adagen.cli.scenes import counted
+from adagen.plan import make_plan
+from adagen.plan.operations import operations
 from adagen.reference import forward_dynamics
 from adagen.scene import apply_scene, read_scene
+from adagen.schedule import load_profile
+from adagen.search import best_schedule
 from adagen.states import random_states, read_result, write_states
 from adagen.urdf import read_robot
+from tests.models import serial_chain
 from tests.urdf.texts import joint, link, robot
 
 MODELS = Path(__file__).resolve().parents[2] / "generated_examples" / "models"
@@ -46,6 +53,17 @@ def test_locked_joints_are_gone_and_what_that_saves_is_told(
     plan = json.loads((tmp_path / "humanoid_p1.plan.json").read_text())
     assert len(plan["joints"]) == 16
     assert plan["floating"] is True
+
+
+def test_what_straight_lines_fold_is_told() -> None:
+    """The steps at rest are those in motion; statements that do nothing are left out."""
+    profile, model = load_profile("default"), read_robot(MODELS / "arm7.urdf").model
+    plan = make_plan(model, best_schedule(model, 1, profile))
+    assert operations(replace(plan, at_rest=True)) == operations(plan)
+    before, after = counted([plan, replace(plan, at_rest=True)])
+    assert after < 0.8 * before < 0.4 * operations(plan)
+    chain = make_plan(serial_chain(150), best_schedule(serial_chain(150), 1, profile))
+    assert counted([plan, chain]) == [operations(plan), operations(chain)]  # one of them as loops
 
 
 def test_a_scene_that_only_adds_is_compared_with_nothing(

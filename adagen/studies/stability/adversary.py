@@ -7,7 +7,7 @@ is that others hang on. States are near special angles as often as not.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -217,7 +217,8 @@ def free_bodies(rng: Generator) -> Model:
     return assembled("free bodies", parts)
 
 
-FAMILIES: tuple[Callable[[Generator], Model], ...] = (
+Family = Callable[[Generator], Model]
+FAMILIES: tuple[Family, ...] = (
     slender_tools,
     wrists,
     coaxial,
@@ -233,12 +234,12 @@ FAMILIES: tuple[Callable[[Generator], Model], ...] = (
 )
 
 
-def robots(count: int, seed: int = 0) -> list[Model]:
-    """Return so many robots of the families in turn; the same seed gives the same robots."""
+def robots(count: int, seed: int = 0, families: Sequence[Family] = FAMILIES) -> list[Model]:
+    """Return so many robots of families in turn; the same seed gives the same robots."""
     found = []
     for k in range(count):
         rng = np.random.default_rng((seed, k))
-        found.append(FAMILIES[k % len(FAMILIES)](rng))
+        found.append(families[k % len(families)](rng))
     return found
 
 
