@@ -15,6 +15,15 @@
 #include "status.hpp"
 #include "value.hpp"
 
+// Lanes are for limbs, and joints after each other have none in common: g++ must not vectorise
+// anything else. Of reproducible solvers it is expressed so for the whole file: options of single
+// functions would keep others from being inlined.
+#if defined(__clang__) || defined(ADAGEN_REPRODUCIBLE)
+#define ADAGEN_AS_IT_STANDS
+#else
+#define ADAGEN_AS_IT_STANDS __attribute__((optimize("no-tree-slp-vectorize")))
+#endif
+
 namespace {
 
 // What the straight lines are surrounded by: the state looked at, sines and cosines, checks,

@@ -1612,7 +1612,7 @@ constexpr std::array<int, 8> kRead_0{0, 1, 2, 3, 4, 5, 6, 7};
 constexpr std::array<int, 8> kOwned_0{0, 1, 2, 3, 4, 5, 6, 7};
 constexpr std::array<int, 6> kAngles_0{4, 9, 0, 1, 2, 3};
 
-void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
   stamp(0);
   take_sines_and_cosines(q, kAngles_0, w.sine.data(), w.cosine.data());
@@ -1646,7 +1646,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 // Alternative for poses in which a mobility is singular.
 constexpr std::array<int, 6> kAngles_1{0, 1, 2, 3, 4, 9};
-void recover_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+ADAGEN_AS_IT_STANDS void recover_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
   stamp(0);
   take_sines_and_cosines(q, kAngles_1, w.sine.data(), w.cosine.data());

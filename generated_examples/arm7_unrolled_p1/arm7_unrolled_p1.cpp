@@ -967,7 +967,7 @@ constexpr std::array<int, 9> kRead_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
 constexpr std::array<int, 9> kOwned_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
 constexpr std::array<int, 7> kAngles_0{0, 1, 2, 3, 4, 5, 6};
 
-void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
   stamp(0);
   if (!all(unlike_zero(q + 0, 1) == 0))

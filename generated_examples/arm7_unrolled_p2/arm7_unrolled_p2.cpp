@@ -146,7 +146,7 @@ namespace {
 // Process 0: 1507 products, 1175 sums, 23 quotients
 // =================================================================================================
 
-ADAGEN_NOINLINE void part_0_0(Workspace& w) {
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   ADAGEN_INPUTS
   // joint 1 "shoulder_pitch": placement, velocity and reference acceleration of its link
   const Real x20 = v[0] * 0.9999999999932537;
@@ -1019,7 +1019,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   w.x[174] = x2786 * x2949 + x3265 + x2798 * x2958 - x2369;
 }
 
-ADAGEN_NOINLINE void part_0_1(Workspace& w) {
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   ADAGEN_INPUTS
   const Real x2973 = w.x[148];
   const Real x2984 = w.x[149];
@@ -1189,7 +1189,7 @@ ADAGEN_NOINLINE void part_0_1(Workspace& w) {
   w.to[1][0] = x3673;
 }
 
-ADAGEN_NOINLINE void part_0_2(Workspace& w) {
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   ADAGEN_INPUTS
   const Real x485 = w.x[0];
   const Real x587 = w.x[1];
@@ -1503,7 +1503,7 @@ ADAGEN_NOINLINE void part_0_2(Workspace& w) {
 // Process 1: 1397 products, 1172 sums, 12 quotients
 // =================================================================================================
 
-ADAGEN_NOINLINE void part_1_0(Workspace& w) {
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   ADAGEN_INPUTS
   // joint 1 "shoulder_pitch": placement, velocity and reference acceleration of its link
   const Real x20 = v[0] * 0.9999999999932537;
@@ -2319,7 +2319,7 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
   w.to[0][26] = x3814;
 }
 
-ADAGEN_NOINLINE void part_1_1(Workspace& w) {
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_1(Workspace& w) {
   ADAGEN_INPUTS
   const Real x864 = w.x[5];
   const Real x872 = w.x[6];
@@ -2415,7 +2415,7 @@ ADAGEN_NOINLINE void part_1_1(Workspace& w) {
   w.x[190] = x2983 - tau[6] * (x2522 - x2295 * x2355 + 769.2307692307693);
 }
 
-ADAGEN_NOINLINE void part_1_2(Workspace& w) {
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_2(Workspace& w) {
   ADAGEN_INPUTS
   const Real x1024 = w.x[9];
   const Real x1036 = w.x[10];
@@ -2670,7 +2670,7 @@ ADAGEN_NOINLINE void part_1_2(Workspace& w) {
 constexpr std::array<int, 6> kRead_0{0, 1, 2, 3, 4, 5};
 constexpr std::array<int, 6> kOwned_0{0, 1, 2, 3, 4, 5};
 
-void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
   stamp(0);
   if (!all(unlike_zero(q + 0, 6) + unlike_zero(v + 0, 6) + unlike_zero(tau + 0, 6) == 0))
@@ -2699,7 +2699,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 constexpr std::array<int, 9> kRead_1{0, 1, 2, 3, 4, 5, 6, 7, 8};
 constexpr std::array<int, 3> kOwned_1{6, 7, 8};
 
-void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+ADAGEN_AS_IT_STANDS void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
   stamp(0);
   if (!all(unlike_zero(q + 0, 9) + unlike_zero(v + 0, 9) + unlike_zero(tau + 6, 3) == 0))

@@ -106,7 +106,7 @@ namespace {
 // Process 0: 94 products, 59 sums, 2 quotients
 // =================================================================================================
 
-ADAGEN_NOINLINE void part_0_0(Workspace& w) {
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   ADAGEN_INPUTS
   // joint 0 "crank_pin": placement, velocity and reference acceleration of its link
   const Real x11 = v[0] * v[0];
@@ -200,7 +200,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
 // Process 0 in a singular pose: 119 products, 76 sums, 5 quotients
 // =================================================================================================
 
-ADAGEN_NOINLINE void part_1_0(Workspace& w) {
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   ADAGEN_INPUTS
   // joint 0 "crank_pin": placement, velocity and reference acceleration of its link
   const Real x11 = v[0] * v[0];
@@ -314,7 +314,7 @@ ADAGEN_NOINLINE void part_1_0(Workspace& w) {
 constexpr std::array<int, 3> kRead_0{0, 1, 2};
 constexpr std::array<int, 3> kOwned_0{0, 1, 2};
 
-void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
   stamp(0);
   take_sines_and_cosines<3>(q + 0, w.sine.data(), w.cosine.data());
@@ -331,7 +331,7 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 
 // Alternative for poses in which a mobility is singular.
-void recover_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+ADAGEN_AS_IT_STANDS void recover_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
   stamp(0);
   take_sines_and_cosines<3>(q + 0, w.sine.data(), w.cosine.data());

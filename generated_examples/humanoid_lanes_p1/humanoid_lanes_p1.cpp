@@ -1733,7 +1733,7 @@ constexpr std::array<int, 30> kRead_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 
 constexpr std::array<int, 30> kOwned_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
 constexpr std::array<int, 29> kAngles_0{7, 13, 22, 30, 8, 14, 23, 31, 9, 15, 24, 32, 10, 16, 25, 33, 11, 17, 26, 34, 12, 18, 27, 35, 19, 20, 21, 28, 29};
 
-void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
   stamp(0);
   if (!all(unlike_zero(q + 0, 3) == 0))

@@ -105,7 +105,7 @@ namespace {
 // Process 0: 764 products, 627 sums, 6 quotients
 // =================================================================================================
 
-ADAGEN_NOINLINE void part_0_0(Workspace& w) {
+ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   ADAGEN_INPUTS
   // joint 0 "drive": placement, velocity and reference acceleration of its link
   const Real x12 = v[1] * v[2];
@@ -621,7 +621,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
 constexpr std::array<int, 6> kRead_0{0, 1, 2, 3, 4, 5};
 constexpr std::array<int, 6> kOwned_0{0, 1, 2, 3, 4, 5};
 
-void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
   stamp(0);
   if (!all(unlike_zero(q + 0, 3) + unlike_zero(v + 3, 1) == 0))

@@ -73,6 +73,7 @@ def values(words: Words, chunk: int = 0) -> dict[str, object]:
         if sines_in_lanes
         else angles,
         "wide": wide,
+        "as_it_stands": not words.batch,
         "wide_functions": ["unrolled_wide_functions.hpp"] * (functions and wide),
         "sines_in_lanes": sines_in_lanes,
         "near_lock": not words.batch and any(c.near for s in line for c in s.machine.checks),

@@ -28,15 +28,6 @@ template <class T>
 using Half =
     std::conditional_t<kWidth<T> == 8, Four, std::conditional_t<kWidth<T> == 4, Two, Real>>;
 
-// Lanes are for limbs: g++ must not vectorise anything else. Of reproducible
-// solvers it is expressed so for the whole file: options of single functions would keep others from
-// being inlined.
-#if defined(__clang__) || defined(ADAGEN_REPRODUCIBLE)
-#define ADAGEN_AS_IT_STANDS
-#else
-#define ADAGEN_AS_IT_STANDS __attribute__((optimize("no-tree-slp-vectorize")))
-#endif
-
 template <class T>
 ADAGEN_INLINE T load(const Real* from) {
   T x;
