@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from adagen.library import read
-from adagen.model import LoopEnd, Model, NamedLoop, closed
+from adagen.model import Frame, LoopEnd, Model, NamedLoop, closed
 from adagen.reference.closed import pose_of
 from benchmarks.paper import robots
 
@@ -36,6 +36,7 @@ def _held(model: Model, *feet: str, kind: str, bent: float = 0.0) -> Model:
             own = slice(model.q_start[j], model.q_start[j] + joint.kind.nq)
             pose[own] = 0.0
             pose[own.stop - 1] = 1.0
+    links: dict[str, tuple[int, Frame | None]]
     links = {link.name: (k, None) for k, link in enumerate(model.links)}
     links.update({f.name: (k, f) for k, link in enumerate(model.links) for f in link.frames})
     loops = []
@@ -47,7 +48,7 @@ def _held(model: Model, *feet: str, kind: str, bent: float = 0.0) -> Model:
         x, y, z = (float(value) for value in place)
         ends = LoopEnd(foot), LoopEnd("__world__", (x, y, z))
         loops.append(NamedLoop(foot, kind, *ends))
-    return closed(model, loops, (), links.__getitem__, {}.__getitem__)
+    return closed(model, loops, (), links.__getitem__, dict[str, int]().__getitem__)
 
 
 def _standing(file: str, *feet: str, kind: str) -> Model:

@@ -8,7 +8,7 @@ is kept for each link and unknown that act on each other.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from itertools import chain
 from typing import Any
@@ -331,12 +331,17 @@ class Closures:
         x: Transform = self.memory["X", j]
         for mates, column in columns:
             self.mates.add_columns(front, parents, mates, x.force(column))
-        passed = {"IA": x.inertia(inertia), "pA": columnwise(x.force, p)}
+        felt = x.rigid_inertia if self._is_rigid(j, self.alone[step.closure].held) else x.inertia
+        passed = {"IA": felt(inertia), "pA": columnwise(x.force, p)}
         for name, value in passed.items():
             if parents[0] == self._top(step.closure):
                 front.hand(name, self.state.rows.sum_of(value, len(joints)))
             else:
                 self.state.rows.hand_on(name, j, value)
+
+    def _is_rigid(self, j: int, held: Collection[int]) -> bool:
+        """Whether all beyond a joint is passed as if it were rigid."""
+        return all(c in held and self._is_rigid(c, held) for c in self.state.plan.children[j + 1])
 
     def _look_at_rates(self, front: Front) -> None:
         """Check that loops do not open: J v, of all rows that are any."""

@@ -274,6 +274,25 @@ class Transform:
         """Return an inertia of the child felt by the parent: X^T I X."""
         return shifted(self.rotation.spatial_congruent(matrix), self.origin, ANGULAR, LINEAR)
 
+    def rigid_inertia(self, matrix: Array) -> Array:
+        """Return X^T I X of a rigid body, [[A, cx], [-cx, m 1]] with c its mass times its centre.
+
+        With c' = c + m r: A + (r . (c + c')) 1 - c r^T - r c'^T takes the place of A.
+        """
+        r, mass = self.origin, matrix[3, 3]
+        c = self.rotation.vector(np.array([matrix[2, 4], matrix[0, 5], matrix[1, 3]]))
+        a = self.rotation.congruent(matrix[ANGULAR, ANGULAR], symmetric=True)
+        moved = np.array([x + y * mass for x, y in zip(c, r, strict=True)], dtype=object)
+        along = [y * (x + z) for x, y, z in zip(c, r, moved, strict=True)]
+        result = matrix.copy()  # the mass stays what it is
+        for i in range(3):
+            k, m = (i + 1) % 3, (i + 2) % 3
+            result[i, i] = total([a[i, i], along[k], along[m]])
+            result[i, k] = result[k, i] = total([a[i, k], -(c[i] * r[k]), -(r[i] * moved[k])])
+            result[i, 3 + k], result[i, 3 + m] = -moved[m], moved[k]
+            result[3 + k, i], result[3 + m, i] = -moved[m], moved[k]
+        return result
+
     def inertia_back(self, matrix: Array) -> Array:
         """Return an inertia of the parent felt by the child: X^-T I X^-1."""
         moved = shifted(matrix, -self.origin, ANGULAR, LINEAR)

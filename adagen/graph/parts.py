@@ -1,5 +1,8 @@
-"""Systems that fall into independent parts; small ones are solved by their determinants.
+"""Systems that fall into parts, solved one after the other; small ones by their determinants.
 
+Rows and columns are ordered so that each part has entries in its own columns and in those of parts
+before it (block triangular form: Duff, Erisman, Reid, Direct Methods for Sparse Matrices, 2nd ed.,
+chapter 6).
 Cramer's rule takes no square roots and fewer products than reflections up to three unknowns, and
 what it loses is what the condition of such a system costs anyway (Higham, Accuracy and Stability of
 Numerical Algorithms, 2nd ed., 1.10.1: forward stable for two; for three its error is that of the
@@ -8,7 +11,7 @@ entries of the adjugate, which are 2x2 determinants, beside those of the whole).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -47,30 +50,70 @@ def solved_by_parts(matrix: Array, right: Array, scales: Array) -> tuple[Array, 
         scales: powers of two that bring the rows to one size, shape (n,).
     """
     result, found = right.copy(), []
+    solved: list[int] = []
     for rows, columns in _parts(matrix):
-        if len(rows) <= MOST and len(rows) == len(columns):
-            part = matrix[np.ix_(rows, columns)]
-            result[columns] = _by_determinant(part, right[rows])
+        part, own = matrix[np.ix_(rows, columns)], right[rows]
+        for i, row in enumerate(rows):
+            before = [c for c in solved if matrix[row, c].constant != 0]
+            for k in range(right.shape[1]) if before else ():
+                own[i, k] = total([own[i, k], *(-(matrix[row, c] * result[c, k]) for c in before)])
+        if len(rows) <= MOST:
+            result[columns] = _by_determinant(part, own)
             found += _regular(part, rows, scales[rows])
         else:
             scale = scales[rows][:, None]
-            part = matrix[np.ix_(rows, columns)] * scale
-            result[columns], diagonal = solved_by_reflections(part, right[rows] * scale)
+            result[columns], diagonal = solved_by_reflections(part * scale, own * scale)
             pairs = zip(rows, diagonal, strict=True)
             found += [Regular(row, pivot * pivot, 1.0) for row, pivot in pairs]
+        solved += columns
     return result, sorted(found, key=lambda each: each.row)
 
 
 def _parts(matrix: Array) -> list[tuple[list[int], list[int]]]:
-    """Rows and columns that have entries in common, part by part."""
-    parts: list[tuple[list[int], set[int]]] = []
-    for k, row in enumerate(matrix):
-        rows, columns = [k], {c for c, x in enumerate(row) if x.constant != 0}
-        for other in [part for part in parts if part[1] & columns]:
-            parts.remove(other)
-            rows, columns = sorted([*rows, *other[0]]), columns | other[1]
-        parts.append((rows, columns))
-    return [(rows, sorted(columns)) for rows, columns in parts]
+    """Rows and columns of each part, after those that it needs; one part of a singular structure.
+
+    Rows need each other where they have entries in each other's columns, once each has a column of
+    its own; those that need each other both ways are one part.
+    """
+    entries = [{c for c, x in enumerate(row) if x.constant != 0} for row in matrix]
+    own = _matched(entries)
+    if len(own) < len(matrix):
+        every = list(range(len(matrix)))
+        return [(every, every)]
+    row_of = {column: row for row, column in own.items()}
+    reached = [_reached(row, entries, row_of) for row in range(len(matrix))]
+    parts = {
+        tuple(r for r in sorted(all_of) if row in reached[r]) for row, all_of in enumerate(reached)
+    }
+    ordered = sorted(parts, key=lambda rows: (len(reached[rows[0]]), rows))
+    return [(list(rows), sorted(own[row] for row in rows)) for rows in ordered]
+
+
+def _matched(entries: Sequence[set[int]]) -> dict[int, int]:
+    """Return a column for each row, no two the same; fewer where there are not enough."""
+    row_of: dict[int, int] = {}
+
+    def give(row: int, tried: set[int]) -> bool:
+        for column in sorted(entries[row] - tried):
+            tried.add(column)
+            if column not in row_of or give(row_of[column], tried):
+                row_of[column] = row
+                return True
+        return False
+
+    for row in range(len(entries)):
+        give(row, set())
+    return {row: column for column, row in row_of.items()}
+
+
+def _reached(row: int, entries: Sequence[set[int]], row_of: Mapping[int, int]) -> set[int]:
+    """Return the rows that a row needs, itself among them."""
+    found, left = {row}, [row]
+    while left:
+        more = {row_of[column] for column in entries[left.pop()]} - found
+        found |= more
+        left += more
+    return found
 
 
 def _by_determinant(part: Array, right: Array) -> Array:

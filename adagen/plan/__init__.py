@@ -26,6 +26,7 @@ from adagen.plan.exchange import ExchangePlanner
 from adagen.plan.gather import GatherPlanner, why_not_gather
 from adagen.plan.lent import lending, with_lent
 from adagen.plan.parameters import parameters_of, refuse_inverted
+from adagen.plan.points import with_points
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.serial import check_reproducible
 from adagen.plan.serialise import plan_from_json, plan_to_json
@@ -124,7 +125,7 @@ def make_plan(
         processes=processes,
         messages=messages,
         wrenches=wrenches_of(model),
-        loops=loops_of(model),
+        loops=loops_of(model) if loop_forces else with_points(model),
         couplings=couplings_of(model),
         reproducible=reproducible,
         parameters=parameters,

@@ -5,7 +5,7 @@
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
 // options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp
-// program   1 process; 0.0534 us predicted (default profile)
+// program   1 process; 0.0535 us predicted (default profile)
 //           process 0: crank_pin .. rocker_pin
 // licence   yours to choose: generated code belongs to its user
 //
@@ -103,7 +103,7 @@ namespace {
 // with all joint accelerations zero.
 
 // =================================================================================================
-// Process 0: 94 products, 59 sums, 2 quotients
+// Process 0: 94 products, 60 sums, 2 quotients
 // =================================================================================================
 
 ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
@@ -132,10 +132,10 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x147 = cosine[2] * x140 - sine[2] * x137;
   const Real x163 = 0.4 * x143;
   const Real x178 = 0.4 * x147;
+  const Real x121 = cosine[0] * x106 + sine[0] * x109 - sine[2] * 0.4;
   const Real x165 = x44 * x143 - x147 * x157 - x27;
   const Real x119 = cosine[0] * x109 - sine[0] * x106;
   const Real x120 = 0.45 + cosine[2] * 0.4 - x119;
-  const Real x121 = cosine[0] * x106 + sine[0] * x109 - sine[2] * 0.4;
   const Real x176 = x44 * x147 + x143 * x157;
   const Real x180 = x32 + x36 * 0.5 - x176;
   // joint 1 "coupler_pin": inertia and bias force of what is beyond, its own motion left open
@@ -165,20 +165,22 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x257 = x133 - (x249 * x249 + x253 * x253);
   require_more(w, x257, 0.0, kLoopTorn, 3);
-  const Real x290 = x279 * x283 * 9.999999999999998e-15;
-  require_more(w, x288, x290, kSingularPose, 3);
   const Real x264 = x178 * x263;
   const Real x266 = x198 * x263;
+  const Real x290 = x279 * x283 * 9.999999999999998e-15;
+  require_more(w, x288, x290, kSingularPose, 3);
   const Real x268 = 0.5 * x264;
   const Real x272 = 0.5 * x266;
+  // joint 1 "coupler_pin": inertia and bias force of what is beyond, its own motion left open
+  const Real x234 = 0.0834083 + 0.2 * (0.2 + x187 + x187) + 0.00536333;
+  // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x304 = 0.042726700000000006 * x272;
   const Real x271 = x165 * x264 + x180 * (x163 * x263);
   // joint 0 "crank_pin": inertia and bias force of what is beyond, its own motion left open
   const Real x242 = x76 + 0.2 * x222 + x8 * 0.04000000000000001 + tau[0];
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x275 = x165 * x266 + x180 * (x197 * x263);
-  const Real x302 = (x193 - 0.2 * (-0.2 - x187) + 0.00536333) * x268;
-  const Real x306 = x193 - x302;
+  const Real x306 = x193 - x234 * x268;
   const Real x320 = x242 * x268 + (x44 * 0.16000000000000003 + tau[2]) * x272;
   const Real x301 = 40000.0 - (x268 * x268 + x272 * x272);
   require_more(w, x301, 0.0, kSingularPose, 3);
@@ -197,7 +199,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
 }
 
 // =================================================================================================
-// Process 0 in a singular pose: 119 products, 76 sums, 5 quotients
+// Process 0 in a singular pose: 119 products, 77 sums, 5 quotients
 // =================================================================================================
 
 ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
@@ -227,8 +229,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x163 = 0.4 * x143;
   const Real x178 = 0.4 * x147;
   const Real x176 = x44 * x147 + x143 * x157;
-  const Real x119 = cosine[0] * x109 - sine[0] * x106;
-  const Real x120 = 0.45 + cosine[2] * 0.4 - x119;
   // joint 1 "coupler_pin": inertia and bias force of what is beyond, its own motion left open
   const Real x198 = sine[1] * 0.2;
   const Real x187 = cosine[1] * 0.25;
@@ -242,6 +242,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x264 = x178 * 4.0;
   const Real x267 = x260 * x260;
   // directions in which a loop holds its two links
+  const Real x119 = cosine[0] * x109 - sine[0] * x106;
+  const Real x120 = 0.45 + cosine[2] * 0.4 - x119;
   const Real x121 = cosine[0] * x106 + sine[0] * x109 - sine[2] * 0.4;
   const Real x129 = 1e-08 - (x120 * x120 + x121 * x121);
   require_more(w, x129, 0.0, kLoopOpen, 3);
@@ -283,14 +285,16 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x344 = x273 * x342;
   const Real x348 = x342 - x328;
   const Real x360 = x336 - x355;
+  // joint 1 "coupler_pin": inertia and bias force of what is beyond, its own motion left open
+  const Real x234 = 0.0834083 + 0.2 * (0.2 + x187 + x187) + 0.00536333;
+  // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x349 = x331 - x260 * x342;
   const Real x359 = x317 - x273 * x355;
   const Real x361 = x260 * x355 - x335;
   // joint 0 "crank_pin": inertia and bias force of what is beyond, its own motion left open
   const Real x242 = x76 + 0.2 * x222 + x8 * 0.04000000000000001 + tau[0];
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x362 = (x193 - 0.2 * (-0.2 - x187) + 0.00536333) * x344;
-  const Real x364 = x362 + x193 * x348;
+  const Real x364 = x234 * x344 + x193 * x348;
   const Real x367 = x193 * x344 + 0.0834083 * x348;
   const Real x368 = 0.042726700000000006 * x349;
   const Real x375 = x242 * x344 + (x76 + tau[1]) * x348;

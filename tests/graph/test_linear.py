@@ -129,6 +129,26 @@ def test_independent_parts_are_solved_by_themselves(seed: int) -> None:
     assert len(regular) == sum(sizes) + 2  # rows or pivots, and two determinants
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_parts_that_need_others_follow_them(seed: int) -> None:
+    """Two of three unknowns below each other, in any order, take no square root."""
+    rng = np.random.default_rng(seed)
+    matrix = rng.uniform(-1.0, 1.0, (6, 6))
+    matrix[:3, 3:] = 0.0
+    rows, columns = rng.permutation(6), rng.permutation(6)
+    matrix, right = matrix[np.ix_(rows, columns)], rng.uniform(-1.0, 1.0, (6, 2))
+    graph, inputs = Graph(), dict[str, float]()
+    given = given_as("m", matrix, graph, inputs)
+    for place in zip(*np.nonzero(matrix == 0.0), strict=True):
+        given[place] = graph.constant(0)
+    own = np.array([graph.constant(1)] * 6, dtype=object)
+    solved, regular = solved_by_parts(given, given_as("x", right, graph, inputs), own)
+    expected = np.linalg.solve(matrix, right)
+    np.testing.assert_allclose(numbers(solved, inputs), expected, rtol=1e-9)
+    assert len(regular) == 6 + 2  # rows, and two determinants
+    assert not any(node.op == "sqrt" for node in graph.nodes)
+
+
 @pytest.mark.parametrize("n", [1, 2, 3, 4])
 def test_a_part_that_is_next_to_singular_is_told(n: int) -> None:
     rng = np.random.default_rng(n)
