@@ -8,10 +8,10 @@ Robots of example-robot-data and the shipped examples on one process and on two,
 limbs singly and side by side in every grouping that is compared. --build compiles what is not in
 the cache, two programs at a time, and may be interrupted; what was chosen and predicted goes to
 build/choice.json, where --only keeps what it has of other robots by the same profile. --time runs
-all programs by turns: a round runs each once, and the least median of all rounds counts, since
-other work on the machine only ever adds to a time. --page writes the table into
-docs/records/choice.md. Where a second process gets nothing to do, one process it is: that is not
-timed again.
+all programs by turns: a round runs a fresh copy of each once, and the least median of all rounds
+counts, since other work on the machine only ever adds to a time; it goes on where it was stopped.
+--page writes the table into docs/records/choice.md. Where a second process gets nothing to do, one
+process it is: that is not timed again.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ from adagen.errors import AdagenError, EnvironmentFault
 from adagen.executor import Grouping, groupings
 from adagen.plan import Plan, make_plan
 from adagen.program import lower
-from adagen.run import launch
+from adagen.run import laid_anew, launch
 from adagen.schedule import CostProfile, load_profile, step_costs
 from adagen.search import best_schedule
 from adagen.studies.bench.machine import machine
@@ -219,7 +219,8 @@ def _timed(text: str, stem: str) -> str:
 
 def measured(way: Way, processes: int, toolchain: Toolchain) -> float:
     """Return the median time of a program in one run, microseconds."""
-    done = launch(Path(way.executable), processes, ["20"], toolchain, 60.0)
+    with laid_anew(Path(way.executable)) as copy:
+        done = launch(copy, processes, ["20"], toolchain, 60.0)
     if done.status != 0:
         raise EnvironmentFault(f"{way.executable} cannot be timed: {done.stderr}")
     return float(done.stdout) / 1e3
@@ -301,38 +302,36 @@ def main() -> None:
 def _build(name: str, only: Sequence[str] | None) -> None:
     wanted = [r for r in ROBOTS if (not only or r[0] in only) and path_of(r[1]).is_file()]
     profile, began = load_profile(name), time.monotonic()
-    found: dict[str, list[Case]] = {}
+    before = _recorded().get("profile") if only else None
+    cases = _read() if before == profile.name else []
+    order = [r[0] for r in ROBOTS]
     with ProcessPoolExecutor(2) as pool:
         futures = {pool.submit(built, r[0], path_of(r[1]), r[2], profile): r[0] for r in wanted}
         for done in as_completed(futures):
             robot = futures[done]
             try:
-                found[robot] = done.result()
+                found = done.result()
             except AdagenError as error:
                 print(f"{robot} is left out: {error}", file=sys.stderr)
                 continue
-            ways = ", ".join(f"{len(c.ways)} on {c.processes}" for c in found[robot])
+            ways = ", ".join(f"{len(c.ways)} on {c.processes}" for c in found)
             print(f"{time.monotonic() - began:.0f} s: {robot}: {ways}", file=sys.stderr, flush=True)
-    before = _recorded().get("profile") if only else None
-    kept = [c for c in _read() if c.robot not in found] if before == profile.name else []
-    order = [r[0] for r in ROBOTS]
-    cases = [*kept, *(case for own in found.values() for case in own)]
-    cases.sort(key=lambda case: (order.index(case.robot), case.processes))
-    _write({"profile": profile.name, "cases": list(map(asdict, cases))})
+            cases = [*(c for c in cases if c.robot != robot), *found]
+            cases.sort(key=lambda case: (order.index(case.robot), case.processes))
+            _write({"profile": profile.name, "cases": list(map(asdict, cases))})
 
 
 def _time(rounds: int) -> None:
     record, cases, toolchain = _recorded(), _read(), find_toolchain()
-    for case in cases:
-        for way in case.ways:
-            way.times = []
+    record |= {"machine": machine(), "rounds": rounds}
     for k in range(rounds):
         for case in cases:
-            for way in case.ways:
+            left = [way for way in case.ways if len(way.times) == k]
+            for way in left:
                 way.times.append(measured(way, case.processes, toolchain))
+            if left:
+                _write(record | {"cases": list(map(asdict, cases))})
         print(f"round {k + 1} of {rounds}", file=sys.stderr, flush=True)
-        record |= {"machine": machine(), "rounds": k + 1, "cases": list(map(asdict, cases))}
-        _write(record)
 
 
 def _recorded() -> dict[str, Any]:
