@@ -238,13 +238,16 @@ class Passages:
         return near, far
 
     def _put_together(self, node: Node) -> None:
-        """Find the passage of a node's processes, unless nobody is beyond it."""
+        """Find the passage of a node's processes; of several, unless nobody is beyond them.
+
+        The outermost process finds its own, too: it waits meanwhile, and then knows how its joints
+        lie to each other when it hears how its part moves.
+        """
         at_work = self.planner.at_work[node.joint]
         passage = self._passage(at_work)
         outermost = at_work[-1] == len(self.parts) - 1
         if len(at_work) == 1:
-            if not outermost:
-                self.steps[at_work[0]].append(Traverse(passage))
+            self.steps[at_work[0]].append(Traverse(passage))
             return
         for child in node.children:
             self._put_together(child)

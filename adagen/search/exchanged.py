@@ -111,7 +111,7 @@ class ExchangedSchedules:
             + within * 3 * costs["propagate_run.product"]
             + (levels - inside) * costs["kinematics.floating"]
             + run
-            + inside * min(run, costs["kinematics_traversed.run"])
+            + min(run, costs["kinematics_traversed.run"])
             + min(costs["articulate.run"], costs["articulate_columns.run"])
         )
 
@@ -209,13 +209,10 @@ def _sweep(costs: StepCosts, kind: str) -> float:
 
 def _first_sweep(costs: StepCosts, kind: str, outermost: bool) -> float:
     """What a joint takes in a part until its process can tell others of it; microseconds."""
-    groups = ("kinematics", "kinematics_segments" if outermost else "kinematics_traversed")
-    kinematics = min(costs[f"{group}.{kind}"] for group in groups)
-    own = kinematics + costs["link.start"] + _sweep(costs, kind)
-    if outermost:
-        return own
+    placing = min(costs[f"{group}.{kind}"] for group in ("kinematics", "kinematics_traversed"))
     passing = min(costs[f"kinematics.{kind}"], costs[f"passing_segments.{kind}"])
-    return own + passing + costs.carried(kind)
+    own = passing + placing + costs["link.start"] + _sweep(costs, kind)
+    return own if outermost else own + costs.carried(kind)
 
 
 def _ready(plan: Plan, line: Timeline) -> list[float]:
