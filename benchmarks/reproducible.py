@@ -1,7 +1,8 @@
 """What the same answers everywhere cost: ``python -m benchmarks.reproducible URDF ... [--page]``.
 
-Each robot's solver on one process as it is emitted by itself, as a straight line, and reproducible;
-of single states and of batches, by turns, so that a noisy minute hits all alike. A robot whose
+Each robot's solver on one process as it is emitted by itself, as a straight line, as the same that
+fuses no products with sums, and reproducible; of single states and of batches, by turns, so that a
+noisy minute hits all alike. A robot whose
 links do not hang on the ground is named as FILE:floating.
 --page writes docs/records/reproducible.md.
 """
@@ -10,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import adagen
@@ -20,9 +22,11 @@ from adagen.studies.bench.machine import machine
 from benchmarks.page import write_between_marks
 
 ROOT = Path(__file__).resolve().parents[1]
+UNFUSED = "nothing fused"
 WAYS: dict[str, dict[str, object]] = {
     "fastest": {},
     "straight line": {"shape": "unrolled"},
+    UNFUSED: {"shape": "unrolled"},
     "reproducible": {"reproducible": True},
 }
 """What is compared, and how it is asked for."""
@@ -37,15 +41,18 @@ def contestants(robot: adagen.Robot, *, batch: bool) -> list[Contestant]:
         source = Emitted(
             name, made.model, f"{made.stem}.cpp", made.source, shape, 1, "double", None
         )
-        found.append(source.contestant(find_toolchain()))
+        toolchain = find_toolchain()
+        if name == UNFUSED:
+            toolchain = replace(toolchain, flags=(*toolchain.flags, "-ffp-contract=off"))
+        found.append(source.contestant(toolchain))
     return found
 
 
 def row(name: str, freedoms: int, what: str, times: dict[str, Times]) -> str:
     """Return a row of the table: least medians of a turn in ns, and what is paid."""
-    fastest, line, same = (min(times[way].turns) for way in WAYS)
-    shares = (f"{same / other - 1:+.0%}" for other in (line, fastest))
-    numbers = (f"{x:.0f}" for x in (fastest, line, same))
+    fastest, line, unfused, same = (min(times[way].turns) for way in WAYS)
+    shares = (f"{same / other - 1:+.0%}" for other in (unfused, line, fastest))
+    numbers = (f"{x:.0f}" for x in (fastest, line, unfused, same))
     return f"| {' | '.join((name, str(freedoms), what, *numbers, *shares))} |"
 
 
@@ -60,8 +67,9 @@ def main() -> None:
     options = parser.parse_args()
     lines = [
         "| robot | degrees of freedom | solves | fastest, ns | straight line, ns "
-        "| reproducible, ns | beside the line | beside the fastest |",
-        "|---|---|---|---|---|---|---|---|",
+        "| nothing fused, ns | reproducible, ns | beside nothing fused | beside the line "
+        "| beside the fastest |",
+        "|---|---|---|---|---|---|---|---|---|---|",
     ]
     before = machine()
     for word in options.urdf:

@@ -94,7 +94,8 @@ def predicted_savings(
     time = _time(reduction.model, plan, schedule, profile)
     whole = _whole(reduction, options, profile)
     if whole is None:
-        return saved(reduction, None, Cost(*counted([plan]), time)), None
+        (own,) = counted([plan])
+        return saved(reduction, None, Cost(own, time)), None
     before, after = counted([whole[0], plan])
     full = Cost(before, _time(reduction.full, *whole, profile))
     return saved(reduction, full, Cost(after, time)), whole[0]

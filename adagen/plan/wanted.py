@@ -26,7 +26,6 @@ from adagen.plan.steps import (
     Step,
 )
 from adagen.plan.types import Plan, Process
-from adagen.schedule import Schedule, postorder
 
 
 def refuse_outputs(model: Model, form: str) -> None:
@@ -50,13 +49,13 @@ def refuse_outputs(model: Model, form: str) -> None:
             )
 
 
-def refuse_sharing(outputs: Sequence[PlanOutput], schedule: Schedule) -> None:
+def refuse_sharing(outputs: Sequence[PlanOutput], processes: Sequence[Process]) -> None:
     """Refuse outputs of several processes.
 
     Raises:
         UsageError: more than one process has something to do.
     """
-    if outputs and len({node.processes[0] for node in postorder(schedule.root)}) > 1:
+    if outputs and sum(bool(process.steps) for process in processes) > 1:
         raise UsageError(
             "[outputs] of a scene are computed by one process: leave out --schedule, or say"
             " --procs 1"

@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+import numpy as np
+
 from adagen.emit.predicted import predict
+from adagen.model import LINK_ACCELERATION, Frame, Output
 from adagen.plan import make_plan
 from adagen.plan.certificate import certified
 from adagen.schedule import load_profile
@@ -54,3 +59,14 @@ def test_what_cannot_be_certified_by_several_is_done_by_one() -> None:
     model = serial_chain(100)
     plan = certified(make_plan(model, certified_schedule(model, 2, DEFAULT, "double", "auto")))
     assert [bool(process.owns) for process in plan.processes] == [True, False]
+
+
+def test_outputs_are_given_by_one_process() -> None:
+    """Limbs of the ground are shared where that pays, but not with outputs of a scene."""
+    model = binary(6, floating=True)
+    shared = make_plan(model, reproducible_schedule(model, 2, DEFAULT), reproducible=True)
+    assert all(process.steps for process in shared.processes)
+    output = Output(LINK_ACCELERATION, 3, Frame("", np.eye(3), np.zeros(3)), "link")
+    asked = replace(model, outputs=(output,))
+    plan = make_plan(asked, reproducible_schedule(asked, 2, DEFAULT), reproducible=True)
+    assert [bool(process.steps) for process in plan.processes] == [True, False]
