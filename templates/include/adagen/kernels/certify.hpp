@@ -110,11 +110,12 @@ ADAGEN_INLINE T trace_of(const T* factors) {
   return (1 + l[0] * l[0] + l[1] * l[1]) / d[0] + (1 + l[2] * l[2]) / d[1] + 1 / d[2];
 }
 
-// A part of the error that is seen by factors of a matrix in axes of the base. The least of their
-// pivots is uncertain by a part d = unit tr(A) tr(A^-1) of it: 1 / (1 - d), infinite beyond 1.
+// A part of the error that is seen by factors of a matrix in axes of the base, of which trace was
+// left. The least of their pivots is uncertain by a part d = unit trace tr(A^-1) of it: the part
+// is larger by 1 / (1 - d), infinite beyond.
 template <class T>
-ADAGEN_INLINE T seen_by(const T* factors, const T& part) {
-  const T known = 1 - Real(kUnit) * trace_of(factors) * trace_of_inverse(factors);
+ADAGEN_INLINE T seen_by(const T* factors, const T& trace, const T& part) {
+  const T known = 1 - Real(kUnit) * trace * trace_of_inverse(factors);
   return known > T{} ? part / known : part + std::numeric_limits<Real>::infinity();
 }
 
@@ -201,7 +202,7 @@ ADAGEN_INLINE void weigh_rotations(Workspace& w, const Joints<T>& joints, Left<T
   const Vector<T> u = torque - X.n;
   X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
   const Vector<T> y = solved(e + 12, u);
-  found.seen += seen_by(e + 12, dot(u, y));
+  found.seen += seen_by(e + 12, trace_of(e + 12), dot(u, y));
   if constexpr (kRefine > 0) e[9] = y.x, e[10] = y.y, e[11] = y.z;
   found.rounded += X.moments * trace_of_inverse(e + 12);
   X.f += transposed_times(Matrix<T>{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}}, u);
@@ -244,7 +245,9 @@ ADAGEN_INLINE Motion<Value> weigh_unheld(const Body<Value>& body, const Left<Val
   factorize(C, sliding, checks);
   const Vector<Value> rest = X.f - transposed_times(K, X.n);
   const Vector<Value> turn = solved(turning, X.n), slide = solved(sliding, rest);
-  found.seen += seen_by(turning, dot(X.n, turn)) + dot(rest, slide);
+  const Symmetric<Value>&A = body.A, &D = body.C;
+  found.seen += seen_by(turning, A.xx + A.yy + A.zz, dot(X.n, turn));
+  found.seen += seen_by(sliding, D.xx + D.yy + D.zz, dot(rest, slide));
   const Vector<Value>&x = K.x, &y = K.y, &z = K.z;
   const Value passed =
       dot(x, solved(sliding, x)) + dot(y, solved(sliding, y)) + dot(z, solved(sliding, z));
