@@ -224,7 +224,7 @@ def _key(texts: Sequence[str], toolchain: Toolchain, mpi: bool) -> str:
 
 def uses_mpi(source_text: str) -> bool:
     """Tell whether a C++ source is to be compiled and linked with MPI."""
-    return "#include <mpi.h>" in source_text
+    return "\n#define ADAGEN_MPI\n" in source_text or "#include <mpi.h>" in source_text
 
 
 def _compiler_identity(compiler: tuple[str, ...], toolchain: Toolchain) -> str:

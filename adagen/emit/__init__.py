@@ -9,7 +9,7 @@ from adagen import __version__
 from adagen.cost import programmed
 from adagen.emit.around import PROGRAM_FILE, options_of, program_text, standalone
 from adagen.emit.embedded import check_target, embedded_values
-from adagen.emit.head import algorithm, program_lines
+from adagen.emit.head import algorithm, method, program_lines
 from adagen.emit.interface import FAILURES
 from adagen.emit.model import model_values
 from adagen.emit.names import file_stem, prefix_of, quoted
@@ -212,6 +212,8 @@ def _texts(
     embedded = target == "embedded"
     costs = load_profile("default") if profile is None else profile
     of_shape = KNOWN[shape].values(words)
+    idle = _idle(plan) if not batch and not refine else set()
+    alone = _alone(program) and (not batch or processes == 1)
     values: dict[str, object] = {
         "number": plan.scalar,
         "tolerance": TOLERANCE[plan.scalar],
@@ -223,24 +225,27 @@ def _texts(
         "batch": bool(batch),
         "reproducible": plan.reproducible,
         "certified": plan.certified,
-        "alone": _alone(program) and (not batch or processes == 1),
+        "alone": alone,
         "processes": process_rows(words) * (batch or 1),
+        "idle": idle,
         "run_list": ", ".join(
-            "refined" if words.refine else f"run_{0 if batch else p}" for p in range(processes)
+            "refined" if words.refine else "kNothing" if p in idle else f"run_{0 if batch else p}"
+            for p in range(processes)
         ),
         "refine": refine,
         "own_residual": plan.corrections > 0,
         "wide_residual": words.refine > 0,
         "weighed": plan.weighed,
         "messages": plan.messages,
-        "channel_messages": _channel_messages(words),
-        "hops": _hops(costs),
+        "channel_messages": [] if alone else _channel_messages(words),
+        "hops": _hops(costs) if processes > 1 else "",
         "program_file": PROGRAM_FILE,
         "program_options": options_of(mpi, plan.scalar),
         "comm": "MPI_Comm" if mpi else "adagen::OneProcess",
         "embedded": embedded,
         "failures": FAILURES,
         **_head(program, stem, chunk, compiler),
+        "method": method(program),
         "algorithm": algorithm(program),
         "program_lines": program_lines(program, costs),
         **model_values(words),
@@ -248,12 +253,12 @@ def _texts(
         **(embedded_values(words, of_shape) if embedded else {}),
     }
     more = description(values)
+    plain = not any(values[name] for name in ("certified", "parameters", "batch", "embedded"))
+    kind = "threads" if plan.threads else "mpi" if mpi else "alone"
     own = {
         "plain_program": not (more or mpi or plan.threads),
-        "plain_solver": not any(
-            values[name] for name in ("parameters", "batch", "mpi", "threads", "embedded")
-        )
-        and not plan.certified,
+        "plain_solver": plain and processes == 1,
+        "whole": f"whole_{kind}.hpp" if plain and not more and not plan.reproducible else "",
         "macros": _macros(plan, values),
         "settings": settings(values, len(plan.messages)),
         "description": more,
@@ -284,6 +289,13 @@ def _alone(program: Program) -> bool:
     return meeting(program) == "alone" and not any(p.owns for p in program.plan.processes[1:])
 
 
+def _idle(plan: Plan) -> set[int]:
+    """Processes that run nothing, in nearly every plan those without steps."""
+    if plan.slaved or plan.weighed or any(process.recovery for process in plan.processes):
+        return set()
+    return {p for p, process in enumerate(plan.processes) if not process.steps}
+
+
 def _head(program: Program, stem: str, chunk: int, compiler: str) -> dict[str, object]:
     """What the head of the file says that it was made from, and how its names begin."""
     plan = program.plan
@@ -308,13 +320,16 @@ def _head(program: Program, stem: str, chunk: int, compiler: str) -> dict[str, o
     }
 
 
-def _hops(profile: CostProfile) -> dict[str, object]:
-    """What messages cost, as the template takes it."""
+def _hops(profile: CostProfile) -> str:
+    """What messages cost, ns: through a window, and as one of MPI."""
     if profile.steps is None:
         profile = load_profile("default")
     assert profile.steps is not None  # the shipped one has them
-    costs = profile.steps
-    return {"profile": profile.name, "window": costs.window, "message": costs.message}
+    hops = (profile.steps.window, profile.steps.message)
+    rows = (
+        f"{{{1e3 * hop.send:.6g}, {1e3 * hop.latency:.6g}, {1e3 * hop.number:.6g}}}" for hop in hops
+    )
+    return f"{{{', '.join(rows)}}}"
 
 
 def check_batch(shape: str, refine: int, channel: str) -> None:

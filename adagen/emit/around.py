@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from functools import cache
 
 from adagen import __version__
-from adagen.emit.runtime import joined
+from adagen.emit.runtime import joined, runtime_files
 from adagen.emit.templates import render
 
 PROGRAM_FILE = "adagen_program.cpp"
@@ -59,7 +59,12 @@ def standalone(
     defines = "".join(f"#define {option.removeprefix('-D')}\n" for option in options)
     own = _COMMENTS.sub("", program_text() if program is None else program)
     source = _LINKS.sub("", source, count=1)
-    whole = joined(source.replace(_SECTION, f"{_JOINED}{_SECTION}{defines}{own}\n", 1), files)
+    section = f"{_JOINED}{_SECTION}{defines}{own}\n"
+    files = {
+        name: text.replace(_SECTION, section, 1)
+        for name, text in (runtime_files() if files is None else files).items()
+    }
+    whole = joined(source.replace(_SECTION, section, 1), files)
     return whole.replace(_MPI, "", 1)  # the solver has included mpi.h, if it needs that
 
 

@@ -14,15 +14,9 @@ _WIDTH = 103  # of a comment's text
 _SHOWN = 8  # groups of joints of a process that are named
 
 _FRAMES = {
-    "kernels": "Spatial vectors are [angular; linear], in the axes of the base, about each link's "
-    "origin.",
-    "other": "Spatial vectors are [angular; linear], in link frames turned so that every joint "
-    "axis is z.",
+    "kernels": "in the axes of the base, about each link's origin",
+    "other": "in link frames whose joint axes are z",
 }
-_ABA = (
-    "Articulated-body algorithm: the articulated-body inertias I^A and bias forces p^A (IA, pA) "
-    "are computed from the ends to the base, then the accelerations from the base outwards."
-)
 _SEGMENTS = (
     "Each process solves a segment of the robot with the articulated-body algorithm: the "
     "articulated-body inertias I^A and bias forces p^A (IA, pA) are computed from the ends to the "
@@ -59,19 +53,25 @@ _CLOSED = (
 _BATCH = "Each SIMD lane holds a state; the processes share the states of a batch, not the robot."
 
 
+def method(program: Program) -> str:
+    """Return in one line how the accelerations are computed, and in what frames."""
+    name = "assembly-disassembly" if program.plan.form == "ada" else "articulated-body"
+    frames = _FRAMES.get(program.shape, _FRAMES["other"])
+    return f"{name} algorithm; spatial vectors [angular; linear] {frames}"
+
+
 def algorithm(program: Program) -> list[str]:
-    """Return in lines how the accelerations are computed."""
+    """Return in lines how processes meet, loops are closed and batches are solved."""
     match program.plan.form, meeting(program):
         case "ada", _:
             parts = [_ADA]
         case _, "alone":
-            parts = [_ABA]
+            parts = []
         case _, "gathered":
             parts = [_GATHERED]
         case _, how:
             parts = [_SEGMENTS, _JOINED] + [_EXCHANGED] * (how == "exchanged")
     parts += [_CLOSED] * program.plan.closed
-    parts.append(_FRAMES.get(program.shape, _FRAMES["other"]))
     parts += [_BATCH] * program.batch
     return textwrap.wrap(" ".join(parts), _WIDTH)
 

@@ -25,7 +25,7 @@ def process_rows(words: Words) -> list[dict[str, object]]:
             "stages": stage_lines(process),
             "stage_count": len(stages(process)),
             "ranges": [own for table in _tables(words, process) for own in table],
-            "info": _info(p, _tables(words, process)),
+            "info": _info(p, _tables(words, process), len(stages(process))),
         }
         for p, process in enumerate(words.plan.processes)
     ]
@@ -97,13 +97,17 @@ def _tables(words: Words, process: Process) -> list[list[Range]]:
     return [ranges(entries) for entries in (q, v, own, torques)]
 
 
-def _info(p: int, tables: list[list[Range]]) -> str:
-    """Where the ranges of each table are among all those of a process."""
+def _info(p: int, tables: list[list[Range]], stage_count: int) -> str:
+    """Where the ranges of each table are among all those of a process, and where its stages are."""
+    if not any(tables) and not stage_count:
+        return ""
     first, parts = 0, []
     for table in tables:
         place = f"kRanges_{p}.data(){f' + {first}' * (first > 0)}" if table else "nullptr"
         parts.append(f"{{{len(table)}, {place}}}")
         first += len(table)
+    if stage_count:
+        parts.append(f"{{{stage_count}, kStages_{p}.data()}}")
     return ", ".join(parts)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 
 Setting = tuple[str, str, object, object]
 """C++ type, name, value, and the value that the runtime has for it."""
-_DESCRIBED = {"kRobot", "kFloating", "kAtRest", "kChannel"}
+_DESCRIBED = {"kRobot", "kFloating", "kAtRest", "kChannel", "kHops"}
 """What only the description for the program around a solver reads; clang would call it unused."""
 
 
@@ -52,6 +52,7 @@ def settings(values: Mapping[str, object], messages: int) -> list[str]:
                 ("bool", "kWide", bool(refine) and not values["own_residual"], False),
                 ("bool", "kCertified", values["certified"], False),
                 ("int", "kPlanMessages", messages, 0),
+                ("Hops", "kHops", values["hops"], ""),
                 ("double", "kTolerance", values["tolerance"], 1e-9),
             ]
         ),
@@ -66,9 +67,6 @@ def description(values: Mapping[str, object]) -> list[str]:
         "about.loops = {kLoops.data(), kLoopCount};": loops,
         f"about.couplings = {{kCouplings.data(), {_count(couplings)}}};": couplings,
         f"about.outputs = {{kOutputs.data(), {_count(outputs)}}};": outputs,
-        "about.window_hop = kWindowHop, about.message_hop = kMessageHop;": (
-            values["mpi"] or values["threads"]
-        ),
     }
     return [line for line, own in lines.items() if own]
 

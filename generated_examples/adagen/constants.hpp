@@ -62,16 +62,25 @@ struct Ranges {
   const Range* ranges;
 };
 
-// What a process reads of the state, and which velocity entries' accelerations it owns.
-struct ProcessInfo {
-  Ranges q, v, own, tau;
-};
-
 // What a process does between two time stamps (--trace).
 struct StageInfo {
   const char* what;
   int joint, message;  // that it ends or begins with; sent or received; -1 for none
 };
+struct Stages {
+  int count;
+  const StageInfo* stages;
+};
+
+// What a process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads;
+// what it does.
+struct ProcessInfo {
+  Ranges q, v, own, tau;
+  Stages stages{0, nullptr};
+};
+
+// What a process runs that has nothing to do.
+[[maybe_unused]] constexpr auto kNothing = [](auto&, auto&) {};
 
 // What goes from one process to another once in an evaluation.
 struct MessageInfo {

@@ -43,8 +43,10 @@ auto table() {
   return adagen::Table<Described>{items.data(), static_cast<int>(all.size())};
 }
 
-// What a solver's description has from its settings and tables: all but loops, outputs, outer
-// forces and what messages cost. stages: a table for each process.
+[[maybe_unused]] adagen::Hop described(const double (&hop)[3]) { return {hop[0], hop[1], hop[2]}; }
+
+// What a solver's description has from its settings and tables: all but loops, outputs and outer
+// forces. stages: a table for each process.
 adagen::Description<Number> plain_description(const adagen::Table<adagen::Stage>* stages) {
   adagen::Description<Number> about{};
   about.robot = Settings::kRobot, about.channel = Settings::kChannel;
@@ -63,6 +65,8 @@ adagen::Description<Number> plain_description(const adagen::Table<adagen::Stage>
   about.joints = table<kJoints>(), about.links = table<kLinks>();
   about.messages = table<kMessages>();
   about.stages = stages;
+  about.window_hop = described(Settings::kHops.window);
+  about.message_hop = described(Settings::kHops.message);
   return about;
 }
 

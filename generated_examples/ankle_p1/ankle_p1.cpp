@@ -7,13 +7,11 @@
 // links     adagen_program.cpp
 // program   1 process; 0.117 us predicted (default profile)
 //           process 0: left_motor .. left_ball | right_motor .. right_ball in 2 lanes, hip .. ankle_roll
+// method    articulated-body algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
 // licence   yours to choose: generated code belongs to its user
 //
-// Articulated-body algorithm: the articulated-body inertias I^A and bias forces p^A (IA, pA) are computed
-// from the ends to the base, then the accelerations from the base outwards. Closed loops: accelerations
-// of their joints and constraint forces stay unknown until the last link that these joints have in
-// common, where they are eliminated (docs/explanation/loops.md). Spatial vectors are [angular; linear],
-// in link frames turned so that every joint axis is z.
+// Closed loops: accelerations of their joints and constraint forces stay unknown until the last link that
+// these joints have in common, where they are eliminated (docs/explanation/loops.md).
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // ankle_p1.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
@@ -25,7 +23,6 @@
 #define ADAGEN_CALL(word) ankle_p1_##word
 #define ADAGEN_NAMED(WORD) ANKLE_P1_##WORD
 
-
 // ---- 2. model -----------------------------------------------------------------------------------
 
 #define ADAGEN_SOLVER 100  // version of adagen that wrote this file
@@ -33,19 +30,14 @@
 #define ADAGEN_RECOVERS
 #include "adagen/settings.hpp"
 
-namespace {
-
-struct Settings : PlainSettings {
+struct ankle_p1_settings : PlainSettings {
   static constexpr int kJointCount = 8, kNq = 14, kNv = 12;
   [[maybe_unused]] static constexpr const char* kRobot = "ankle";
 };
 
-}  // namespace
-
 #include "adagen/constants.hpp"
 
 namespace {
-
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"pelvis", 0.0, {0.0, 0.0, 0.0}},
@@ -95,15 +87,11 @@ constexpr std::array<const char*, 2> kLoopNames{ {
 
 }  // namespace
 
-// ---- 3. runtime ---------------------------------------------------------------------------------
+// ---- 3. functions -------------------------------------------------------------------------------
 
 #include "adagen/far_angles.hpp"
 #include "adagen/kernels/lanes.hpp"
-
 #include "adagen/no_channel.hpp"
-
-// ---- 4. joints ----------------------------------------------------------------------------------
-
 #include "adagen/unrolled_memory.hpp"
 
 namespace {
@@ -1558,7 +1546,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   w.result[10] = x4750;
 }
 
-// ---- 5. processes -------------------------------------------------------------------------------
+// ---- 4. processes -------------------------------------------------------------------------------
 
 // Process 0: 8 of 8 joints: "hip", "knee", "ankle_pitch", "ankle_roll", "left_motor", "left_ball", ...
 constexpr std::array<int, 8> kRead_0{0, 1, 2, 3, 4, 5, 6, 7};
@@ -1621,10 +1609,9 @@ constexpr std::array<void (*)(Workspace&, Channel&), 1> kRecover{recover_0};
 }  // namespace
 
 #include "adagen/alone.hpp"
-struct ankle_p1_solver : Solver {};
 #include "adagen/c_interface.hpp"
 
-// ---- 6. program ---------------------------------------------------------------------------------
+// ---- 5. program ---------------------------------------------------------------------------------
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/measured_alone.hpp"
@@ -1644,8 +1631,8 @@ constexpr std::array<adagen::Loop<Number>, 2> kLoops{ {
 } };
 
 adagen::Description<Number> description() {
-  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>()} };
-  auto about = plain_description(stages.data());
+  static const adagen::Table<adagen::Stage> stages = table<kStages_0>();
+  auto about = plain_description(&stages);
   about.loops = {kLoops.data(), kLoopCount};
   return about;
 }

@@ -6,12 +6,10 @@
 // links     adagen_program.cpp -DADAGEN_MPI
 // program   1 process
 //           process 0: base_yaw .. right_finger_slide
+// method    articulated-body algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
 // licence   yours to choose: generated code belongs to its user
 //
-// Articulated-body algorithm: the articulated-body inertias I^A and bias forces p^A (IA, pA) are computed
-// from the ends to the base, then the accelerations from the base outwards. Spatial vectors are [angular;
-// linear], in link frames turned so that every joint axis is z. Each SIMD lane holds a state; the
-// processes share the states of a batch, not the robot.
+// Each SIMD lane holds a state; the processes share the states of a batch, not the robot.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // arm7_batch_p2.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
@@ -23,9 +21,6 @@
 #define ADAGEN_CALL(word) arm7_batch_p2_##word
 #define ADAGEN_NAMED(WORD) ARM7_BATCH_P2_##WORD
 
-
-#include <mpi.h>
-
 // ---- 2. model -----------------------------------------------------------------------------------
 
 #define ADAGEN_SOLVER 100  // version of adagen that wrote this file
@@ -33,22 +28,18 @@
 #define ADAGEN_BATCH
 #include "adagen/settings.hpp"
 
-namespace {
-
-struct Settings : PlainSettings {
+struct arm7_batch_p2_settings : PlainSettings {
   static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
   [[maybe_unused]] static constexpr const char* kRobot = "arm7";
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
   static constexpr bool kBatch = true;
+  [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
 };
-
-}  // namespace
 
 #include "adagen/constants.hpp"
 
 namespace {
-
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"pedestal", 0.0, {0.0, 0.0, 0.0}},
@@ -93,24 +84,15 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, -0.9999999999964793, -2.65358979335273e-06, 0.0, 2.65358979335273e-06, -0.9999999999964793, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}},
 } };
 
+[[maybe_unused]] constexpr std::array<MessageInfo, 0> kMessages{};
+
 }  // namespace
 
-// ---- 3. runtime ---------------------------------------------------------------------------------
+// ---- 3. functions -------------------------------------------------------------------------------
 
 #include "adagen/far_angles.hpp"
 #include "adagen/kernels/lanes.hpp"
-
-namespace {
-
-[[maybe_unused]] constexpr std::array<MessageInfo, 0> kMessages{ {
-} };
-
-}  // namespace
-
 #include "adagen/channel.hpp"
-
-// ---- 4. joints ----------------------------------------------------------------------------------
-
 #include "adagen/unrolled_memory.hpp"
 
 namespace {
@@ -958,7 +940,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   w.result[8] = x3375;
 }
 
-// ---- 5. processes -------------------------------------------------------------------------------
+// ---- 4. processes -------------------------------------------------------------------------------
 
 // Each process: 9 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll", "wrist_pitch", ...
 constexpr std::array<int, 9> kRead_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
@@ -985,11 +967,10 @@ constexpr std::array kParts{begin_group, part_0_0, end_group};
 
 [[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 8, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1}} };
 
-// What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
 constexpr std::array<Range, 4> kRanges_0{ {{0, 9}, {0, 9}, {0, 9}, {0, 9}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
-    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {3, kStages_0.data()}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {3, kStages_0.data()}},
 } };
 
 }  // namespace
@@ -998,25 +979,18 @@ constexpr std::array<Range, 4> kRanges_0{ {{0, 9}, {0, 9}, {0, 9}, {0, 9}} };
 #include "adagen/handout.hpp"
 #include "adagen/batch.hpp"
 #include "adagen/open.hpp"
-struct arm7_batch_p2_solver : Solver {};
 #include "adagen/c_interface.hpp"
 
-// ---- 6. program ---------------------------------------------------------------------------------
+// ---- 5. program ---------------------------------------------------------------------------------
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/measured.hpp"
-#include "adagen/tell.hpp"
+#include "adagen/tell_processes.hpp"
 
 namespace {
 
-// From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 98.7, 0.394};
-constexpr adagen::Hop kMessageHop{19.3, 163, 0.552};
-
 adagen::Description<Number> description() {
-  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_0>()} };
-  auto about = plain_description(stages.data());
-  about.window_hop = kWindowHop, about.message_hop = kMessageHop;
+  auto about = plain_description(stages_of_processes());
   return about;
 }
 

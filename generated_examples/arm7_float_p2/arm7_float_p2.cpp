@@ -8,6 +8,7 @@
 //           process 0: base_yaw .. forearm_roll
 //           process 1: left_finger_slide | right_finger_slide in 2 lanes, wrist_pitch .. flange_roll
 // schedule  forearm_roll@0-1(shoulder_pitch@0(base_yaw | upper_arm_roll(|elbow_pitch)) | flange_roll@1(wrist_pitch | left_finger_slide(right_finger_slide|)))
+// method    articulated-body algorithm; spatial vectors [angular; linear] in the axes of the base, about each link's origin
 // licence   yours to choose: generated code belongs to its user
 //
 // Each process solves a segment of the robot with the articulated-body algorithm: the articulated-body
@@ -15,8 +16,7 @@
 // accelerations from there outwards. Where segments meet, the assembly-disassembly algorithm of Yamane
 // and Nakamura joins them: Phi = (I^A)^-1 and b are a segment's inverse inertia and bias acceleration at
 // a cut; joint i joins chain A (on its parent link's side) and chain B (on its child link's side), Eq.
-// (3)-(7), and its force follows from Eq. (8)-(10). Spatial vectors are [angular; linear], in the axes of
-// the base, about each link's origin.
+// (3)-(7), and its force follows from Eq. (8)-(10).
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // arm7_float_p2.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
@@ -28,34 +28,26 @@
 #define ADAGEN_CALL(word) arm7_float_p2_##word
 #define ADAGEN_NAMED(WORD) ARM7_FLOAT_P2_##WORD
 
-
-#include <mpi.h>
-#include <Eigen/Core>
-
 // ---- 2. model -----------------------------------------------------------------------------------
 
 #define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
 #include "adagen/settings.hpp"
 
-namespace {
-
-struct Settings : PlainSettings {
+struct arm7_float_p2_settings : PlainSettings {
   static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
   using Number = float;
   [[maybe_unused]] static constexpr const char* kRobot = "arm7";
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 2;
+  [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
   static constexpr double kTolerance = 0.001;
 };
 
-}  // namespace
-
-#include "adagen/constants.hpp"
+#include "adagen/kernels/model.hpp"
 
 namespace {
-
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"pedestal", 0.0f, {0.0f, 0.0f, 0.0f}},
@@ -100,32 +92,12 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0f, -0.9999999999964793f, -2.65358979335273e-06f, 0.0f, 2.65358979335273e-06f, -0.9999999999964793f, 1.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.13f}},
 } };
 
-}  // namespace
-
-// ---- 3. runtime ---------------------------------------------------------------------------------
-
-#include "adagen/far_angles.hpp"
-#include "adagen/spatial.hpp"
-#include "adagen/joins.hpp"
-
-namespace {
-
 [[maybe_unused]] constexpr std::array<MessageInfo, 4> kMessages{ {
     {1, 0, 42},  // 0: assembled: chain of "flange_roll"
     {0, 1, 6},  // 1: forces on: chain of "flange_roll"
     {0, 1, 22},  // 2: state
     {1, 0, 4},  // 3: accelerations
 } };
-
-}  // namespace
-
-#include "adagen/channel.hpp"
-
-// ---- 4. kernels ---------------------------------------------------------------------------------
-
-#include "adagen/kernels/plain_layout.hpp"
-
-namespace {
 
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {3.6f, {0.0f, 0.0f, 0.36000000000000004f},
@@ -164,6 +136,11 @@ constexpr LinkRole kRoles[2][kLinkCount]{
 
 }  // namespace
 
+// ---- 3. functions -------------------------------------------------------------------------------
+
+#include "adagen/spatial.hpp"
+#include "adagen/joins.hpp"
+#include "adagen/channel.hpp"
 #include "adagen/kernels/state.hpp"
 
 namespace {
@@ -210,7 +187,7 @@ namespace {
 // "left_finger_slide", "right_finger_slide"
 constexpr Limbs<2, 1> kLimbs0{16, {{7, 8}}};
 
-// ---- 5. processes -------------------------------------------------------------------------------
+// ---- 4. processes -------------------------------------------------------------------------------
 
 // Process 0: 5 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll"
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
@@ -320,42 +297,13 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 } };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1};
 
-// What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
 constexpr std::array<Range, 4> kRanges_0{ {{0, 5}, {0, 5}, {0, 5}, {0, 5}} };
 constexpr std::array<Range, 4> kRanges_1{ {{0, 9}, {0, 9}, {5, 4}, {5, 4}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
-    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {7, kStages_0.data()}},
+    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}, {5, kStages_1.data()}},
 } };
 
 }  // namespace
 
-#include "adagen/no_parameters.hpp"
-#include "adagen/solver.hpp"
-#include "adagen/open.hpp"
-struct arm7_float_p2_solver : Solver {};
-#include "adagen/c_interface.hpp"
-
-// ---- 6. program ---------------------------------------------------------------------------------
-
-#ifndef ADAGEN_NO_MAIN
-#include "adagen/measured.hpp"
-#include "adagen/tell.hpp"
-
-namespace {
-
-// From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 98.7, 0.394};
-constexpr adagen::Hop kMessageHop{19.3, 163, 0.552};
-
-adagen::Description<Number> description() {
-  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>()} };
-  auto about = plain_description(stages.data());
-  about.window_hop = kWindowHop, about.message_hop = kMessageHop;
-  return about;
-}
-
-}  // namespace
-
-#include "adagen/entry.hpp"
-#endif  // ADAGEN_NO_MAIN
+#include "adagen/whole_mpi.hpp"

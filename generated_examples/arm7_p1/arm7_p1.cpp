@@ -6,11 +6,8 @@
 // links     adagen_program.cpp
 // program   1 process; 0.4 us predicted (default profile)
 //           process 0: base_yaw .. right_finger_slide
+// method    articulated-body algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
 // licence   yours to choose: generated code belongs to its user
-//
-// Articulated-body algorithm: the articulated-body inertias I^A and bias forces p^A (IA, pA) are computed
-// from the ends to the base, then the accelerations from the base outwards. Spatial vectors are [angular;
-// linear], in link frames turned so that every joint axis is z.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // arm7_p1.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
@@ -22,27 +19,19 @@
 #define ADAGEN_CALL(word) arm7_p1_##word
 #define ADAGEN_NAMED(WORD) ARM7_P1_##WORD
 
-
-#include <Eigen/Core>
-
 // ---- 2. model -----------------------------------------------------------------------------------
 
 #define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #include "adagen/settings.hpp"
 
-namespace {
-
-struct Settings : PlainSettings {
+struct arm7_p1_settings : PlainSettings {
   static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
   [[maybe_unused]] static constexpr const char* kRobot = "arm7";
 };
 
-}  // namespace
-
 #include "adagen/constants.hpp"
 
 namespace {
-
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"pedestal", 0.0, {0.0, 0.0, 0.0}},
@@ -89,15 +78,11 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 }  // namespace
 
-// ---- 3. runtime ---------------------------------------------------------------------------------
+// ---- 3. functions -------------------------------------------------------------------------------
 
 #include "adagen/spatial.hpp"
 #include "adagen/articulated.hpp"
-
 #include "adagen/no_channel.hpp"
-
-// ---- 4. joints ----------------------------------------------------------------------------------
-
 #include "adagen/joints_memory.hpp"
 
 namespace {
@@ -390,7 +375,7 @@ void accelerate_right_finger_slide(Workspace& w) {
 }
 
 
-// ---- 5. processes -------------------------------------------------------------------------------
+// ---- 4. processes -------------------------------------------------------------------------------
 
 // Process 0: 9 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll", "wrist_pitch", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
@@ -442,12 +427,4 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 }  // namespace
 
-#include "adagen/alone.hpp"
-struct arm7_p1_solver : Solver {};
-#include "adagen/c_interface.hpp"
-
-// ---- 6. program ---------------------------------------------------------------------------------
-
-#ifndef ADAGEN_NO_MAIN
-#include "adagen/program_alone.hpp"
-#endif  // ADAGEN_NO_MAIN
+#include "adagen/whole_alone.hpp"

@@ -8,12 +8,12 @@
 //           process 0: base_yaw .. wrist_pitch
 //           process 1: flange_roll .. right_finger_slide
 // schedule  wrist_pitch@0-1(forearm_roll@0(elbow_pitch(upper_arm_roll(shoulder_pitch(base_yaw|)|)|)|) | flange_roll@1(|left_finger_slide(right_finger_slide|)))
+// method    assembly-disassembly algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
 // licence   yours to choose: generated code belongs to its user
 //
 // Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
 // bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
-// to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
-// vectors are [angular; linear], in link frames turned so that every joint axis is z.
+// to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // arm7_unrolled_p2.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
@@ -25,31 +25,24 @@
 #define ADAGEN_CALL(word) arm7_unrolled_p2_##word
 #define ADAGEN_NAMED(WORD) ARM7_UNROLLED_P2_##WORD
 
-
-#include <mpi.h>
-
 // ---- 2. model -----------------------------------------------------------------------------------
 
 #define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
 #include "adagen/settings.hpp"
 
-namespace {
-
-struct Settings : PlainSettings {
+struct arm7_unrolled_p2_settings : PlainSettings {
   static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
   [[maybe_unused]] static constexpr const char* kRobot = "arm7";
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 2;
+  [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
 };
-
-}  // namespace
 
 #include "adagen/constants.hpp"
 
 namespace {
-
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"pedestal", 0.0, {0.0, 0.0, 0.0}},
@@ -103,13 +96,6 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, -0.9999999999964793, -2.65358979335273e-06, 0.0, 2.65358979335273e-06, -0.9999999999964793, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}},
 } };
 
-}  // namespace
-
-// ---- 3. runtime ---------------------------------------------------------------------------------
-
-
-namespace {
-
 [[maybe_unused]] constexpr std::array<MessageInfo, 4> kMessages{ {
     {1, 0, 42},  // 0: assembled: chain of "flange_roll"
     {0, 1, 6},  // 1: forces on: chain of "flange_roll"
@@ -119,10 +105,9 @@ namespace {
 
 }  // namespace
 
+// ---- 3. functions -------------------------------------------------------------------------------
+
 #include "adagen/channel.hpp"
-
-// ---- 4. joints ----------------------------------------------------------------------------------
-
 #include "adagen/unrolled_memory.hpp"
 
 namespace {
@@ -2664,7 +2649,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_2(Workspace& w) {
   w.result[8] = x4218;
 }
 
-// ---- 5. processes -------------------------------------------------------------------------------
+// ---- 4. processes -------------------------------------------------------------------------------
 
 // Process 0: 6 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll", "wrist_pitch"
 constexpr std::array<int, 6> kRead_0{0, 1, 2, 3, 4, 5};
@@ -2731,42 +2716,13 @@ ADAGEN_AS_IT_STANDS void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] C
 } };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1};
 
-// What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
 constexpr std::array<Range, 4> kRanges_0{ {{0, 6}, {0, 6}, {0, 6}, {0, 6}} };
 constexpr std::array<Range, 4> kRanges_1{ {{0, 9}, {0, 9}, {6, 3}, {6, 3}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
-    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {7, kStages_0.data()}},
+    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}, {5, kStages_1.data()}},
 } };
 
 }  // namespace
 
-#include "adagen/no_parameters.hpp"
-#include "adagen/solver.hpp"
-#include "adagen/open.hpp"
-struct arm7_unrolled_p2_solver : Solver {};
-#include "adagen/c_interface.hpp"
-
-// ---- 6. program ---------------------------------------------------------------------------------
-
-#ifndef ADAGEN_NO_MAIN
-#include "adagen/measured.hpp"
-#include "adagen/tell.hpp"
-
-namespace {
-
-// From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 98.7, 0.394};
-constexpr adagen::Hop kMessageHop{19.3, 163, 0.552};
-
-adagen::Description<Number> description() {
-  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>()} };
-  auto about = plain_description(stages.data());
-  about.window_hop = kWindowHop, about.message_hop = kMessageHop;
-  return about;
-}
-
-}  // namespace
-
-#include "adagen/entry.hpp"
-#endif  // ADAGEN_NO_MAIN
+#include "adagen/whole_mpi.hpp"

@@ -9,6 +9,7 @@
 //           process 1: joint09 .. joint12
 //           process 2: joint13 .. joint16
 // schedule  joint08@0-2(joint04@0(joint02(joint01 | joint03) | joint06(joint05 | joint07)) | joint12@1-2(joint10@1(joint09 | joint11) | joint14@2(joint13 | joint15(|joint16))))
+// method    articulated-body algorithm; spatial vectors [angular; linear] in the axes of the base, about each link's origin
 // licence   yours to choose: generated code belongs to its user
 //
 // Each process solves a segment of the robot with the articulated-body algorithm: the articulated-body
@@ -16,8 +17,7 @@
 // accelerations from there outwards. Where segments meet, the assembly-disassembly algorithm of Yamane
 // and Nakamura joins them: Phi = (I^A)^-1 and b are a segment's inverse inertia and bias acceleration at
 // a cut; joint i joins chain A (on its parent link's side) and chain B (on its child link's side), Eq.
-// (3)-(7), and its force follows from Eq. (8)-(10). Spatial vectors are [angular; linear], in the axes of
-// the base, about each link's origin.
+// (3)-(7), and its force follows from Eq. (8)-(10).
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // chain16_p3.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
@@ -29,32 +29,24 @@
 #define ADAGEN_CALL(word) chain16_p3_##word
 #define ADAGEN_NAMED(WORD) CHAIN16_P3_##WORD
 
-
-#include <mpi.h>
-#include <Eigen/Core>
-
 // ---- 2. model -----------------------------------------------------------------------------------
 
 #define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
 #include "adagen/settings.hpp"
 
-namespace {
-
-struct Settings : PlainSettings {
+struct chain16_p3_settings : PlainSettings {
   static constexpr int kJointCount = 16, kNq = 16, kNv = 16;
   [[maybe_unused]] static constexpr const char* kRobot = "chain16";
   static constexpr int kProcesses = 3;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 4;
+  [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
 };
 
-}  // namespace
-
-#include "adagen/constants.hpp"
+#include "adagen/kernels/model.hpp"
 
 namespace {
-
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"ceiling", 0.0, {0.0, 0.0, 0.0}},
@@ -127,16 +119,6 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, -0.4}},
 } };
 
-}  // namespace
-
-// ---- 3. runtime ---------------------------------------------------------------------------------
-
-#include "adagen/far_angles.hpp"
-#include "adagen/spatial.hpp"
-#include "adagen/joins.hpp"
-
-namespace {
-
 [[maybe_unused]] constexpr std::array<MessageInfo, 8> kMessages{ {
     {2, 1, 42},  // 0: assembled: chain of "joint14"
     {1, 0, 42},  // 1: assembled: chain of "joint12"
@@ -147,16 +129,6 @@ namespace {
     {0, 2, 36},  // 6: state
     {2, 0, 4},  // 7: accelerations
 } };
-
-}  // namespace
-
-#include "adagen/channel.hpp"
-
-// ---- 4. kernels ---------------------------------------------------------------------------------
-
-#include "adagen/kernels/plain_layout.hpp"
-
-namespace {
 
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {1.0, {0.0, -0.2, 0.0},
@@ -206,6 +178,11 @@ constexpr LinkRole kRoles[3][kLinkCount]{
 
 }  // namespace
 
+// ---- 3. functions -------------------------------------------------------------------------------
+
+#include "adagen/spatial.hpp"
+#include "adagen/joins.hpp"
+#include "adagen/channel.hpp"
 #include "adagen/kernels/state.hpp"
 
 namespace {
@@ -266,7 +243,7 @@ struct Cuts {
 
 namespace {
 
-// ---- 5. processes -------------------------------------------------------------------------------
+// ---- 4. processes -------------------------------------------------------------------------------
 
 // Process 0: 8 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint05", "joint06", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
@@ -452,44 +429,15 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 } };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2};
 
-// What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
 constexpr std::array<Range, 4> kRanges_0{ {{0, 8}, {0, 8}, {0, 8}, {0, 8}} };
 constexpr std::array<Range, 4> kRanges_1{ {{0, 12}, {0, 12}, {8, 4}, {8, 4}} };
 constexpr std::array<Range, 4> kRanges_2{ {{0, 16}, {0, 16}, {12, 4}, {12, 4}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
-    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}},
-    {{1, kRanges_2.data()}, {1, kRanges_2.data() + 1}, {1, kRanges_2.data() + 2}, {1, kRanges_2.data() + 3}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {7, kStages_0.data()}},
+    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}, {9, kStages_1.data()}},
+    {{1, kRanges_2.data()}, {1, kRanges_2.data() + 1}, {1, kRanges_2.data() + 2}, {1, kRanges_2.data() + 3}, {5, kStages_2.data()}},
 } };
 
 }  // namespace
 
-#include "adagen/no_parameters.hpp"
-#include "adagen/solver.hpp"
-#include "adagen/open.hpp"
-struct chain16_p3_solver : Solver {};
-#include "adagen/c_interface.hpp"
-
-// ---- 6. program ---------------------------------------------------------------------------------
-
-#ifndef ADAGEN_NO_MAIN
-#include "adagen/measured.hpp"
-#include "adagen/tell.hpp"
-
-namespace {
-
-// From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 98.7, 0.394};
-constexpr adagen::Hop kMessageHop{19.3, 163, 0.552};
-
-adagen::Description<Number> description() {
-  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>(), table<kStages_2>()} };
-  auto about = plain_description(stages.data());
-  about.window_hop = kWindowHop, about.message_hop = kMessageHop;
-  return about;
-}
-
-}  // namespace
-
-#include "adagen/entry.hpp"
-#endif  // ADAGEN_NO_MAIN
+#include "adagen/whole_mpi.hpp"

@@ -10,12 +10,12 @@
 //           process 2: joint11 .. joint13
 //           process 3: joint14 .. joint16
 // schedule  joint10@0-3(joint07@0-1(joint06@0(joint05(joint04(joint03(joint02(joint01|)|)|)|)|) | joint08@1(|joint09)) | joint13@2-3(joint11@2(|joint12) | joint14@3(|joint15(|joint16))))
+// method    assembly-disassembly algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
 // licence   yours to choose: generated code belongs to its user
 //
 // Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
 // bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
-// to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
-// vectors are [angular; linear], in link frames turned so that every joint axis is z.
+// to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // chain16_p4.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
@@ -27,33 +27,25 @@
 #define ADAGEN_CALL(word) chain16_p4_##word
 #define ADAGEN_NAMED(WORD) CHAIN16_P4_##WORD
 
-
-#include <mpi.h>
-#include <Eigen/Core>
-
 // ---- 2. model -----------------------------------------------------------------------------------
 
 #define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
 #include "adagen/settings.hpp"
 
-namespace {
-
-struct Settings : PlainSettings {
+struct chain16_p4_settings : PlainSettings {
   static constexpr int kJointCount = 16, kNq = 16, kNv = 16;
   [[maybe_unused]] static constexpr const char* kRobot = "chain16";
   [[maybe_unused]] static constexpr const char* kChannel = "message";
   static constexpr int kProcesses = 4;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 6;
+  [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
 };
-
-}  // namespace
 
 #include "adagen/constants.hpp"
 
 namespace {
-
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"ceiling", 0.0, {0.0, 0.0, 0.0}},
@@ -142,15 +134,6 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, -0.4}},
 } };
 
-}  // namespace
-
-// ---- 3. runtime ---------------------------------------------------------------------------------
-
-#include "adagen/spatial.hpp"
-#include "adagen/joins.hpp"
-
-namespace {
-
 [[maybe_unused]] constexpr std::array<MessageInfo, 12> kMessages{ {
     {1, 0, 120},  // 0: assembled: chain of "joint08"
     {3, 2, 42},  // 1: assembled: chain of "joint14"
@@ -168,10 +151,11 @@ namespace {
 
 }  // namespace
 
+// ---- 3. functions -------------------------------------------------------------------------------
+
+#include "adagen/spatial.hpp"
+#include "adagen/joins.hpp"
 #include "adagen/channel.hpp"
-
-// ---- 4. joints ----------------------------------------------------------------------------------
-
 #include "adagen/joints_memory.hpp"
 
 namespace {
@@ -1061,7 +1045,7 @@ void disassemble_joint16(Workspace& w) {
 }
 
 
-// ---- 5. processes -------------------------------------------------------------------------------
+// ---- 4. processes -------------------------------------------------------------------------------
 
 // Process 0: 8 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint05", "joint06", ...; kinematics of 2 more on the way to the ground
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
@@ -1301,46 +1285,17 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 } };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2, run_3};
 
-// What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
 constexpr std::array<Range, 6> kRanges_0{ {{0, 10}, {0, 10}, {0, 7}, {9, 1}, {0, 7}, {9, 1}} };
 constexpr std::array<Range, 4> kRanges_1{ {{0, 9}, {0, 9}, {7, 2}, {7, 2}} };
 constexpr std::array<Range, 4> kRanges_2{ {{0, 13}, {0, 13}, {10, 3}, {10, 3}} };
 constexpr std::array<Range, 4> kRanges_3{ {{0, 16}, {0, 16}, {13, 3}, {13, 3}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {2, kRanges_0.data() + 2}, {2, kRanges_0.data() + 4}},
-    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}},
-    {{1, kRanges_2.data()}, {1, kRanges_2.data() + 1}, {1, kRanges_2.data() + 2}, {1, kRanges_2.data() + 3}},
-    {{1, kRanges_3.data()}, {1, kRanges_3.data() + 1}, {1, kRanges_3.data() + 2}, {1, kRanges_3.data() + 3}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {2, kRanges_0.data() + 2}, {2, kRanges_0.data() + 4}, {11, kStages_0.data()}},
+    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}, {5, kStages_1.data()}},
+    {{1, kRanges_2.data()}, {1, kRanges_2.data() + 1}, {1, kRanges_2.data() + 2}, {1, kRanges_2.data() + 3}, {9, kStages_2.data()}},
+    {{1, kRanges_3.data()}, {1, kRanges_3.data() + 1}, {1, kRanges_3.data() + 2}, {1, kRanges_3.data() + 3}, {5, kStages_3.data()}},
 } };
 
 }  // namespace
 
-#include "adagen/no_parameters.hpp"
-#include "adagen/solver.hpp"
-#include "adagen/open.hpp"
-struct chain16_p4_solver : Solver {};
-#include "adagen/c_interface.hpp"
-
-// ---- 6. program ---------------------------------------------------------------------------------
-
-#ifndef ADAGEN_NO_MAIN
-#include "adagen/measured.hpp"
-#include "adagen/tell.hpp"
-
-namespace {
-
-// From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 98.7, 0.394};
-constexpr adagen::Hop kMessageHop{19.3, 163, 0.552};
-
-adagen::Description<Number> description() {
-  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>(), table<kStages_2>(), table<kStages_3>()} };
-  auto about = plain_description(stages.data());
-  about.window_hop = kWindowHop, about.message_hop = kMessageHop;
-  return about;
-}
-
-}  // namespace
-
-#include "adagen/entry.hpp"
-#endif  // ADAGEN_NO_MAIN
+#include "adagen/whole_mpi.hpp"

@@ -7,13 +7,11 @@
 // links     adagen_program.cpp
 // program   1 process; 0.0535 us predicted (default profile)
 //           process 0: crank_pin .. rocker_pin
+// method    articulated-body algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
 // licence   yours to choose: generated code belongs to its user
 //
-// Articulated-body algorithm: the articulated-body inertias I^A and bias forces p^A (IA, pA) are computed
-// from the ends to the base, then the accelerations from the base outwards. Closed loops: accelerations
-// of their joints and constraint forces stay unknown until the last link that these joints have in
-// common, where they are eliminated (docs/explanation/loops.md). Spatial vectors are [angular; linear],
-// in link frames turned so that every joint axis is z.
+// Closed loops: accelerations of their joints and constraint forces stay unknown until the last link that
+// these joints have in common, where they are eliminated (docs/explanation/loops.md).
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // fourbar_p1.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
@@ -25,7 +23,6 @@
 #define ADAGEN_CALL(word) fourbar_p1_##word
 #define ADAGEN_NAMED(WORD) FOURBAR_P1_##WORD
 
-
 // ---- 2. model -----------------------------------------------------------------------------------
 
 #define ADAGEN_SOLVER 100  // version of adagen that wrote this file
@@ -33,19 +30,14 @@
 #define ADAGEN_RECOVERS
 #include "adagen/settings.hpp"
 
-namespace {
-
-struct Settings : PlainSettings {
+struct fourbar_p1_settings : PlainSettings {
   static constexpr int kJointCount = 3, kNq = 3, kNv = 3;
   [[maybe_unused]] static constexpr const char* kRobot = "fourbar";
 };
 
-}  // namespace
-
 #include "adagen/constants.hpp"
 
 namespace {
-
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"ground", 0.0, {0.0, 0.0, 0.0}},
@@ -74,13 +66,9 @@ constexpr std::array<const char*, 1> kLoopNames{ {
 
 }  // namespace
 
-// ---- 3. runtime ---------------------------------------------------------------------------------
-
+// ---- 3. functions -------------------------------------------------------------------------------
 
 #include "adagen/no_channel.hpp"
-
-// ---- 4. joints ----------------------------------------------------------------------------------
-
 #include "adagen/unrolled_memory.hpp"
 
 namespace {
@@ -312,7 +300,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   w.result[2] = x401;
 }
 
-// ---- 5. processes -------------------------------------------------------------------------------
+// ---- 4. processes -------------------------------------------------------------------------------
 
 // Process 0: 3 of 3 joints: "crank_pin", "coupler_pin", "rocker_pin"
 constexpr std::array<int, 3> kRead_0{0, 1, 2};
@@ -357,10 +345,9 @@ constexpr std::array<void (*)(Workspace&, Channel&), 1> kRecover{recover_0};
 }  // namespace
 
 #include "adagen/alone.hpp"
-struct fourbar_p1_solver : Solver {};
 #include "adagen/c_interface.hpp"
 
-// ---- 6. program ---------------------------------------------------------------------------------
+// ---- 5. program ---------------------------------------------------------------------------------
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/measured_alone.hpp"
@@ -377,8 +364,8 @@ constexpr std::array<adagen::Loop<Number>, 1> kLoops{ {
 } };
 
 adagen::Description<Number> description() {
-  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>()} };
-  auto about = plain_description(stages.data());
+  static const adagen::Table<adagen::Stage> stages = table<kStages_0>();
+  auto about = plain_description(&stages);
   about.loops = {kLoops.data(), kLoopCount};
   return about;
 }

@@ -6,12 +6,12 @@
 // links     adagen_program.cpp
 // program   1 process; 2.45 us predicted (default profile)
 //           process 0: root .. right_wrist
+// method    assembly-disassembly algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
 // licence   yours to choose: generated code belongs to its user
 //
 // Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
 // bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
-// to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
-// vectors are [angular; linear], in link frames turned so that every joint axis is z.
+// to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // human40_p1.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
@@ -23,27 +23,19 @@
 #define ADAGEN_CALL(word) human40_p1_##word
 #define ADAGEN_NAMED(WORD) HUMAN40_P1_##WORD
 
-
-#include <Eigen/Core>
-
 // ---- 2. model -----------------------------------------------------------------------------------
 
 #define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #include "adagen/settings.hpp"
 
-namespace {
-
-struct Settings : PlainSettings {
+struct human40_p1_settings : PlainSettings {
   static constexpr int kJointCount = 15, kNq = 51, kNv = 40;
   [[maybe_unused]] static constexpr const char* kRobot = "human40";
 };
 
-}  // namespace
-
 #include "adagen/constants.hpp"
 
 namespace {
-
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"world", 0.0, {0.0, 0.0, 0.0}},
@@ -129,15 +121,11 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 }  // namespace
 
-// ---- 3. runtime ---------------------------------------------------------------------------------
+// ---- 3. functions -------------------------------------------------------------------------------
 
 #include "adagen/spatial.hpp"
 #include "adagen/joins.hpp"
-
 #include "adagen/no_channel.hpp"
-
-// ---- 4. joints ----------------------------------------------------------------------------------
-
 #include "adagen/joints_memory.hpp"
 
 namespace {
@@ -931,7 +919,7 @@ void disassemble_right_wrist(Workspace& w) {
 }
 
 
-// ---- 5. processes -------------------------------------------------------------------------------
+// ---- 4. processes -------------------------------------------------------------------------------
 
 // Process 0: 15 of 15 joints: "root", "left_hip", "left_knee", "left_ankle", "right_hip", "right_knee", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
@@ -1007,12 +995,4 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 }  // namespace
 
-#include "adagen/alone.hpp"
-struct human40_p1_solver : Solver {};
-#include "adagen/c_interface.hpp"
-
-// ---- 6. program ---------------------------------------------------------------------------------
-
-#ifndef ADAGEN_NO_MAIN
-#include "adagen/program_alone.hpp"
-#endif  // ADAGEN_NO_MAIN
+#include "adagen/whole_alone.hpp"

@@ -10,6 +10,7 @@
 //           process 2: neck | right_wrist in 2 lanes, left_shoulder, right_shoulder .. right_elbow
 //           process 3: left_elbow .. left_wrist
 // schedule  spine@0-3(left_hip@0-1(right_hip@0(root | right_knee(|right_ankle)) | left_knee@1(|left_ankle)) | left_shoulder@2-3(right_shoulder@2(neck | right_elbow(|right_wrist)) | left_elbow@3(|left_wrist)))
+// method    articulated-body algorithm; spatial vectors [angular; linear] in the axes of the base, about each link's origin
 // licence   yours to choose: generated code belongs to its user
 //
 // Each process solves a segment of the robot with the articulated-body algorithm: the articulated-body
@@ -17,8 +18,7 @@
 // accelerations from there outwards. Where segments meet, the assembly-disassembly algorithm of Yamane
 // and Nakamura joins them: Phi = (I^A)^-1 and b are a segment's inverse inertia and bias acceleration at
 // a cut; joint i joins chain A (on its parent link's side) and chain B (on its child link's side), Eq.
-// (3)-(7), and its force follows from Eq. (8)-(10). Spatial vectors are [angular; linear], in the axes of
-// the base, about each link's origin.
+// (3)-(7), and its force follows from Eq. (8)-(10).
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // human40_p4.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
@@ -30,32 +30,24 @@
 #define ADAGEN_CALL(word) human40_p4_##word
 #define ADAGEN_NAMED(WORD) HUMAN40_P4_##WORD
 
-
-#include <mpi.h>
-#include <Eigen/Core>
-
 // ---- 2. model -----------------------------------------------------------------------------------
 
 #define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
 #include "adagen/settings.hpp"
 
-namespace {
-
-struct Settings : PlainSettings {
+struct human40_p4_settings : PlainSettings {
   static constexpr int kJointCount = 15, kNq = 51, kNv = 40;
   [[maybe_unused]] static constexpr const char* kRobot = "human40";
   static constexpr int kProcesses = 4;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 6;
+  [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
 };
 
-}  // namespace
-
-#include "adagen/constants.hpp"
+#include "adagen/kernels/model.hpp"
 
 namespace {
-
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"world", 0.0, {0.0, 0.0, 0.0}},
@@ -124,16 +116,6 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.26, 0.0, 0.0}},
 } };
 
-}  // namespace
-
-// ---- 3. runtime ---------------------------------------------------------------------------------
-
-#include "adagen/far_angles.hpp"
-#include "adagen/spatial.hpp"
-#include "adagen/joins.hpp"
-
-namespace {
-
 [[maybe_unused]] constexpr std::array<MessageInfo, 12> kMessages{ {
     {1, 0, 42},  // 0: assembled: chain of "left_knee"
     {3, 2, 42},  // 1: assembled: chain of "left_elbow"
@@ -148,16 +130,6 @@ namespace {
     {0, 3, 40},  // 10: state
     {3, 0, 4},  // 11: accelerations
 } };
-
-}  // namespace
-
-#include "adagen/channel.hpp"
-
-// ---- 4. kernels ---------------------------------------------------------------------------------
-
-#include "adagen/kernels/plain_layout.hpp"
-
-namespace {
 
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {9.6, {0.0, 0.0, 0.288},
@@ -208,6 +180,11 @@ constexpr LinkRole kRoles[4][kLinkCount]{
 
 }  // namespace
 
+// ---- 3. functions -------------------------------------------------------------------------------
+
+#include "adagen/spatial.hpp"
+#include "adagen/joins.hpp"
+#include "adagen/channel.hpp"
 #include "adagen/kernels/state.hpp"
 
 namespace {
@@ -282,7 +259,7 @@ namespace {
 // "neck", "right_wrist"
 constexpr Limbs<2, 1> kLimbs0{16, {{11, 14}}};
 
-// ---- 5. processes -------------------------------------------------------------------------------
+// ---- 4. processes -------------------------------------------------------------------------------
 
 // Process 0: 6 of 15 joints: "root", "left_hip", "right_hip", "right_knee", "right_ankle", "spine"
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
@@ -576,46 +553,17 @@ void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 } };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2, run_3};
 
-// What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
 constexpr std::array<Range, 8> kRanges_0{ {{0, 11}, {16, 13}, {0, 9}, {13, 10}, {0, 9}, {13, 10}, {0, 9}, {13, 10}} };
 constexpr std::array<Range, 4> kRanges_1{ {{0, 16}, {0, 13}, {9, 4}, {9, 4}} };
 constexpr std::array<Range, 10> kRanges_2{ {{0, 7}, {25, 8}, {38, 13}, {0, 6}, {20, 6}, {30, 10}, {23, 3}, {30, 10}, {23, 3}, {30, 10}} };
 constexpr std::array<Range, 6> kRanges_3{ {{0, 7}, {25, 13}, {0, 6}, {20, 10}, {26, 4}, {26, 4}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{2, kRanges_0.data()}, {2, kRanges_0.data() + 2}, {2, kRanges_0.data() + 4}, {2, kRanges_0.data() + 6}},
-    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}},
-    {{3, kRanges_2.data()}, {3, kRanges_2.data() + 3}, {2, kRanges_2.data() + 6}, {2, kRanges_2.data() + 8}},
-    {{2, kRanges_3.data()}, {2, kRanges_3.data() + 2}, {1, kRanges_3.data() + 4}, {1, kRanges_3.data() + 5}},
+    {{2, kRanges_0.data()}, {2, kRanges_0.data() + 2}, {2, kRanges_0.data() + 4}, {2, kRanges_0.data() + 6}, {11, kStages_0.data()}},
+    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}, {5, kStages_1.data()}},
+    {{3, kRanges_2.data()}, {3, kRanges_2.data() + 3}, {2, kRanges_2.data() + 6}, {2, kRanges_2.data() + 8}, {9, kStages_2.data()}},
+    {{2, kRanges_3.data()}, {2, kRanges_3.data() + 2}, {1, kRanges_3.data() + 4}, {1, kRanges_3.data() + 5}, {5, kStages_3.data()}},
 } };
 
 }  // namespace
 
-#include "adagen/no_parameters.hpp"
-#include "adagen/solver.hpp"
-#include "adagen/open.hpp"
-struct human40_p4_solver : Solver {};
-#include "adagen/c_interface.hpp"
-
-// ---- 6. program ---------------------------------------------------------------------------------
-
-#ifndef ADAGEN_NO_MAIN
-#include "adagen/measured.hpp"
-#include "adagen/tell.hpp"
-
-namespace {
-
-// From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 98.7, 0.394};
-constexpr adagen::Hop kMessageHop{19.3, 163, 0.552};
-
-adagen::Description<Number> description() {
-  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>(), table<kStages_2>(), table<kStages_3>()} };
-  auto about = plain_description(stages.data());
-  about.window_hop = kWindowHop, about.message_hop = kMessageHop;
-  return about;
-}
-
-}  // namespace
-
-#include "adagen/entry.hpp"
-#endif  // ADAGEN_NO_MAIN
+#include "adagen/whole_mpi.hpp"

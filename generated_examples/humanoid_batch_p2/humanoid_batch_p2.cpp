@@ -6,12 +6,10 @@
 // links     adagen_program.cpp -DADAGEN_MPI
 // program   1 process
 //           process 0: __base__ .. right_wrist_pitch
+// method    articulated-body algorithm; spatial vectors [angular; linear] in the axes of the base, about each link's origin
 // licence   yours to choose: generated code belongs to its user
 //
-// Articulated-body algorithm: the articulated-body inertias I^A and bias forces p^A (IA, pA) are computed
-// from the ends to the base, then the accelerations from the base outwards. Spatial vectors are [angular;
-// linear], in the axes of the base, about each link's origin. Each SIMD lane holds a state; the processes
-// share the states of a batch, not the robot.
+// Each SIMD lane holds a state; the processes share the states of a batch, not the robot.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // humanoid_batch_p2.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
@@ -23,9 +21,6 @@
 #define ADAGEN_CALL(word) humanoid_batch_p2_##word
 #define ADAGEN_NAMED(WORD) HUMANOID_BATCH_P2_##WORD
 
-
-#include <mpi.h>
-
 // ---- 2. model -----------------------------------------------------------------------------------
 
 #define ADAGEN_SOLVER 100  // version of adagen that wrote this file
@@ -33,23 +28,19 @@
 #define ADAGEN_BATCH
 #include "adagen/settings.hpp"
 
-namespace {
-
-struct Settings : PlainSettings {
+struct humanoid_batch_p2_settings : PlainSettings {
   static constexpr int kJointCount = 30, kNq = 36, kNv = 35;
   [[maybe_unused]] static constexpr const char* kRobot = "humanoid";
   [[maybe_unused]] static constexpr bool kFloating = true;
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
   static constexpr bool kBatch = true;
+  [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
 };
 
-}  // namespace
-
-#include "adagen/constants.hpp"
+#include "adagen/kernels/model.hpp"
 
 namespace {
-
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"__world__", 0.0, {0.0, 0.0, 0.0}},
@@ -178,26 +169,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}},
 } };
 
-}  // namespace
-
-// ---- 3. runtime ---------------------------------------------------------------------------------
-
-#include "adagen/far_angles.hpp"
-
-namespace {
-
-[[maybe_unused]] constexpr std::array<MessageInfo, 0> kMessages{ {
-} };
-
-}  // namespace
-
-#include "adagen/channel.hpp"
-
-// ---- 4. kernels ---------------------------------------------------------------------------------
-
-#include "adagen/kernels/plain_layout.hpp"
-
-namespace {
+[[maybe_unused]] constexpr std::array<MessageInfo, 0> kMessages{};
 
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {6.2, {0.0, 0.0, 0.12400000000000001},
@@ -270,12 +242,14 @@ constexpr LinkRole kRoles[1][kLinkCount]{
 
 }  // namespace
 
-#include "adagen/kernels/plain_state.hpp"
-#include "adagen/kernels/sweeps.hpp"
+// ---- 3. functions -------------------------------------------------------------------------------
+
+#include "adagen/channel.hpp"
+#include "adagen/kernels/plain_sweeps.hpp"
 
 namespace {
 
-// ---- 5. processes -------------------------------------------------------------------------------
+// ---- 4. processes -------------------------------------------------------------------------------
 
 // Each process: 30 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
 void run_0([[maybe_unused]] Workspace& w) {
@@ -313,11 +287,10 @@ void run_0([[maybe_unused]] Workspace& w) {
 constexpr std::array kParts{run_0};  // what is done for a group of states, in order
 [[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 29, -1}, {"assembly", 1, -1}, {"disassembly", 1, -1}} };
 
-// What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
 constexpr std::array<Range, 4> kRanges_0{ {{0, 36}, {0, 35}, {0, 35}, {0, 35}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
-    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {3, kStages_0.data()}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {3, kStages_0.data()}},
 } };
 
 }  // namespace
@@ -326,25 +299,18 @@ constexpr std::array<Range, 4> kRanges_0{ {{0, 36}, {0, 35}, {0, 35}, {0, 35}} }
 #include "adagen/handout.hpp"
 #include "adagen/batch.hpp"
 #include "adagen/open.hpp"
-struct humanoid_batch_p2_solver : Solver {};
 #include "adagen/c_interface.hpp"
 
-// ---- 6. program ---------------------------------------------------------------------------------
+// ---- 5. program ---------------------------------------------------------------------------------
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/measured.hpp"
-#include "adagen/tell.hpp"
+#include "adagen/tell_processes.hpp"
 
 namespace {
 
-// From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 98.7, 0.394};
-constexpr adagen::Hop kMessageHop{19.3, 163, 0.552};
-
 adagen::Description<Number> description() {
-  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_0>()} };
-  auto about = plain_description(stages.data());
-  about.window_hop = kWindowHop, about.message_hop = kMessageHop;
+  auto about = plain_description(stages_of_processes());
   return about;
 }
 

@@ -8,11 +8,8 @@
 //           process 0: left_hip_pitch .. left_ankle_roll | right_hip_pitch .. right_ankle_roll |
 //           left_shoulder_pitch .. left_wrist_pitch | right_shoulder_pitch .. right_wrist_pitch in 4
 //           lanes, __base__, waist_yaw .. waist_pitch, neck_yaw .. neck_pitch
+// method    articulated-body algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
 // licence   yours to choose: generated code belongs to its user
-//
-// Articulated-body algorithm: the articulated-body inertias I^A and bias forces p^A (IA, pA) are computed
-// from the ends to the base, then the accelerations from the base outwards. Spatial vectors are [angular;
-// linear], in link frames turned so that every joint axis is z.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // humanoid_lanes_p1.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
@@ -24,26 +21,20 @@
 #define ADAGEN_CALL(word) humanoid_lanes_p1_##word
 #define ADAGEN_NAMED(WORD) HUMANOID_LANES_P1_##WORD
 
-
 // ---- 2. model -----------------------------------------------------------------------------------
 
 #define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #include "adagen/settings.hpp"
 
-namespace {
-
-struct Settings : PlainSettings {
+struct humanoid_lanes_p1_settings : PlainSettings {
   static constexpr int kJointCount = 30, kNq = 36, kNv = 35;
   [[maybe_unused]] static constexpr const char* kRobot = "humanoid";
   [[maybe_unused]] static constexpr bool kFloating = true;
 };
 
-}  // namespace
-
 #include "adagen/constants.hpp"
 
 namespace {
-
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"__world__", 0.0, {0.0, 0.0, 0.0}},
@@ -174,15 +165,11 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 }  // namespace
 
-// ---- 3. runtime ---------------------------------------------------------------------------------
+// ---- 3. functions -------------------------------------------------------------------------------
 
 #include "adagen/far_angles.hpp"
 #include "adagen/kernels/lanes.hpp"
-
 #include "adagen/no_channel.hpp"
-
-// ---- 4. joints ----------------------------------------------------------------------------------
-
 #include "adagen/unrolled_memory.hpp"
 
 namespace {
@@ -1726,7 +1713,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   w.result[2] = x4744;
 }
 
-// ---- 5. processes -------------------------------------------------------------------------------
+// ---- 4. processes -------------------------------------------------------------------------------
 
 // Process 0: 30 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
 constexpr std::array<int, 30> kRead_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
@@ -1805,12 +1792,4 @@ ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] C
 
 }  // namespace
 
-#include "adagen/alone.hpp"
-struct humanoid_lanes_p1_solver : Solver {};
-#include "adagen/c_interface.hpp"
-
-// ---- 6. program ---------------------------------------------------------------------------------
-
-#ifndef ADAGEN_NO_MAIN
-#include "adagen/program_alone.hpp"
-#endif  // ADAGEN_NO_MAIN
+#include "adagen/whole_alone.hpp"

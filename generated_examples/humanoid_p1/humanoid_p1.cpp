@@ -8,11 +8,8 @@
 //           process 0: left_hip_pitch .. left_ankle_roll | right_hip_pitch .. right_ankle_roll |
 //           left_shoulder_pitch .. left_wrist_pitch | right_shoulder_pitch .. right_wrist_pitch in 4
 //           lanes, __base__, waist_yaw .. waist_pitch, neck_yaw .. neck_pitch
+// method    articulated-body algorithm; spatial vectors [angular; linear] in the axes of the base, about each link's origin
 // licence   yours to choose: generated code belongs to its user
-//
-// Articulated-body algorithm: the articulated-body inertias I^A and bias forces p^A (IA, pA) are computed
-// from the ends to the base, then the accelerations from the base outwards. Spatial vectors are [angular;
-// linear], in the axes of the base, about each link's origin.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // humanoid_p1.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
@@ -24,26 +21,20 @@
 #define ADAGEN_CALL(word) humanoid_p1_##word
 #define ADAGEN_NAMED(WORD) HUMANOID_P1_##WORD
 
-
 // ---- 2. model -----------------------------------------------------------------------------------
 
 #define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #include "adagen/settings.hpp"
 
-namespace {
-
-struct Settings : PlainSettings {
+struct humanoid_p1_settings : PlainSettings {
   static constexpr int kJointCount = 30, kNq = 36, kNv = 35;
   [[maybe_unused]] static constexpr const char* kRobot = "humanoid";
   [[maybe_unused]] static constexpr bool kFloating = true;
 };
 
-}  // namespace
-
-#include "adagen/constants.hpp"
+#include "adagen/kernels/model.hpp"
 
 namespace {
-
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"__world__", 0.0, {0.0, 0.0, 0.0}},
@@ -172,20 +163,6 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}},
 } };
 
-}  // namespace
-
-// ---- 3. runtime ---------------------------------------------------------------------------------
-
-#include "adagen/far_angles.hpp"
-
-#include "adagen/no_channel.hpp"
-
-// ---- 4. kernels ---------------------------------------------------------------------------------
-
-#include "adagen/kernels/plain_layout.hpp"
-
-namespace {
-
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {6.2, {0.0, 0.0, 0.12400000000000001},
      {0.01012665, 0.0, 0.0, 0.02500665, 0.0, 0.009920050000000001}},
@@ -262,8 +239,10 @@ constexpr LinkRole kRoles[1][kLinkCount]{
 
 }  // namespace
 
-#include "adagen/kernels/plain_state.hpp"
-#include "adagen/kernels/sweeps.hpp"
+// ---- 3. functions -------------------------------------------------------------------------------
+
+#include "adagen/no_channel.hpp"
+#include "adagen/kernels/plain_sweeps.hpp"
 #include "adagen/kernels/inward_columns.hpp"
 #include "adagen/kernels/groups.hpp"
 
@@ -272,7 +251,7 @@ namespace {
 // "left_hip_pitch" .. "left_ankle_roll", "right_hip_pitch" .. "right_ankle_roll", "left_shoulder_pitch" .. "left_wrist_pitch", "right_shoulder_pitch" .. "right_wrist_pitch"
 constexpr Limbs<4, 6> kLimbs0{0, {{1, 7, 16, 24}, {2, 8, 17, 25}, {3, 9, 18, 26}, {4, 10, 19, 27}, {5, 11, 20, 28}, {6, 12, 21, 29}}};
 
-// ---- 5. processes -------------------------------------------------------------------------------
+// ---- 4. processes -------------------------------------------------------------------------------
 
 // Process 0: 30 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
@@ -313,12 +292,4 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 
 }  // namespace
 
-#include "adagen/alone.hpp"
-struct humanoid_p1_solver : Solver {};
-#include "adagen/c_interface.hpp"
-
-// ---- 6. program ---------------------------------------------------------------------------------
-
-#ifndef ADAGEN_NO_MAIN
-#include "adagen/program_alone.hpp"
-#endif  // ADAGEN_NO_MAIN
+#include "adagen/whole_alone.hpp"

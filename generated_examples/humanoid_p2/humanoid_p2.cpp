@@ -10,13 +10,13 @@
 //           lanes, __base__, waist_yaw .. waist_pitch
 //           process 1: left_shoulder_pitch .. left_wrist_pitch | right_shoulder_pitch ..
 //           right_wrist_pitch in 2 lanes, neck_yaw .. neck_pitch
+// method    articulated-body algorithm; spatial vectors [angular; linear] in the axes of the base, about each link's origin
 // licence   yours to choose: generated code belongs to its user
 //
 // Each process computes articulated-body inertias I^A and bias forces p^A of its own limbs, from their
 // ends inwards. One exchange follows: each process sends its I^A and p^A at the links where limbs of
 // several processes meet. Every process then computes the links between those and the root, solves for
-// the root's acceleration, and computes the accelerations of its own limbs outwards. Spatial vectors are
-// [angular; linear], in the axes of the base, about each link's origin.
+// the root's acceleration, and computes the accelerations of its own limbs outwards.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // humanoid_p2.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
@@ -28,32 +28,25 @@
 #define ADAGEN_CALL(word) humanoid_p2_##word
 #define ADAGEN_NAMED(WORD) HUMANOID_P2_##WORD
 
-
-#include <mpi.h>
-
 // ---- 2. model -----------------------------------------------------------------------------------
 
 #define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
 #include "adagen/settings.hpp"
 
-namespace {
-
-struct Settings : PlainSettings {
+struct humanoid_p2_settings : PlainSettings {
   static constexpr int kJointCount = 30, kNq = 36, kNv = 35;
   [[maybe_unused]] static constexpr const char* kRobot = "humanoid";
   [[maybe_unused]] static constexpr bool kFloating = true;
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 2;
+  [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
 };
 
-}  // namespace
-
-#include "adagen/constants.hpp"
+#include "adagen/kernels/model.hpp"
 
 namespace {
-
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"__world__", 0.0, {0.0, 0.0, 0.0}},
@@ -182,30 +175,12 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}},
 } };
 
-}  // namespace
-
-// ---- 3. runtime ---------------------------------------------------------------------------------
-
-#include "adagen/far_angles.hpp"
-
-namespace {
-
 [[maybe_unused]] constexpr std::array<MessageInfo, 4> kMessages{ {
     {0, 1, 27},  // 0: what hangs on "torso"
     {1, 0, 27},  // 1: what hangs on "torso"
     {0, 1, 61},  // 2: state
     {1, 0, 14},  // 3: accelerations
 } };
-
-}  // namespace
-
-#include "adagen/channel.hpp"
-
-// ---- 4. kernels ---------------------------------------------------------------------------------
-
-#include "adagen/kernels/plain_layout.hpp"
-
-namespace {
 
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {6.2, {0.0, 0.0, 0.12400000000000001},
@@ -284,8 +259,10 @@ constexpr LinkRole kRoles[2][kLinkCount]{
 
 }  // namespace
 
-#include "adagen/kernels/plain_state.hpp"
-#include "adagen/kernels/sweeps.hpp"
+// ---- 3. functions -------------------------------------------------------------------------------
+
+#include "adagen/channel.hpp"
+#include "adagen/kernels/plain_sweeps.hpp"
 #include "adagen/kernels/inward_columns.hpp"
 #include "adagen/kernels/groups.hpp"
 
@@ -297,7 +274,7 @@ constexpr Limbs<2, 6> kLimbs0{0, {{1, 7}, {2, 8}, {3, 9}, {4, 10}, {5, 11}, {6, 
 // "left_shoulder_pitch" .. "left_wrist_pitch", "right_shoulder_pitch" .. "right_wrist_pitch"
 constexpr Limbs<2, 6> kLimbs1{16, {{16, 24}, {17, 25}, {18, 26}, {19, 27}, {20, 28}, {21, 29}}};
 
-// ---- 5. processes -------------------------------------------------------------------------------
+// ---- 4. processes -------------------------------------------------------------------------------
 
 // Process 0: 16 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
@@ -397,42 +374,13 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 } };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1};
 
-// What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
 constexpr std::array<Range, 4> kRanges_0{ {{0, 22}, {0, 21}, {0, 21}, {0, 21}} };
 constexpr std::array<Range, 6> kRanges_1{ {{0, 7}, {19, 17}, {0, 6}, {18, 17}, {21, 14}, {21, 14}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
-    {{2, kRanges_1.data()}, {2, kRanges_1.data() + 2}, {1, kRanges_1.data() + 4}, {1, kRanges_1.data() + 5}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {6, kStages_0.data()}},
+    {{2, kRanges_1.data()}, {2, kRanges_1.data() + 2}, {1, kRanges_1.data() + 4}, {1, kRanges_1.data() + 5}, {6, kStages_1.data()}},
 } };
 
 }  // namespace
 
-#include "adagen/no_parameters.hpp"
-#include "adagen/solver.hpp"
-#include "adagen/open.hpp"
-struct humanoid_p2_solver : Solver {};
-#include "adagen/c_interface.hpp"
-
-// ---- 6. program ---------------------------------------------------------------------------------
-
-#ifndef ADAGEN_NO_MAIN
-#include "adagen/measured.hpp"
-#include "adagen/tell.hpp"
-
-namespace {
-
-// From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 98.7, 0.394};
-constexpr adagen::Hop kMessageHop{19.3, 163, 0.552};
-
-adagen::Description<Number> description() {
-  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>()} };
-  auto about = plain_description(stages.data());
-  about.window_hop = kWindowHop, about.message_hop = kMessageHop;
-  return about;
-}
-
-}  // namespace
-
-#include "adagen/entry.hpp"
-#endif  // ADAGEN_NO_MAIN
+#include "adagen/whole_mpi.hpp"

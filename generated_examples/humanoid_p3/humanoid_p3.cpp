@@ -9,12 +9,12 @@
 //           process 1: waist_roll .. left_shoulder_pitch, neck_yaw .. right_wrist_pitch
 //           process 2: left_shoulder_roll .. left_wrist_pitch
 // schedule  waist_yaw@0-2(__base__@0(|left_hip_pitch(right_hip_pitch(|right_hip_roll(|right_hip_yaw(|right_knee(|right_ankle_pitch(|right_ankle_roll))))) | left_hip_roll(|left_hip_yaw(|left_knee(|left_ankle_pitch(|left_ankle_roll)))))) | waist_roll@1-2(|waist_pitch(|left_shoulder_pitch(neck_yaw@1(right_shoulder_pitch(|right_shoulder_roll(|right_shoulder_yaw(|right_elbow(|right_wrist_roll(|right_wrist_pitch))))) | neck_pitch) | left_shoulder_roll@2(|left_shoulder_yaw(|left_elbow(|left_wrist_roll(|left_wrist_pitch))))))))
+// method    assembly-disassembly algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
 // licence   yours to choose: generated code belongs to its user
 //
 // Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
 // bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
-// to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
-// vectors are [angular; linear], in link frames turned so that every joint axis is z.
+// to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // humanoid_p3.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
@@ -26,33 +26,25 @@
 #define ADAGEN_CALL(word) humanoid_p3_##word
 #define ADAGEN_NAMED(WORD) HUMANOID_P3_##WORD
 
-
-#include <mpi.h>
-#include <Eigen/Core>
-
 // ---- 2. model -----------------------------------------------------------------------------------
 
 #define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
 #include "adagen/settings.hpp"
 
-namespace {
-
-struct Settings : PlainSettings {
+struct humanoid_p3_settings : PlainSettings {
   static constexpr int kJointCount = 30, kNq = 36, kNv = 35;
   [[maybe_unused]] static constexpr const char* kRobot = "humanoid";
   [[maybe_unused]] static constexpr bool kFloating = true;
   static constexpr int kProcesses = 3;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 4;
+  [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
 };
-
-}  // namespace
 
 #include "adagen/constants.hpp"
 
 namespace {
-
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"__world__", 0.0, {0.0, 0.0, 0.0}},
@@ -211,15 +203,6 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}},
 } };
 
-}  // namespace
-
-// ---- 3. runtime ---------------------------------------------------------------------------------
-
-#include "adagen/spatial.hpp"
-#include "adagen/joins.hpp"
-
-namespace {
-
 [[maybe_unused]] constexpr std::array<MessageInfo, 8> kMessages{ {
     {2, 1, 42},  // 0: assembled: chain of "left_shoulder_roll"
     {1, 0, 42},  // 1: assembled: chain of "waist_roll"
@@ -233,10 +216,11 @@ namespace {
 
 }  // namespace
 
+// ---- 3. functions -------------------------------------------------------------------------------
+
+#include "adagen/spatial.hpp"
+#include "adagen/joins.hpp"
 #include "adagen/channel.hpp"
-
-// ---- 4. joints ----------------------------------------------------------------------------------
-
 #include "adagen/joints_memory.hpp"
 
 namespace {
@@ -1830,7 +1814,7 @@ void disassemble_right_wrist_pitch(Workspace& w) {
 }
 
 
-// ---- 5. processes -------------------------------------------------------------------------------
+// ---- 4. processes -------------------------------------------------------------------------------
 
 // Process 0: 14 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
@@ -2053,44 +2037,15 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 } };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2};
 
-// What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
 constexpr std::array<Range, 4> kRanges_0{ {{0, 20}, {0, 19}, {0, 19}, {0, 19}} };
 constexpr std::array<Range, 10> kRanges_1{ {{0, 7}, {19, 4}, {28, 8}, {0, 6}, {18, 4}, {27, 8}, {19, 3}, {27, 8}, {19, 3}, {27, 8}} };
 constexpr std::array<Range, 6> kRanges_2{ {{0, 7}, {19, 9}, {0, 6}, {18, 9}, {22, 5}, {22, 5}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
-    {{3, kRanges_1.data()}, {3, kRanges_1.data() + 3}, {2, kRanges_1.data() + 6}, {2, kRanges_1.data() + 8}},
-    {{2, kRanges_2.data()}, {2, kRanges_2.data() + 2}, {1, kRanges_2.data() + 4}, {1, kRanges_2.data() + 5}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {7, kStages_0.data()}},
+    {{3, kRanges_1.data()}, {3, kRanges_1.data() + 3}, {2, kRanges_1.data() + 6}, {2, kRanges_1.data() + 8}, {9, kStages_1.data()}},
+    {{2, kRanges_2.data()}, {2, kRanges_2.data() + 2}, {1, kRanges_2.data() + 4}, {1, kRanges_2.data() + 5}, {5, kStages_2.data()}},
 } };
 
 }  // namespace
 
-#include "adagen/no_parameters.hpp"
-#include "adagen/solver.hpp"
-#include "adagen/open.hpp"
-struct humanoid_p3_solver : Solver {};
-#include "adagen/c_interface.hpp"
-
-// ---- 6. program ---------------------------------------------------------------------------------
-
-#ifndef ADAGEN_NO_MAIN
-#include "adagen/measured.hpp"
-#include "adagen/tell.hpp"
-
-namespace {
-
-// From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 98.7, 0.394};
-constexpr adagen::Hop kMessageHop{19.3, 163, 0.552};
-
-adagen::Description<Number> description() {
-  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>(), table<kStages_2>()} };
-  auto about = plain_description(stages.data());
-  about.window_hop = kWindowHop, about.message_hop = kMessageHop;
-  return about;
-}
-
-}  // namespace
-
-#include "adagen/entry.hpp"
-#endif  // ADAGEN_NO_MAIN
+#include "adagen/whole_mpi.hpp"

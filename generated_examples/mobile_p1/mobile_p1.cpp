@@ -6,11 +6,8 @@
 // links     adagen_program.cpp
 // program   1 process; 0.155 us predicted (default profile)
 //           process 0: drive .. loose
+// method    articulated-body algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
 // licence   yours to choose: generated code belongs to its user
-//
-// Articulated-body algorithm: the articulated-body inertias I^A and bias forces p^A (IA, pA) are computed
-// from the ends to the base, then the accelerations from the base outwards. Spatial vectors are [angular;
-// linear], in link frames turned so that every joint axis is z.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // mobile_p1.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
@@ -22,25 +19,19 @@
 #define ADAGEN_CALL(word) mobile_p1_##word
 #define ADAGEN_NAMED(WORD) MOBILE_P1_##WORD
 
-
 // ---- 2. model -----------------------------------------------------------------------------------
 
 #define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #include "adagen/settings.hpp"
 
-namespace {
-
-struct Settings : PlainSettings {
+struct mobile_p1_settings : PlainSettings {
   static constexpr int kJointCount = 6, kNq = 14, kNv = 13;
   [[maybe_unused]] static constexpr const char* kRobot = "mobile";
 };
 
-}  // namespace
-
 #include "adagen/constants.hpp"
 
 namespace {
-
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"floor", 0.0, {0.0, 0.0, 0.0}},
@@ -75,13 +66,9 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 }  // namespace
 
-// ---- 3. runtime ---------------------------------------------------------------------------------
-
+// ---- 3. functions -------------------------------------------------------------------------------
 
 #include "adagen/no_channel.hpp"
-
-// ---- 4. joints ----------------------------------------------------------------------------------
-
 #include "adagen/unrolled_memory.hpp"
 
 namespace {
@@ -615,7 +602,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   w.result[12] = x2470;
 }
 
-// ---- 5. processes -------------------------------------------------------------------------------
+// ---- 4. processes -------------------------------------------------------------------------------
 
 // Process 0: 6 of 6 joints: "drive", "laser_spin", "lift", "shoulder", "wrist", "loose"
 constexpr std::array<int, 6> kRead_0{0, 1, 2, 3, 4, 5};
@@ -647,12 +634,4 @@ ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] C
 
 }  // namespace
 
-#include "adagen/alone.hpp"
-struct mobile_p1_solver : Solver {};
-#include "adagen/c_interface.hpp"
-
-// ---- 6. program ---------------------------------------------------------------------------------
-
-#ifndef ADAGEN_NO_MAIN
-#include "adagen/program_alone.hpp"
-#endif  // ADAGEN_NO_MAIN
+#include "adagen/whole_alone.hpp"

@@ -9,12 +9,12 @@
 //           process 1: wrist .. loose
 //           process 2: nothing
 // schedule  shoulder@0-2(lift@0(drive(|laser_spin)|) | wrist@1-2(|loose))
+// method    assembly-disassembly algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
 // licence   yours to choose: generated code belongs to its user
 //
 // Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
 // bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
-// to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down. Spatial
-// vectors are [angular; linear], in link frames turned so that every joint axis is z.
+// to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down.
 
 // ---- 1. interface -------------------------------------------------------------------------------
 // mobile_p3.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
@@ -26,32 +26,24 @@
 #define ADAGEN_CALL(word) mobile_p3_##word
 #define ADAGEN_NAMED(WORD) MOBILE_P3_##WORD
 
-
-#include <mpi.h>
-#include <Eigen/Core>
-
 // ---- 2. model -----------------------------------------------------------------------------------
 
 #define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
 #include "adagen/settings.hpp"
 
-namespace {
-
-struct Settings : PlainSettings {
+struct mobile_p3_settings : PlainSettings {
   static constexpr int kJointCount = 6, kNq = 14, kNv = 13;
   [[maybe_unused]] static constexpr const char* kRobot = "mobile";
   static constexpr int kProcesses = 3;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 2;
+  [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
 };
-
-}  // namespace
 
 #include "adagen/constants.hpp"
 
 namespace {
-
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"floor", 0.0, {0.0, 0.0, 0.0}},
@@ -90,15 +82,6 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {-0.19866933079506122, 0.9362933635841992, -0.28962947762551555, 0.0, 0.29552020666133955, 0.955336489125606, 0.9800665778412416, 0.18979606097868743, -0.058710801693826524}, {0.0, 0.08, 0.1}},
 } };
 
-}  // namespace
-
-// ---- 3. runtime ---------------------------------------------------------------------------------
-
-#include "adagen/spatial.hpp"
-#include "adagen/joins.hpp"
-
-namespace {
-
 [[maybe_unused]] constexpr std::array<MessageInfo, 6> kMessages{ {
     {1, 0, 42},  // 0: assembled: chain of "wrist"
     {0, 1, 6},  // 1: forces on: chain of "wrist"
@@ -110,10 +93,11 @@ namespace {
 
 }  // namespace
 
+// ---- 3. functions -------------------------------------------------------------------------------
+
+#include "adagen/spatial.hpp"
+#include "adagen/joins.hpp"
 #include "adagen/channel.hpp"
-
-// ---- 4. joints ----------------------------------------------------------------------------------
-
 #include "adagen/joints_memory.hpp"
 
 namespace {
@@ -440,7 +424,7 @@ void disassemble_loose(Workspace& w) {
 }
 
 
-// ---- 5. processes -------------------------------------------------------------------------------
+// ---- 4. processes -------------------------------------------------------------------------------
 
 // Process 0: 4 of 6 joints: "drive", "laser_spin", "lift", "shoulder"
 void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
@@ -513,11 +497,6 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   stamp(5);
 }
 
-// Process 2: has nothing to do
-void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
-  w.ground = ground(w);
-}
-
 [[maybe_unused]] constexpr std::array<StageInfo, 7> kStages_0{ {
     {"kinematics", 3, -1}, {"assembly", 2, -1}, {"receive", -1, 0}, {"assembly", 3, -1},
     {"disassembly", 3, -1}, {"send", -1, 1}, {"disassembly", 2, -1}
@@ -526,45 +505,16 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
     {"kinematics", 5, -1}, {"assembly", 4, -1}, {"send", -1, 0}, {"receive", -1, 1},
     {"disassembly", 4, -1}
 } };
-[[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, run_2};
+[[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0, run_1, kNothing};
 
-// What each process reads of q and v, the entries of v whose qdd is its own, those whose tau it reads.
 constexpr std::array<Range, 4> kRanges_0{ {{0, 6}, {0, 6}, {0, 6}, {0, 6}} };
 constexpr std::array<Range, 6> kRanges_1{ {{0, 3}, {4, 10}, {0, 3}, {4, 9}, {6, 7}, {6, 7}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
-    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}},
-    {{2, kRanges_1.data()}, {2, kRanges_1.data() + 2}, {1, kRanges_1.data() + 4}, {1, kRanges_1.data() + 5}},
-    {{0, nullptr}, {0, nullptr}, {0, nullptr}, {0, nullptr}},
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {7, kStages_0.data()}},
+    {{2, kRanges_1.data()}, {2, kRanges_1.data() + 2}, {1, kRanges_1.data() + 4}, {1, kRanges_1.data() + 5}, {5, kStages_1.data()}},
+    {},
 } };
 
 }  // namespace
 
-#include "adagen/no_parameters.hpp"
-#include "adagen/solver.hpp"
-#include "adagen/open.hpp"
-struct mobile_p3_solver : Solver {};
-#include "adagen/c_interface.hpp"
-
-// ---- 6. program ---------------------------------------------------------------------------------
-
-#ifndef ADAGEN_NO_MAIN
-#include "adagen/measured.hpp"
-#include "adagen/tell.hpp"
-
-namespace {
-
-// From the cost profile default.
-constexpr adagen::Hop kWindowHop{0, 98.7, 0.394};
-constexpr adagen::Hop kMessageHop{19.3, 163, 0.552};
-
-adagen::Description<Number> description() {
-  static const std::array<adagen::Table<adagen::Stage>, kProcesses> stages{ {table<kStages_0>(), table<kStages_1>(), {}} };
-  auto about = plain_description(stages.data());
-  about.window_hop = kWindowHop, about.message_hop = kMessageHop;
-  return about;
-}
-
-}  // namespace
-
-#include "adagen/entry.hpp"
-#endif  // ADAGEN_NO_MAIN
+#include "adagen/whole_mpi.hpp"

@@ -30,8 +30,6 @@ from adagen.program.segments import LANES
 from adagen.program.slots import Slots
 from adagen.program.turned import turned_in_loops
 
-RUNTIME = ("far_angles.hpp",)
-
 
 def why_not(plan: Plan) -> str | None:
     """Return why a plan cannot be emitted in this shape; None where it can."""
@@ -84,7 +82,7 @@ def values(words: Words) -> dict[str, object]:
     lines = [writer.all_lines() for writer in writers]
     by_columns = any(writer.columns for writer in writers)
     along = any(writer.along for writer in writers)
-    runtime = [*RUNTIME, *(mobility.runtime(plan) if cuts else ())]
+    runtime = [*mobility.runtime(plan)] if cuts else []
     if plan.slaved:
         runtime += [part for part in ("spatial.hpp", "joins.hpp") if part not in runtime]
     refined: dict[str, object] = {}

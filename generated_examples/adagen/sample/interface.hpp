@@ -17,10 +17,4 @@
 #define ADAGEN_CERTIFIED
 #define ADAGEN_REFINES
 
-namespace {
-
-struct ADAGEN_CALL(solver) : Solver {};
-
-}  // namespace
-
 #endif

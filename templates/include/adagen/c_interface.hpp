@@ -33,6 +33,16 @@ static_assert(int(ADAGEN_NAMED(LOOP_SINGULAR)) == int(kLoopSingular));
 static_assert(int(ADAGEN_NAMED(LOOP_FREE)) == int(kLoopFree));
 #endif
 
+// A type of its own for each solver, so that no other source can have another of its name.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wsubobject-linkage"
+#endif
+struct ADAGEN_CALL(solver) : Solver {};
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
+
 namespace {
 
 using Handle = ::ADAGEN_CALL(solver);

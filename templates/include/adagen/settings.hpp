@@ -17,6 +17,12 @@
 
 namespace {
 
+// What a message costs, ns: its sender, from sent to seen, and per number; through a window, and
+// as one of MPI.
+struct Hops {
+  double window[3], message[3];
+};
+
 struct PlainSettings {
   [[maybe_unused]] static constexpr const char* kRobot = "robot";  // its name
   // Of a base that floats; of states in which nothing moves; how processes meet.
@@ -50,6 +56,8 @@ struct PlainSettings {
   // Whether the error of each answer is bounded.
   [[maybe_unused]] static constexpr bool kCertified = false;
   [[maybe_unused]] static constexpr int kPlanMessages = 0;
+  // As the cost profile has them.
+  [[maybe_unused]] static constexpr Hops kHops{};
   // Backward error that a check lets pass.
   [[maybe_unused]] static constexpr double kTolerance = 1e-9;
 };

@@ -10,6 +10,9 @@
 
 namespace {
 
+#if defined(ADAGEN_SOLVER) && defined(ADAGEN_CALL)
+using Settings = ::ADAGEN_CALL(settings);
+#endif
 using Number = Settings::Number;  // type of states, results and messages
 using Real = Number;              // type of what is computed from them
 [[maybe_unused]] constexpr int kProcesses = Settings::kProcesses;

@@ -1,0 +1,11 @@
+// adagen's runtime, the same for all robots.
+// What follows the processes in a source: the solver, its C interface, the program around it.
+#pragma once
+
+#include "among_threads.hpp"
+#include "c_interface.hpp"
+
+#ifndef ADAGEN_NO_MAIN
+#include "open_measured_threads.hpp"
+#include "program_processes.hpp"
+#endif  // ADAGEN_NO_MAIN
