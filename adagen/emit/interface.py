@@ -36,7 +36,11 @@ FAILURES = (
     FailureRow("NOT_REFINED", 7, "refinement does not converge"),
     FailureRow("GIMBAL_LOCK", 8, "gimbal lock of joints that are joined as one"),
     FailureRow("GROWTH", 9, "a link beside a joint is too light for its neighbours"),
-    FailureRow("NOT_SET", 16, "a run-time constant is not finite, or a mass is not positive"),
+    FailureRow(
+        "NOT_SET",
+        16,
+        "a value is not finite, a mass not positive, or the constant cannot be set",
+    ),
     FailureRow("TOO_FEW_STEPS", 11, "refinement converges too slowly"),
     FailureRow("LOOP_OPEN", 12, "a loop or coupling is not closed in this configuration"),
     FailureRow("LOOP_TORN", 13, "the velocity violates a loop or coupling"),

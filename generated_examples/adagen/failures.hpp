@@ -63,7 +63,7 @@ constexpr FailureWords words_of(Failure kind) {
     case kLoopFree:
       return {true, "the closed loops allow a motion of it that has no inertia"};
     case kNotSet:
-      return {false, "a run-time constant is not finite, or a mass is not positive"};
+      return {false, "a value is not finite, a mass not positive, or the constant cannot be set"};
     case kNoAnswer:
       return {false, " did not answer within the time limit"};
   }

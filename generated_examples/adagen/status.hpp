@@ -26,7 +26,7 @@ enum Failure : int {
   kEnded = 6,           // no failure: process 0 has no more to evaluate
   kNotRefined = 7,      // a correction is as large as the one before: refinement does not converge
   kTooFewSteps = 11,    // refinement converges, but has not reached the digits that it owes
-  kNotSet = 16,         // a run-time constant is not finite, or a mass is not positive
+  kNotSet = 16,         // a value is not finite, a mass not positive, or the constant cannot be set
 };
 
 constexpr int kFailureBase = 1 << 20;

@@ -45,7 +45,7 @@ enum {
   ARM7_P1_NOT_REFINED = 7,  // refinement does not converge
   ARM7_P1_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   ARM7_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  ARM7_P1_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
+  ARM7_P1_NOT_SET = 16,  // a value is not finite, a mass not positive, or the constant cannot be set
   ARM7_P1_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   ARM7_P1_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
   ARM7_P1_LOOP_TORN = 13,  // the velocity violates a loop or coupling

@@ -64,7 +64,7 @@ enum {
   CHAIN16_P3_NOT_REFINED = 7,  // refinement does not converge
   CHAIN16_P3_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   CHAIN16_P3_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  CHAIN16_P3_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
+  CHAIN16_P3_NOT_SET = 16,  // a value is not finite, a mass not positive, or the constant cannot be set
   CHAIN16_P3_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   CHAIN16_P3_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
   CHAIN16_P3_LOOP_TORN = 13,  // the velocity violates a loop or coupling

@@ -33,7 +33,7 @@ enum {
   FOURBAR_P1_NOT_REFINED = 7,  // refinement does not converge
   FOURBAR_P1_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   FOURBAR_P1_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  FOURBAR_P1_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
+  FOURBAR_P1_NOT_SET = 16,  // a value is not finite, a mass not positive, or the constant cannot be set
   FOURBAR_P1_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   FOURBAR_P1_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
   FOURBAR_P1_LOOP_TORN = 13,  // the velocity violates a loop or coupling

@@ -62,7 +62,7 @@ enum {
   HUMAN40_P4_NOT_REFINED = 7,  // refinement does not converge
   HUMAN40_P4_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   HUMAN40_P4_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  HUMAN40_P4_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
+  HUMAN40_P4_NOT_SET = 16,  // a value is not finite, a mass not positive, or the constant cannot be set
   HUMAN40_P4_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   HUMAN40_P4_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
   HUMAN40_P4_LOOP_TORN = 13,  // the velocity violates a loop or coupling

@@ -92,7 +92,7 @@ enum {
   HUMANOID_BATCH_P2_NOT_REFINED = 7,  // refinement does not converge
   HUMANOID_BATCH_P2_GIMBAL_LOCK = 8,  // gimbal lock of joints that are joined as one
   HUMANOID_BATCH_P2_GROWTH = 9,  // a link beside a joint is too light for its neighbours
-  HUMANOID_BATCH_P2_NOT_SET = 16,  // a run-time constant is not finite, or a mass is not positive
+  HUMANOID_BATCH_P2_NOT_SET = 16,  // a value is not finite, a mass not positive, or the constant cannot be set
   HUMANOID_BATCH_P2_TOO_FEW_STEPS = 11,  // refinement converges too slowly
   HUMANOID_BATCH_P2_LOOP_OPEN = 12,  // a loop or coupling is not closed in this configuration
   HUMANOID_BATCH_P2_LOOP_TORN = 13,  // the velocity violates a loop or coupling

@@ -83,7 +83,7 @@ def test_gravity_goes_with_copies_and_pickles() -> None:
 
 def test_what_cannot_be_set_is_told() -> None:
     solver = build(ARM, runtime="gravity", shape="kernels")
-    with pytest.raises(ValueError, match="a run-time constant is not finite"):
+    with pytest.raises(ValueError, match="a value is not finite, a mass not positive"):
         solver.gravity = [0, np.nan, 0]
     with pytest.raises(ValueError, match=r"gravity has shape \(3,\), not \(2,\)"):
         solver.gravity = [0, 0]
@@ -206,7 +206,7 @@ def on_processes(model: Model, batch: bool, builder: Builder) -> list[str]:
 def test_processes_go_by_what_process_0_has_set(batch: bool, builder: Builder) -> None:
     model = BY_STEM["arm7_p1"].model()
     earth, wrong, moon, told, heavy, each = on_processes(model, batch, builder)
-    assert wrong == "1 a run-time constant is not finite, or a mass is not positive"
+    assert wrong == "1 a value is not finite, a mass not positive, or the constant cannot be set"
     assert told == "0 0 16 16 16"
     sizes = (model.nq, model.nv, model.ntau)
     state = States(*(np.full((1, n), x) for n, x in zip(sizes, (0.3, 0.2, 0.1), strict=True)))
