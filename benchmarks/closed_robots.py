@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import sysconfig
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from adagen.library import read
 from adagen.model import Frame, LoopEnd, Model, NamedLoop, closed
@@ -18,24 +20,33 @@ ROBOTS = Path(
     sysconfig.get_path("purelib"), "cmeel.prefix", "share", "example-robot-data", "robots"
 )
 EXAMPLES = Path(__file__).resolve().parents[1] / "generated_examples" / "models"
+G1 = "g1_description/urdf/g1_29dof_rev_1_0.urdf"
+G1_FEET = ("left_ankle_roll_link", "right_ankle_roll_link")
 LEGS = 6
+Array = NDArray[np.float64]
 
 
-def _held(model: Model, *feet: str, kind: str, bent: float = 0.0) -> Model:
-    """Return a robot whose links or frames the ground holds where they are.
+def pose_with(model: Model, angles: Mapping[str, float], bent: float = 0.0) -> Array:
+    """Return a configuration with the base at the origin, shape (nq,).
 
     Args:
         model: the robot.
-        feet: links or frames.
-        kind: of the loops.
-        bent: angle of all joints in the pose, rad.
+        angles: of joints whose names hold a key, rad.
+        bent: of all others.
     """
     pose = np.full(model.nq, bent)
-    for j, joint in enumerate(model.joints):
+    for start, joint in zip(model.q_start, model.joints, strict=True):
         if joint.kind.quaternion is not None:
-            own = slice(model.q_start[j], model.q_start[j] + joint.kind.nq)
-            pose[own] = 0.0
-            pose[own.stop - 1] = 1.0
+            pose[start : start + joint.kind.nq] = 0.0
+            pose[start + joint.kind.nq - 1] = 1.0
+        for word, angle in angles.items():
+            if word in joint.name:
+                pose[start] = angle
+    return pose
+
+
+def _held(model: Model, *feet: str, kind: str, pose: Array) -> Model:
+    """Return a robot whose links or frames the ground holds where they are in a pose."""
     links: dict[str, tuple[int, Frame | None]]
     links = {link.name: (k, None) for k, link in enumerate(model.links)}
     links.update({f.name: (k, f) for k, link in enumerate(model.links) for f in link.frames})
@@ -52,7 +63,23 @@ def _held(model: Model, *feet: str, kind: str, bent: float = 0.0) -> Model:
 
 
 def _standing(file: str, *feet: str, kind: str) -> Model:
-    return _held(read(ROBOTS / file, floating=True).model, *feet, kind=kind)
+    model = read(ROBOTS / file, floating=True).model
+    return _held(model, *feet, kind=kind, pose=pose_with(model, {}))
+
+
+def on_springs() -> tuple[Model, Array]:
+    """Return g1 on both feet with its knees bent, on springs that keep it up, and this pose."""
+    model = read(ROBOTS / G1, floating=True).model
+    pose = pose_with(model, {"hip_pitch": -0.3, "knee": 0.6, "ankle_pitch": -0.3})
+    joints = list(model.joints)
+    for j, (start, joint) in enumerate(zip(model.q_start, joints, strict=True)):
+        if joint.kind.nv == 1:
+            leg = any(word in joint.name for word in ("hip", "knee", "ankle"))
+            spring = replace(
+                joint.passive, stiffness=600.0 if leg else 50.0, rest=float(pose[start])
+            )
+            joints[j] = replace(joint, passive=spring)
+    return _held(replace(model, joints=tuple(joints)), *G1_FEET, kind="weld", pose=pose), pose
 
 
 def _of_example(name: str) -> Model:
@@ -65,7 +92,7 @@ def _pinned_chain(joints: int) -> Model:
         path = Path(folder, "chain.urdf")
         path.write_text(robots.chain(joints), encoding="utf-8")
         model = read(path).model
-    return _held(model, model.links[-1].name, kind="point", bent=0.1)
+    return _held(model, model.links[-1].name, kind="point", pose=pose_with(model, {}, 0.1))
 
 
 def _body(name: str, mass: float, z: float, across: float, along: float) -> str:
@@ -125,12 +152,7 @@ MECHANISMS: dict[str, Callable[[], Model]] = {
     "four-bar": lambda: _of_example("fourbar"),
     "leg with a parallel ankle": lambda: _of_example("ankle"),
     "Stewart platform": _stewart,
-    "g1 on both feet": lambda: _standing(
-        "g1_description/urdf/g1_29dof_rev_1_0.urdf",
-        "left_ankle_roll_link",
-        "right_ankle_roll_link",
-        kind="weld",
-    ),
+    "g1 on both feet": lambda: _standing(G1, *G1_FEET, kind="weld"),
     "a1 on four point feet": lambda: _standing(
         "a1_description/urdf/a1.urdf", "FL_foot", "FR_foot", "RL_foot", "RR_foot", kind="point"
     ),

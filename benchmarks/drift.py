@@ -28,8 +28,10 @@ from adagen.states import States
 from adagen.studies.chart.motion import Played, Player, drifts, state_error
 from adagen.studies.chart.variants import REFERENCE
 from adagen.studies.drawn import drawn_states
-from benchmarks.closed_robots import MECHANISMS
+from benchmarks.closed_robots import MECHANISMS, on_springs
 from benchmarks.page import write_between_marks
+
+SPRINGS = "g1 on both feet, on springs"
 
 
 def _player(model: Model) -> Player:
@@ -48,11 +50,18 @@ def _open(model: Model, motion: Played) -> float:
     return max(float(np.abs(constraints(model, q).gaps).max()) for q in motion.q)
 
 
+def _start(name: str, model: Model) -> States:
+    """A random closed state without torques; on springs the pose in which these are at rest."""
+    if name == SPRINGS:
+        _, pose = on_springs()
+        return States(pose[None, :], np.zeros((1, model.nv)), np.zeros((1, model.ntau)))
+    state = drawn_states(model, 1, seed=1)
+    return States(state.q, state.v, np.zeros_like(state.tau))
+
+
 def row(name: str, model: Model, seconds: float, steps: tuple[float, ...]) -> list[str]:
     """Return a linkage's rows of the table, one for each step."""
-    player = _player(model)
-    state = drawn_states(model, 1, seed=1)
-    start = States(state.q, state.v, np.zeros_like(state.tau))
+    player, start = _player(model), _start(name, model)
     found = {step: player.play(start, seconds, step, "rk4") for step in steps}
     finest = found[min(steps)]
     lines = []
@@ -74,19 +83,19 @@ def main() -> int:
     parser.add_argument("--mechanisms", type=Path)
     parser.add_argument("--write", type=Path)
     options = parser.parse_args()
-    known: dict[str, Callable[[], Model]] = dict(MECHANISMS)
+    known: dict[str, Callable[[], Model]] = {**MECHANISMS, SPRINGS: lambda: on_springs()[0]}
     for scene in sorted(options.mechanisms.glob("*.scene.toml")) if options.mechanisms else ():
         name = scene.name.removesuffix(".scene.toml")
         urdf = scene.with_name(f"{name}.urdf")
         known[name] = partial(_read, urdf, scene)
     steps = tuple(float(step) for step in options.steps.split(","))
     lines = [
-        f"RK4, {options.seconds:g} s from a random closed state, no torques.",
+        f"RK4, {options.seconds:g} s from a random closed state, no torques; on springs from rest.",
         "",
         "| linkage | step, s | loops open by, m or rad | energy's drift | from the finest step |",
         "|---|--:|--:|--:|--:|",
     ]
-    for name in options.only or MECHANISMS:
+    for name in options.only or known:
         try:
             lines += row(name, known[name](), options.seconds, steps)
         except AdagenError as error:

@@ -8,7 +8,7 @@ is kept for each link and unknown that act on each other.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import chain
 from typing import Any
@@ -26,7 +26,7 @@ from adagen.executor.loop_frames import LoopFrames
 from adagen.executor.mates import MatesInLanes
 from adagen.executor.state import State
 from adagen.graph import Expression, cross, dot, matrix_times, total
-from adagen.plan.alike import ClosureSteps, closures_in, side_by_side
+from adagen.plan.alike import ClosureSteps, closures_in, is_rigid, side_by_side
 from adagen.plan.arms import Mates, arms_among
 from adagen.plan.steps import (
     AccelerateHeld,
@@ -150,10 +150,8 @@ class Closures:
             front.opening.append(Opening(place, fastest, forces))
         else:
             self._refuse_torn(place, frames.rate(), fastest)
-        fields = [
-            self.motion.field_of_all([one.link1 for one in loops]),
-            self.motion.field_of_all([one.link2 for one in loops]),
-        ]
+        ends_of = ([one.link1 for one in loops], [one.link2 for one in loops])
+        fields = [self.motion.field_of_all(links) for links in ends_of]
         front.lanes[place] = tuple(dict.fromkeys(numbers))
         front.loops[step.loop] = []
         count = len(front.lanes[place])
@@ -171,7 +169,7 @@ class Closures:
                 sign = 1.0 if k else -1.0  # of link 2 less of link 1
                 if linear:
                     at_arm = [total([motion.a[i], *(motion.gradient[i] * arm)]) for i in range(3)]
-                    part = dot(direction, at_arm)
+                    part = frames.along(k, directions, np.array(at_arm, dtype=object))
                     column = np.concatenate([cross(arm, direction), direction])
                 else:
                     part = dot(direction, motion.alpha)
@@ -331,17 +329,14 @@ class Closures:
         x: Transform = self.memory["X", j]
         for mates, column in columns:
             self.mates.add_columns(front, parents, mates, x.force(column))
-        felt = x.rigid_inertia if self._is_rigid(j, self.alone[step.closure].held) else x.inertia
-        passed = {"IA": felt(inertia), "pA": columnwise(x.force, p)}
+        rigid = is_rigid(self.state.plan, j, self.alone[step.closure].held)
+        passed = {"IA": (x.rigid_inertia if rigid else x.inertia)(inertia)}
+        passed["pA"] = columnwise(x.force, p)
         for name, value in passed.items():
             if parents[0] == self._top(step.closure):
                 front.hand(name, self.state.rows.sum_of(value, len(joints)))
             else:
                 self.state.rows.hand_on(name, j, value)
-
-    def _is_rigid(self, j: int, held: Collection[int]) -> bool:
-        """Whether all beyond a joint is passed as if it were rigid."""
-        return all(c in held and self._is_rigid(c, held) for c in self.state.plan.children[j + 1])
 
     def _look_at_rates(self, front: Front) -> None:
         """Check that loops do not open: J v, of all rows that are any."""

@@ -78,10 +78,14 @@ class End:
         """Angular velocity relative to the common link, in its axes."""
         return self.up(self.motion[0])
 
+    def own_speed(self, arm: Array) -> Array:
+        """Return the velocity of a point of the link relative to the common one, in own axes."""
+        omega, v = self.motion
+        return plus_cross(v, omega, arm)
+
     def speed(self, arm: Array) -> Array:
         """Return the velocity of a point of the link relative to the common one, in its axes."""
-        omega, v = self.motion
-        return self.up(plus_cross(v, omega, arm))
+        return self.up(self.own_speed(arm))
 
 
 class LoopFrames:
@@ -171,14 +175,16 @@ class LoopFrames:
 
     def rate(self) -> Expression:
         """Return the square of how fast it opens, m^2/s^2 and rad^2/s^2."""
+        moving = [k for k, end in enumerate((self.one, self.two)) if end.joints]
+        alone = (self.one, self.two)[moving[0]] if len(moving) == 1 else None  # any axes will do
         if self.kind.sliding:
             parts = [dot(self.axis(k), self.parting) for k in self.kind.linear]
         else:
-            parts = list(self.parting)
+            parts = list(alone.own_speed(self.arms[moving[0]]) if alone else self.parting)
         if self.kind.axes == 2:
             parts.append(dot(self.across, self.turning))
         elif len(self.kind.angular) == 3:
-            parts += list(self.turning)
+            parts += list(alone.motion[0] if alone else self.turning)
         else:
             parts += [dot(self.axis(k), self.turning) for k in self.kind.angular]
         return total([part * part for part in parts])
@@ -191,10 +197,30 @@ class LoopFrames:
         if not linear and self.kind.axes == 2:
             return False, self.one.down(self.across), self.two.down(self.across)
         k = self._axis_of(number)
+        if self.one.link == 0 and self._in_any_axes:
+            # Any three axes will do: those of the link that moves need not be taken there.
+            axis = self.two.axes[:, k]
+            return True, self.one.down(self.two.up(axis)), axis
         whole = len(self.kind.angular) == 3
         if whole or (k == 2 and self.kind.angular and self.kind.axes == 1):
             return linear, self.one.axes[:, k], self.two.axes[:, k]  # they are one axis
         return linear, self.one.axes[:, k], self.two.down(self.axis(k))
+
+    @property
+    def _in_any_axes(self) -> bool:
+        """Whether its rows may be along any three axes: those of a point."""
+        return not (self.kind.sliding or self.kind.angular)
+
+    def along(self, k: int, directions: Sequence[Array], vector: Array) -> Expression:
+        """Return how far a vector of the first (0) or second link goes along a row of places.
+
+        Of the ground's it takes less to turn the vector than each row's direction.
+        """
+        own, other = (self.one, self.two) if k == 0 else (self.two, self.one)
+        fixed = len(self.kind.angular) == 3 or (k == 0 and not self._in_any_axes)
+        if own.link > 0 or fixed:
+            return dot(directions[k], vector)
+        return dot(directions[1 - k], other.down(own.up(vector)))
 
     def _axis_of(self, number: int) -> int:
         return (*self.kind.linear, *self.kind.angular)[number]

@@ -7,7 +7,7 @@ chosen alike. Numbers may differ.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
 
 from adagen.plan.robot import PlanJoint
@@ -58,6 +58,11 @@ def closures_in(steps: Iterable[Step]) -> dict[int, ClosureSteps]:
                     eliminate,
                 )
     return found
+
+
+def is_rigid(plan: Plan, j: int, held: Collection[int]) -> bool:
+    """Return whether all beyond a joint is held back, and so is passed as if it were rigid."""
+    return all(c in held and is_rigid(plan, c, held) for c in plan.children[j + 1])
 
 
 def nature(joint: PlanJoint) -> tuple[object, ...]:

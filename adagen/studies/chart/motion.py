@@ -154,12 +154,12 @@ def state_error(model: Model, one: Played, other: Played) -> float:
 def drifts(model: Model, motion: Played) -> tuple[float | None, float | None]:
     """Return the largest relative drift of energy and of angular momentum along a motion.
 
-    None for what is not kept: energy by damping, friction, springs, rotors and prescribed motion
-    (it is reckoned of the links alone), momentum by a base or a loop that the ground holds.
+    None for what is not kept: energy by damping, friction and prescribed motion, momentum by a base
+    or a loop that the ground holds.
     """
     rows = list(zip(motion.q, motion.v, strict=True))
     energy = None
-    if not any(j.passive.loads or j.passive.rotor_inertia or j.prescribed for j in model.joints):
+    if not any(j.passive.damping or j.passive.friction or j.prescribed for j in model.joints):
         kinetic = np.array([kinetic_energy(model, q, v) for q, v in rows])
         total = kinetic + np.array([potential_energy(model, q) for q, _ in rows])
         energy = float(np.abs(total - total[0]).max() / kinetic.max())
