@@ -179,6 +179,17 @@ class Builder:
         return Solver(executable, batch or plan.launched, self.toolchain)
 
 
+def make_variables(toolchain: Toolchain) -> list[str]:
+    """Return the words by which make builds with a toolchain."""
+    words = " ".join(f"'{name}={value}'" for name, value in toolchain.environment)
+    return [
+        f"MPICXX={toolchain.mpicxx[0]}",
+        f"MPIEXEC={toolchain.mpiexec[0]}",
+        f"EIGEN={toolchain.eigen}",
+        f"VARIABLES={words}",
+    ]
+
+
 def plan_of(model: Model, processes: int, **options: Any) -> Plan:
     """Return a plan that gives every process its part, whether that pays or not."""
     profile, topology = load_profile("default"), Topology.of(model)

@@ -15,7 +15,7 @@ import pytest
 from adagen.emit.around import PROGRAM_FILE
 from adagen.reference.closed import closed_forward_dynamics
 from adagen.states import States, random_states
-from tests.emitted import QUICK, Array, Builder, Solver, forward_error, truth_of
+from tests.emitted import QUICK, Array, Builder, Solver, forward_error, make_variables, truth_of
 from tests.golden.examples import EXAMPLES, FOLDER, Example
 from tests.mechanisms import states_of
 from tests.slow import spread
@@ -94,7 +94,15 @@ def test_an_example_tells_what_its_processes_compute(stem: str, builder: Builder
 
 
 def test_the_makefile_builds_and_checks_every_example(builder: Builder) -> None:
-    command = ["make", "-n", "-C", str(FOLDER), *_variables(builder), "OUT=out", "check"]
+    command = [
+        "make",
+        "-n",
+        "-C",
+        str(FOLDER),
+        *make_variables(builder.toolchain),
+        "OUT=out",
+        "check",
+    ]
     said = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60).stdout
     for example in EXAMPLES:
         text = (FOLDER / example.stem / f"{example.stem}.cpp").read_text()
@@ -119,7 +127,7 @@ def test_make_in_the_folder_of_examples_works(
         shutil.copytree(FOLDER / stem, folder / stem)
     default = {name: value for name, value in os.environ.items() if name != "CXXFLAGS"}
     for target in ("all", "check", "clean"):
-        command = ["make", "-C", str(folder), *_variables(builder), target]
+        command = ["make", "-C", str(folder), *make_variables(builder.toolchain), target]
         done = subprocess.run(command, capture_output=True, text=True, timeout=1200, env=default)
         assert done.returncode == 0, done.stderr
         assert "warning" not in done.stderr
@@ -128,14 +136,3 @@ def test_make_in_the_folder_of_examples_works(
         if target == "check":
             assert done.stdout.count(": right") == len(stems)
     assert not out.exists()
-
-
-def _variables(builder: Builder) -> list[str]:
-    toolchain = builder.toolchain
-    words = " ".join(f"'{name}={value}'" for name, value in toolchain.environment)
-    return [
-        f"MPICXX={toolchain.mpicxx[0]}",
-        f"MPIEXEC={toolchain.mpiexec[0]}",
-        f"EIGEN={toolchain.eigen}",
-        f"VARIABLES={words}",
-    ]
