@@ -4,6 +4,7 @@
                                              [--record FILE] [--write FILE]
     python -m benchmarks.certificates loops [the same]
     python -m benchmarks.certificates shared [the same]
+    python -m benchmarks.certificates predicted [the same]
     python -m benchmarks.certificates times [ROBOT.urdf ...] [--write FILE]
     python -m benchmarks.certificates mechanisms [--write FILE]
 
@@ -13,9 +14,10 @@ threads share; "loops" takes mechanisms with closed loops, half of their states 
 ones as are found, and compares with the plan in 400 bits: which rows are left out where they follow
 from others is its choice, and a state in doubles closes loops up to rounding only. Times are minima
 of runs with and without certificates by turns, of robots or, for "mechanisms", of
-benchmarks/closed_robots.py; loops are in a scene of the robot's name beside it. With --record, what
-was found of each robot is a line of JSON in a file: the command again goes on with the robots that
-are not there yet. Each table has a file of its own.
+benchmarks/closed_robots.py; loops are in a scene of the robot's name beside it. "predicted" lays
+the largest error of each robot of "errors" beside the one that is predicted for it. With --record,
+what was found of each robot is a line of JSON in a file: the command again goes on with the robots
+that are not there yet. Each table has a file of its own.
 """
 
 from __future__ import annotations
@@ -37,9 +39,10 @@ from adagen.plan import make_plan
 from adagen.plan.certificate import certified
 from adagen.schedule import load_profile
 from adagen.search import best_schedule
+from adagen.search.objective import predicted_digits
 from adagen.states import States
 from adagen.studies.stability.adversary import trees
-from adagen.studies.stability.bounds import FACTOR, Bounded, Certified, bounded
+from adagen.studies.stability.bounds import FACTOR, Bounded, Certified, bounded, certified_plan
 from benchmarks.closed_robots import MECHANISMS
 from benchmarks.hard import MODELS, Asked, Record, fastest, hard_mechanisms, hard_robots, study
 
@@ -137,6 +140,32 @@ def _figures(
     }
 
 
+def measured_predictions(asked: Asked, record: Record, toolchain: Toolchain) -> list[str]:
+    """Return the table of largest errors beside those that are predicted in ordinary poses."""
+    ratios: dict[str, list[tuple[float, str]]] = {str(way): [] for way in WAYS if not way.batch}
+    for k, (family, model, hard) in enumerate(hard_robots(asked)):
+        found = record.of(asked, k, partial(_figures, model, hard, WAYS, toolchain))
+        for way in (way for way in WAYS if not way.batch):
+            errors = found.get(str(way), {}).get("errors")
+            if errors:
+                plan = certified_plan(model, way.scalar)
+                told = predicted_digits("time", model, plan, way.shape).error
+                decades = np.log10(max(max(errors), 1e-17) / max(told, 1e-17))
+                ratios[str(way)].append((float(decades), family))
+    lines = [
+        "| emitted | robots | within a decade | more than half a decade too optimistic | median, "
+        "decades | worst, decades |",
+        "|---|--:|--:|--:|--:|---|",
+    ]
+    for name, rows in ratios.items():
+        decades = np.array([row[0] for row in rows])
+        worst = ", ".join(f"{x:.1f} ({family})" for x, family in sorted(rows)[:-4:-1])
+        near, beyond = np.mean(abs(decades) <= 1), np.mean(decades > 0.5)
+        cells = (name, len(rows), f"{near:.0%}", f"{beyond:.0%}", f"{np.median(decades):.1f}")
+        lines.append(f"| {' | '.join(map(str, cells))} | {worst} |")
+    return lines
+
+
 def measured_times(paths: Iterable[Path], toolchain: Toolchain) -> list[str]:
     """Return the table of times."""
     lines = [
@@ -204,6 +233,7 @@ def main() -> int:
         "errors": measured_errors,
         "loops": measured_loops,
         "shared": measured_shared,
+        "predicted": measured_predictions,
         "mechanisms": measured_mechanisms,
     }
     return study("certificates", __doc__, usual, ROBOTS, tables, measured_times)
