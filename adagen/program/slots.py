@@ -64,8 +64,8 @@ class Slots:
 
     @property
     def plain(self) -> bool:
-        """Whether every joint lies at its own number."""
-        return self.slots == tuple(range(self.count))
+        """Whether every joint lies at its own number; slots behind the last may be empty."""
+        return self.slots == tuple(range(len(self.slots)))
 
     def ranges(self, joints: Iterable[int]) -> list[tuple[int, int]]:
         """First and last slots of ranges that hold joints and in which no block is empty."""

@@ -22,14 +22,16 @@ from adagen.emit.kernels import why_not
 from adagen.executor import interpret
 from adagen.model import Model
 from adagen.model.kinds import PRISMATIC, REVOLUTE, SPHERICAL
-from adagen.plan import Plan
+from adagen.plan import Plan, make_plan
 from adagen.reference import joint_space_inertia
+from adagen.schedule import load_profile
+from adagen.search.objective import schedule_for
 from adagen.states import States, random_states
 from adagen.studies.stability import robots
 from tests.emitted import EXACT, Builder, Solver, kernels_of, plan_of, truth_of
 from tests.executor.plans import ADA, CASES, anything
 from tests.executor.test_bits import ALGEBRAS
-from tests.models import human_figure, random_tree, serial_chain
+from tests.models import Part, assemble, human_figure, random_tree, rod, serial_chain, vector
 from tests.slow import all_but
 
 UNITS = 32.0
@@ -48,6 +50,13 @@ def tool(radius: float) -> Model:
 def tree(n: int, floating: bool) -> Model:
     """Return a random tree of n joints."""
     return random_tree(np.random.default_rng(n), n, KINDS, floating=floating)
+
+
+def wheels() -> Model:
+    """Return four wheels on a platform that is held: limbs of one joint each."""
+    rim = rod(1.2, vector(0.0, 0.0, 0.1))
+    parts = [Part(f"wheel{k}", None, REVOLUTE, rim, vector(0.2 * k, 0.0, 0.0)) for k in range(4)]
+    return assemble("wheels", parts)
 
 
 def require_last_places(plan: Plan, states: States, model: Model, solver: Solver, to: Path) -> None:
@@ -117,6 +126,16 @@ def test_so_they_do_for_random_robots(k: int, builder: Builder, tmp_path: Path) 
     solver = builder.solver(plan, EXACT, name="agree", shape="kernels")
     states = random_states(model, 3, seed=seed % 1000)
     require_last_places(plan, states, model, solver, tmp_path)
+
+
+def test_so_they_do_where_a_process_has_nothing_to_do(builder: Builder, tmp_path: Path) -> None:
+    """Its memory is empty: every joint lies at its own number, and more room behind them."""
+    model = wheels()
+    plan = make_plan(model, schedule_for("both", model, 2, load_profile("default")))
+    assert [len(process.owns) for process in plan.processes] == [4, 0]
+    assert "inward_group<" in kernels_of(plan)
+    solver = builder.solver(plan, EXACT, name="agree", shape="kernels")
+    require_last_places(plan, random_states(model, 3, seed=1), model, solver, tmp_path)
 
 
 def test_forces_on_links_that_share_a_block_all_act(builder: Builder, tmp_path: Path) -> None:
