@@ -19,8 +19,12 @@ from tests.models import Part, assemble, rod, vector
 AXES = vector(1.0, 0.0, 0.0), vector(0.0, 1.0, 0.0), vector(0.0, 0.0, 1.0)
 
 
-def rodded() -> Model:
-    """Return two cranks and a rod between them, welded in its middle, on three hinges each end."""
+def rodded(cross: float = 0.02) -> Model:
+    """Return two cranks and a rod between them, welded in its middle, on three hinges each end.
+
+    Args:
+        cross: mass of the links between hinges, kg.
+    """
     parts = []
     for side, place in (("l", 0.0), ("r", 0.5)):
         length = vector(0.3, 0.0, 0.1)
@@ -29,7 +33,7 @@ def rodded() -> Model:
         )
         last = side
         for k, axis in enumerate(AXES):
-            body = rod(0.3 if k == 2 else 0.02, vector(0.2, 0.1, 0.1))
+            body = rod(0.3 if k == 2 else cross, vector(0.2, 0.1, 0.1))
             at = vector(0.3, 0.0, 0.1) if k == 0 else vector(0.0, 0.0, 0.0)
             parts.append(Part(f"{side}{k}", last, REVOLUTE, body, at, axis=axis))
             last = f"{side}{k}"
@@ -66,3 +70,8 @@ def test_a_weld_is_held_at_the_centre_of_hinges_that_follow() -> None:
 def test_forces_that_are_asked_for_are_those_at_frame_2() -> None:
     model = rodded()
     assert plan_of(model, loop_forces=True).loops == loops_of(model)
+
+
+def test_a_weld_stays_where_only_its_rows_hold_a_massless_cross() -> None:
+    model = rodded(cross=0.0)
+    assert plan_of(model).loops == loops_of(model)
