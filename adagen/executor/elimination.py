@@ -27,6 +27,7 @@ from adagen.graph import (
     factorize,
     matrix_times,
     reflect,
+    solve_lower,
     solved_by_parts,
     solved_by_reflections,
     total,
@@ -168,7 +169,8 @@ class Elimination:
                 self._keep_own(*own)
         numbers, freed = free.numbers, None
         if numbers:
-            freed = self._solve_free(numbers, numbers, free.square, free.across, free.bias)
+            left = free.square, free.across, free.bias
+            freed = self._solve_free(numbers, numbers, free.alone, *left)
         if self.state.plan.certified:  # none of its arms are in lanes
             none = self.state.zeros(0, 6), self.state.zeros(0, len(y)), self.state.zeros(0, 0)
             a, g, by_rows = none
@@ -176,10 +178,10 @@ class Elimination:
                 a, g, by_rows = each.solved.across, each.solved.more, each.by_rows
             self._keep_reduced(self.step.moved, y, g, a, by_rows, freed)
 
-    def _keep_own(self, solved: Solved, factors: Factors, gives: Array) -> None:
+    def _keep_own(self, solved: Solved, factors: Factors, before: Array, gives: Array) -> None:
         """Keep y that arms have for their own; take what they give way from the top."""
         self.front.solved.append(solved)
-        self._check_inertia([mates[0] for mates in solved.unknowns], factors)
+        self._check_inertia([mates[0] for mates in solved.unknowns], factors, before)
         if self.step.link:
             self.front.hand("IA", _symmetric(-gives[:, :6]))
             self.front.hand("pA", -gives[:, 6:])
@@ -220,7 +222,7 @@ class Elimination:
         )
         basis = self.state.zeros(len(w), free + len(right.T))
         basis[count:, :free] = self.state.constants(np.eye(free))
-        basis[:count, free:] = self._forward(r.T, right)
+        basis[:count, free:] = solve_lower(r.T, right)
         for reflection in reversed(reflections):
             if reflection is not None:
                 reflection.apply(basis)
@@ -233,8 +235,9 @@ class Elimination:
         at_top, half = self._at_top(w), matrix_times(n.T, self._block(w, w))
         bias = matrix_times(n.T, self._biases(w)) + matrix_times(half, offset)
         self._push_top(at_top, offset)
-        reduced = _symmetric(matrix_times(half, n))
-        freed = self._solve_free(y, w[:free], reduced, matrix_times(n.T, at_top), bias)
+        own, left = np.diag(self._block(w, w)), _symmetric(matrix_times(half, n))
+        sizes = matrix_times((n * n).T, own)
+        freed = self._solve_free(y, w[:free], sizes, left, matrix_times(n.T, at_top), bias)
         self._keep_reduced(w, y, n, self.state.zeros(len(w), 6), by_rows, freed)
 
     def _solve_all(self) -> None:
@@ -280,7 +283,13 @@ class Elimination:
     # -- what is left -----------------------------------------------------------------------------
 
     def _solve_free(
-        self, y: Sequence[int], blamed: Sequence[int], reduced: Array, across: Array, bias: Array
+        self,
+        y: Sequence[int],
+        blamed: Sequence[int],
+        sizes: Array,
+        reduced: Array,
+        across: Array,
+        bias: Array,
     ) -> tuple[Factors, Expression]:
         """What the loops leave free, by its inertia; its factors, and what energy it takes.
 
@@ -289,12 +298,13 @@ class Elimination:
         Args:
             y: numbers that it is found by.
             blamed: unknowns that a failure's message names.
+            sizes: of what each inertia is made of, shape (n,).
             reduced: its inertia.
             across: what it does to the top, shape (n, 6).
             bias: shape (n, columns).
         """
         factors = factorize(reduced)
-        self._check_inertia(blamed, factors)
+        self._check_inertia(blamed, factors, sizes)
         found = factors.solve(np.concatenate([across, bias], axis=1))
         self._found(y, across, found)
         weighed = self.state.plan.certified
@@ -362,16 +372,6 @@ class Elimination:
         """Hand to the top what so many arms do to it."""
         self.front.hand(name, self.state.rows.sum_of(value, count))
 
-    def _forward(self, lower: Array, right: Array) -> Array:
-        """Solve L x = right for a lower triangular L, shape (n, k)."""
-        x = right.copy()
-        for i in range(len(x)):
-            over = self.state.graph.reciprocal(lower[i, i])
-            for c in range(x.shape[1]):
-                terms = [-(lower[i, k] * x[k, c]) for k in range(i)]
-                x[i, c] = total([x[i, c], *terms]) * over
-        return x
-
     # -- what is looked at ------------------------------------------------------------------------
 
     def _check(self, value: Expression, least: Expression | float, unknown: int, how: str) -> None:
@@ -428,11 +428,12 @@ class Elimination:
             least = total(_squares(matrix[:, k])) * lost
             self._check(pivot * pivot, least, unknown, self.fails)
 
-    def _check_inertia(self, blamed: Sequence[int], factors: Factors) -> None:
-        """No pivot of the inertia may have lost its digits."""
-        pairs = zip(blamed, factors.pivots, factors.diagonal, strict=True)
-        for unknown, pivot, entry in pairs:
-            least = 0.0 if pivot == entry else entry * (16 * self.epsilon)
+    def _check_inertia(self, blamed: Sequence[int], factors: Factors, sizes: Array) -> None:
+        """No pivot of the inertia may have lost its digits, nor the sum that an entry is."""
+        found = zip(blamed, factors.pivots, factors.diagonal, sizes, strict=True)
+        for unknown, pivot, entry, size in found:
+            parts = [*([] if pivot == entry else [entry]), *([] if entry == size else [size])]
+            least = total(parts) * (16 * self.epsilon) if parts else 0.0
             self._check(pivot, least, unknown, "kLoopFree")
 
 
@@ -444,7 +445,6 @@ def _squares(values: Iterable[Expression]) -> list[Expression]:
 def _symmetric(matrix: Array) -> Array:
     """A matrix that is symmetric but for rounding, from its lower triangle."""
     result = matrix.copy()
-    for i in range(len(matrix)):
-        for k in range(i):
-            result[k, i] = result[i, k]
+    lower = np.tril_indices(len(matrix), -1)
+    result.T[lower] = result[lower]
     return result

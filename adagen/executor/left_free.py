@@ -30,6 +30,10 @@ class LeftFree:
         square: R, shape (n, n).
         across: B, shape (n, 6).
         bias: c, shape (n, columns).
+
+    Attributes:
+        alone: inertias of y where nothing follows from them, shape (n,): what follows adds to R or
+            takes it away, and digits are lost where little is left of these.
     """
 
     def __init__(
@@ -37,6 +41,7 @@ class LeftFree:
     ) -> None:
         self.rows, self.numbers = rows, tuple(numbers)
         self.square, self.across, self.bias = square, across, bias
+        self.alone = np.array([square[k, k] for k in range(len(square))], dtype=object)
 
     def take(self, each: SolvedPart) -> None:
         """Add what follows from y, z = A a + G y + g."""
@@ -82,12 +87,13 @@ class LeftFree:
         for place, own in zip(places, lanes, strict=True):
             to[place] = own[()]
 
-    def solve_own(self, each: SolvedPart) -> tuple[Solved, Factors, Array] | None:
+    def solve_own(self, each: SolvedPart) -> tuple[Solved, Factors, Array, Array] | None:
         """Solve for y that a part has for its own in each lane; None where it has none.
 
         Returns:
-            How they follow from the others, factors of their inertia, and what they take from the
-            top: shape (6, 6 + columns), of its inertia and bias.
+            How they follow from the others, factors of their inertia, what this is where nothing
+            follows from them, and what they take from the top: shape (6, 6 + columns), of its
+            inertia and bias.
         """
         own = [places for places in self.places(each) if len(places) > 1]
         if not own:
@@ -99,6 +105,8 @@ class LeftFree:
             np.array([self.rows.together([x[k] for k in places]) for places in own])
             for x in (self.across, self.bias)
         ]
+        parts = ([np.array(self.alone[k], object) for k in places] for places in own)
+        before = np.array([self.rows.together(part)[()] for part in parts], dtype=object)
         factors = factorize(self._wide(own, own))
         half = factors.forward(np.concatenate([to_others, *rest], axis=1))
         over = factors.scaled(half)
@@ -110,7 +118,8 @@ class LeftFree:
         square, across, bias = self.square[np.ix_(left, left)], self.across[left], self.bias[left]
         self.square, self.across = square - gives[:m, :m], across - gives[:m, m : m + 6]
         self.bias, self.numbers = bias - gives[:m, m + 6 :], tuple(numbers[k] for k in left)
-        return solved, factors, gives[m : m + 6, m:]
+        self.alone = self.alone[left]
+        return solved, factors, before, gives[m : m + 6, m:]
 
     def _wide(self, some: Sequence[Mates], others: Sequence[Mates]) -> Array:
         """Entries of R by places, of alike arms together."""

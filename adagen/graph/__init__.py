@@ -12,6 +12,7 @@ from adagen.graph.linear import (
     matrix_times,
     reflect,
     solve_by_reflections,
+    solve_lower,
     solved_by_reflections,
     total,
 )
@@ -43,6 +44,7 @@ __all__ = [
     "matrix_times",
     "reflect",
     "solve_by_reflections",
+    "solve_lower",
     "solved_by_parts",
     "solved_by_reflections",
     "total",

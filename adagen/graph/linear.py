@@ -167,6 +167,16 @@ def reflect(k: int, r: Array, b: Array) -> Reflection | None:
     return reflection
 
 
+def solve_lower(lower: Array, right: Array) -> Array:
+    """Return L^-1 x of a lower triangular matrix, shape (n, k)."""
+    x = right.copy()
+    for i in range(len(x)):
+        over = lower[i, i].graph.reciprocal(lower[i, i])
+        for c in range(x.shape[1]):
+            x[i, c] = total([x[i, c], *(-(lower[i, k] * x[k, c]) for k in range(i))]) * over
+    return x
+
+
 def solve_by_reflections(matrix: Array, right: Array) -> Array:
     """Return M^-1 x of a square matrix of any kind, shape (n, k)."""
     return solved_by_reflections(matrix, right)[0]

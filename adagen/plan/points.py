@@ -28,21 +28,16 @@ def with_points(model: Model) -> tuple[PlanLoop, ...]:
             loop = loops[k]
             if loop.kind == "weld":
                 links = (loop.link1, loop.link2)
-                counts = [len(moved.intersection(_turned(model, joints, link))) for link in links]
+                counts = [len(moved.intersection(_turned(joints, link))) for link in links]
                 if any(counts):
                     found[k] = _at_origin(loop, counts.index(max(counts)))
     return tuple(found)
 
 
-def _turned(model: Model, joints: Sequence[PlanJoint], link: int) -> list[int]:
-    """Freedoms of the joints that turn a link about its origin, as entries of v.
-
-    None where one of them moves a link without mass.
-    """
+def _turned(joints: Sequence[PlanJoint], link: int) -> list[int]:
+    """Freedoms of the joints that turn a link about its origin, as entries of v."""
     found: list[int] = []
     while link > 0:
-        if model.links[link].inertia.mass == 0.0:
-            return []
         joint = joints[link - 1]
         kind = KINDS[joint.kind]
         if any(row >= 3 for row in kind.free):

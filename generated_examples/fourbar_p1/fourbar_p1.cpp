@@ -175,19 +175,19 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x325 = x275 * x304 - x271 * x306;
   const Real x314 = x272 * x304 - x268 * x306 + 0.0834083;
   const Real x315 = x314 - x193 * x268;
-  require_more(w, x315, 0.0, kLoopFree, 1);
-  const Real x329 = (x320 - (x76 + tau[1]) + x325) * (1 / x315);
-  const Real x330 = -x329;
-  w.result[1] = x330;
+  require_more(w, x315, 1.4816290416774792e-16, kLoopFree, 1);
+  const Real x331 = (x320 - (x76 + tau[1]) + x325) * (1 / x315);
+  const Real x332 = -x331;
+  w.result[1] = x332;
   // link 0 "ground": accelerations and constraint forces of loops below it
-  const Real x335 = x268 * x329 - x271;
-  w.result[0] = x335;
-  const Real x336 = x272 * x329 - x275;
-  w.result[2] = x336;
+  const Real x337 = x268 * x331 - x271;
+  w.result[0] = x337;
+  const Real x338 = x272 * x331 - x275;
+  w.result[2] = x338;
 }
 
 // =================================================================================================
-// Process 0 in a singular pose: 119 products, 77 sums, 5 quotients
+// Process 0 in a singular pose: 126 products, 79 sums, 5 quotients
 // =================================================================================================
 
 ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
@@ -222,6 +222,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x187 = cosine[1] * 0.25;
   const Real x197 = 0.5 + cosine[1] * 0.2;
   const Real x193 = 0.0834083 + 0.2 * x187;
+  const Real x234 = 0.0834083 + 0.2 * (0.2 + x187 + x187) + 0.00536333;
   const Real x222 = cosine[1] * x27 + sine[1] * (x32 + x36 * 0.25);
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x262 = x198 * 4.0;
@@ -273,9 +274,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x344 = x273 * x342;
   const Real x348 = x342 - x328;
   const Real x360 = x336 - x355;
-  // joint 1 "coupler_pin": inertia and bias force of what is beyond, its own motion left open
-  const Real x234 = 0.0834083 + 0.2 * (0.2 + x187 + x187) + 0.00536333;
-  // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x349 = x331 - x260 * x342;
   const Real x359 = x317 - x273 * x355;
   const Real x361 = x260 * x355 - x335;
@@ -286,18 +284,20 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x367 = x193 * x344 + 0.0834083 * x348;
   const Real x368 = 0.042726700000000006 * x349;
   const Real x375 = x242 * x344 + (x76 + tau[1]) * x348;
+  const Real x396 = x234 * (x344 * x344) + 0.0834083 * (x348 * x348);
   const Real x389 = x344 * x364 + x348 * x367 + x349 * x368;
-  require_more(w, x389, 0.0, kLoopFree, 0);
+  const Real x400 = (0.042726700000000006 * (x349 * x349) + x396) * 1.7763568394002505e-15;
+  require_more(w, x389, x400, kLoopFree, 0);
   const Real x383 = x359 * x364 + x360 * x367 + x361 * x368;
   const Real x384 = x383 - ((x44 * 0.16000000000000003 + tau[2]) * x349 + x375);
-  const Real x391 = x384 * (1 / x389);
+  const Real x401 = x384 * (1 / x389);
   // link 0 "ground": accelerations and constraint forces of loops below it
-  const Real x399 = x359 - x344 * x391;
-  w.result[0] = x399;
-  const Real x400 = x360 - x348 * x391;
-  w.result[1] = x400;
-  const Real x401 = x361 - x349 * x391;
-  w.result[2] = x401;
+  const Real x409 = x359 - x344 * x401;
+  w.result[0] = x409;
+  const Real x410 = x360 - x348 * x401;
+  w.result[1] = x410;
+  const Real x411 = x361 - x349 * x401;
+  w.result[2] = x411;
 }
 
 // ---- 4. processes -------------------------------------------------------------------------------

@@ -110,9 +110,9 @@ def test_a_factor_that_is_off_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
     plan, solve_free = certified(plan_of(model)), Elimination._solve_free
 
     def spoilt(self: Elimination, *given: object) -> tuple[Factors, Expression]:
-        y, blamed, reduced, *rest = given
+        y, blamed, sizes, reduced, *rest = given
         off = reduced * self.state.graph.constant(1 + 1e-6)
-        return solve_free(self, y, blamed, off, *rest)  # type: ignore[arg-type]
+        return solve_free(self, y, blamed, sizes, off, *rest)  # type: ignore[arg-type]
 
     monkeypatch.setattr(Elimination, "_solve_free", spoilt)
     each_for_itself.cache_clear()
