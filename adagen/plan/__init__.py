@@ -103,8 +103,8 @@ def make_plan(
     planner = planner_of(model, schedule, form, meeting)
     planner.asked = handles_of(model)
     outputs = outputs_of(model)
+    refuse_sharing(outputs, schedule)
     processes, messages = planner.plan()
-    refuse_sharing(outputs, processes)
     processes = with_outputs(processes, outputs)
     if planner.fusions.fused:
         model = settled(model, planner.fusions.fused)

@@ -26,6 +26,7 @@ from adagen.plan.steps import (
     Step,
 )
 from adagen.plan.types import Plan, Process
+from adagen.schedule import Schedule, postorder
 
 
 def refuse_outputs(model: Model, form: str) -> None:
@@ -49,13 +50,16 @@ def refuse_outputs(model: Model, form: str) -> None:
             )
 
 
-def refuse_sharing(outputs: Sequence[PlanOutput], processes: Sequence[Process]) -> None:
+def refuse_sharing(outputs: Sequence[PlanOutput], schedule: Schedule) -> None:
     """Refuse outputs of several processes.
 
     Raises:
         UsageError: more than one process has something to do.
     """
-    if outputs and sum(bool(process.steps) for process in processes) > 1:
+    gathered = schedule.gathered
+    joined = (node.processes[0] for node in postorder(schedule.root))
+    at_work = set(joined if gathered is None else gathered.owners) - {None}
+    if outputs and len(at_work) > 1:
         raise UsageError(
             "[outputs] of a scene are computed by one process: leave out --schedule, or say"
             " --procs 1"
