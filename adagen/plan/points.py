@@ -2,7 +2,9 @@
 
 What a weld holds together it holds at every point. Rows at the centre of a ball joint, or on the
 axis of a hinge, have no entries for that joint, so that what follows by them falls into parts that
-are solved one after the other (adagen/graph/parts.py).
+are solved one after the other (adagen/graph/parts.py). A weld stays where it is given if the rows
+that are kept of it (adagen/plan/choices.py) would say less elsewhere: rows of a weld that holds one
+hinge fast say nothing on its axis but how it turns.
 """
 
 from __future__ import annotations
@@ -10,18 +12,27 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+import numpy as np
+from numpy.typing import NDArray
+
 from adagen.exact import exact, rounded
 from adagen.model import Model
 from adagen.model.kinds import KINDS
-from adagen.plan.closures import closures_of
+from adagen.plan.choices import VANISHING
+from adagen.plan.closures import Choice, Closure, closures_of, sampled
 from adagen.plan.constants import joints_of, loops_of
+from adagen.plan.early import early_closures_of
 from adagen.plan.robot import PlanJoint, PlanLoop
+from adagen.plan.tied import freedoms_of, rows_of
+
+Array = NDArray[np.float64]
 
 
 def with_points(model: Model) -> tuple[PlanLoop, ...]:
     """Return a robot's loops, welds at the end whose joints have most freedoms that follow."""
     joints, loops = joints_of(model), loops_of(model)
-    found = list(loops)
+    found, rows = list(loops), sampled(model)[1] if loops else np.zeros(0)
+    ways = (*closures_of(model), *early_closures_of(model))
     for closure in closures_of(model):
         moved = set(closure.choices[0].moved)
         for k in closure.loops:
@@ -30,8 +41,48 @@ def with_points(model: Model) -> tuple[PlanLoop, ...]:
                 links = (loop.link1, loop.link2)
                 counts = [len(moved.intersection(_turned(joints, link))) for link in links]
                 if any(counts):
-                    found[k] = _at_origin(loop, counts.index(max(counts)))
+                    side = counts.index(max(counts))
+                    elsewhere = _rows_at_origin(rows, rows_of(model)[k], loop, side)
+                    if all(_as_regular(model, one, rows, elsewhere) for one in ways):
+                        found[k], rows = _at_origin(loop, side), elsewhere
     return tuple(found)
+
+
+def _rows_at_origin(samples: Array, own: range, loop: PlanLoop, side: int) -> Array:
+    """Return J with a weld's rows as they are in the origin of one of its links.
+
+    A point that is d away in the frame's axes moves by d x w less, w the rows of turns.
+
+    Args:
+        samples: J at closed states, shape (S, rows, nv).
+        own: the weld's rows: three of places, three of turns.
+        loop: the weld, as it is looked at in them.
+        side: 0 for its first link, 1 for its second.
+    """
+    turn, place = ((loop.rotation1, loop.translation1), (loop.rotation2, loop.translation2))[side]
+    x, y, z = -(np.asarray(place) @ np.asarray(turn))
+    result = samples.copy()
+    across = np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]])
+    result[:, own[:3]] += np.einsum("ij,sjk->sik", across, samples[:, own[3:]])
+    return result
+
+
+def _as_regular(model: Model, closure: Closure, given: Array, other: Array) -> bool:
+    """Whether rows that are kept are independent wherever they were as the loops are given."""
+    path = freedoms_of(model, closure.path)
+    return all(
+        bool((_regular(choice, path, other) >= _regular(choice, path, given)).all())
+        for choice in closure.choices
+        if choice.rows
+    )
+
+
+def _regular(choice: Choice, path: Sequence[int], samples: Array) -> NDArray[np.bool_]:
+    """Whether the rows of a choice are independent in each state, shape (S,)."""
+    rows = samples[:, list(choice.rows)][:, :, list(choice.moved or path)]
+    scaled = rows * np.array(choice.scales)[:, None]
+    least: NDArray[np.bool_] = np.linalg.svd(scaled, compute_uv=False)[:, -1] > VANISHING
+    return least
 
 
 def _turned(joints: Sequence[PlanJoint], link: int) -> list[int]:

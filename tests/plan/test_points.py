@@ -12,6 +12,7 @@ from adagen.graph import count_operations
 from adagen.model import REVOLUTE, LoopEnd, Model, NamedLoop
 from adagen.plan import Plan, make_plan
 from adagen.plan.constants import loops_of
+from adagen.reference.closed import closed_forward_dynamics
 from adagen.schedule import load_profile
 from adagen.search import best_schedule
 from tests.mechanisms import states_of, with_loops
@@ -87,3 +88,20 @@ def test_a_massless_cross_in_gimbal_lock_is_refused(cross: float) -> None:
         else:
             assert np.isfinite(interpret(plan, *row)).all()
     assert refused
+
+
+def test_a_weld_that_holds_one_hinge_fast_stays_where_its_rows_say_so() -> None:
+    """On the hinge's axis a row of places says nothing, and one of them is what is kept."""
+    hinge = vector(0.0, 0.0, 0.5)
+    parts = [
+        Part("a", None, REVOLUTE, rod(1.0, hinge), vector(0, 0, 0), axis=AXES[1]),
+        Part("b", "a", REVOLUTE, rod(1.0, hinge), hinge, axis=AXES[0]),
+    ]
+    ends = LoopEnd("a_link", (0.0, 0.0, 1.5)), LoopEnd("b_link", (0.0, 0.0, 1.0))
+    model = with_loops(assemble("held", parts), (NamedLoop("weld", "weld", *ends),))
+    plan = plan_of(model)
+    assert plan.loops == loops_of(model)
+    states = states_of(model, 2)
+    for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+        expected = closed_forward_dynamics(model, q, v, tau)
+        np.testing.assert_allclose(interpret(plan, q, v, tau, once=True), expected, atol=1e-12)
