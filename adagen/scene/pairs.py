@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -27,6 +28,7 @@ from adagen.model import (
     places,
     with_loops_checked,
 )
+from adagen.scene.crosses import with_crosses
 from adagen.scene.lock import lock
 from adagen.scene.source import read_text
 
@@ -34,6 +36,8 @@ _KEYS = ("closed_loop", "type", "joint_name", "joint_type", "name_mot")
 _KINDS = {"6d": "weld", "3d": "point"}
 _GROUND = "universe"
 """What Pinocchio calls the frame of the ground."""
+_UNIVERSAL = re.compile(r"UJOINT_(?!(.)\1)([XYZ]{2})")
+"""A universal joint, with the axes of its two hinges."""
 
 
 @dataclass(frozen=True)
@@ -189,7 +193,8 @@ def with_pairs(model: Model, children: Mapping[str, str], pairs: Pairs) -> Model
     below = {**children, **moving}
     known = {loop.name for loop in model.loops}
     robot = _of_other_kinds(model, below, pairs)
-    at = places(robot)
+    hinges = {joint.name: robot.links[j + 1].name for j, joint in enumerate(robot.joints)}
+    below, at = {**below, **hinges}, places(robot)
 
     def end(entry: _Word) -> LoopEnd:
         name, link = entry.word, below.get(entry.word)
@@ -222,21 +227,24 @@ def with_pairs(model: Model, children: Mapping[str, str], pairs: Pairs) -> Model
 
 
 def _of_other_kinds(model: Model, below: Mapping[str, str], pairs: Pairs) -> Model:
-    """Make joints balls, or fix them where they are at zero."""
+    """Make joints balls or universal joints, or fix them where they are at zero."""
     index = {joint.name: j for j, joint in enumerate(model.joints)}
-    joints, fixed = list(model.joints), dict[int, Sequence[float]]()
+    joints, fixed, crosses = list(model.joints), dict[int, Sequence[float]](), dict[int, str]()
     for name, kind in pairs.kinds:
         if name.word not in below:
             hint = nearest(name.word, below)
             raise pairs.error(f"'{name.word}' is not a joint of the robot{hint}", name)
         word, j = kind.word.upper(), index.get(name.word)
+        universal = _UNIVERSAL.fullmatch(word)
         now = "fixed" if j is None else joints[j].kind.name
         if now == {"SPHERICAL": "spherical", "FIXED": "fixed"}.get(word):
             continue
-        if word not in ("SPHERICAL", "FIXED") or j is None or now != "revolute":
+        known = universal or word in ("SPHERICAL", "FIXED")
+        if j is None or now != "revolute" or not known:
             raise pairs.error(
                 f"joint '{name.word}' is {now}, and {kind.word} is asked for: only revolute joints "
-                "can be made SPHERICAL or FIXED here; write what it is in the URDF", kind
+                "can be made SPHERICAL, FIXED or UJOINT_XY (any two axes) here; write what it is "
+                "in the URDF", kind
             )  # fmt: skip
         if joints[j].mimic is not None or any(
             other.mimic is not None and other.mimic.source == j for other in joints
@@ -244,11 +252,17 @@ def _of_other_kinds(model: Model, below: Mapping[str, str], pairs: Pairs) -> Mod
             raise pairs.error(f"joint '{name.word}' mimics or is mimicked: leave out mimic", name)
         if any(j == tied for coupling in model.couplings for tied, _ in coupling.terms):
             raise pairs.error(f"joint '{name.word}' is coupled: it has to stay {now}", name)
-        if word == "FIXED":
+        if universal:
+            crosses[j] = universal[2]
+        elif word == "FIXED":
             fixed[j] = (0.0,)
         else:
             joints[j] = replace(
                 joints[j], kind=SPHERICAL, axis=np.array([0.0, 0.0, 1.0]), passive=Passive()
             )
     robot = replace(model, joints=tuple(joints))
-    return lock(robot, fixed) if fixed else robot
+    if fixed:
+        robot = lock(robot, fixed)
+        left = {joint.name: j for j, joint in enumerate(robot.joints)}
+        crosses = {left[joints[j].name]: axes for j, axes in crosses.items()}
+    return with_crosses(robot, crosses) if crosses else robot

@@ -84,6 +84,35 @@ def test_joints_are_of_the_kinds_that_the_file_says(closed: Read) -> None:
     assert "e" in model.links[0].merged
 
 
+def test_a_universal_joint_is_two_hinges_and_a_cross_without_mass(closed: Read) -> None:
+    text = "closed_loop: [[j2_Z, eye], [j2, eye]]\njoint_name: [j2]\njoint_type: [ujoint_zx]"
+    eye = link("eye") + joint("to_eye", "e", "eye", "fixed", "")
+    model = closed(text, ROBOT.replace("</robot>", f"{eye}</robot>")).model
+    _, first, second, after, _ = model.joints
+    assert (first.name, second.name, after.name) == ("j2_Z", "j2_X", "j3")
+    assert [each.axis.tolist() for each in (first, second)] == [[0, 0, 1], [1, 0, 0]]
+    assert (first.parent, second.parent, after.parent) == (1, 2, 3)
+    assert not second.translation.any() and (second.rotation == np.eye(3)).all()
+    assert model.links[2].inertia.mass == 0.0 and model.links[3].name == "c"
+    assert [(loop.link1, loop.link2) for loop in model.loops] == [(2, 5), (3, 5)]
+
+
+def test_a_second_hinge_moves_what_hangs_on_it(closed: Read) -> None:
+    """Loops, mimics and couplings go on to be between the same links and joints."""
+    gear = """<coupling name="gear"><predecessor link="d"/><successor link="e"/>
+      <ratio value="2"/></coupling>""".replace("\n", "")
+    urdf = ROBOT.replace("</robot>", f"{gear}</robot>")
+    plain = closed("closed_loop: [[tip, e]]", ROBOT).model
+    assert (plain.loops[0].link1, plain.loops[0].link2) == (3, 4)
+    model = closed(
+        "closed_loop: [[tip, e]]\njoint_name: [j2]\njoint_type: [UJOINT_XY]", ROBOT
+    ).model
+    assert (model.loops[0].link1, model.loops[0].link2) == (4, 5)
+    assert model.links[4].name == "d" and model.joints[4].name == "j4"
+    with pytest.raises(InputError, match="joint 'j2' is coupled"):
+        closed("joint_name: [j2]\njoint_type: [UJOINT_XY]", urdf)
+
+
 CASES = {
     # name: (text, line, words)
     "no yaml": ("closed_loop: [", 1, "not YAML: "),
@@ -106,9 +135,13 @@ CASES = {
     "open for ever": ("closed_loop: [[tip, d]]", 1, "loop 'tip-d' cannot close: its links are"),
     "unknown joint": ("joint_name: [j9]\njoint_type: [FIXED]", 1, "'j9' is not a joint"),
     "no joint types": ("joint_name: [j1]", 1, "1 names in joint_name, 0 in joint_type"),
-    "cross": (
-        "joint_name: [j1]\njoint_type: [UJOINT_XY]", 2,
-        "joint 'j1' is revolute, and UJOINT_XY is asked for",
+    "cardan": (
+        "joint_name: [j1]\njoint_type: [CARDAN]", 2,
+        "joint 'j1' is revolute, and CARDAN is asked for",
+    ),
+    "one axis twice": ("joint_name: [j1]\njoint_type: [UJOINT_XX]", 2, "UJOINT_XX is asked for"),
+    "cross of a fixed joint": (
+        "joint_name: [to_tip]\njoint_type: [UJOINT_XY]", 2, "joint 'to_tip' is fixed",
     ),
     "ball of a fixed joint": (
         "joint_name: [to_tip]\njoint_type: [SPHERICAL]", 2, "joint 'to_tip' is fixed",
