@@ -3,7 +3,8 @@
 Every acceleration is one of the motion, and what a unit of each constraint force adds to it. How
 fast a loop's frames would part follows from these, link by link from where the loop closes; the
 forces are those with which no row parts. Accelerations of links are deviations from the reference
-field, as everywhere: what both ends share does not part them.
+field, as everywhere. What both ends of a loop share does not part them: they are seen from the last
+link that these have in common, and processes need not tell what joints before it do.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from adagen.executor.kinematics import Motion
 from adagen.executor.loop_forces import give_forces
 from adagen.executor.state import State
 from adagen.graph import Expression, matrix_times, solved_by_reflections, total
+from adagen.plan import Plan
 from adagen.plan.digits import EPSILON
 
 Array = NDArray[Any]
@@ -40,35 +42,40 @@ class TiedRows:
     def __init__(self, state: State, motion: Motion, front: Front) -> None:
         self.state, self.motion, self.front = state, motion, front
         self.memory: dict[Any, Any] = state.memory
-        self.links: dict[int, Array] = {}
+        self.links: dict[tuple[int, int], Array] = {}
+        self.common = {
+            unknown: _common(state.plan, loop)
+            for loop, rows in front.loops.items()
+            for unknown, *_ in rows
+        }
 
     def values(self) -> dict[int, Array]:
         """Return what each row is in every right-hand side, shape (columns,), by its number."""
         found = {unknown: bias.copy() for unknown, bias in self.front.bias.items()}
         for link, columns in self.front.columns.items():
-            a = self._acceleration(link)
             for unknown, column in columns.items():
+                a = self._acceleration(link, self.common[unknown])
                 found[unknown] = found[unknown] + matrix_times(column[None, :], a)[0]
         for j, ties in self.front.ties.items():
             for unknown, factor in ties:
                 found[unknown] = found[unknown] + self.memory["qdd", j][0] * factor
         return found
 
-    def _acceleration(self, link: int) -> Array:
-        """A link's acceleration, shape (6, columns)."""
-        if link == 0:
+    def _acceleration(self, link: int, origin: int) -> Array:
+        """A link's acceleration relative to one that it hangs on, shape (6, columns)."""
+        if link == origin:
             return self.state.zeros(6, self.state.columns)
-        if link not in self.links:
+        if (link, origin) not in self.links:
             j, parent = link - 1, self.state.plan.joints[link - 1].parent
-            a = columnwise(self.memory["X", j].motion, self._acceleration(parent))
+            a = columnwise(self.memory["X", j].motion, self._acceleration(parent, origin))
             drift = self.motion.drift(j)
             if drift is not None:
                 a = a + drift
             a = a.copy()
             for k, row in enumerate(self.state.kind(j).free):
                 a[row] = a[row] + self.memory["qdd", j][k]
-            self.links[link] = a
-        return self.links[link]
+            self.links[link, origin] = a
+        return self.links[link, origin]
 
     def solve(self, others: list[Array], names: list[int]) -> Array:
         """Return the factors of right-hand sides with which no row parts, shape (columns - 1,).
@@ -130,3 +137,16 @@ class TiedRows:
             by_kept = solved_by_reflections(kept.T.copy(), others.T.copy())[0].T
         self.front.pushed = Pushed(tied, None, (), none, none, none, left_out, by_kept)
         give_forces(self.state, self.front, None)
+
+
+def _common(plan: Plan, loop: int) -> int:
+    """The last link that both links of a loop hang on; 0 is the ground."""
+
+    def inwards(link: int) -> list[int]:
+        found = [link]
+        while found[-1] > 0:
+            found.append(plan.joints[found[-1] - 1].parent)
+        return found
+
+    first = inwards(plan.loops[loop].link1)
+    return next(link for link in inwards(plan.loops[loop].link2) if link in first)

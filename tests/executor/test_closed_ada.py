@@ -91,6 +91,39 @@ def test_forces_are_those_of_form_segment(make: Callable[[], Model]) -> None:
             assert np.abs(found - expected).max() < 1e-9 * np.abs(expected).max()
 
 
+def arms_with_linkages() -> Model:
+    """Return two arms of two joints, each with a four-bar at its end."""
+    along = vector(0.0, 1.0, 0.0)
+    parts, loops = [], []
+    for side, place in (("l", 0.0), ("r", 1.0)):
+        body = rod(1.0, vector(0.1, 0.2, 0.3))
+        parts += [
+            Part(f"{side}_turn", None, REVOLUTE, body, vector(place, 0, 0), axis=vector(0, 0, 1.0)),
+            Part(f"{side}_lift", f"{side}_turn", REVOLUTE, body, vector(0, 0, 0.3), axis=along),
+            Part(f"{side}_crank", f"{side}_lift", REVOLUTE, body, axis=along),
+            Part(f"{side}_bar", f"{side}_crank", REVOLUTE, body, vector(0.2, 0, 0), axis=along),
+            Part(f"{side}_rocker", f"{side}_lift", REVOLUTE, body, vector(0.5, 0, 0), axis=along),
+        ]
+        ends = (
+            LoopEnd(f"{side}_bar_link", (0.45, 0, 0)),
+            LoopEnd(f"{side}_rocker_link", (0.35, 0, 0)),
+        )
+        loops.append(NamedLoop(side, "revolute", *ends, (0.0, 1.0, 0.0)))
+    return with_loops(assemble("arms", parts), loops)
+
+
+@pytest.mark.parametrize("processes", [1, 2, 4])
+def test_joints_before_a_loop_are_nothing_to_it(processes: int) -> None:
+    """What carries a linkage is another process's, and need not be told for the loop's sake."""
+    model = arms_with_linkages()
+    plan = ada_plan(model, processes)
+    assert sum(bool(process.owns) for process in plan.processes) == processes
+    told = {j for message in plan.messages if message.sweep == "slaved" for j in message.joints}
+    assert not {model.joints[j].name for j in told} & {"l_turn", "l_lift", "r_turn", "r_lift"}
+    check(lower(plan, "unrolled"))
+    assert worst(model, plan, states_of(model, 4)) < 1e-10
+
+
 def crossed_legs(*, pinned: str = "rod") -> Model:
     """Return a plate on three legs: crossed hinges through a link without mass, and a slide.
 
