@@ -109,7 +109,7 @@ def arms_with_linkages() -> Model:
             LoopEnd(f"{side}_rocker_link", (0.35, 0, 0)),
         )
         loops.append(NamedLoop(side, "revolute", *ends, (0.0, 1.0, 0.0)))
-    return with_loops(assemble("arms", parts), loops)
+    return with_loops(assemble("arms", parts), tuple(loops))
 
 
 @pytest.mark.parametrize("processes", [1, 2, 4])
