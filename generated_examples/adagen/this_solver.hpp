@@ -98,6 +98,7 @@ class ThisSolver final : public adagen::AnySolver<Number, Comm> {
   int failures() const override { return solver_.failures(); }
   int failed_state(int k) override { return solver_.failed_state(k); }
   const char* why() const override { return solver_.text.c_str(); }
+  int failed_status(int k) const override { return solver_.failed_status(k); }
 #else
   double error_bound(int) const override { return error_bound_of(solver_, 0); }
 #endif

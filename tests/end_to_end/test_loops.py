@@ -100,18 +100,47 @@ def test_a_four_bar_is_solved(bars: Path, processes: str) -> None:
         np.testing.assert_allclose(answer, truth, atol=1e-9 * np.abs(truth).max())
 
 
-def test_an_open_loop_is_refused_by_name(bars: Path, capfd: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize("batch", [[], ["--batch"]])
+def test_an_open_loop_is_refused_by_name_with_the_distance(
+    batch: list[str], bars: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    model = read(bars / "bars.urdf", scene=bars / "bars.toml").model
     given = json.loads((bars / "states.json").read_text())
     given["joints"]["rocker_pin"]["q"][1] += 0.02
     (bars / "states.json").write_text(json.dumps(given))
-    assert solve(bars) == 1
+    assert solve(bars, *batch) == 1
+    q, v = (
+        np.array([given["joints"][joint.name][key] for joint in model.joints]) for key in ("q", "v")
+    )
+    by = float(np.linalg.norm(constraints(model, q[:, 1]).gaps[:3]))
     said = capfd.readouterr().err
     assert 'state 2: loop "eye pin": it is not closed in this configuration' in said
+    assert f": it is open by {by:.3g} m\n" in said
     given["joints"]["rocker_pin"]["q"][1] -= 0.02
     given["joints"]["rocker_pin"]["v"][0] += 0.5
     (bars / "states.json").write_text(json.dumps(given))
+    assert solve(bars, *batch) == 1
+    v[2, 0] += 0.5
+    by = float(np.linalg.norm(constraints(model, q[:, 0]).rows[:3] @ v[:, 0]))
+    said = capfd.readouterr().err
+    assert f'state 1: loop "eye pin": the velocity violates it: it opens by {by:.3g} m/s\n' in said
+
+
+def test_a_coupling_that_does_not_hold_is_refused_with_the_angle(
+    bars: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """What it is off by is counted behind the rows of all loops."""
+    with (bars / "bars.toml").open("a") as scene:
+        scene.write("[[couplings]]\nname = 'none'\nterms = { crank_pin = 0.5 }\noffset = 7.0\n")
+    given = json.loads((bars / "states.json").read_text())
+    for joint in given["joints"].values():
+        joint["v"] = [0.0] * len(joint["v"])
+    (bars / "states.json").write_text(json.dumps(given))
     assert solve(bars) == 1
-    assert 'state 1: loop "eye pin": the velocity violates it' in capfd.readouterr().err
+    by = 7.0 - 0.5 * given["joints"]["crank_pin"]["q"][0]
+    said = capfd.readouterr().err
+    assert 'state 1: coupling "none": it is not closed in this configuration' in said
+    assert f": it is open by {by:.3g} rad\n" in said
 
 
 @pytest.mark.parametrize("name", all_but(CHECKED, "four-bar", "slider-crank"))

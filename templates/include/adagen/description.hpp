@@ -153,13 +153,15 @@ class AnySolver {
   virtual int end_at_root() = 0;
   virtual bool has_part() const = 0;  // whether this process takes part in it
 
-  // Many at once, where the solver is for batches. The k-th state that failed, or -1; then, why.
+  // Many at once, where the solver is for batches. The k-th state that failed, or -1; then, why, in
+  // words and as a status.
   virtual int solve_batch_at_root(int, const Number*, const Number*, const Number*, Number*) {
     return 0;
   }
   virtual int failures() const { return 0; }
   virtual int failed_state(int) { return -1; }
   virtual const char* why() const { return ""; }
+  virtual int failed_status(int) const { return 0; }
 
   // A status in words, valid until the next; the names of the joints that one is joined with.
   virtual const char* in_words(int status) = 0;

@@ -9,6 +9,7 @@
 #include "certificates.hpp"
 #include "corrections.hpp"
 #include "json.hpp"
+#include "open_by.hpp"
 #include "options.hpp"
 #include "program_setting.hpp"
 #include "session.hpp"
@@ -86,6 +87,7 @@ class Program {
     if (failed != kFine)
       return on.complain(kInputAtFault,
                          "state " + std::to_string(at + 1) + ": " + on.solver.in_words(failed) +
+                             loops::how_far(failed, on.q(at), on.v(at)) +
                              (on.options.check ? Verdict::of_model() : ""),
                          on.options.states);
     bring_together();
@@ -120,8 +122,12 @@ class Program {
       certificates_.note(solver.error_bound(s));
     solved_ = on.states.count - solver.failures();
     if (solver.failures() > 0) status = kInputAtFault;
-    for (int k = 0; k < kNamed && solver.failed_state(k) >= 0; ++k)
-      on.complain(status, solver.why(), on.options.states);
+    for (int k = 0; k < kNamed; ++k) {
+      const int s = solver.failed_state(k);
+      if (s < 0) break;
+      const std::string far = loops::how_far(solver.failed_status(k), on.q(s), on.v(s));
+      on.complain(status, solver.why() + far, on.options.states);
+    }
     if (solver.failures() > kNamed) on.complain(status, "and more states", on.options.states);
     MPI_Bcast(&status, 1, MPI_INT, 0, on.comm());
     return status;

@@ -11,6 +11,7 @@
 
 #include "integrators.hpp"
 #include "json.hpp"
+#include "open_by.hpp"
 #include "options.hpp"
 #include "program_setting.hpp"
 #include "session.hpp"
@@ -136,7 +137,9 @@ class Simulation {
                                       [this](const auto& q, const auto& v, const auto& extra,
                                              auto& a) { return accelerate(q, v, extra, a); });
       on_.give_up_if_broken(failed);
-      if (failed != kFine) return on_.solver.in_words(failed) + at(time) + remedy(failed);
+      if (failed != kFine)
+        return on_.solver.in_words(failed) +
+               loops::how_far(failed, real_q_.data(), real_v_.data()) + at(time) + remedy(failed);
       slave(about.joints, q_.data(), v_.data());
       if (loops::any() && !loops::settle(q_, v_))
         return "the loops cannot be closed again" + at(next) + kSmaller;
