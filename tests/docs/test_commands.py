@@ -48,13 +48,22 @@ WITH_SLOW = [page for page in WITH_COMMANDS if any(b.slow for b in blocks(page))
 
 @pytest.mark.parametrize("page", spread(WITH_COMMANDS, 10), ids=name)
 def test_commands_run(page: Path, tmp_path: Path) -> None:
-    run_page(page, tmp_path, slow=False)
+    run_and_tell(page, tmp_path, slow=False)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("page", WITH_SLOW, ids=name)
 def test_slow_commands_run(page: Path, tmp_path: Path) -> None:
-    run_page(page, tmp_path, slow=True)
+    run_and_tell(page, tmp_path, slow=True)
+
+
+def test_what_a_machine_cannot_run_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (page,) = (page for page in PAGES if page.name == "hosts.md")
+    (first, *_) = (block for block in blocks(page) if block.under)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert lacking(first).startswith("needs ")
+    assert lacking(Block(7, "sh", "true", needs="no-such-tool")) == "needs no-such-tool"
+    assert lacking(Block(7, "sh", "true")) == ""
 
 
 def test_what_is_not_run_is_counted() -> None:
@@ -131,13 +140,25 @@ def run_page(page: Path, folder: Path, *, slow: bool) -> None:
 
 def is_run(block: Block, *, slow: bool) -> bool:
     """Whether a block is run here."""
+    return not block.not_run and (slow or not block.slow) and not lacking(block)
+
+
+def lacking(block: Block) -> str:
+    """Return why a block cannot run on this machine; nothing if it can."""
     if block.needs and shutil.which(block.needs) is None:
-        return False
-    if block.hosts and why_no_hosts():
-        return False
-    if block.under and why_no_slurm(pmix="PMIx" in block.under):
-        return False
-    return not block.not_run and (slow or not block.slow)
+        return f"needs {block.needs}"
+    if block.under:
+        return why_no_slurm(pmix="PMIx" in block.under)
+    return why_no_hosts() if block.hosts else ""
+
+
+def run_and_tell(page: Path, folder: Path, *, slow: bool) -> None:
+    """Run what can be run of a page; the test is skipped at its end if something could not."""
+    run_page(page, folder, slow=slow)
+    wanted = [b for b in blocks(page) if b.language in RUN and not b.not_run]
+    left = [f"line {b.line} {why}" for b in wanted if slow or not b.slow if (why := lacking(b))]
+    if left:
+        pytest.skip(f"all but: {'; '.join(left)}")
 
 
 def run_block(page: Path, block: Block, folder: Path, net: Network | None) -> None:

@@ -127,6 +127,43 @@ ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, M
   }
 }
 
+// The same for two hinges that follow each other: the second one's acceleration, too, is found from
+// the near link's, and of the first one's by what that alone does to it. So it waits for one
+// product instead of for the whole motion of the link between.
+template <bool reversed>
+ADAGEN_INLINE void move_two(Workspace& w, int j, Motion<Value>& a) {
+  const Joints<Value> one = single(j), two = single(reversed ? j - 1 : j + 1);
+  const Value* const e = w.memory(two).e;
+  const Vector<Value> r = reversed ? -w.memory(one).r : w.memory(one).r;
+  const Vector<Value> next = reversed ? -w.memory(two).r : w.memory(two).r, both = r + next;
+  const Vector<Value> s = axis_of(w, one), t = axis_of(w, two);
+  const Vector<Value> n{e[0], e[1], e[2]}, f{e[3], e[4], e[5]};
+  const Vector<Value> moved = n + cross(r, f);  // of a turn about the near link's origin
+  const Value between = dot(reversed ? moved : n, s);
+  const Value x = freedom(w.memory(one).e, a);
+  const Value seen[7] = {moved.x, moved.y, moved.z, f.x, f.y, f.z, e[6]};
+  const Value y = freedom(seen, a) - between * x;
+  answer(w, one, 0, reversed ? -x : x);
+  answer(w, two, 0, reversed ? -y : y);
+  carry(a, both);
+  a.linear += cross(s, reversed ? both : next) * x;
+  if constexpr (reversed) a.linear += cross(t, next) * y;
+  a.angular += s * x;
+  a.angular += t * y;
+}
+
+// Whether joints first .. last are hinges, enough of them for two at a time to pay, and nothing is
+// wanted of the links between.
+template <int p, int first, int last>
+constexpr bool by_twos() {
+  if (kWide || kWeighed || sizeof(Value) > sizeof(Real) || last - first + 1 < 8) return false;
+  for (int j = first; j <= last; ++j) {
+    if (kJoints[j].kind != JointKind::kRevolute) return false;
+    if (j > first && kRoles[p][j].parts) return false;
+  }
+  return true;
+}
+
 // Six numbers that follow from each other are no work for lanes: g++ takes a fifth longer with
 // them.
 #if defined(__clang__)
@@ -140,6 +177,16 @@ ADAGEN_INLINE void move(Workspace& w, const Joints<T>& joints, JointKind kind, M
 template <int p, int first, int last, class Before>
 ADAGEN_INLINE void accelerate_after(Workspace& w, const Before& before) {
   Motion<Value> a = w.motions[static_cast<std::size_t>(kJoints[first].parent)];
+  if constexpr (by_twos<p, first, last>()) {
+    int j = first;
+    for (; j < last; j += 2) {
+      before(j), before(j + 1);
+      move_two<false>(w, j, a);
+    }
+    if (j == last) before(j), move<false>(w, single(j), JointKind::kRevolute, a);
+    if constexpr (kRoles[p][last + 1].parts) w.motions[last + 1] = a;
+    return;
+  }
   Reached<Value> reached = reached_at(w, kJoints[first].parent);
   each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
     before(first + k);
@@ -157,6 +204,13 @@ ADAGEN_ONE_BY_ONE void accelerate(Workspace& w) {
 template <int p, int first, int last>
 ADAGEN_ONE_BY_ONE void accelerate_reversed(Workspace& w) {
   Motion<Value> a = w.motions[last + 1];
+  if constexpr (by_twos<p, first, last>()) {
+    int j = last;
+    for (; j > first; j -= 2) move_two<true>(w, j, a);
+    if (j == first) move<true>(w, single(j), JointKind::kRevolute, a);
+    if constexpr (kRoles[p][kJoints[first].parent].parts) w.motions[kJoints[first].parent] = a;
+    return;
+  }
   each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     move<true>(w, single(j), kind, a);
