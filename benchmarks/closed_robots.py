@@ -143,9 +143,11 @@ def _stewart() -> Model:
 
 
 def of_file(path: Path) -> Model:
-    """Return a mechanism of a file, whose loops are in a scene of its name beside it."""
+    """Return a mechanism of a file, closed by a scene or frame pairs of its name beside it."""
     scenes = [path.with_suffix(".toml"), path.with_suffix(".scene.toml")]
-    return read(path, scene=next((s for s in scenes if s.exists()), None)).model
+    scene = next((s for s in scenes if s.exists()), None)
+    pairs = path.with_suffix(".yaml") if scene is None else None
+    return read(path, scene=scene, loops=pairs if pairs and pairs.exists() else None).model
 
 
 MECHANISMS: dict[str, Callable[[], Model]] = {

@@ -1,8 +1,10 @@
 """Mechanisms with closed loops: an emitted solver beside Pinocchio, and beside its own open tree.
 
-    python -m benchmarks.loops [ROBOT.urdf ...] [--rounds 5] [--write docs/records/loops.md]
+    python -m benchmarks.loops [ROBOT.urdf ...] [--only NAME ...] [--rounds 5]
+        [--write docs/records/loops.md]
 
-A ROBOT.urdf is a mechanism of one's own; its loops are in ROBOT.toml or ROBOT.scene.toml beside it.
+A ROBOT.urdf is a mechanism of one's own; its loops are in it, or beside it in ROBOT.toml,
+ROBOT.scene.toml or ROBOT.yaml (frame pairs). --only chooses among the mechanisms that are here.
 
 Pinocchio is its constraintDynamics and lcaba, instantiated from the headers of its wheel; of its
 builds (g++ and clang++, native and portable) the fastest counts. Programs run by turns; the least
@@ -124,6 +126,7 @@ def main() -> int:
     """Print the table, or put it into a document."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("robots", nargs="*", type=Path, metavar="ROBOT.urdf")
+    parser.add_argument("--only", nargs="*", choices=list(MECHANISMS), default=list(MECHANISMS))
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--write", type=Path)
     options = parser.parse_args()
@@ -136,7 +139,7 @@ def main() -> int:
         "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|",
     ]
     for name, make in {
-        **MECHANISMS,
+        **{name: MECHANISMS[name] for name in options.only},
         **{p.stem: partial(of_file, p) for p in options.robots},
     }.items():
         with tempfile.TemporaryDirectory() as folder:

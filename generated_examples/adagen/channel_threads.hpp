@@ -16,6 +16,7 @@
 #include "sizes.hpp"
 #include "stamp.hpp"
 #include "status.hpp"
+#include "waited.hpp"
 
 #define ADAGEN_CHANNEL  // there is one
 
@@ -72,10 +73,10 @@ class Channel {
       relax();
     }
     if (broken_) return false;  // a thread is late already: do not wait for it once more
-    const auto end = std::chrono::steady_clock::now() + time_limit_;
+    Waited waited(time_limit_);
     while (place.load(std::memory_order_acquire) < number) {
       std::this_thread::yield();
-      if (std::chrono::steady_clock::now() > end) return broken_ = true, false;
+      if (waited.too_long()) return broken_ = true, false;
     }
     return true;
   }

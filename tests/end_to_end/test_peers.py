@@ -93,6 +93,26 @@ class TestPeers:
             assert own and all("did not answer within the time limit" in line for line in own)
         wait_for(lambda: not running(human.folder / "human40_copy"))
 
+    def test_a_computer_that_sleeps_does_not_end_the_run(
+        self, human: Subject, started: Callable[..., subprocess.Popen[str]]
+    ) -> None:
+        """All processes stand still for longer than any may wait for another."""
+        child = started("--simulate", "1000", "--step", "1e-6", "--timeout", "4")
+        ranks = list(wait_for(lambda: running_ranks(human.folder / "human40_copy")).values())
+        wait_for(lambda: all(spent(pid) > _PAST_THE_START for pid in ranks), limit=120)
+        for pid in ranks:
+            os.kill(pid, signal.SIGSTOP)
+        time.sleep(8)
+        before = [spent(pid) for pid in ranks]
+        for pid in ranks:
+            os.kill(pid, signal.SIGCONT)
+        wait_for(
+            lambda: all(spent(pid) > past + 1 for pid, past in zip(ranks, before, strict=True)),
+            limit=120,
+        )
+        assert child.poll() is None
+        child.kill()
+
 
 class TestMachine:
     def test_more_processes_than_cores_finish(self, human: Subject) -> None:

@@ -22,6 +22,7 @@
 #include "stamp.hpp"
 #include "status.hpp"
 #include "take.hpp"
+#include "waited.hpp"
 
 #define ADAGEN_CHANNEL  // there is one
 
@@ -172,7 +173,7 @@ class Channel {
   const char* name() const { return name_; }
 
  private:
-  using Clock = std::chrono::steady_clock;
+  using Clock = Waited::Clock;
   // Behind those of all other messages, in batches, too.
   static constexpr int kEndTag = static_cast<int>(kMessages.size()) + 3;
   static constexpr std::chrono::milliseconds kPatience{100};
@@ -286,11 +287,10 @@ class Channel {
       relax();
     }
     if (broken_) return false;  // a peer is gone: do not wait for it once more
-    const Clock::time_point end =
-        Clock::now() + (patient ? Clock::duration(kPatience) : time_limit_);
+    Waited waited(patient ? Clock::duration(kPatience) : time_limit_);
     while (!ready()) {
       std::this_thread::yield();
-      if (Clock::now() <= end) continue;
+      if (!waited.too_long()) continue;
       if (patient) {
         std::this_thread::sleep_for(std::chrono::microseconds(50));
       } else {

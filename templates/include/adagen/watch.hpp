@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <csignal>
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
@@ -13,7 +14,9 @@ namespace {
 
 // Bounds the waits that the channel does not: MPI's own collective calls wait for ever for a
 // process that was stopped. Whoever sees no progress for the time limit, and a second for the
-// channel to say it better, ends, and mpiexec ends the others.
+// channel to say it better, ends, and mpiexec ends the others. Time is counted in parts, by a
+// signal after each: however long the computer slept in one, or this process was stopped, it is one
+// part.
 class Watch {
  public:
   // Before MPI is there, which takes a while to start on many hosts, and waits for all of them.
@@ -33,10 +36,13 @@ class Watch {
   // There was progress: the time starts again.
   void again() const {
 #if defined(__unix__) || defined(__APPLE__)
+    const double part = seconds_ / kParts;
     itimerval timer = {};
-    timer.it_value.tv_sec = static_cast<decltype(timer.it_value.tv_sec)>(seconds_);
+    timer.it_value.tv_sec = static_cast<decltype(timer.it_value.tv_sec)>(part);
     timer.it_value.tv_usec =
-        static_cast<decltype(timer.it_value.tv_usec)>(1e6 * (seconds_ - std::floor(seconds_)));
+        static_cast<decltype(timer.it_value.tv_usec)>(1e6 * (part - std::floor(part)));
+    timer.it_interval = timer.it_value;
+    parts() = 0;
     setitimer(ITIMER_REAL, &timer, nullptr);
 #endif
   }
@@ -54,6 +60,16 @@ class Watch {
     again();
   }
 
+#if defined(__unix__) || defined(__APPLE__)
+  static constexpr int kParts = 8;
+
+  // How many parts have passed without progress.
+  static volatile std::sig_atomic_t& parts() {
+    static volatile std::sig_atomic_t count = 0;
+    return count;
+  }
+#endif
+
   static char* text() {
     static char place[kLength];
     return place;
@@ -62,6 +78,8 @@ class Watch {
 #if defined(__unix__) || defined(__APPLE__)
   // Only what a signal handler may call.
   static void give_up(int) {
+    parts() = parts() + 1;
+    if (parts() < kParts) return;
     [[maybe_unused]] const auto written = write(STDERR_FILENO, text(), std::strlen(text()));
     _exit(kFault);
   }
