@@ -206,7 +206,7 @@ def _texts(
     check(program)
     refine = checked_steps(refine)
     plan, shape = program.plan, program.shape
-    words = Words(program, 0 if plan.corrections else refine, chunk)
+    words = Words(program, 0 if plan.corrections else refine, chunk, step_costs(profile))
     processes = batch or len(plan.processes)
     mpi = processes > 1 and not plan.threads
     embedded = target == "embedded"

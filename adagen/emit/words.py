@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from adagen.emit.expressions import Printer
@@ -12,6 +12,8 @@ from adagen.plan import Plan
 from adagen.plan.steps import Append, Bias, Block, Force, Load, Passage, Traverse, blocks_set_by
 from adagen.program import Program
 from adagen.program.lower import LOOPS
+from adagen.schedule import step_costs
+from adagen.schedule.costs import StepCosts
 
 
 @dataclass(frozen=True)
@@ -21,6 +23,7 @@ class Words:
     program: Program
     refine: int = 0  # steps of refinement whose residuals are in wider numbers
     chunk: int = 0  # values of one function in shape unrolled; 0 for its default
+    costs: StepCosts = field(default_factory=lambda: step_costs(None))  # what order goes by
 
     @property
     def plan(self) -> Plan:

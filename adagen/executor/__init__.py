@@ -13,7 +13,7 @@ from adagen.executor.machine import RECEIVED, Machine
 from adagen.executor.run import PlanError, Simulated
 from adagen.executor.solve import Run, interpret
 from adagen.executor.straight import chosen_grouping, groupings, simulate, straight_line
-from adagen.executor.stretches import Stretch, stretches
+from adagen.executor.stretches import Stretch, at_once, stretches, work_of
 
 __all__ = [
     "RECEIVED",
@@ -25,6 +25,7 @@ __all__ = [
     "Run",
     "Simulated",
     "Stretch",
+    "at_once",
     "chosen_grouping",
     "grouping_of",
     "groupings",
@@ -32,4 +33,5 @@ __all__ = [
     "simulate",
     "straight_line",
     "stretches",
+    "work_of",
 ]

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from math import sqrt
 
 from adagen.executor.run import Simulated
-from adagen.graph import live_nodes
+from adagen.graph import Operations, live_nodes
 from adagen.plan.steps import Receive, Send, Step
 from adagen.schedule.costs import StepCosts
 
@@ -48,6 +48,22 @@ def at_once(work: float, waits: float) -> float:
     return sqrt(sqrt(work**4 + waits**4))
 
 
+def work_of(operations: Operations, held: float) -> dict[str, float]:
+    """Return how often each coefficient of work counts for all statements of a process.
+
+    Args:
+        operations: its operations.
+        held: statements whose instructions the first instruction cache holds.
+    """
+    # A sum takes up a product; what is done in SIMD lanes is done once, and moved into them.
+    statements = operations.arithmetic - operations.fused
+    return {
+        "unrolled.operation": statements,
+        "unrolled.move": operations.moves,
+        "unrolled.fetched": max(0.0, statements + operations.moves - held),
+    }
+
+
 def stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list[Stretch]:
     """Return the stretches of a process.
 
@@ -79,17 +95,13 @@ def stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list[
             done[here] = waits
         if node.op in _COMPUTED:
             counts[here][node.mark] = counts[here].get(node.mark, 0) + 1
-    operations = simulated.operations
+    work = work_of(simulated.operations, held)
     computed = sum(sum(count.values()) for count in counts) or 1
-    # A sum takes up a product; what is done in SIMD lanes is done once, and moved into them.
-    statements = operations.arithmetic - operations.fused
     parts = []
     for k, (count, cycles) in enumerate(zip(counts, done, strict=True)):
         share = sum(count.values()) / computed
         features: dict[str, float] = {
-            "unrolled.operation": statements * share,
-            "unrolled.move": operations.moves * share,
-            "unrolled.fetched": max(0.0, statements + operations.moves - held) * share,
+            **{name: count * share for name, count in work.items()},
             "unrolled.sine": len(simulated.machine.angles) if k == 0 else 0,
             "unrolled.cycle": cycles,
         }

@@ -25,8 +25,8 @@ from adagen.schedule.tree import Tie
 from adagen.search.guess import halves
 from adagen.search.segment_front import put_segment
 
-_FEWEST = 32
-"""Joints that a process has at least, on average: with fewer, messages take longer than they do."""
+_FEWEST = 2
+"""Joints of a part at least, by which this family is defined."""
 _PLAYS = 3
 _FINE = 1e-4  # microseconds to which parts are equally long
 
@@ -38,7 +38,8 @@ def numbers_of_processes(topology: Topology, processes: int) -> list[int]:
     """Return on how many processes a robot may be done by exchanges: all, half of them, ..."""
     serial = all(parent == j for j, parent in enumerate(topology.parents))
     counts = halves(processes) if serial and processes > 1 else []
-    return [count for count in counts if len(topology) >= _FEWEST * count]
+    # The joint of a cut is in neither part.
+    return [count for count in counts if len(topology) >= (_FEWEST + 1) * count - 1]
 
 
 class ExchangedSchedules:
@@ -67,11 +68,15 @@ class ExchangedSchedules:
             for last in (False, True)
         )
 
-    def least(self, processes: int) -> float:
+    def least(self, processes: int, count: int) -> float:
         """Return a time that no such schedule beats, microseconds.
 
         The outermost of m parts takes a share of what its joints would take elsewhere, at least,
         and the last process is done no sooner than all are on average.
+
+        Args:
+            processes: P.
+            count: those that work.
         """
         costs, own = self.costs, dict[str, tuple[float, float]]()
         for kind in set(self.kinds):
@@ -82,10 +87,7 @@ class ExchangedSchedules:
         spared = max(0.0, _sweep(costs, self.kinds[0]) - costs["articulate.ground"])
         whole = sum(own[kind][1] for kind in self.kinds) - spared
         share = min(outermost / inner for outermost, inner in own.values())
-        least = min(
-            whole * share / (share * (count - 1) + 1) + self._besides(count)
-            for count in numbers_of_processes(self.topology, processes)
-        )
+        least = whole * share / (share * (count - 1) + 1) + self._besides(count)
         fastest = max(costs.speed(p) for p in range(processes))
         return (costs["process.evaluation"] + least) / fastest
 

@@ -152,13 +152,16 @@ class Families:
             return
         assert self.best is not None  # one process comes first
         chains = ExchangedSchedules(self.topology, self.profile, cuttable, self.best.tie)
-        for count in counts:
+        floors = {count: chains.least(self.processes, count) for count in counts}
+        self.bounds.append(min(floors.values()))
+        for count, floor in floors.items():
+            if floor >= self.least:
+                continue  # messages take longer than they save
             found, before = chains.best(self.processes, count, self._played), self.least
             if found is not None:
                 self.consider(found, "exchanged")
             if found is not None and self.least == before:
                 break  # fewer processes are no faster where more are not
-        self.bounds.append(chains.least(self.processes))
 
     def _played(self, schedule: Schedule) -> tuple[Plan, Timeline]:
         plan = make_plan(self.model, schedule)

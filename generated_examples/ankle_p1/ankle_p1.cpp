@@ -132,7 +132,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x85 = v[3] * v[3];
   const Real x70 = x48 * cosine[5];
   const Real x71 = x48 * sine[5];
-  const Real x75 = v[3] * x70;
   // joints 4 "left_motor", 6 "right_motor": placement, velocity and reference acceleration of their links
   const Two x99 = Two{v[4], v[8]};
   const Two x107 = x24 + x99;
@@ -166,37 +165,41 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x163 = x161 - x162;
   const Two x175 = x171 + x172;
   const Two x173 = x171 - x172;
-  const Two x167 = x161 + x162;
   const Two x177 = 1.0 - (x157 + x168);
+  const Two x167 = x161 + x162;
   const Two x160 = 1.0 - (x157 + x158);
   const Two x170 = 1.0 - (x158 + x168);
   // directions in which a loop holds its two links
   const Two x443 = x85 + v[2] * v[2] + x99 * x99;
   const Two x445 = x142 * x142 + x443 + x143 * x143;
   const Two x530 = load<Two>(cosine + 0) * x175 - load<Two>(sine + 0) * x163;
-  const Two x533 = load<Two>(sine + 0) * x175 + load<Two>(cosine + 0) * x163;
   const Two x582 = load<Two>(cosine + 0) * x177 - load<Two>(sine + 0) * x166;
   const Two x585 = load<Two>(sine + 0) * x177 + load<Two>(cosine + 0) * x166;
+  const Two x533 = load<Two>(sine + 0) * x175 + load<Two>(cosine + 0) * x163;
   const Two x456 = load<Two>(cosine + 0) * x174 - load<Two>(sine + 0) * x160;
   const Two x459 = load<Two>(sine + 0) * x174 + load<Two>(cosine + 0) * x160;
-  const Two x536 = cosine[4] * x530 + sine[4] * x533;
+  // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
+  const Real x1242 = sine[5] * 0.002;
+  // directions in which a loop holds its two links
   const Two x588 = cosine[4] * x582 + sine[4] * x585;
+  const Two x536 = cosine[4] * x530 + sine[4] * x533;
   const Two x462 = cosine[4] * x456 + sine[4] * x459;
   const Two x592 = cosine[4] * x585 - sine[4] * x582;
   const Two x466 = cosine[4] * x459 - sine[4] * x456;
   const Two x540 = cosine[4] * x533 - sine[4] * x530;
-  const Two x543 = cosine[5] * x170 + sine[5] * x536;
-  const Two x547 = cosine[5] * x536 - sine[5] * x170;
   const Two x595 = cosine[5] * x173 + sine[5] * x588;
   const Two x599 = cosine[5] * x588 - sine[5] * x173;
+  const Two x543 = cosine[5] * x170 + sine[5] * x536;
   const Two x469 = cosine[5] * x167 + sine[5] * x462;
   const Two x473 = cosine[5] * x462 - sine[5] * x167;
-  const Two x554 = 0.06 * x547;
+  const Two x547 = cosine[5] * x536 - sine[5] * x170;
   const Two x606 = 0.06 * x599;
   const Two x502 = 0.06 * x473;
-  const Two x559 = 0.06 * x543 + Two{0.05, -0.05} * x540;
+  const Two x554 = 0.06 * x547;
   const Two x611 = 0.06 * x595 + Two{0.05, -0.05} * x592;
+  const Two x559 = 0.06 * x543 + Two{0.05, -0.05} * x540;
   const Two x507 = 0.06 * x469 + Two{0.05, -0.05} * x466;
+  const Two x613 = Two{0.05, -0.05} * x599;
   // joints 5 "left_ball", 7 "right_ball": inertia and bias force of what is beyond, their motion left open
   const Two x790 = x177 * 0.06;
   const Two x653 = x167 * Two{0.00112635, 0.00264635};
@@ -211,19 +214,21 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
   const Real x1310 = cosine[5] * x606[0] + sine[5] * x611[0];
   const Real x1325 = cosine[5] * x606[1] + sine[5] * x611[1];
-  const Real x1280 = cosine[5] * x554[0] + sine[5] * x559[0];
   const Real x1250 = cosine[5] * x502[0] + sine[5] * x507[0];
   const Real x1265 = cosine[5] * x502[1] + sine[5] * x507[1];
+  const Real x1280 = cosine[5] * x554[0] + sine[5] * x559[0];
   const Real x1295 = cosine[5] * x554[1] + sine[5] * x559[1];
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Two x1672 = 1 / x790;
+  const Two x1656 = Two{x1310, x1325};
+  const Two x1674 = x1656 * x1672;
   // joint 1 "knee": placement, velocity and reference acceleration of its link
   const Real x32 = cosine[3] * x28 - x14 * sine[3];
   const Real x37 = sine[3] * x28 + x14 * cosine[3];
   // joint 2 "ankle_pitch": placement, velocity and reference acceleration of its link
   const Real x51 = x32 + 0.4 * x41;
-  const Real x55 = cosine[4] * x51 - x37 * sine[4];
   // joint 3 "ankle_roll": placement, velocity and reference acceleration of its link
+  const Real x75 = v[3] * x70;
   const Real x82 = x70 * x70;
   const Real x83 = x71 * x71;
   const Real x94 = x82 + x83;
@@ -240,7 +245,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x184 = x144 + x181;
   const Two x200 = x122 * 0.06 - x120;
   // directions in which a loop holds its two links
-  const Two x613 = Two{0.05, -0.05} * x599;
   const Two x561 = Two{0.05, -0.05} * x547;
   const Two x509 = Two{0.05, -0.05} * x473;
   // joints 5 "left_ball", 7 "right_ball": inertia and bias force of what is beyond, their motion left open
@@ -255,26 +259,25 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joints 4 "left_motor", 6 "right_motor": inertia and bias force of what is beyond, their motion left open
   const Two x929 = load<Two>(cosine + 0) * x810;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Two x1656 = Two{x1310, x1325};
   const Two x1637 = Two{x1250, x1265};
   const Two x1645 = Two{x1280, x1295};
-  const Two x1674 = x1656 * x1672;
   const Two x1676 = x613 * x1672;
-  const Two x1762 = x710 * x1674;
-  const Two x1974 = x1762 * 370370.3703703704;
   const Two x1694 = (x1637 + x728 * x1674) * Two{6.666666666666667, 4.3478260869565215};
   const Two x1710 = Two{6.666666666666667, 4.3478260869565215} * (x1645 - x761 * x1674);
   const Two x1712 = Two{6.666666666666667, 4.3478260869565215} * (x561 - x761 * x1676);
-  const Two x1695 = (x509 + x728 * x1676) * Two{6.666666666666667, 4.3478260869565215};
   const Two x1757 = x689 * x1674 - Two{0.00112635, 0.00264635} * x1694;
   const Two x1750 = x662 * x1674 + Two{0.00112635, 0.00264635} * x1710;
-  const Two x1986 = x1762 * x1974;
-  const Two x1753 = x662 * x1676 + Two{0.00112635, 0.00264635} * x1712;
-  const Two x1761 = x689 * x1676 - Two{0.00112635, 0.00264635} * x1695;
+  const Two x1762 = x710 * x1674;
+  const Two x1695 = (x509 + x728 * x1676) * Two{6.666666666666667, 4.3478260869565215};
   const Two x1741 = x903 * x1674 + x662 * x1710 - x689 * x1694;
+  const Two x1974 = x1762 * 370370.3703703704;
+  const Two x1753 = x662 * x1676 + Two{0.00112635, 0.00264635} * x1712;
   const Two x1747 = x903 * x1676 + x662 * x1712 - x689 * x1695;
   const Two x1768 = x1710 * x1750 - x1694 * x1757 + x1674 * x1741;
+  const Two x1986 = x1762 * x1974;
+  const Two x1761 = x689 * x1676 - Two{0.00112635, 0.00264635} * x1695;
   // joint 2 "ankle_pitch": placement, velocity and reference acceleration of its link
+  const Real x55 = cosine[4] * x51 - x37 * sine[4];
   const Real x60 = sine[4] * x51 + x37 * cosine[4];
   // joint 3 "ankle_roll": placement, velocity and reference acceleration of its link
   const Real x77 = x55 * sine[5];
@@ -310,7 +313,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x1013 = x689 + Two{0.25, 0.17} * x1001;
   // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
   const Real x1367 = 0.00630833 + cosine[5] * (cosine[5] * 0.0019583400000000003) + 2.4e-05;
-  const Real x1242 = sine[5] * 0.002;
   const Real x1245 = cosine[5] * 0.05;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Two x1774 = x1674 * x1747 + x1710 * x1753 - x1694 * x1761;
@@ -428,8 +430,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x2306 = x2084 - (x2064 * x2144 + x2067 * x2131) + 0.18885420000000003;
   require_more(w, x2306, 0.0, kFactorization, 1);
   const Real x2147 = x1877 * x2091 - x2092 * x2132;
-  const Two x2020 = x710 * x1979;
   const Two x1944 = x939 * x1678 + x974 * x1714 - x1013 * x1696;
+  const Two x2020 = x710 * x1979;
   const Real x2135 = x2096 * (x1919 + across<2>(x1915) - across<2>(x2017) - x2068 * x2092);
   const Real x2267 = across<2>(x1153) - x1385 + (x2064 * x2147 + x2067 * x2132);
   const Real x2269 = across<2>(x1168) + x1582 - (x2064 * x2150 + x2067 * x2133);
@@ -468,6 +470,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x2313 = across<2>(x1209) + x1610 + across<2>(x1956) - x2287 - x37 * 3.5;
   // joint 1 "knee": articulated-body inertia and bias force through it
   const Real x2438 = x2356 - cosine[3] * (x2429 - x2359 * (sine[3] * 2.0));
+  const Real x2478 = sine[3] * (x2312 - x2267 * x2317);
   // directions in which a loop holds its two links
   const Two x407 = sine[4] * x399 - cosine[4] * 0.06;
   const Two x430 = x407 - (load<Two>(cosine + 0) * x416 - load<Two>(sine + 0) * x410);
@@ -485,10 +488,10 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x1731 = x1674 * x1674 + x1729 + x1710 * x1710;
   const Two x1732 = x1694 * x1694 + x1731;
   const Two x1661 = v[3] * x613 - x99 * x790 + v[2] * x1656;
-  const Two x1683 = x790 * x790 * 256.0;
-  require_more(w, x1683, 9.999999999999998e-15, kSingularPose, {8, 9});
   const Real x2098 = x1367 * 1.7763568394002505e-15;
   require_more(w, x2058, x2098, kLoopFree, 2);
+  const Two x1683 = x790 * x790 * 256.0;
+  require_more(w, x1683, 9.999999999999998e-15, kSingularPose, {8, 9});
   const Real x2100 = 1.7763568394002505e-15 * (0.003308333 + x2061);
   require_more(w, x2095, x2100, kLoopFree, 3);
   const Two x1666 = x1643 * x1643 + x1654 * x1654 + x1661 * x1661;
@@ -497,7 +500,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1735 = 40000.0 - across<2>(x1732);
   require_more(w, x1735, 0.0, kSingularPose, 8);
   // joint 1 "knee": articulated-body inertia and bias force through it
-  const Real x2478 = sine[3] * (x2312 - x2267 * x2317);
   const Real x2490 = 0.32735000000000003 + 0.4 * (0.4 * x2438);
   require_more(w, x2490, 0.0, kFactorization, 0);
   const Real x2484 = 0.4 * (x2478 + cosine[3] * (x2313 + x2307 * x2317));
@@ -567,8 +569,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x145 = x139 + x140;
   const Real x141 = x139 - x140;
   const Real x153 = x149 + x150;
-  const Real x151 = x149 - x150;
   const Real x138 = 1.0 - (x135 + x136);
+  const Real x151 = x149 - x150;
   const Real x148 = 1.0 - (x136 + x146);
   // joint 6 "right_motor": placement, velocity and reference acceleration of its link
   const Real x216 = x19 + v[8];
@@ -583,50 +585,45 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x249 = q[10] * x248;
   const Real x252 = q[11] * x250;
   const Real x253 = q[12] * x251;
-  const Real x259 = q[12] * x249;
-  const Real x260 = q[13] * x250;
-  const Real x269 = x259 - x260;
   // directions in which a loop holds its two links
   const Real x572 = v[2] * v[2];
   const Real x574 = v[4] * v[4] + v[5] * v[5] + v[6] * v[6];
-  const Real x580 = v[7] * v[7] + x574 + x572 + x80 + 1.0;
   // directions in which a loop holds its two links
   const Real x757 = v[8] * v[8] + v[9] * v[9] + v[10] * v[10];
   // joint 5 "left_ball": placement, velocity and reference acceleration of its link
   const Real x155 = 1.0 - (x135 + x146);
   // joint 7 "right_ball": placement, velocity and reference acceleration of its link
+  const Real x259 = q[12] * x249;
+  const Real x260 = q[13] * x250;
   const Real x255 = 1.0 - (x252 + x253);
   const Real x256 = q[11] * x249;
+  const Real x269 = x259 - x260;
   const Real x257 = q[13] * x251;
-  const Real x262 = x256 + x257;
   // directions in which a loop holds its two links
-  const Real x642 = cosine[4] * x153 - sine[4] * x141;
   const Real x587 = cosine[4] * x152 - sine[4] * x138;
   const Real x590 = sine[4] * x152 + cosine[4] * x138;
+  const Real x642 = cosine[4] * x153 - sine[4] * x141;
   const Real x645 = sine[4] * x153 + cosine[4] * x141;
-  const Real x678 = cosine[4] * x155 - sine[4] * x144;
   const Real x593 = cosine[2] * x587 + sine[2] * x590;
   const Real x597 = cosine[2] * x590 - sine[2] * x587;
   const Real x648 = cosine[2] * x642 + sine[2] * x645;
   const Real x652 = cosine[2] * x645 - sine[2] * x642;
-  const Real x681 = sine[4] * x155 + cosine[4] * x144;
+  const Real x678 = cosine[4] * x155 - sine[4] * x144;
   const Real x600 = cosine[3] * x145 + sine[3] * x593;
   const Real x604 = cosine[3] * x593 - sine[3] * x145;
+  const Real x681 = sine[4] * x155 + cosine[4] * x144;
   const Real x655 = cosine[3] * x148 + sine[3] * x648;
   const Real x659 = cosine[3] * x648 - sine[3] * x148;
-  const Real x684 = cosine[2] * x678 + sine[2] * x681;
-  const Real x688 = cosine[2] * x681 - sine[2] * x678;
   const Real x637 = 0.05 * x604;
   const Real x673 = 0.05 * x659;
+  const Real x684 = cosine[2] * x678 + sine[2] * x681;
+  const Real x688 = cosine[2] * x681 - sine[2] * x678;
   const Real x691 = cosine[3] * x151 + sine[3] * x684;
   const Real x695 = cosine[3] * x684 - sine[3] * x151;
   const Real x709 = 0.05 * x695;
-  // directions in which a loop holds its two links
-  const Real x767 = cosine[5] * x269 - sine[5] * x255;
-  const Real x770 = sine[5] * x269 + cosine[5] * x255;
   // joint 5 "left_ball": inertia and bias force of what is beyond, its own motion left open
-  const Real x1354 = x145 * 0.15 + x153 * 0.06;
   const Real x1339 = x148 * 0.15 - x152 * 0.06;
+  const Real x1354 = x145 * 0.15 + x153 * 0.06;
   const Real x1361 = x155 * 0.06;
   // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
   const Real x1713 = sine[3] * (0.06 * x600 + 0.05 * x597);
@@ -640,39 +637,38 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x2164 = x637 * 8.0;
   const Real x2168 = x673 * 8.0;
   const Real x2198 = x2165 * x2165 + 1.44 + x2164 * x2164;
-  // joint 0 "hip": placement, velocity and reference acceleration of its link
-  const Real x9 = sine[0] * 9.81;
+  const Real x2163 = x1715 * 8.0;
+  const Real x2167 = x1730 * 8.0;
   // joint 7 "right_ball": placement, velocity and reference acceleration of its link
+  const Real x262 = x256 + x257;
   const Real x266 = q[12] * x250;
   const Real x267 = q[13] * x249;
   const Real x258 = x256 - x257;
-  const Real x263 = q[10] * x249;
   const Real x270 = x266 + x267;
+  const Real x263 = q[10] * x249;
   const Real x261 = x259 + x260;
   const Real x268 = x266 - x267;
   const Real x265 = 1.0 - (x253 + x263);
   const Real x272 = 1.0 - (x252 + x263);
   // directions in which a loop holds its two links
+  const Real x767 = cosine[5] * x269 - sine[5] * x255;
+  const Real x770 = sine[5] * x269 + cosine[5] * x255;
   const Real x773 = cosine[2] * x767 + sine[2] * x770;
   const Real x777 = cosine[2] * x770 - sine[2] * x767;
-  const Real x780 = cosine[3] * x262 + sine[3] * x773;
-  const Real x784 = cosine[3] * x773 - sine[3] * x262;
-  const Real x812 = 0.05 * x784;
   const Real x818 = cosine[5] * x270 - sine[5] * x258;
   const Real x821 = sine[5] * x270 + cosine[5] * x258;
+  const Real x780 = cosine[3] * x262 + sine[3] * x773;
+  const Real x784 = cosine[3] * x773 - sine[3] * x262;
   const Real x824 = cosine[2] * x818 + sine[2] * x821;
+  const Real x812 = 0.05 * x784;
   const Real x828 = cosine[2] * x821 - sine[2] * x818;
-  const Real x855 = cosine[5] * x272 - sine[5] * x261;
-  const Real x858 = sine[5] * x272 + cosine[5] * x261;
   const Real x831 = cosine[3] * x265 + sine[3] * x824;
   const Real x835 = cosine[3] * x824 - sine[3] * x265;
-  const Real x861 = cosine[2] * x855 + sine[2] * x858;
+  const Real x855 = cosine[5] * x272 - sine[5] * x261;
   const Real x849 = 0.05 * x835;
-  const Real x865 = cosine[2] * x858 - sine[2] * x855;
+  const Real x858 = sine[5] * x272 + cosine[5] * x261;
   // joint 7 "right_ball": inertia and bias force of what is beyond, its own motion left open
-  const Real x958 = 0.06 * x272;
   const Real x936 = x265 * 0.23 - 0.06 * x269;
-  const Real x951 = x262 * 0.23 + 0.06 * x270;
   // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
   const Real x1743 = sine[3] * (0.06 * x691 + 0.05 * x688);
   const Real x1745 = cosine[3] * (0.06 * x695) + x1743;
@@ -680,16 +676,17 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x1760 = cosine[3] * (0.06 * x784) - x1758;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Real x2173 = x709 * 16.0;
-  const Real x2163 = x1715 * 8.0;
-  const Real x2167 = x1730 * 8.0;
   const Real x2172 = x1745 * 16.0;
-  const Real x2177 = x812 * 4.0;
-  const Real x2176 = x1760 * 4.0;
   const Real x2201 = sign_of(x2163) * sqrt_of(x2163 * x2163 + x2198);
-  const Real x2179 = x936 * 4.0;
-  const Real x2190 = x958 * 16.0;
-  const Real x2184 = x951 * 4.0;
   const Real x2202 = x2163 + x2201;
+  const Real x2177 = x812 * 4.0;
+  const Real x2179 = x936 * 4.0;
+  const Real x2204 = x2198 + x2202 * x2202;
+  const Real x2176 = x1760 * 4.0;
+  const Real x2182 = x849 * 4.0;
+  const Real x2434 = x2179 * x2179 + 0.8464;
+  // joint 0 "hip": placement, velocity and reference acceleration of its link
+  const Real x9 = sine[0] * 9.81;
   // joint 1 "knee": placement, velocity and reference acceleration of its link
   const Real x23 = cosine[0] * 9.81 + v[0] * v[0] * 0.4;
   const Real x27 = cosine[1] * x23 - x9 * sine[1];
@@ -697,49 +694,41 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   // joint 2 "ankle_pitch": placement, velocity and reference acceleration of its link
   const Real x46 = x27 + 0.4 * x36;
   const Real x50 = cosine[2] * x46 - x32 * sine[2];
-  const Real x55 = sine[2] * x46 + x32 * cosine[2];
   // joint 3 "ankle_roll": placement, velocity and reference acceleration of its link
   const Real x65 = x43 * cosine[3];
   const Real x66 = x43 * sine[3];
   const Real x70 = v[3] * x65;
   const Real x77 = x65 * x65;
   const Real x78 = x66 * x66;
-  const Real x83 = x65 * x66;
   const Real x89 = x77 + x78;
   // joint 4 "left_motor": placement, velocity and reference acceleration of its link
   const Real x103 = x27 + x36 * 0.25;
-  const Real x112 = sine[4] * x103 + x32 * cosine[4];
   // joint 5 "left_ball": placement, velocity and reference acceleration of its link
   const Real x157 = x99 * x145;
-  const Real x159 = x99 * x151;
-  const Real x160 = v[5] + x157;
-  const Real x162 = v[7] + x159;
   // directions in which a loop holds its two links
-  const Real x620 = 2.0 * x70 * 0.05;
-  const Real x621 = x89 * 0.06;
-  // directions in which a loop holds its two links
+  const Real x861 = cosine[2] * x855 + sine[2] * x858;
+  const Real x865 = cosine[2] * x858 - sine[2] * x855;
   const Real x868 = cosine[3] * x268 + sine[3] * x861;
   const Real x872 = cosine[3] * x861 - sine[3] * x268;
   const Real x886 = 0.05 * x872;
+  // joint 7 "right_ball": inertia and bias force of what is beyond, its own motion left open
+  const Real x958 = 0.06 * x272;
+  const Real x951 = x262 * 0.23 + 0.06 * x270;
   // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
   const Real x1772 = sine[3] * (0.05 * x828 - 0.06 * x831);
   const Real x1774 = cosine[3] * (0.06 * x835) - x1772;
   const Real x1786 = sine[3] * (0.05 * x865 - 0.06 * x868);
   const Real x1788 = cosine[3] * (0.06 * x872) - x1786;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Real x2182 = x849 * 4.0;
-  const Real x2434 = x2179 * x2179 + 0.8464;
-  const Real x2204 = x2198 + x2202 * x2202;
+  const Real x2190 = x958 * 16.0;
   const Real x2181 = x1774 * 4.0;
-  const Real x2188 = x886 * 16.0;
   const Real x2206 = 2.0 * (1 / x2204);
+  const Real x2184 = x951 * 4.0;
   const Real x2212 = x2164 * x2168 - x2165 * x2169 + x2167 * x2202;
   const Real x2213 = x2206 * x2212;
   const Real x2228 = x2164 * x2173 - x2165 * x2174 + x2172 * x2202;
   const Real x2229 = x2206 * x2228;
   const Real x2243 = x2206 * (x2176 * x2202 - x2164 * x2177);
-  const Real x2257 = x2206 * (x2181 * x2202 - x2164 * x2182);
-  const Real x2187 = x1788 * 16.0;
   const Real x2217 = 1.2 * x2213;
   const Real x2233 = 1.2 * x2229;
   const Real x2246 = x2165 * x2243;
@@ -749,59 +738,83 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x2236 = x2174 + x2165 * x2229;
   const Real x2235 = x2173 - x2164 * x2229;
   const Real x2249 = x2177 + x2164 * x2243;
-  const Real x2260 = x2165 * x2257;
-  const Real x2261 = 1.2 * x2257;
+  const Real x2257 = x2206 * (x2181 * x2202 - x2164 * x2182);
   const Real x2288 = 1.44 + x2217 * x2217;
   const Real x2284 = x2220 * x2220;
+  const Real x2260 = x2165 * x2257;
+  const Real x2261 = 1.2 * x2257;
+  const Real x2263 = x2182 + x2164 * x2257;
+  const Real x2188 = x886 * 16.0;
+  const Real x2187 = x1788 * 16.0;
+  // joint 2 "ankle_pitch": placement, velocity and reference acceleration of its link
+  const Real x55 = sine[2] * x46 + x32 * cosine[2];
   // joint 3 "ankle_roll": placement, velocity and reference acceleration of its link
   const Real x72 = x50 * sine[3];
+  const Real x83 = x65 * x66;
   const Real x73 = x50 * cosine[3];
   // joint 4 "left_motor": placement, velocity and reference acceleration of its link
+  const Real x112 = sine[4] * x103 + x32 * cosine[4];
   const Real x107 = cosine[4] * x103 - x32 * sine[4];
   // joint 5 "left_ball": placement, velocity and reference acceleration of its link
+  const Real x159 = x99 * x151;
+  const Real x160 = v[5] + x157;
+  const Real x162 = v[7] + x159;
   const Real x158 = x99 * x148;
-  const Real x170 = v[5] * x159 - v[7] * x157;
   const Real x178 = x114 * 0.06 - x112;
+  const Real x170 = v[5] * x159 - v[7] * x157;
   const Real x206 = x160 * x162;
   const Real x161 = v[6] + x158;
   const Real x208 = x170 + x206;
   const Real x166 = v[7] * x158 - v[6] * x159;
-  const Real x201 = x161 * x162;
   const Real x181 = x107 * x152 + x138 * x178;
+  const Real x201 = x161 * x162;
   const Real x202 = x201 - x166;
   const Real x184 = x107 * x153 + x141 * x178;
   const Real x204 = x160 * x160 + x161 * x161;
-  const Real x187 = x107 * x155 + x144 * x178;
   // joint 6 "right_motor": placement, velocity and reference acceleration of its link
   const Real x220 = x27 + x36 * 0.17;
   const Real x229 = sine[5] * x220 + x32 * cosine[5];
-  const Real x224 = cosine[5] * x220 - x32 * sine[5];
   // joint 7 "right_ball": placement, velocity and reference acceleration of its link
   const Real x273 = x216 * x262;
   const Real x275 = x216 * x268;
   const Real x276 = v[9] + x273;
   const Real x278 = v[11] + x275;
-  const Real x274 = x216 * x265;
-  const Real x286 = v[9] * x275 - v[11] * x273;
-  const Real x293 = 0.06 * x231 - x229;
-  const Real x321 = x276 * x278;
   // link 4 "foot": force that the reference field takes
   const Real x412 = x83 * 0.05;
   // directions in which a loop holds its two links
+  const Real x620 = 2.0 * x70 * 0.05;
+  const Real x621 = x89 * 0.06;
   const Real x616 = (x78 + x80) * 0.05;
   const Real x618 = x72 - x616;
   const Real x624 = x620 + x621 - x55;
   const Real x619 = x73 - x412;
   const Real x629 = x600 * x618 + x597 * x624 + x604 * x619;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Real x2263 = x2182 + x2164 * x2257;
   const Real x2271 = x2206 * (x2187 * x2202 - x2164 * x2188);
+  const Real x2292 = sign_of(x2219) * sqrt_of(x2219 * x2219 + x2288 + x2284);
   const Real x2274 = x2165 * x2271;
   const Real x2275 = 1.2 * x2271;
-  const Real x2277 = x2188 + x2164 * x2271;
-  const Real x2292 = sign_of(x2219) * sqrt_of(x2219 * x2219 + x2288 + x2284);
   const Real x2293 = x2219 + x2292;
+  const Real x2277 = x2188 + x2164 * x2271;
+  const Real x2296 = x2284 + x2288 + x2293 * x2293;
+  const Real x2298 = 2.0 * (1 / x2296);
+  const Real x2305 = x2220 * x2236 + x2217 * x2233 + x2235 * x2293;
+  const Real x2306 = x2298 * x2305;
+  const Real x2324 = x2220 * x2246 + x2217 * x2247 - x2249 * x2293;
+  const Real x2325 = x2298 * x2324;
+  const Real x2344 = x2220 * x2260 + x2217 * x2261 - x2263 * x2293;
+  const Real x2345 = x2298 * x2344;
+  const Real x2364 = x2220 * x2274 + x2217 * x2275 - x2277 * x2293;
+  const Real x2365 = x2298 * x2364;
+  // joint 5 "left_ball": placement, velocity and reference acceleration of its link
+  const Real x187 = x107 * x155 + x144 * x178;
+  // joint 6 "right_motor": placement, velocity and reference acceleration of its link
+  const Real x224 = cosine[5] * x220 - x32 * sine[5];
   // joint 7 "right_ball": placement, velocity and reference acceleration of its link
+  const Real x274 = x216 * x265;
+  const Real x286 = v[9] * x275 - v[11] * x273;
+  const Real x293 = 0.06 * x231 - x229;
+  const Real x321 = x276 * x278;
   const Real x277 = v[10] + x274;
   const Real x323 = x286 + x321;
   const Real x282 = v[11] * x274 - v[10] * x275;
@@ -809,7 +822,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x316 = x277 * x278;
   const Real x317 = x316 - x282;
   const Real x299 = x224 * x270 + x258 * x293;
-  const Real x319 = x276 * x276 + x277 * x277;
   // directions in which a loop holds its two links
   const Real x665 = x618 * x655 + x624 * x652 + x619 * x659;
   const Real x701 = x618 * x691 + x624 * x688 + x619 * x695;
@@ -819,20 +831,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x796 = x73 + x412;
   const Real x804 = x780 * x795 + x777 * x799 + x784 * x796;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Real x2296 = x2284 + x2288 + x2293 * x2293;
-  const Real x2551 = (x629 - (x181 - x208 * 0.15)) * 8.0 * (1 / x2201);
-  const Real x2538 = (x665 - (x184 - x202 * 0.15)) * 8.0;
-  const Real x2298 = 2.0 * (1 / x2296);
-  const Real x2559 = 1 / x2292 * (x2538 + (x2167 - x2202 * x2213) * x2551);
-  const Real x2305 = x2220 * x2236 + x2217 * x2233 + x2235 * x2293;
-  const Real x2306 = x2298 * x2305;
-  const Real x2324 = x2220 * x2246 + x2217 * x2247 - x2249 * x2293;
-  const Real x2325 = x2298 * x2324;
-  const Real x2344 = x2220 * x2260 + x2217 * x2261 - x2263 * x2293;
-  const Real x2345 = x2298 * x2344;
-  const Real x2364 = x2220 * x2274 + x2217 * x2275 - x2277 * x2293;
-  const Real x2365 = x2298 * x2364;
-  const Real x2539 = (x701 - (x187 + x204 * 0.15)) * 16.0;
   const Real x2310 = 1.2 * x2306;
   const Real x2329 = 1.2 * x2325;
   const Real x2349 = 1.2 * x2345;
@@ -847,7 +845,13 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x2369 = 1.2 * x2365;
   const Real x2376 = x2217 * x2365 - x2275;
   const Real x2375 = x2220 * x2365 - x2274;
+  const Real x2551 = (x629 - (x181 - x208 * 0.15)) * 8.0 * (1 / x2201);
+  const Real x2538 = (x665 - (x184 - x202 * 0.15)) * 8.0;
+  const Real x2385 = sign_of(x2315) * sqrt_of(x2315 * x2315 + x2380 + x2381);
+  const Real x2559 = 1 / x2292 * (x2538 + (x2167 - x2202 * x2213) * x2551);
+  const Real x2386 = x2315 + x2385;
   // joint 7 "right_ball": placement, velocity and reference acceleration of its link
+  const Real x319 = x276 * x276 + x277 * x277;
   const Real x302 = x224 * x272 + x261 * x293;
   // directions in which a loop holds its two links
   const Real x841 = x795 * x831 + x799 * x828 + x796 * x835;
@@ -857,16 +861,59 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x924 = x268 * 2.7e-06;
   const Real x962 = x261 * 0.01725;
   const Real x909 = x265 * 0.00264635;
+  const Real x997 = -0.009 - x962;
   const Real x898 = x270 * 0.01725;
   const Real x910 = x269 * 0.01725;
-  const Real x997 = -0.009 - x962;
+  // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
+  const Real x2539 = (x701 - (x187 + x204 * 0.15)) * 16.0;
+  const Real x2389 = x2380 + x2381 + x2386 * x2386;
+  const Real x2567 = x2539 + (x2172 - x2202 * x2229) * x2551;
+  const Real x2571 = 1 / x2385 * ((x2235 - x2293 * x2306) * x2559 + x2567);
+  const Real x2540 = (x804 - (x296 - x323 * 0.23)) * 4.0;
+  const Real x2581 = x2540 + (x2176 - x2202 * x2243) * x2551;
+  const Real x2541 = (x841 - (x299 - x317 * 0.23)) * 4.0;
+  const Real x2391 = 2.0 * (1 / x2389);
+  const Real x2597 = x2541 + (x2181 - x2202 * x2257) * x2551;
+  const Real x2396 = x2310 * x2329 + x2316 * x2336 + x2335 * x2386;
+  const Real x2397 = x2391 * x2396;
+  const Real x2408 = x2310 * x2349 + x2316 * x2356 + x2355 * x2386;
+  const Real x2409 = x2391 * x2408;
+  const Real x2420 = x2310 * x2369 + x2316 * x2376 + x2375 * x2386;
+  const Real x2421 = x2391 * x2420;
+  const Real x2542 = (x878 - (x302 + x319 * 0.23)) * 16.0;
+  const Real x2402 = x2329 - x2310 * x2397;
+  const Real x2403 = x2336 - x2316 * x2397;
+  const Real x2415 = x2356 - x2316 * x2409;
+  const Real x2414 = x2349 - x2310 * x2409;
+  const Real x2427 = x2376 - x2316 * x2421;
+  const Real x2426 = x2369 - x2310 * x2421;
+  const Real x2431 = x2403 * x2403;
+  const Real x2616 = x2542 + (x2187 - x2202 * x2271) * x2551;
+  // link 8 "right_rod": force that the reference field takes
+  const Real x519 = x296 * 0.15 - x323 * 0.01725;
+  const Real x523 = x299 * 0.15 - x317 * 0.01725;
+  const Real x508 = (v[10] * x273 - v[9] * x274) * 2.7e-06;
+  const Real x512 = x282 * 0.00264635 - x316 * 0.00264365 + x299 * 0.01725;
+  const Real x527 = x302 * 0.15 + x319 * 0.01725;
+  // directions in which a loop holds its two links
+  const Real x530 = cosine[3] * 0.05;
+  const Real x531 = sine[3] * 0.05;
+  // joint 7 "right_ball": inertia and bias force of what is beyond, its own motion left open
   const Real x906 = x897 + 0.06 * x898;
-  const Real x921 = x909 - 0.06 * x910;
   const Real x995 = x262 * x897 + x268 * x924 + x265 * x909;
+  const Real x921 = x909 - 0.06 * x910;
+  const Real x1053 = x995 - 0.06 * (x997 - x962) + 0.0002466667;
   const Real x899 = x258 * 0.01725;
   const Real x960 = x272 * 0.01725;
-  const Real x1053 = x995 - 0.06 * (x997 - x962) + 0.0002466667;
   const Real x1054 = 0.006 - x997;
+  const Real x912 = x255 * 0.01725;
+  // joint 6 "right_motor": inertia and bias force of what is beyond, its own motion left open
+  const Real x1073 = cosine[5] * x960;
+  const Real x1098 = sine[5] * x898 + cosine[5] * x899;
+  const Real x1075 = sine[5] * x1054 - x1073;
+  const Real x1110 = x906 - 0.17 * x1098;
+  const Real x1127 = sine[5] * x910 + cosine[5] * x912;
+  const Real x1084 = x1053 - 0.17 * x1075;
   // joint 5 "left_ball": inertia and bias force of what is beyond, its own motion left open
   const Real x1300 = x145 * 0.00112635;
   const Real x1327 = x151 * 2.7e-06;
@@ -876,107 +923,15 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x1399 = -0.009 - x1365;
   const Real x1313 = x152 * 0.01125;
   const Real x1309 = x1300 + 0.06 * x1301;
+  const Real x1324 = x1312 - 0.06 * x1313;
+  const Real x1302 = x141 * 0.01125;
+  const Real x1398 = x145 * x1300 + x151 * x1327 + x148 * x1312;
+  const Real x1455 = x1398 - 0.06 * (x1399 - x1365) + 0.0002466667;
+  // joint 4 "left_motor": inertia and bias force of what is beyond, its own motion left open
+  const Real x1498 = sine[4] * x1301 + cosine[4] * x1302;
   // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
   const Real x1709 = sine[3] * 0.002;
   const Real x1827 = 0.00630833 + cosine[3] * (cosine[3] * 0.0019583400000000003) + 2.4e-05;
-  // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Real x2540 = (x804 - (x296 - x323 * 0.23)) * 4.0;
-  const Real x2567 = x2539 + (x2172 - x2202 * x2229) * x2551;
-  const Real x2581 = x2540 + (x2176 - x2202 * x2243) * x2551;
-  const Real x2541 = (x841 - (x299 - x317 * 0.23)) * 4.0;
-  const Real x2597 = x2541 + (x2181 - x2202 * x2257) * x2551;
-  const Real x2542 = (x878 - (x302 + x319 * 0.23)) * 16.0;
-  const Real x2385 = sign_of(x2315) * sqrt_of(x2315 * x2315 + x2380 + x2381);
-  const Real x2616 = x2542 + (x2187 - x2202 * x2271) * x2551;
-  const Real x2386 = x2315 + x2385;
-  const Real x2389 = x2380 + x2381 + x2386 * x2386;
-  // joint 3 "ankle_roll": placement, velocity and reference acceleration of its link
-  const Real x68 = v[3] * x66;
-  const Real x85 = x77 + x80;
-  // link 8 "right_rod": force that the reference field takes
-  const Real x519 = x296 * 0.15 - x323 * 0.01725;
-  const Real x523 = x299 * 0.15 - x317 * 0.01725;
-  const Real x508 = (v[10] * x273 - v[9] * x274) * 2.7e-06;
-  const Real x512 = x282 * 0.00264635 - x316 * 0.00264365 + x299 * 0.01725;
-  const Real x527 = x302 * 0.15 + x319 * 0.01725;
-  const Real x515 = x286 * 0.00264635 + x321 * 0.00264365 - x296 * 0.01725;
-  // directions in which a loop holds its two links
-  const Real x530 = cosine[3] * 0.05;
-  const Real x531 = sine[3] * 0.05;
-  const Real x536 = sine[2] * x531;
-  // joint 7 "right_ball": inertia and bias force of what is beyond, its own motion left open
-  const Real x912 = x255 * 0.01725;
-  // joint 6 "right_motor": inertia and bias force of what is beyond, its own motion left open
-  const Real x1073 = cosine[5] * x960;
-  const Real x1098 = sine[5] * x898 + cosine[5] * x899;
-  const Real x1075 = sine[5] * x1054 - x1073;
-  const Real x1127 = sine[5] * x910 + cosine[5] * x912;
-  const Real x1110 = x906 - 0.17 * x1098;
-  const Real x1084 = x1053 - 0.17 * x1075;
-  const Real x1140 = x921 + 0.17 * x1127;
-  // joint 5 "left_ball": inertia and bias force of what is beyond, its own motion left open
-  const Real x1324 = x1312 - 0.06 * x1313;
-  const Real x1398 = x145 * x1300 + x151 * x1327 + x148 * x1312;
-  const Real x1302 = x141 * 0.01125;
-  const Real x1455 = x1398 - 0.06 * (x1399 - x1365) + 0.0002466667;
-  const Real x1363 = x155 * 0.01125;
-  const Real x1456 = 0.006 - x1399;
-  const Real x1315 = x138 * 0.01125;
-  // joint 4 "left_motor": inertia and bias force of what is beyond, its own motion left open
-  const Real x1498 = sine[4] * x1301 + cosine[4] * x1302;
-  // joint 2 "ankle_pitch": inertia and bias force of what is beyond, its own motion left open
-  const Real x1850 = sine[2] * 0.04 + cosine[2] * x530;
-  // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Real x2571 = 1 / x2385 * ((x2235 - x2293 * x2306) * x2559 + x2567);
-  const Real x2391 = 2.0 * (1 / x2389);
-  const Real x2396 = x2310 * x2329 + x2316 * x2336 + x2335 * x2386;
-  const Real x2397 = x2391 * x2396;
-  const Real x2408 = x2310 * x2349 + x2316 * x2356 + x2355 * x2386;
-  const Real x2409 = x2391 * x2408;
-  const Real x2420 = x2310 * x2369 + x2316 * x2376 + x2375 * x2386;
-  const Real x2421 = x2391 * x2420;
-  const Real x2402 = x2329 - x2310 * x2397;
-  const Real x2403 = x2336 - x2316 * x2397;
-  const Real x2415 = x2356 - x2316 * x2409;
-  const Real x2414 = x2349 - x2310 * x2409;
-  const Real x2427 = x2376 - x2316 * x2421;
-  const Real x2426 = x2369 - x2310 * x2421;
-  const Real x2431 = x2403 * x2403;
-  // link 4 "foot": force that the reference field takes
-  const Real x385 = x68 * 0.002999997 - x68 * 0.00826667;
-  const Real x405 = 0.002 * (x89 - x85) + x385 + x55 * 0.05;
-  const Real x395 = x70 * 0.004958337 - x70 * 0.00630833 + x83 * 0.002;
-  // link 6 "left_rod": force that the reference field takes
-  const Real x463 = (v[6] * x157 - v[5] * x158) * 2.7e-06;
-  const Real x474 = x181 * 0.15 - x208 * 0.01125;
-  const Real x478 = x184 * 0.15 - x202 * 0.01125;
-  const Real x467 = x166 * 0.00112635 - x201 * 0.00112365 + x184 * 0.01125;
-  const Real x482 = x187 * 0.15 + x204 * 0.01125;
-  const Real x470 = x170 * 0.00112635 + x206 * 0.00112365 - x181 * 0.01125;
-  // joint 7 "right_ball": inertia and bias force of what is beyond, its own motion left open
-  const Real x1033 = x269 * x519 + x270 * x523 + x272 * x527;
-  const Real x1028 = x262 * x512 + x268 * x508 + x265 * x515;
-  const Real x892 = x512 - tau[9];
-  const Real x1056 = x1028 + 0.06 * x1033 + x224 * 0.006;
-  // joint 6 "right_motor": inertia and bias force of what is beyond, its own motion left open
-  const Real x1069 = sine[5] * x960;
-  const Real x1071 = cosine[5] * x1054 + x1069;
-  const Real x1095 = cosine[5] * x898 - sine[5] * x899;
-  const Real x1122 = sine[5] * x912 - cosine[5] * x910;
-  const Real x1060 = x1056 - tau[8];
-  // joint 5 "left_ball": inertia and bias force of what is beyond, its own motion left open
-  const Real x1297 = x463 - tau[7];
-  // joint 4 "left_motor": inertia and bias force of what is beyond, its own motion left open
-  const Real x1474 = cosine[4] * x1363;
-  const Real x1509 = x1309 - 0.25 * x1498;
-  const Real x1476 = sine[4] * x1456 - x1474;
-  const Real x1526 = sine[4] * x1313 + cosine[4] * x1315;
-  const Real x1484 = x1455 - 0.25 * x1476;
-  const Real x1538 = x1324 + 0.25 * x1526;
-  const Real x1495 = cosine[4] * x1301 - sine[4] * x1302;
-  // joint 2 "ankle_pitch": inertia and bias force of what is beyond, its own motion left open
-  const Real x1854 = x1827 + 0.4 * x1850;
-  const Real x1867 = x1709 + 0.4 * x536;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Real x2583 = (x2249 + x2293 * x2325) * x2559 - x2581;
   const Real x2599 = (x2263 + x2293 * x2345) * x2559 - x2597;
@@ -984,38 +939,39 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x2438 = sign_of(x2402) * sqrt_of(x2402 * x2402 + x2434 + x2431);
   const Real x2439 = x2402 + x2438;
   const Real x2442 = x2431 + x2434 + x2439 * x2439;
-  // directions in which a loop holds its two links
-  const Real x532 = cosine[2] * x531;
-  // joint 7 "right_ball": inertia and bias force of what is beyond, its own motion left open
-  const Real x893 = x515 - tau[10];
-  const Real x1051 = -0.006 + x997;
-  // joint 6 "right_motor": inertia and bias force of what is beyond, its own motion left open
-  const Real x1218 = x1073 + sine[5] * x1051;
-  const Real x1236 = -0.059500000000000004 - x1218;
-  // joint 5 "left_ball": inertia and bias force of what is beyond, its own motion left open
-  const Real x1435 = x152 * x474 + x153 * x478 + x155 * x482;
-  const Real x1295 = x467 - tau[5];
-  const Real x1296 = x470 - tau[6];
-  const Real x1453 = -0.006 + x1399;
-  const Real x1430 = x145 * x467 + x151 * x463 + x148 * x470;
-  const Real x1457 = x1430 + 0.06 * x1435 + x107 * 0.006;
-  // joint 4 "left_motor": inertia and bias force of what is beyond, its own motion left open
-  const Real x1470 = sine[4] * x1363;
-  const Real x1472 = cosine[4] * x1456 + x1470;
-  const Real x1521 = sine[4] * x1315 - cosine[4] * x1313;
-  const Real x1617 = x1474 + sine[4] * x1453;
-  const Real x1461 = x1457 - tau[4];
-  const Real x1635 = -0.0875 - x1617;
-  // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
-  const Real x1811 = cosine[3] * (x405 - x73 * 0.04);
-  const Real x1814 = x1811 - sine[3] * (x395 + x72 * 0.04);
-  const Real x1708 = x83 * 0.0019583400000000003 + x72 * 0.05 - tau[3];
-  // joint 2 "ankle_pitch": inertia and bias force of what is beyond, its own motion left open
-  const Real x1845 = sine[2] * x530 - cosine[2] * 0.04;
-  const Real x1832 = x1814 - tau[2];
-  const Real x2043 = -0.46 - x1850;
-  // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Real x2585 = 1 / x2438 * (x2583 - (x2335 - x2386 * x2397) * x2571);
+  // joint 3 "ankle_roll": placement, velocity and reference acceleration of its link
+  const Real x68 = v[3] * x66;
+  const Real x85 = x77 + x80;
+  // link 4 "foot": force that the reference field takes
+  const Real x385 = x68 * 0.002999997 - x68 * 0.00826667;
+  // link 6 "left_rod": force that the reference field takes
+  const Real x463 = (v[6] * x157 - v[5] * x158) * 2.7e-06;
+  // link 8 "right_rod": force that the reference field takes
+  const Real x515 = x286 * 0.00264635 + x321 * 0.00264365 - x296 * 0.01725;
+  // directions in which a loop holds its two links
+  const Real x536 = sine[2] * x531;
+  // joint 7 "right_ball": inertia and bias force of what is beyond, its own motion left open
+  const Real x1033 = x269 * x519 + x270 * x523 + x272 * x527;
+  // joint 6 "right_motor": inertia and bias force of what is beyond, its own motion left open
+  const Real x1140 = x921 + 0.17 * x1127;
+  const Real x1069 = sine[5] * x960;
+  const Real x1071 = cosine[5] * x1054 + x1069;
+  const Real x1095 = cosine[5] * x898 - sine[5] * x899;
+  // joint 5 "left_ball": inertia and bias force of what is beyond, its own motion left open
+  const Real x1363 = x155 * 0.01125;
+  const Real x1456 = 0.006 - x1399;
+  const Real x1315 = x138 * 0.01125;
+  // joint 4 "left_motor": inertia and bias force of what is beyond, its own motion left open
+  const Real x1474 = cosine[4] * x1363;
+  const Real x1509 = x1309 - 0.25 * x1498;
+  const Real x1476 = sine[4] * x1456 - x1474;
+  const Real x1526 = sine[4] * x1313 + cosine[4] * x1315;
+  // joint 2 "ankle_pitch": inertia and bias force of what is beyond, its own motion left open
+  const Real x1850 = sine[2] * 0.04 + cosine[2] * x530;
+  const Real x1854 = x1827 + 0.4 * x1850;
+  const Real x1867 = x1709 + 0.4 * x536;
+  // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Real x2444 = 2.0 * (1 / x2442);
   const Real x2450 = x2403 * x2415 - x2179 * x2184 + x2414 * x2439;
   const Real x2451 = x2444 * x2450;
@@ -1029,14 +985,67 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x2473 = x2427 - x2403 * x2467;
   const Real x2484 = 0.8464 + x2455 * x2455;
   const Real x2480 = x2458 * x2458;
+  const Real x2600 = x2599 - (x2355 - x2386 * x2409) * x2571;
+  const Real x2619 = x2618 - (x2375 - x2386 * x2421) * x2571;
+  // link 4 "foot": force that the reference field takes
+  const Real x405 = 0.002 * (x89 - x85) + x385 + x55 * 0.05;
+  const Real x395 = x70 * 0.004958337 - x70 * 0.00630833 + x83 * 0.002;
+  // link 6 "left_rod": force that the reference field takes
+  const Real x474 = x181 * 0.15 - x208 * 0.01125;
+  const Real x478 = x184 * 0.15 - x202 * 0.01125;
+  const Real x467 = x166 * 0.00112635 - x201 * 0.00112365 + x184 * 0.01125;
+  const Real x482 = x187 * 0.15 + x204 * 0.01125;
+  const Real x470 = x170 * 0.00112635 + x206 * 0.00112365 - x181 * 0.01125;
+  // directions in which a loop holds its two links
+  const Real x532 = cosine[2] * x531;
+  // joint 7 "right_ball": inertia and bias force of what is beyond, its own motion left open
+  const Real x1028 = x262 * x512 + x268 * x508 + x265 * x515;
+  const Real x892 = x512 - tau[9];
+  const Real x1056 = x1028 + 0.06 * x1033 + x224 * 0.006;
+  const Real x893 = x515 - tau[10];
+  const Real x1051 = -0.006 + x997;
+  // joint 6 "right_motor": inertia and bias force of what is beyond, its own motion left open
+  const Real x1122 = sine[5] * x912 - cosine[5] * x910;
+  const Real x1060 = x1056 - tau[8];
+  const Real x1218 = x1073 + sine[5] * x1051;
+  const Real x1236 = -0.059500000000000004 - x1218;
+  // joint 5 "left_ball": inertia and bias force of what is beyond, its own motion left open
+  const Real x1297 = x463 - tau[7];
+  const Real x1435 = x152 * x474 + x153 * x478 + x155 * x482;
+  const Real x1295 = x467 - tau[5];
+  const Real x1430 = x145 * x467 + x151 * x463 + x148 * x470;
+  const Real x1296 = x470 - tau[6];
+  const Real x1453 = -0.006 + x1399;
+  const Real x1457 = x1430 + 0.06 * x1435 + x107 * 0.006;
+  // joint 4 "left_motor": inertia and bias force of what is beyond, its own motion left open
+  const Real x1484 = x1455 - 0.25 * x1476;
+  const Real x1538 = x1324 + 0.25 * x1526;
+  const Real x1495 = cosine[4] * x1301 - sine[4] * x1302;
+  const Real x1470 = sine[4] * x1363;
+  const Real x1472 = cosine[4] * x1456 + x1470;
+  const Real x1521 = sine[4] * x1315 - cosine[4] * x1313;
+  const Real x1461 = x1457 - tau[4];
+  const Real x1617 = x1474 + sine[4] * x1453;
+  const Real x1635 = -0.0875 - x1617;
+  // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
+  const Real x1811 = cosine[3] * (x405 - x73 * 0.04);
+  const Real x1814 = x1811 - sine[3] * (x395 + x72 * 0.04);
+  const Real x1708 = x83 * 0.0019583400000000003 + x72 * 0.05 - tau[3];
+  // joint 2 "ankle_pitch": inertia and bias force of what is beyond, its own motion left open
+  const Real x1845 = sine[2] * x530 - cosine[2] * 0.04;
+  const Real x1832 = x1814 - tau[2];
+  const Real x2043 = -0.46 - x1850;
+  // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
+  const Real x2488 = sign_of(x2457) * sqrt_of(x2457 * x2457 + x2484 + x2480);
+  const Real x2489 = x2457 + x2488;
+  const Real x2492 = x2480 + x2484 + x2489 * x2489;
+  const Real x2602 = 1 / x2488 * ((x2414 - x2439 * x2451) * x2585 + x2600);
+  const Real x2494 = 2.0 * (1 / x2492);
   // directions in which a loop holds its two links
   const Real x541 = x155 * 0.15;
   const Real x547 = -0.06 - x144 * 0.15;
-  const Real x533 = sine[2] * 0.06;
-  const Real x537 = cosine[2] * 0.06;
   // directions in which a loop holds its two links
   const Real x721 = x272 * 0.23;
-  const Real x727 = -0.06 - x261 * 0.23;
   // joint 7 "right_ball": inertia and bias force of what is beyond, its own motion left open
   const Real x1057 = x224 * 0.2 + x1033;
   const Real x1038 = x255 * x519 + x258 * x523 + x261 * x527;
@@ -1055,11 +1064,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x1276 = cosine[5] * x1057 - sine[5] * x1058;
   // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
   const Real x1823 = cosine[3] * (x73 + x85 * 0.05);
+  const Real x1829 = sine[3] * (x72 + x412) + x1823 + x50 * 0.15;
   // link 4 "foot": force that the reference field takes
   const Real x423 = 2.0 * x68 * 0.05 - x89 * 0.04 - x55;
   // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
   const Real x1830 = x423 - x55 * 0.15;
-  const Real x1829 = sine[3] * (x72 + x412) + x1823 + x50 * 0.15;
   // joint 4 "left_motor": inertia and bias force of what is beyond, its own motion left open
   const Real x1698 = x1455 - 0.25 * (x1635 - x1617) + x1258;
   // joint 2 "ankle_pitch": inertia and bias force of what is beyond, its own motion left open
@@ -1069,67 +1078,24 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x1704 = cosine[4] * x1458 - sine[4] * x1459 + x1276;
   const Real x1703 = x1056 - 0.17 * x1279 + (x1457 - 0.25 * x1676);
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Real x2600 = x2599 - (x2355 - x2386 * x2409) * x2571;
-  const Real x2619 = x2618 - (x2375 - x2386 * x2421) * x2571;
-  const Real x2488 = sign_of(x2457) * sqrt_of(x2457 * x2457 + x2484 + x2480);
-  const Real x2489 = x2457 + x2488;
-  // directions in which a loop holds its two links
-  const Real x561 = x536 - x537 - (cosine[4] * x547 - sine[4] * x541);
-  const Real x562 = x530 - (0.05 - x151 * 0.15);
-  const Real x558 = -0.25 - (cosine[4] * x541 + sine[4] * x547);
-  const Real x560 = x532 + x533 + -0.4 - x558;
-  const Real x567 = x561 * x561 + x562 * x562 + x560 * x560;
-  const Real x579 = 1e-08 - x567;
-  require_more(w, x579, 0.0, kLoopOpen, 8);
-  // directions in which a loop holds its two links
-  const Real x741 = x536 + x537 + (cosine[5] * x727 - sine[5] * x721);
-  const Real x743 = -0.05 - x268 * 0.23 + x530;
-  const Real x738 = -0.17 - (cosine[5] * x721 + sine[5] * x727);
-  const Real x740 = x533 - x532 + -0.4 - x738;
-  const Real x762 = v[11] * v[11] + x757 + x572 + x80 + 1.0;
-  const Real x751 = x741 * x741 + x743 * x743 + x740 * x740;
-  const Real x761 = 1e-08 - x751;
-  require_more(w, x761, 0.0, kLoopOpen, 9);
-  // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Real x2492 = x2480 + x2484 + x2489 * x2489;
-  const Real x2602 = 1 / x2488 * ((x2414 - x2439 * x2451) * x2585 + x2600);
-  const Real x2102 = v[6] * 0.15 + v[4] * x1339 + v[3] * x637;
-  const Real x2103 = v[2] * x1715 + x2102;
-  const Real x2112 = v[3] * x673 - (v[5] * 0.15 + v[4] * x1354);
-  const Real x2113 = v[2] * x1730 + x2112;
-  const Real x2132 = v[10] * 0.23 + v[8] * x936 - v[3] * x812;
-  const Real x2133 = v[2] * x1760 + x2132;
-  const Real x2143 = v[9] * 0.23 + v[8] * x951 + v[3] * x849;
-  const Real x2145 = v[2] * x1774 - x2143;
-  const Real x2494 = 2.0 * (1 / x2492);
-  const Real x2119 = v[3] * x709 - v[4] * x1361 + v[2] * x1745;
-  const Real x2153 = v[2] * x1788 - (v[8] * x958 + v[3] * x886);
   const Real x2501 = x2458 * x2474 + x2455 * x2471 + x2473 * x2489;
   const Real x2502 = x2494 * x2501;
-  const Real x2525 = x2201 * x2201;
-  require_more(w, x2525, 9.999999999999998e-15, kLoopSingular, 8);
-  const Real x2527 = x2292 * x2292;
-  require_more(w, x2527, 9.999999999999998e-15, kLoopSingular, 8);
-  const Real x2529 = x2385 * x2385;
-  require_more(w, x2529, 9.999999999999998e-15, kLoopSingular, 8);
   const Real x2506 = 0.92 * x2502;
-  const Real x2531 = x2438 * x2438;
-  require_more(w, x2531, 9.999999999999998e-15, kLoopSingular, 9);
-  const Real x2533 = x2488 * x2488;
-  require_more(w, x2533, 9.999999999999998e-15, kLoopSingular, 9);
   const Real x2511 = x2458 * x2502 - x2474;
   const Real x2512 = x2455 * x2502 - x2471;
-  const Real x2124 = x2103 * x2103 + x2113 * x2113 + x2119 * x2119;
-  const Real x2125 = x580 * 1.0000000000000002e-06 - x2124;
-  require_more(w, x2125, 0.0, kLoopTorn, 8);
-  const Real x2158 = x2133 * x2133 + x2145 * x2145 + x2153 * x2153;
-  const Real x2159 = 1.0000000000000002e-06 * x762 - x2158;
-  require_more(w, x2159, 0.0, kLoopTorn, 9);
   const Real x2620 = (x2426 - x2439 * x2467) * x2585 + x2619;
   const Real x2518 = x2511 * x2511 + x2506 * x2506 + x2512 * x2512;
   const Real x2519 = sqrt_of(x2518);
   const Real x2520 = x2519 * x2519;
   require_more(w, x2520, 9.999999999999998e-15, kLoopSingular, 9);
+  // directions in which a loop holds its two links
+  const Real x533 = sine[2] * 0.06;
+  const Real x537 = cosine[2] * 0.06;
+  const Real x561 = x536 - x537 - (cosine[4] * x547 - sine[4] * x541);
+  const Real x562 = x530 - (0.05 - x151 * 0.15);
+  // directions in which a loop holds its two links
+  const Real x727 = -0.06 - x261 * 0.23;
+  // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Real x2521 = x2518 + x2520;
   const Real x2622 = 1 / x2519 * ((x2473 - x2489 * x2502) * x2602 + x2620);
   const Real x2523 = 2.0 * (1 / x2521);
@@ -1143,49 +1109,47 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x2637 = x2512 * x2633;
   const Real x2644 = x2511 * x2642;
   const Real x2645 = x2506 * x2642;
-  const Real x2657 = x2511 * x2653;
-  const Real x2659 = x2506 * x2653;
   const Real x2630 = 1.0 - x2511 * x2624;
   const Real x2640 = 1.0 - x2506 * x2633;
   const Real x2650 = 1.0 - x2512 * x2642;
+  const Real x2657 = x2511 * x2653;
+  const Real x2659 = x2506 * x2653;
   const Real x2661 = x2512 * x2653;
   const Real x2625 = x2519 * x2624;
   const Real x2634 = x2519 * x2633;
   const Real x2643 = x2519 * x2642;
   const Real x3062 = x1327 * x2625;
-  const Real x3070 = x1327 * x2634;
-  const Real x3078 = x1327 * x2643;
   const Real x2671 = 0.92 * x2627 + x2455 * x2628 - x2458 * x2630;
   const Real x2672 = x2494 * x2671;
-  const Real x2663 = x2519 * x2653 - x2622;
+  const Real x3070 = x1327 * x2634;
   const Real x2691 = x2458 * x2635 + x2455 * x2637 - 0.92 * x2640;
   const Real x2692 = x2494 * x2691;
+  const Real x3078 = x1327 * x2643;
   const Real x2711 = x2458 * x2644 + 0.92 * x2645 - x2455 * x2650;
   const Real x2712 = x2494 * x2711;
-  const Real x2734 = x2489 * x2602 + x2458 * x2657 + 0.92 * x2659;
   const Real x2673 = x2489 * x2672;
   const Real x2693 = x2489 * x2692;
   const Real x2713 = x2489 * x2712;
-  const Real x2738 = x2494 * (x2455 * x2661 + x2734);
   const Real x2681 = x2630 + x2458 * x2672;
   const Real x2683 = x2455 * x2672 - x2628;
   const Real x2701 = x2458 * x2692 - x2635;
   const Real x2703 = x2455 * x2692 - x2637;
   const Real x2721 = x2458 * x2712 - x2644;
   const Real x2723 = x2650 + x2455 * x2712;
+  const Real x2734 = x2489 * x2602 + x2458 * x2657 + 0.92 * x2659;
   const Real x2682 = 0.92 * x2672 - x2627;
-  const Real x2748 = x2489 * x2738 - x2602;
+  const Real x2738 = x2494 * (x2455 * x2661 + x2734);
   const Real x2702 = x2640 + 0.92 * x2692;
-  const Real x2749 = x2657 - x2458 * x2738;
-  const Real x2751 = x2661 - x2455 * x2738;
-  const Real x2722 = 0.92 * x2712 - x2645;
   const Real x2757 = x2179 * x2681 - x2403 * x2673 + 0.92 * x2683;
   const Real x2758 = x2444 * x2757;
+  const Real x2722 = 0.92 * x2712 - x2645;
   const Real x2773 = x2179 * x2701 - x2403 * x2693 + 0.92 * x2703;
   const Real x2774 = x2444 * x2773;
-  const Real x2750 = x2659 - 0.92 * x2738;
+  const Real x2748 = x2489 * x2738 - x2602;
+  const Real x2749 = x2657 - x2458 * x2738;
   const Real x2789 = x2179 * x2721 - x2403 * x2713 + 0.92 * x2723;
   const Real x2790 = x2444 * x2789;
+  const Real x2751 = x2661 - x2455 * x2738;
   const Real x2759 = x2439 * x2758;
   const Real x2775 = x2439 * x2774;
   const Real x2791 = x2439 * x2790;
@@ -1198,15 +1162,10 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x2783 = x2703 - 0.92 * x2774;
   const Real x3130 = x906 * x2766 + 0.00264635 * x2682;
   const Real x3139 = x921 * x2766 + 0.00264635 * x2767;
-  const Real x3133 = x906 * x2782 + 0.00264635 * x2702;
   const Real x2824 = x2391 * (x2310 * x2759 + x2316 * x2764);
-  const Real x2806 = x2403 * x2748 - x2439 * x2585 + x2179 * x2749;
   const Real x3117 = x1053 * x2766 + x906 * x2682 + x921 * x2767;
   const Real x2840 = x2391 * (x2310 * x2775 + x2316 * x2780);
-  const Real x3142 = x921 * x2782 + 0.00264635 * x2783;
   const Real x2856 = x2391 * (x2310 * x2791 + x2316 * x2796);
-  const Real x2798 = x2721 - x2179 * x2790;
-  const Real x3122 = x1053 * x2782 + x906 * x2702 + x921 * x2783;
   const Real x2826 = x2386 * x2824;
   const Real x2842 = x2386 * x2840;
   const Real x2858 = x2386 * x2856;
@@ -1216,17 +1175,15 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x2849 = x2316 * x2840 - x2780;
   const Real x2864 = x2310 * x2856 - x2791;
   const Real x2865 = x2316 * x2856 - x2796;
-  const Real x2799 = x2723 - 0.92 * x2790;
-  const Real x2808 = x2444 * (0.92 * x2751 + x2806);
-  const Real x2813 = x2585 + x2439 * x2808;
-  const Real x3136 = x906 * x2798 + 0.00264635 * x2722;
-  const Real x3145 = x921 * x2798 + 0.00264635 * x2799;
+  const Real x3133 = x906 * x2782 + 0.00264635 * x2702;
+  const Real x3142 = x921 * x2782 + 0.00264635 * x2783;
+  const Real x3122 = x1053 * x2782 + x906 * x2702 + x921 * x2783;
   const Real x2888 = x2220 * x2826 + 1.2 * x2832 + x2217 * x2833;
   const Real x2890 = x2298 * x2888;
-  const Real x2815 = x2748 - x2403 * x2808;
+  const Real x2806 = x2403 * x2748 - x2439 * x2585 + x2179 * x2749;
   const Real x2911 = x2220 * x2842 + 1.2 * x2848 + x2217 * x2849;
   const Real x2913 = x2298 * x2911;
-  const Real x3127 = x1053 * x2798 + x906 * x2722 + x921 * x2799;
+  const Real x2798 = x2721 - x2179 * x2790;
   const Real x2934 = x2220 * x2858 + 1.2 * x2864 + x2217 * x2865;
   const Real x2936 = x2298 * x2934;
   const Real x2892 = x2293 * x2890;
@@ -1239,106 +1196,114 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x2901 = x2832 - 1.2 * x2890;
   const Real x2946 = x2858 - x2220 * x2936;
   const Real x2948 = x2865 - x2217 * x2936;
+  const Real x2799 = x2723 - 0.92 * x2790;
   const Real x2924 = x2848 - 1.2 * x2913;
-  const Real x2947 = x2864 - 1.2 * x2936;
+  const Real x2808 = x2444 * (0.92 * x2751 + x2806);
   const Real x2975 = x2164 * x2892 + x2165 * x2900 + 1.2 * x2902;
   const Real x2976 = x2206 * x2975;
-  const Real x2871 = x2386 * x2571 - x2310 * x2813 + x2316 * x2815;
-  const Real x2872 = x2391 * x2871;
   const Real x2989 = x2164 * x2915 + x2165 * x2923 + 1.2 * x2925;
   const Real x2990 = x2206 * x2989;
   const Real x3003 = x2164 * x2938 + x2165 * x2946 + 1.2 * x2948;
   const Real x3004 = x2206 * x3003;
   const Real x2977 = x2202 * x2976;
   const Real x2991 = x2202 * x2990;
-  const Real x3005 = x2202 * x3004;
   const Real x2982 = x2892 - x2164 * x2976;
   const Real x2983 = x2900 - x2165 * x2976;
   const Real x2984 = x2902 - 1.2 * x2976;
   const Real x2996 = x2915 - x2164 * x2990;
   const Real x2997 = x2923 - x2165 * x2990;
-  const Real x2998 = x2925 - 1.2 * x2990;
-  const Real x3010 = x2938 - x2164 * x3004;
   const Real x3033 = x1827 * x2977 + x1709 * x2982;
   const Real x3050 = x1709 * x2977 + 0.003308333 * x2982;
   const Real x3085 = x1309 * x2983 + 0.00112635 * x2901;
   const Real x3094 = x1324 * x2983 + 0.00112635 * x2984;
   const Real x3039 = x1827 * x2991 + x1709 * x2996;
   const Real x3104 = x1327 * x2983 - 2.7e-06 * x2625;
+  const Real x2998 = x2925 - 1.2 * x2990;
   const Real x3054 = x1709 * x2991 + 0.003308333 * x2996;
-  const Real x3088 = x1309 * x2997 + 0.00112635 * x2924;
   const Real x3065 = x1309 * x2901 - x3062 + x1455 * x2983;
   const Real x3066 = x1324 * x2984 + x3065;
-  const Real x3097 = x1324 * x2997 + 0.00112635 * x2998;
   const Real x3379 = x2682 * x3130 + x2767 * x3139 + x2766 * x3117;
+  const Real x3088 = x1309 * x2997 + 0.00112635 * x2924;
   const Real x3398 = x2682 * x3133 + x2767 * x3142 + x2766 * x3122;
+  const Real x2813 = x2585 + x2439 * x2808;
+  const Real x3005 = x2202 * x3004;
+  const Real x3010 = x2938 - x2164 * x3004;
+  const Real x3136 = x906 * x2798 + 0.00264635 * x2722;
+  const Real x3145 = x921 * x2798 + 0.00264635 * x2799;
+  const Real x3381 = x2977 * x3033 + x3379 + x2982 * x3050;
+  const Real x3097 = x1324 * x2997 + 0.00112635 * x2998;
+  const Real x2815 = x2748 - x2403 * x2808;
+  const Real x3127 = x1053 * x2798 + x906 * x2722 + x921 * x2799;
+  const Real x3383 = x2901 * x3085 + x3381 + x2984 * x3094;
   const Real x3108 = x1327 * x2997 - 2.7e-06 * x2634;
+  const Real x3400 = x2977 * x3039 + x3398 + x2982 * x3054;
   const Real x3455 = x2702 * x3133 + x2783 * x3142 + x2782 * x3122;
+  const Real x3385 = x3383 - x2625 * x3104 + x2983 * x3066;
+  const Real x2947 = x2864 - 1.2 * x2936;
   const Real x3011 = x2946 - x2165 * x3004;
   const Real x3045 = x1827 * x3005 + x1709 * x3010;
+  const Real x3925 = 1 / x3385;
   const Real x3073 = x1309 * x2924 - x3070 + x1455 * x2997;
   const Real x3074 = x1324 * x2998 + x3073;
-  const Real x3381 = x2977 * x3033 + x3379 + x2982 * x3050;
   const Real x3012 = x2948 - 1.2 * x3004;
-  const Real x3400 = x2977 * x3039 + x3398 + x2982 * x3054;
   const Real x3058 = x1709 * x3005 + 0.003308333 * x3010;
+  const Real x3402 = x2901 * x3088 + x3400 + x2984 * x3097;
   const Real x3457 = x2991 * x3039 + x3455 + x2996 * x3054;
+  const Real x2871 = x2386 * x2571 - x2310 * x2813 + x2316 * x2815;
+  const Real x2872 = x2391 * x2871;
   const Real x3091 = x1309 * x3011 + 0.00112635 * x2947;
   const Real x3417 = x2682 * x3136 + x2767 * x3145 + x2766 * x3127;
-  const Real x3383 = x2901 * x3085 + x3381 + x2984 * x3094;
-  const Real x3100 = x1324 * x3011 + 0.00112635 * x3012;
-  const Real x3402 = x2901 * x3088 + x3400 + x2984 * x3097;
-  const Real x3474 = x2702 * x3136 + x2783 * x3145 + x2782 * x3127;
-  const Real x3385 = x3383 - x2625 * x3104 + x2983 * x3066;
-  const Real x2876 = x2571 - x2386 * x2872;
-  const Real x3459 = x2924 * x3088 + x3457 + x2998 * x3097;
   const Real x3404 = x3402 - x2625 * x3108 + x2983 * x3074;
+  const Real x3100 = x1324 * x3011 + 0.00112635 * x3012;
+  const Real x3474 = x2702 * x3136 + x2783 * x3145 + x2782 * x3127;
+  const Real x3459 = x2924 * x3088 + x3457 + x2998 * x3097;
+  const Real x3926 = x3404 * x3925;
+  const Real x2876 = x2571 - x2386 * x2872;
   const Real x3112 = x1327 * x3011 - 2.7e-06 * x2643;
   const Real x3419 = x2977 * x3045 + x3417 + x2982 * x3058;
-  const Real x3925 = 1 / x3385;
   const Real x3461 = x3459 - x2634 * x3108 + x2997 * x3074;
   const Real x2877 = x2813 + x2310 * x2872;
   const Real x3081 = x1309 * x2947 - x3078 + x1455 * x3011;
   const Real x3082 = x1324 * x3012 + x3081;
   const Real x3476 = x2991 * x3045 + x3474 + x2996 * x3058;
   const Real x3531 = x2722 * x3136 + x2799 * x3145 + x2798 * x3127;
+  const Real x3931 = x3461 - x3404 * x3926;
   const Real x2879 = x2815 - x2316 * x2872;
   const Real x3421 = x2901 * x3091 + x3419 + x2984 * x3100;
-  const Real x3747 = x1110 * x2682 - x3062 + x1084 * x2766;
+  const Real x3938 = 1 / x3931;
   const Real x3423 = x3421 - x2625 * x3112 + x2983 * x3082;
   const Real x3478 = x2924 * x3091 + x3476 + x2998 * x3100;
   const Real x3533 = x3005 * x3045 + x3531 + x3010 * x3058;
-  const Real x3926 = x3404 * x3925;
   const Real x2957 = x2293 * x2559 - x2220 * x2876 + 1.2 * x2877;
-  const Real x3146 = x924 * x2766;
   const Real x3927 = x3423 * x3925;
-  const Real x3765 = x1110 * x2702 - x3070 + x1084 * x2782;
   const Real x2959 = x2298 * (x2957 - x2217 * x2879);
-  const Real x3535 = x2947 * x3091 + x3533 + x3012 * x3100;
-  const Real x3931 = x3461 - x3404 * x3926;
   const Real x3480 = x3478 - x2634 * x3112 + x2997 * x3082;
   const Real x3934 = x3480 - x3423 * x3926;
-  const Real x3749 = x1140 * x2767 + x3747 + x1509 * x2901;
+  const Real x3535 = x2947 * x3091 + x3533 + x3012 * x3100;
+  const Real x3747 = x1110 * x2682 - x3062 + x1084 * x2766;
+  const Real x3939 = x3934 * x3938;
   const Real x3537 = x3535 - x2643 * x3112 + x3011 * x3082;
-  const Real x3938 = 1 / x3931;
-  const Real x3783 = x1110 * x2722 - x3078 + x1084 * x2798;
+  const Real x3146 = x924 * x2766;
   const Real x2967 = x2559 - x2293 * x2959;
   const Real x2968 = x2876 + x2220 * x2959;
+  const Real x3765 = x1110 * x2702 - x3070 + x1084 * x2782;
+  const Real x3946 = x3537 - x3423 * x3927 - x3934 * x3939;
   const Real x2970 = x2879 + x2217 * x2959;
+  const Real x3749 = x1140 * x2767 + x3747 + x1509 * x2901;
+  const Real x3783 = x1110 * x2722 - x3078 + x1084 * x2798;
+  const Real x3953 = 1 / x3946;
   const Real x3937 = x924 * x2782 - x3146 * x3926;
+  const Real x2750 = x2659 - 0.92 * x2738;
   const Real x2817 = x2751 - 0.92 * x2808;
   const Real x3767 = x1140 * x2783 + x3765 + x1509 * x2924;
   const Real x3928 = x3146 * x3925;
-  const Real x3939 = x3934 * x3938;
   const Real x2816 = x2749 - x2179 * x2808;
-  const Real x3751 = x3749 - x1854 * x2977 - x1867 * x2982;
   const Real x3018 = x2202 * x2551 + x2164 * x2967 + x2165 * x2968;
+  const Real x3751 = x3749 - x1854 * x2977 - x1867 * x2982;
   const Real x3785 = x1140 * x2799 + x3783 + x1509 * x2947;
-  const Real x3946 = x3537 - x3423 * x3927 - x3934 * x3939;
   const Real x3850 = x1075 * x2766 + x1098 * x2682 - x1127 * x2767;
   const Real x3940 = x3937 * x3938;
   const Real x3952 = x924 * x2798 - x3146 * x3927 - x3937 * x3939;
-  const Real x3953 = 1 / x3946;
   const Real x2969 = 1.2 * x2959 - x2877;
   const Real x3020 = x2206 * (1.2 * x2970 + x3018);
   const Real x3753 = x1484 * x2983 + x3751 + x1538 * x2984;
@@ -1346,6 +1311,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x3800 = x1071 * x2766 + x1095 * x2682 + x1122 * x2767;
   const Real x3868 = x1075 * x2782 + x1098 * x2702 - x1127 * x2783;
   const Real x3954 = x3952 * x3953;
+  const Real x2663 = x2519 * x2653 - x2622;
   const Real x3771 = x1484 * x2997 + x3769 + x1538 * x2998;
   const Real x3787 = x3785 - x1854 * x3005 - x1867 * x3010;
   const Real x3816 = x1071 * x2782 + x1095 * x2702 + x1122 * x2783;
@@ -1418,8 +1384,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x4070 = x3805 * x3928 + x3940 * x3983 + x3954 * x4016;
   const Real x4125 = x3964 * x4070;
   const Real x4034 = x3263 - x3261 * x3927 - x3939 * x3992;
-  const Real x4098 = x508 - tau[11] + x924 * x2816 - x3261 * x3928;
   const Real x4146 = x3953 * x4022 + x3954 * x4127;
+  const Real x4098 = x508 - tau[11] + x924 * x2816 - x3261 * x3928;
   const Real x4220 = x3753 * x3925 - x3928 * x4124 - x3927 * x4140;
   const Real x4221 = x4220 - x3926 * x4170;
   const Real x4143 = x3953 * x4016 + x3954 * x4125;
@@ -1438,9 +1404,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   require_more(w, x4517, 0.0, kFactorization, 1);
   const Real x4229 = x3805 * x3925 + x3928 * x4125 - x3927 * x4143;
   const Real x4230 = x4229 - x3926 * x4176;
-  // joint 1 "knee": articulated-body inertia and bias force through it
-  const Real x4526 = 1 / x4517;
-  // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Real x4400 = x3789 * x4146 - x924 * x4127 + x3771 * x4182;
   const Real x3312 = x1140 * x2817 + x3310 + x1509 * x2969;
   const Real x4194 = x3938 * x3992 - x3940 * x4131 - x3939 * x4152;
@@ -1455,6 +1418,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x4257 = x4256 - x3926 * x4194;
   const Real x4416 = x3821 * x4176 + x3837 * x4143 + x3805 * x4230;
   const Real x4434 = x3873 * x4182 + x3891 * x4146 + x3855 * x4239;
+  // joint 1 "knee": articulated-body inertia and bias force through it
+  const Real x4526 = 1 / x4517;
+  // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Real x3328 = x1495 * x2969 + x3326 + x1845 * x3025;
   const Real x3346 = x1498 * x2969 + x3344 - x1850 * x3025;
   const Real x3316 = x1484 * x3027 + x3314 + x1538 * x3028;
@@ -1464,6 +1430,13 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x3348 = x536 * x3026 + x3346 + x1476 * x3027;
   // joint 2 "ankle_pitch": inertia and bias force of what is beyond, its own motion left open
   const Real x2094 = cosine[2] * x1829 - sine[2] * x1830 + x1704;
+  // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
+  const Real x4491 = x3821 * x4194 + x3837 * x4152 + x3805 * x4257;
+  const Real x3365 = x1279 + x1676 + x2071 + (x3348 - x1526 * x3028);
+  const Real x4496 = x3873 * x4194 + x3891 * x4152 + x3855 * x4257;
+  const Real x4511 = x1521 * x3028 + x3330 + x2094 - x4491;
+  const Real x3597 = 2.7e-06 * (x2634 * x2634) + 0.00264635 * (x2702 * x2702);
+  const Real x3614 = 2.7e-06 * (x2643 * x2643) + 0.00264635 * (x2722 * x2722);
   // joint 1 "knee": articulated-body inertia and bias force through it
   const Real x4531 = x4460 * x4526;
   const Real x4533 = x4518 * x4526;
@@ -1473,31 +1446,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   // joint 1 "knee": articulated-body inertia and bias force through it
   const Real x4639 = x4567 - (1.85 - x4434 + 3.5 - x4518 * x4533);
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Real x4491 = x3821 * x4194 + x3837 * x4152 + x3805 * x4257;
-  const Real x3365 = x1279 + x1676 + x2071 + (x3348 - x1526 * x3028);
-  const Real x4496 = x3873 * x4194 + x3891 * x4152 + x3855 * x4257;
-  const Real x4511 = x1521 * x3028 + x3330 + x2094 - x4491;
-  const Real x3597 = 2.7e-06 * (x2634 * x2634) + 0.00264635 * (x2702 * x2702);
-  const Real x3614 = 2.7e-06 * (x2643 * x2643) + 0.00264635 * (x2722 * x2722);
-  const Real x3580 = 2.7e-06 * (x2625 * x2625) + 0.00264635 * (x2682 * x2682);
-  const Real x3598 = x1053 * (x2782 * x2782) + x3597;
-  const Real x3615 = x1053 * (x2798 * x2798) + x3614;
-  const Real x3581 = x1053 * (x2766 * x2766) + x3580;
-  const Real x3599 = 0.00264635 * (x2783 * x2783) + x3598;
-  const Real x3616 = 0.00264635 * (x2799 * x2799) + x3615;
-  const Real x3582 = 0.00264635 * (x2767 * x2767) + x3581;
-  const Real x3600 = 0.00112635 * (x2924 * x2924) + x3599;
-  const Real x3617 = 0.00112635 * (x2947 * x2947) + x3616;
-  const Real x3583 = 0.00112635 * (x2901 * x2901) + x3582;
-  const Real x3601 = x1827 * (x2991 * x2991) + x3600;
-  const Real x3618 = x1827 * (x3005 * x3005) + x3617;
-  const Real x3584 = x1827 * (x2977 * x2977) + x3583;
-  const Real x3602 = 0.003308333 * (x2996 * x2996) + x3601;
-  const Real x3619 = 0.003308333 * (x3010 * x3010) + x3618;
-  const Real x3585 = 0.003308333 * (x2982 * x2982) + x3584;
-  const Real x3603 = x1455 * (x2997 * x2997) + x3602;
-  const Real x3620 = x1455 * (x3011 * x3011) + x3619;
-  const Real x3586 = x1455 * (x2983 * x2983) + x3585;
   const Real x4522 = x3363 - (x3753 * x4257 + x4485) + x32 * 0.7000000000000001;
   // joint 1 "knee": articulated-body inertia and bias force through it
   const Real x4641 = (x4460 * x4533 - x4422) * (sine[1] * 2.0);
@@ -1509,12 +1457,82 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x4658 = 0.4 * (x4567 - cosine[1] * (cosine[1] * x4639 - x4641));
   const Real x4701 = 0.32735000000000003 + 0.4 * x4658;
   require_more(w, x4701, 0.0, kFactorization, 0);
+  // directions in which a loop holds its two links
+  const Real x558 = -0.25 - (cosine[4] * x541 + sine[4] * x547);
+  const Real x560 = x532 + x533 + -0.4 - x558;
+  // directions in which a loop holds its two links
+  const Real x741 = x536 + x537 + (cosine[5] * x727 - sine[5] * x721);
+  const Real x743 = -0.05 - x268 * 0.23 + x530;
+  const Real x738 = -0.17 - (cosine[5] * x721 + sine[5] * x727);
+  const Real x740 = x533 - x532 + -0.4 - x738;
+  // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
+  const Real x3580 = 2.7e-06 * (x2625 * x2625) + 0.00264635 * (x2682 * x2682);
+  const Real x3598 = x1053 * (x2782 * x2782) + x3597;
+  const Real x3615 = x1053 * (x2798 * x2798) + x3614;
+  const Real x3581 = x1053 * (x2766 * x2766) + x3580;
+  const Real x3599 = 0.00264635 * (x2783 * x2783) + x3598;
+  const Real x3616 = 0.00264635 * (x2799 * x2799) + x3615;
+  const Real x3582 = 0.00264635 * (x2767 * x2767) + x3581;
+  const Real x3600 = 0.00112635 * (x2924 * x2924) + x3599;
+  const Real x3617 = 0.00112635 * (x2947 * x2947) + x3616;
+  const Real x2102 = v[6] * 0.15 + v[4] * x1339 + v[3] * x637;
+  const Real x2103 = v[2] * x1715 + x2102;
+  const Real x2112 = v[3] * x673 - (v[5] * 0.15 + v[4] * x1354);
+  const Real x2113 = v[2] * x1730 + x2112;
+  const Real x2132 = v[10] * 0.23 + v[8] * x936 - v[3] * x812;
+  const Real x2133 = v[2] * x1760 + x2132;
+  const Real x2143 = v[9] * 0.23 + v[8] * x951 + v[3] * x849;
+  const Real x2145 = v[2] * x1774 - x2143;
+  const Real x3583 = 0.00112635 * (x2901 * x2901) + x3582;
+  const Real x3601 = x1827 * (x2991 * x2991) + x3600;
+  const Real x3618 = x1827 * (x3005 * x3005) + x3617;
+  const Real x2119 = v[3] * x709 - v[4] * x1361 + v[2] * x1745;
+  const Real x2153 = v[2] * x1788 - (v[8] * x958 + v[3] * x886);
+  const Real x3584 = x1827 * (x2977 * x2977) + x3583;
+  const Real x3602 = 0.003308333 * (x2996 * x2996) + x3601;
+  const Real x3619 = 0.003308333 * (x3010 * x3010) + x3618;
+  // joint 1 "knee": articulated-body inertia and bias force through it
   const Real x4691 = sine[1] * (x4523 - x4460 * x4528) + cosine[1] * x4592;
   // joint 0 "hip": articulated-body inertia and bias force through it
   const Real x4711 = tau[0] - (tau[1] - 0.4 * x4691 + x9 * 1.2000000000000002);
   const Real x4712 = 1 / x4701 * x4711;
   w.result[0] = x4712;
+  // joint 1 "knee": its acceleration, and that of the link beyond
+  const Real x4722 = 0.4 * x4712;
+  const Real x4724 = sine[1] * x4722;
+  const Real x4726 = cosine[1] * x4722;
+  const Real x4733 = x4528 - x4531 * x4724 + x4533 * x4726;
+  // directions in which a loop holds its two links
+  const Real x580 = v[7] * v[7] + x574 + x572 + x80 + 1.0;
+  const Real x567 = x561 * x561 + x562 * x562 + x560 * x560;
+  const Real x579 = 1e-08 - x567;
+  require_more(w, x579, 0.0, kLoopOpen, 8);
+  // directions in which a loop holds its two links
+  const Real x762 = v[11] * v[11] + x757 + x572 + x80 + 1.0;
+  const Real x751 = x741 * x741 + x743 * x743 + x740 * x740;
+  const Real x761 = 1e-08 - x751;
+  require_more(w, x761, 0.0, kLoopOpen, 9);
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
+  const Real x3585 = 0.003308333 * (x2982 * x2982) + x3584;
+  const Real x3603 = x1455 * (x2997 * x2997) + x3602;
+  const Real x3620 = x1455 * (x3011 * x3011) + x3619;
+  const Real x3586 = x1455 * (x2983 * x2983) + x3585;
+  const Real x2124 = x2103 * x2103 + x2113 * x2113 + x2119 * x2119;
+  const Real x2125 = x580 * 1.0000000000000002e-06 - x2124;
+  require_more(w, x2125, 0.0, kLoopTorn, 8);
+  const Real x2158 = x2133 * x2133 + x2145 * x2145 + x2153 * x2153;
+  const Real x2159 = 1.0000000000000002e-06 * x762 - x2158;
+  require_more(w, x2159, 0.0, kLoopTorn, 9);
+  const Real x2525 = x2201 * x2201;
+  require_more(w, x2525, 9.999999999999998e-15, kLoopSingular, 8);
+  const Real x2527 = x2292 * x2292;
+  require_more(w, x2527, 9.999999999999998e-15, kLoopSingular, 8);
+  const Real x2529 = x2385 * x2385;
+  require_more(w, x2529, 9.999999999999998e-15, kLoopSingular, 8);
+  const Real x2531 = x2438 * x2438;
+  require_more(w, x2531, 9.999999999999998e-15, kLoopSingular, 9);
+  const Real x2533 = x2488 * x2488;
+  require_more(w, x2533, 9.999999999999998e-15, kLoopSingular, 9);
   const Real x3966 = (0.00112635 * (x2984 * x2984) + x3586) * 1.7763568394002505e-15;
   require_more(w, x3385, x3966, kLoopFree, 2);
   const Real x3968 = 1.7763568394002505e-15 * (0.00112635 * (x2998 * x2998) + x3603 + x3461);
@@ -1522,10 +1540,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x3970 = 1.7763568394002505e-15 * (0.00112635 * (x3012 * x3012) + x3620 + x3537);
   require_more(w, x3946, x3970, kLoopFree, 4);
   // joint 1 "knee": its acceleration, and that of the link beyond
-  const Real x4722 = 0.4 * x4712;
-  const Real x4724 = sine[1] * x4722;
-  const Real x4726 = cosine[1] * x4722;
-  const Real x4733 = x4528 - x4531 * x4724 + x4533 * x4726;
   const Real x4734 = x4733 - x4712;
   w.result[1] = x4734;
   // link 2 "shank": accelerations and constraint forces of loops below it
@@ -1536,8 +1550,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x4758 = x4143 * x4724 + x4146 * x4726 - x4140 * x4733;
   const Real x4771 = x4758 - x4152;
   const Real x4767 = x4125 * x4724 + x4127 * x4726 + x4124 * x4733;
-  const Real x4773 = -(x4131 + x4767);
-  w.result[11] = x4773;
   const Real x4782 = x2977 * x4769 + x2991 * x4770 + x3005 * x4771;
   const Real x4829 = x3025 - x4782;
   w.result[2] = x4829;
@@ -1565,6 +1577,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x4828 = x2767 * x4769 + x2783 * x4770 + x2799 * x4771;
   const Real x4837 = x2817 + x4828;
   w.result[10] = x4837;
+  const Real x4773 = -(x4131 + x4767);
+  w.result[11] = x4773;
 }
 
 // ---- 4. processes -------------------------------------------------------------------------------

@@ -115,9 +115,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x25 = sine[1] * x20;
   const Real x37 = sine[1] * 9.809999999933819;
   const Real x30 = v[1] * x27;
-  const Real x32 = v[1] * x25;
   const Real x59 = x27 * x29;
-  const Real x55 = x25 * x27;
+  const Real x32 = v[1] * x25;
+  // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
+  const Real x80 = 3.673205103346574e-06 * x27 + 0.9999999999932537 * x29;
+  const Real x95 = 3.673205103346574e-06 * x32;
   // joints 7 "left_finger_slide", 8 "right_finger_slide": placement, velocity and reference acceleration of their links
   const Two x558 = Two{q[7], q[8]};
   const Two x561 = Two{v[7], v[8]};
@@ -138,36 +140,32 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x1211 = x1203 + Two{0.0012966667000000002, 0.001296666699991022} + x569 * x1171;
   const Real x1264 = across<2>(x1168);
   const Real x1266 = across<2>(x1219);
-  const Two x1191 = x571 * Two{0.0, 1.3267948966763652e-09} + Two{0.0, 3.3833269865128193e-09} + x569 * x1168;
   const Two x1227 = 8.33333e-06 + x1203 + x1172 - x569 * x1166;
   const Two x1228 = x1227 - x571 * x1156;
+  const Two x1191 = x571 * Two{0.0, 1.3267948966763652e-09} + Two{0.0, 3.3833269865128193e-09} + x569 * x1168;
   const Real x1283 = 0.007199999999999999 + across<2>(x1166);
-  const Real x1281 = -0.007199999999999999 + across<2>(x1171);
   const Real x1277 = -0.00014399999999999992 + across<2>(x1201);
+  const Real x1281 = -0.007199999999999999 + across<2>(x1171);
   const Real x1282 = 0.00317433 + across<2>(x1228);
   require_more(w, x1282, 0.0, kFactorization, 6);
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
   const Real x1392 = 2.0 * sine[6];
   const Real x1351 = sine[6] * x1264 + cosine[6] * x1281;
   const Real x1300 = 1 / x1282;
-  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1652 = 2.0 * sine[5];
-  // joint 4 "forearm_roll": articulated-body inertia and bias force through it
-  const Real x1881 = 2.0 * sine[4];
+  // joint 1 "shoulder_pitch": placement, velocity and reference acceleration of its link
+  const Real x55 = x25 * x27;
   // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
-  const Real x80 = 3.673205103346574e-06 * x27 + 0.9999999999932537 * x29;
-  const Real x95 = 3.673205103346574e-06 * x32;
-  const Real x97 = 0.9999999999932537 * x32;
   const Real x94 = 0.9999999999932537 * x27 - 3.673205103346574e-06 * x29 + v[2];
-  const Real x118 = x37 + x55 * 0.3;
+  const Real x97 = 0.9999999999932537 * x32;
   const Real x89 = sine[2] * x80 - x25 * cosine[2];
   const Real x93 = x25 * sine[2] + cosine[2] * x80;
+  const Real x125 = -3.603414206382989e-05 + (x30 + x59) * 0.3;
   const Real x120 = (x25 * x25 + x29 * x29) * 0.3;
   const Real x122 = x120 - cosine[1] * 9.809999999933819;
-  const Real x125 = -3.603414206382989e-05 + (x30 + x59) * 0.3;
   const Real x114 = x30 * sine[2] - cosine[2] * x95 - v[2] * x89;
-  const Real x129 = 0.9999999999932537 * x125 - 3.673205103346574e-06 * x122;
+  const Real x118 = x37 + x55 * 0.3;
   const Real x162 = x89 * x94;
+  const Real x129 = 0.9999999999932537 * x125 - 3.673205103346574e-06 * x122;
   const Real x111 = v[2] * x93 - (x30 * cosine[2] + sine[2] * x95);
   const Real x134 = 0.9999999999932537 * x122 + 3.673205103346574e-06 * x125;
   const Real x143 = sine[2] * x118 + cosine[2] * x129;
@@ -177,7 +175,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x193 = 3.673205103346574e-06 * x114 + 0.9999999999932537 * x97;
   const Real x183 = x89 * cosine[3] + sine[3] * x174;
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1348 = cosine[6] * x1264 - sine[6] * x1281;
   const Real x1305 = x1271 * x1300;
   const Real x1306 = x1283 * x1300;
   const Real x1303 = x1277 * x1300;
@@ -196,6 +193,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1357 = cosine[6] * (x1315 - x1327) - sine[6] * (x1318 + x1324);
   const Real x1396 = cosine[6] * (x1309 - x1321) - x1312 * x1392;
   const Real x1422 = cosine[6] * x1418;
+  const Real x1362 = cosine[6] * x1357;
+  const Real x1358 = sine[6] * x1357;
+  const Real x1400 = cosine[6] * x1396;
+  const Real x1424 = x1330 - x1422;
+  const Real x1364 = x1315 - x1362;
+  const Real x1402 = x1309 - x1400;
   // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
   const Real x139 = sine[2] * x129 - cosine[2] * x118;
   // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
@@ -221,13 +224,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x273 = 3.673205103346574e-06 * x187 + 0.9999999999932537 * x188;
   const Real x294 = 3.673205103346574e-06 * x214 - 0.9999999999932537 * x199;
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1362 = cosine[6] * x1357;
-  const Real x1358 = sine[6] * x1357;
-  const Real x1400 = cosine[6] * x1396;
-  const Real x1424 = x1330 - x1422;
-  const Real x1364 = x1315 - x1362;
+  const Real x1348 = cosine[6] * x1264 - sine[6] * x1281;
   const Real x1360 = x1318 + x1358;
-  const Real x1402 = x1309 - x1400;
   const Real x1406 = 3.673205103346574e-06 * x1402;
   const Real x1429 = 3.673205103346574e-06 * (x1424 - 0.95);
   const Real x1382 = 3.673205103346574e-06 * x1364 + 0.9999999999932537 * x1351;
@@ -237,18 +235,21 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1384 = 0.9999999999932537 * x1382;
   const Real x1387 = 3.673205103346574e-06 * x1382;
   const Real x1435 = 0.95 + x1433;
+  const Real x1389 = x1364 - x1387;
   const Real x1436 = x1424 - x1433;
   const Real x1444 = 0.09 * x1431;
-  const Real x1389 = x1364 - x1387;
+  const Real x1448 = 0.09 * x1435 - x1384;
   const Real x1372 = 3.673205103346574e-06 * x1360 + 0.9999999999932537 * x1348;
   const Real x1386 = x1351 - x1384;
   const Real x1399 = x1312 + sine[6] * x1396;
   const Real x1446 = x1387 + x1444;
-  const Real x1448 = 0.09 * x1435 - x1384;
-  const Real x1451 = x1386 - 0.09 * x1436;
   const Real x1476 = x1402 - x1411 - 0.09 * x1384 + 0.09 * x1448;
   const Real x1523 = 0.00351 + x1476;
   require_more(w, x1523, 0.0, kFactorization, 5);
+  const Real x1451 = x1386 - 0.09 * x1436;
+  const Real x1421 = x1333 + sine[6] * x1418;
+  // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
+  const Real x1537 = 1 / x1523;
   // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
   const Real x239 = cosine[3] * x226 - sine[3] * x218;
   const Real x247 = x187 * x187 + x246;
@@ -272,7 +273,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x405 = 3.673205103346574e-06 * x313 + 0.9999999999932537 * x299;
   const Real x395 = x282 * cosine[5] + sine[5] * x387;
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1421 = x1333 + sine[6] * x1418;
   const Real x1377 = 0.9999999999932537 * x1360 - 3.673205103346574e-06 * x1348;
   const Real x1459 = 0.9999999999932537 * x1399 - 0.09 * x1372;
   const Real x1471 = 0.09 * x1446 - (0.9999999999932537 * x1406 + 0.09 * x1389);
@@ -282,7 +282,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1525 = 0.052000000000000005 + x1448;
   const Real x1427 = 0.9999999999932537 * x1421;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1537 = 1 / x1523;
   const Real x1540 = x1459 * x1537;
   const Real x1541 = x1471 * x1537;
   const Real x1547 = x1321 + x1400 + 0.0014299999999999998 - x1459 * x1540;
@@ -294,6 +293,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1519 = -0.0005200000000000001 - (3.673205103346574e-06 * x1399 + 0.09 * x1377);
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
   const Real x1550 = x1519 - x1459 * x1541;
+  const Real x1652 = 2.0 * sine[5];
   const Real x1542 = x1524 * x1537;
   const Real x1543 = x1525 * x1537;
   // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
@@ -343,6 +343,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1583 = x1427 - x1524 * x1544;
   const Real x1589 = x1431 + x1525 * x1544;
   const Real x1617 = cosine[5] * (x1553 - x1570) + sine[5] * (x1556 + x1566);
+  const Real x1689 = cosine[5] * x1685;
   // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
   const Real x439 = x345 * cosine[5] + sine[5] * x431;
   // joint 6 "flange_roll": placement, velocity and reference acceleration of its link
@@ -372,7 +373,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x601 = x549 * 0.13 + x600;
   const Two x585 = x509 * Two{1.0, -0.9999999999964793} - x506 * Two{0.0, 2.65358979335273e-06};
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
-  const Real x1689 = cosine[5] * x1685;
   const Real x1593 = 1.3 + x1436 - x1452 * x1544;
   const Real x1622 = cosine[5] * x1617;
   const Real x1691 = x1576 - x1689;
@@ -427,6 +427,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1808 = x1586 + x1689 + 1.7 - x1758 * x1774;
   const Real x1817 = x1593 + x1713 + 1.7 - x1644 * x1775;
   const Real x1811 = x1758 * x1775 - (3.673205103346574e-06 * x1688 + 0.9999999999932537 * x1676);
+  const Real x1881 = 2.0 * sine[4];
   const Real x1777 = x1649 * x1769;
   const Real x1780 = x1563 + x1660 + 0.01553729 - x1665 * x1772;
   const Real x1787 = x1570 + x1622 - x1665 * x1774;
@@ -504,6 +505,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1302 = x1300 * (tau[6] - (x1008 + x533 * 0.007199999999999999 + across<2>(x1258)));
   const Real x1342 = x1024 + across<2>(x1239) + x1271 * x1302;
   const Real x1344 = x1029 + across<2>(x1242) + x1283 * x1302;
+  const Real x1338 = x990 - x533 * 0.0754 + across<2>(x1247) + x1277 * x1302;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
   const Real x1857 = 0.9999999999932537 * x1851;
   const Real x1872 = 0.9999999999932537 * x1841 - 3.673205103346574e-06 * x1854;
@@ -517,7 +519,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x2019 = x1891 - x1900 + 0.38 * x1857 + 0.08 * x1873;
   const Real x2075 = 0.38 * x1955 + x2019 + 0.08 * x1968 + 0.037748300000000005;
   require_more(w, x2075, 0.0, kFactorization, 3);
-  const Real x1850 = x1790 + x1848;
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
   const Real x2088 = 1 / x2075;
   // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
@@ -531,13 +532,13 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joints 7 "left_finger_slide", 8 "right_finger_slide": articulated-body inertia and bias force through them
   const Real x1298 = x1037 + across<2>(x1097);
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
-  const Real x1338 = x990 - x533 * 0.0754 + across<2>(x1247) + x1277 * x1302;
   const Real x1340 = x529 * 0.0754 + x1015 + across<2>(x1252) + x1266 * x1302;
   const Real x1500 = sine[6] * x1342 + cosine[6] * x1344;
   const Real x1483 = sine[6] * x1338 + cosine[6] * x1340;
   const Real x1505 = 3.673205103346574e-06 * x1500 + 0.9999999999932537 * x1298;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
   const Real x1838 = cosine[4] * x1793 - sine[4] * x1805;
+  const Real x1850 = x1790 + x1848;
   const Real x1876 = 3.673205103346574e-06 * x1872;
   const Real x1929 = 0.9999999999932537 * x1917 + 3.673205103346574e-06 * x1906;
   const Real x1878 = x1854 + x1876;
@@ -684,9 +685,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x2049 = 0.9999999999932537 * x1834 - 3.673205103346574e-06 * x2045;
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
   const Real x2166 = sine[3] * x2165;
-  const Real x2195 = 3.673205103346574e-06 * x2190;
   const Real x2156 = cosine[3] * x2110 - sine[3] * x2123;
   const Real x2168 = x2107 + x2166;
+  const Real x2195 = 3.673205103346574e-06 * x2190;
   const Real x2260 = x2230 - 0.9999999999932537 * x2256;
   const Real x2303 = x2210 - x2218 - 0.08 * x2192 + 0.08 * x2275;
   const Real x2349 = 0.0039325 + x2303;
@@ -837,8 +838,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x2645 = x2618 - x2567 * x2636;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
   const Real x2615 = 0.3 * (cosine[2] * x2419 - sine[2] * x2421);
-  const Real x2608 = 0.9999999999932537 * (sine[2] * x2419 + cosine[2] * x2421);
   const Real x2617 = 0.9999999999932537 * x2584 - 3.673205103346574e-06 * tau[2] + x2615;
+  const Real x2608 = 0.9999999999932537 * (sine[2] * x2419 + cosine[2] * x2421);
   const Real x2611 = x2608 - 3.673205103346574e-06 * (x738 + x2337 + x2279 * x2362);
   const Real x2614 = cosine[2] * x2415 - sine[2] * x2417 - 0.3 * x2611;
   const Real x2560 = 3.673205103346574e-06 * x2478 + 0.3 * (x2430 - 0.9999999999932537 * x2461);

@@ -145,15 +145,13 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x55 = x25 * x27;
   const Real x62 = x30 + x59;
   // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
-  const Real x95 = 3.673205103346574e-06 * x32;
   const Real x80 = 3.673205103346574e-06 * x27 + 0.9999999999932537 * x29;
+  const Real x95 = 3.673205103346574e-06 * x32;
   const Real x120 = (x25 * x25 + x29 * x29) * 0.3;
   const Real x122 = x120 - cosine[1] * 9.809999999933819;
   const Real x125 = -3.603414206382989e-05 + x62 * 0.3;
   const Real x93 = x25 * sine[2] + cosine[2] * x80;
   const Real x89 = sine[2] * x80 - x25 * cosine[2];
-  const Real x94 = 0.9999999999932537 * x27 - 3.673205103346574e-06 * x29 + v[2];
-  const Real x118 = x37 + x55 * 0.3;
   // joint 0 "base_yaw": assembly: its two sides become one chain
   const Real x485 = w.x[0] = 113.37868480725623 * tau[0];
   // link 2 "upper_arm": acceleration where nothing acts on it
@@ -179,27 +177,29 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   require_more(w, x597, 1.1455151917378305e-12, kGrowth, 1);
   require_more(w, x597, 0.0, kFactorization, 1);
   const Real x624 = w.x[3] = 1 / x597;
-  const Real x619 = w.x[4] = x565 + x614;
-  const Real x625 = w.x[5] = x592 * x624;
-  const Real x626 = w.x[6] = 5.659309564233164 * x624;
+  const Real x625 = w.x[4] = x592 * x624;
+  const Real x626 = w.x[5] = 5.659309564233164 * x624;
   const Real x665 = 56.59309564233163 * x624;
+  const Real x619 = w.x[6] = x565 + x614;
+  const Real x630 = w.x[7] = 5.659309564233164 * x625;
+  const Real x655 = w.x[8] = 56.59309564233163 * x625;
   // joint 3 "elbow_pitch": assembly: its two sides become one chain
   const Real x1619 = 2.0 * sine[3];
   // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
+  const Real x94 = 0.9999999999932537 * x27 - 3.673205103346574e-06 * x29 + v[2];
+  const Real x118 = x37 + x55 * 0.3;
   const Real x129 = 0.9999999999932537 * x125 - 3.673205103346574e-06 * x122;
   const Real x111 = v[2] * x93 - (x30 * cosine[2] + sine[2] * x95);
   const Real x157 = x93 * x94;
+  const Real x162 = x89 * x94;
   const Real x114 = x30 * sine[2] - cosine[2] * x95 - v[2] * x89;
   const Real x143 = sine[2] * x118 + cosine[2] * x129;
-  const Real x162 = x89 * x94;
   const Real x139 = sine[2] * x129 - cosine[2] * x118;
   const Real x148 = x93 * x93;
   const Real x134 = 0.9999999999932537 * x122 + 3.673205103346574e-06 * x125;
   // link 2 "upper_arm": acceleration where nothing acts on it
   const Real x560 = x535 * 5.659309564233164 - x529 * 56.59309564233163;
   // joint 1 "shoulder_pitch": assembly: its two sides become one chain
-  const Real x630 = w.x[7] = 5.659309564233164 * x625;
-  const Real x655 = w.x[8] = 56.59309564233163 * x625;
   const Real x616 = w.x[9] = x554 - sine[1] * x600 - tau[1] * x587;
   const Real x629 = x598 - x592 * x625;
   const Real x649 = x616 * x626;
@@ -218,22 +218,16 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x654 = w.x[16] = x569 - x649 + x651;
   const Real x643 = w.x[17] = 1 / x642;
   // link 3 "elbow_housing": acceleration where nothing acts on it
-  const Real x765 = x143 * 2.6 - (x157 - x111) * 0.078;
   const Real x754 = x111 * 0.01132625 - x157 * 0.007393749999999999 + x143 * 0.078;
-  const Real x761 = x139 * 2.6 - (x114 + x162) * 0.078;
+  const Real x765 = x143 * 2.6 - (x157 - x111) * 0.078;
   const Real x757 = x114 * 0.01132625 + x162 * 0.007393749999999999 - x139 * 0.078;
+  const Real x761 = x139 * 2.6 - (x114 + x162) * 0.078;
   const Real x780 = x754 * 111.2811239393518 - x765 * 3.338433718180554;
   const Real x783 = x757 * 111.2811239393518 + x761 * 3.338433718180554;
   // joint 2 "upper_arm_roll": assembly: its two sides become one chain
   const Real x917 = x619 - x614 - x565 + 0.3 * x727;
   // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
   const Real x97 = 0.9999999999932537 * x32;
-  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
-  const Real x174 = 0.9999999999932537 * x94 - 3.673205103346574e-06 * x93;
-  const Real x193 = 3.673205103346574e-06 * x114 + 0.9999999999932537 * x97;
-  const Real x183 = x89 * cosine[3] + sine[3] * x174;
-  const Real x187 = cosine[3] * x174 - x89 * sine[3];
-  const Real x188 = v[3] - (0.9999999999932537 * x93 + 3.673205103346574e-06 * x94);
   // joint 1 "shoulder_pitch": assembly: its two sides become one chain
   const Real x671 = x643 * x663;
   const Real x670 = x643 * x662;
@@ -249,8 +243,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // link 3 "elbow_housing": acceleration where nothing acts on it
   const Real x788 = x757 * 3.338433718180554 + x761 * 0.4847683961608012;
   const Real x792 = x765 * 0.4847683961608012 - x754 * 3.338433718180554;
-  const Real x770 = (x89 * x89 + x148) * 0.078 - x134 * 2.6;
-  const Real x793 = x770 * 0.3846153846153846;
   // joint 2 "upper_arm_roll": assembly: its two sides become one chain
   const Real x855 = 3.673205103346574e-06 * x686;
   const Real x857 = 0.9999999999932537 * x686;
@@ -273,32 +265,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x823 = w.x[18] = 3.673205103346574e-06 * x819;
   const Real x820 = 0.9999999999932537 * x819;
   const Real x890 = 3.673205103346574e-06 * x813;
-  // joint 4 "forearm_roll": assembly: its two sides become one chain
-  const Real x2553 = 2.0 * sine[4];
-  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
-  const Real x220 = x143 + (x89 * x93 - x97) * 0.08;
-  const Real x222 = (x162 - x114) * 0.08 - x134;
-  const Real x211 = x111 * cosine[3] - sine[3] * x193 + v[3] * x187;
-  const Real x214 = x111 * sine[3] + cosine[3] * x193 + v[3] * x183;
-  const Real x246 = x188 * x188;
-  const Real x254 = x187 * x188;
-  const Real x259 = x183 * x188;
-  const Real x199 = 3.673205103346574e-06 * x97 - 0.9999999999932537 * x114;
-  const Real x218 = x139 - (x148 + x94 * x94) * 0.08;
-  const Real x226 = 0.9999999999932537 * x222 - 3.673205103346574e-06 * x220;
-  const Real x231 = 0.9999999999932537 * x220 + 3.673205103346574e-06 * x222;
-  const Real x249 = x183 * x187;
-  const Real x247 = x187 * x187 + x246;
-  const Real x252 = x183 * x183 + x246;
-  const Real x260 = x214 + x259;
-  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
   const Real x821 = x805 - x820;
-  const Real x938 = 0.9999999999932537 * x920;
   const Real x872 = w.x[19] = sine[2] * x863 - cosine[2] * x857;
   const Real x894 = 3.673205103346574e-06 * x890;
   const Real x892 = 0.9999999999932537 * x890;
   const Real x848 = cosine[2] * x823 + sine[2] * (6.1639613724671465 + x816);
-  const Real x876 = w.x[20] = sine[2] * x857 + cosine[2] * x863;
+  const Real x938 = 0.9999999999932537 * x920;
   const Real x882 = cosine[2] * (x681 - x867) - x855 * (2.0 * sine[2]);
   const Real x896 = x813 - x894;
   const Real x849 = sine[2] * x848;
@@ -308,40 +280,41 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   require_more(w, x915, 1.0049860034323996e-14, kGrowth, 2);
   const Real x886 = cosine[2] * x882;
   const Real x853 = x852 - x823;
-  const Real x838 = w.x[21] = cosine[2] * 2.264149437033022e-05 + sine[2] * x820;
+  const Real x876 = w.x[20] = sine[2] * x857 + cosine[2] * x863;
+  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
+  const Real x174 = 0.9999999999932537 * x94 - 3.673205103346574e-06 * x93;
+  const Real x193 = 3.673205103346574e-06 * x114 + 0.9999999999932537 * x97;
+  // link 3 "elbow_housing": acceleration where nothing acts on it
+  const Real x770 = (x89 * x89 + x148) * 0.078 - x134 * 2.6;
+  const Real x793 = x770 * 0.3846153846153846;
+  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
   const Real x884 = x855 + sine[2] * x882;
   const Real x902 = cosine[2] * (1.849188411752619 - x896);
   const Real x909 = x816 - x849 + -3.338433718180554;
-  const Real x948 = cosine[2] * x725 + sine[2] * x924 + x780;
-  const Real x962 = w.x[22] = x948 - tau[2] * x872;
-  const Real x844 = w.x[23] = sine[2] * 2.264149437033022e-05 - cosine[2] * x820;
+  const Real x838 = w.x[21] = cosine[2] * 2.264149437033022e-05 + sine[2] * x820;
   const Real x908 = x867 + x886 + 111.2811239393518;
   require_more(w, x908, 1.9286837244164575e-12, kGrowth, 2);
   require_more(w, x908, 0.0, kFactorization, 2);
   const Real x910 = x681 - x886 + 111.2811239393518;
   require_more(w, x910, 1.9286837244164575e-12, kGrowth, 2);
   const Real x905 = cosine[2] * x902;
+  const Real x972 = w.x[22] = 1 / x908;
+  const Real x948 = cosine[2] * x725 + sine[2] * x924 + x780;
+  const Real x962 = w.x[23] = x948 - tau[2] * x872;
+  const Real x844 = w.x[24] = sine[2] * 2.264149437033022e-05 - cosine[2] * x820;
   const Real x949 = cosine[2] * x924 - sine[2] * x725 + x783;
-  const Real x972 = w.x[24] = 1 / x908;
-  const Real x952 = cosine[2] * x917 + sine[2] * x938 + x788;
-  const Real x953 = cosine[2] * x938 - sine[2] * x917 + x792;
   const Real x913 = x896 + x905 + 0.4847683961608012;
   require_more(w, x913, 1.1473119930685861e-14, kGrowth, 2);
   const Real x914 = 1.849188411752619 - x905 + 0.4847683961608012;
   require_more(w, x914, 1.1473119930685861e-14, kGrowth, 2);
+  const Real x952 = cosine[2] * x917 + sine[2] * x938 + x788;
+  const Real x953 = cosine[2] * x938 - sine[2] * x917 + x792;
   const Real x973 = w.x[25] = x884 * x972;
   const Real x975 = w.x[26] = x853 * x972;
   const Real x976 = w.x[27] = x909 * x972;
   const Real x977 = w.x[28] = x828 * x972;
   const Real x1181 = 111.2811239393518 * x972;
   const Real x1182 = 3.338433718180554 * x972;
-  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
-  const Real x250 = x249 - x199;
-  const Real x251 = x199 + x249;
-  const Real x256 = x211 + x254;
-  // link 3 "elbow_housing": acceleration where nothing acts on it
-  const Real x784 = x97 * 0.0039325 * 254.29116338207245;
-  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
   const Real x980 = x910 - x884 * x973;
   const Real x983 = 6.1639613724671465 - x849 + 3.338433718180554 + x853 * x973;
   const Real x986 = x909 * x973 - x852;
@@ -349,9 +322,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x990 = w.x[29] = 1 / x980;
   const Real x1092 = w.x[30] = 111.2811239393518 * x973;
   const Real x1094 = w.x[31] = 3.338433718180554 * x973;
+  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
+  const Real x183 = x89 * cosine[3] + sine[3] * x174;
+  const Real x187 = cosine[3] * x174 - x89 * sine[3];
+  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
   const Real x1064 = w.x[32] = x949 - tau[2] * x876 + x962 * x973;
   const Real x968 = x793 - 3.673205103346574e-06 * x920 - tau[2] * x823;
-  const Real x1379 = x784 + 254.29116338207245 * tau[2];
   const Real x991 = w.x[33] = x983 * x990;
   const Real x992 = w.x[34] = x986 * x990;
   const Real x993 = w.x[35] = x989 * x990;
@@ -363,8 +339,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1006 = sine[2] * x902 + x909 * x975 + x986 * x991;
   const Real x1014 = sine[2] * x892 + x828 * x975 + x989 * x991;
   const Real x1104 = w.x[36] = 3.338433718180554 - 111.2811239393518 * x991;
-  const Real x1100 = w.x[37] = 111.2811239393518 * x975 + x991 * x1092;
-  const Real x1016 = w.x[38] = 1 / x999;
+  const Real x1016 = w.x[37] = 1 / x999;
+  const Real x1100 = w.x[38] = 111.2811239393518 * x975 + x991 * x1092;
   const Real x1112 = w.x[39] = 3.338433718180554 * x975 + x991 * x1094;
   const Real x1107 = w.x[40] = 0.4847683961608012 - 3.338433718180554 * x991;
   const Real x1017 = w.x[41] = x1006 * x1016;
@@ -375,7 +351,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1192 = x1016 * x1107;
   const Real x1069 = x952 + tau[2] * x838 - x962 * x975;
   const Real x1070 = w.x[43] = x1069 - x991 * x1064;
-  const Real x1077 = x953 - tau[2] * x844 - x962 * x976;
   const Real x1028 = x914 - x909 * x976 - x986 * x992;
   const Real x1029 = x1028 - x1006 * x1017;
   const Real x1038 = cosine[2] * x892 + x828 * x976 + x989 * x992;
@@ -384,24 +359,25 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1126 = w.x[44] = x1017 * x1104 - 111.2811239393518 * x992;
   const Real x1120 = -3.338433718180554 - 111.2811239393518 * x976 - x992 * x1092;
   const Real x1121 = w.x[45] = x1120 - x1017 * x1100;
-  const Real x1214 = 111.2811239393518 - 111.2811239393518 * x1181 - x1092 * x1184;
   const Real x1042 = w.x[46] = 1 / x1029;
+  const Real x1214 = 111.2811239393518 - 111.2811239393518 * x1181 - x1092 * x1184;
+  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
+  const Real x188 = v[3] - (0.9999999999932537 * x93 + 3.673205103346574e-06 * x94);
+  const Real x220 = x143 + (x89 * x93 - x97) * 0.08;
+  const Real x222 = (x162 - x114) * 0.08 - x134;
+  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
   const Real x1139 = 0.4847683961608012 + 3.338433718180554 * x976 + x992 * x1094;
   const Real x1140 = w.x[47] = x1017 * x1112 + x1139;
   const Real x1131 = w.x[48] = x1017 * x1107 - 3.338433718180554 * x992;
   const Real x1330 = 0.4847683961608012 - 3.338433718180554 * x1182 - x1094 * x1187;
   const Real x1251 = -3.338433718180554 + 111.2811239393518 * x1182 + x1092 * x1187;
-  const Real x1079 = w.x[49] = x1077 - x992 * x1064 + x1017 * x1070;
-  const Real x1089 = x968 - x962 * x977 - x993 * x1064;
-  const Real x1043 = w.x[50] = x1040 * x1042;
+  const Real x1077 = x953 - tau[2] * x844 - x962 * x976;
+  const Real x1043 = w.x[49] = x1040 * x1042;
   const Real x1195 = x1042 * x1126;
   const Real x1194 = x1042 * x1121;
   const Real x1197 = x1042 * x1140;
   const Real x1196 = x1042 * x1131;
-  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
-  const Real x235 = cosine[3] * x218 + sine[3] * x226;
-  const Real x239 = cosine[3] * x226 - sine[3] * x218;
-  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
+  const Real x1079 = w.x[50] = x1077 - x992 * x1064 + x1017 * x1070;
   const Real x1056 = x1054 - x1014 * x1019 - x1040 * x1043;
   const Real x1161 = w.x[51] = x1019 * x1104 - 111.2811239393518 * x993 + x1043 * x1126;
   const Real x1266 = 111.2811239393518 - 111.2811239393518 * x1185 - x1104 * x1191;
@@ -409,13 +385,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1153 = w.x[52] = x1043 * x1121 - x1151;
   const Real x1179 = 3.338433718180554 * x977 + x993 * x1094 + x1019 * x1112;
   const Real x1180 = w.x[53] = x1043 * x1140 + x1179;
-  const Real x1169 = w.x[54] = x1019 * x1107 - 3.338433718180554 * x993 + x1043 * x1131;
-  const Real x1057 = w.x[55] = 1 / x1056;
+  const Real x1057 = w.x[54] = 1 / x1056;
+  const Real x1169 = w.x[55] = x1019 * x1107 - 3.338433718180554 * x993 + x1043 * x1131;
+  const Real x1089 = x968 - x962 * x977 - x993 * x1064;
   const Real x1278 = 3.338433718180554 - 111.2811239393518 * x1186 - x1104 * x1192;
   const Real x1303 = 0.4847683961608012 - 3.338433718180554 * x1186 - x1107 * x1192;
   const Real x1091 = w.x[56] = x1019 * x1070 + x1089 + x1043 * x1079;
-  const Real x1373 = x1070 * x1193 - (x962 * x1182 + x1064 * x1187);
-  const Real x1347 = x962 * x1181 + x1064 * x1184 - x1070 * x1189;
   const Real x1199 = x1057 * x1161;
   const Real x1198 = x1057 * x1153;
   const Real x1202 = 0.3846153846153846 * x1057;
@@ -423,6 +398,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1200 = x1057 * x1169;
   const Real x1292 = x1161 * x1202;
   const Real x1268 = x1266 - x1126 * x1195 - x1161 * x1199;
+  // joint 4 "forearm_roll": assembly: its two sides become one chain
+  const Real x2553 = 2.0 * sine[4];
+  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
+  const Real x211 = x111 * cosine[3] - sine[3] * x193 + v[3] * x187;
+  const Real x214 = x111 * sine[3] + cosine[3] * x193 + v[3] * x183;
+  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
   const Real x1216 = x1214 - x1100 * x1189 - x1121 * x1194;
   const Real x1217 = x1216 - x1153 * x1198;
   const Real x1227 = x1100 * x1191 - x1092 * x1185 - x1121 * x1195;
@@ -435,56 +416,34 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1280 = x1278 - x1126 * x1196 - x1161 * x1200;
   const Real x1238 = x1100 * x1192 - x1092 * x1186 - x1121 * x1196;
   const Real x1239 = x1238 - x1153 * x1200;
-  // link 4 "forearm": acceleration where nothing acts on it
-  const Real x1424 = x199 * 0.037748300000000005 - x249 * 0.023998300000000004;
-  const Real x1406 = x211 * 0.03224830000000001 + x254 * 0.029498300000000005 - x260 * 0.011000000000000003;
-  const Real x1428 = x1406 - x231 * 0.22000000000000003;
-  // joint 3 "elbow_pitch": assembly: its two sides become one chain
-  const Real x1596 = 3.673205103346574e-06 * x1228;
-  const Real x1525 = x1332 - x1180 * x1201 + 1.6274634456452637;
-  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
   const Real x1315 = 3.338433718180554 * x1187 - x1107 * x1193 - x1131 * x1197;
   const Real x1316 = x1315 - x1169 * x1201;
   const Real x1305 = x1303 - x1131 * x1196 - x1169 * x1200;
-  const Real x1355 = x1064 * x1185 + x1070 * x1191 + x1079 * x1195;
-  const Real x1378 = x1091 * x1199 + x1355 - x783;
-  const Real x1377 = x1079 * x1194 + x1347 + x1091 * x1198 - x780;
-  const Real x1362 = x1064 * x1186 + x1070 * x1192 + x1079 * x1196;
-  // link 4 "forearm": acceleration where nothing acts on it
-  const Real x1459 = x256 * 0.22000000000000003 - (x231 * 2.2 + x260 * 0.11000000000000001);
-  const Real x1416 = x256 * 0.011000000000000003 - (x214 * 0.00825 + x259 * 0.005500000000000001);
-  const Real x1431 = x1416 - x231 * 0.11000000000000001;
   // joint 3 "elbow_pitch": assembly: its two sides become one chain
+  const Real x1596 = 3.673205103346574e-06 * x1228;
+  const Real x1525 = x1332 - x1180 * x1201 + 1.6274634456452637;
   const Real x1601 = 3.673205103346574e-06 * (x1268 - 254.29116338207245);
   const Real x1515 = x1292 + 0.08 * x1268;
   const Real x1511 = x1153 * x1202 + 0.08 * x1228;
   const Real x1528 = x1180 * x1202 + 0.08 * x1291;
-  const Real x1536 = 3.673205103346574e-06 * x1280;
   const Real x1605 = 3.673205103346574e-06 * x1601;
-  const Real x1521 = x1169 * x1202 + 0.08 * x1280;
+  const Real x1536 = 3.673205103346574e-06 * x1280;
   const Real x1607 = 254.29116338207245 + x1605;
   const Real x1534 = 0.3846153846153846 - 0.3846153846153846 * x1202 + 0.08 * x1292;
   const Real x1535 = 0.08 * x1515 + x1534;
   const Real x1544 = 3.673205103346574e-06 * x1254 + 0.9999999999932537 * x1511;
-  const Real x1550 = 3.673205103346574e-06 * x1511 - 0.9999999999932537 * x1254;
+  const Real x1521 = x1169 * x1202 + 0.08 * x1280;
   const Real x1555 = 0.9999999999932537 * (20.343293070565796 - x1515) - 3.673205103346574e-06 * x1291;
-  const Real x1633 = 3.673205103346574e-06 * x1316 + 0.9999999999932537 * x1521;
-  const Real x1639 = 3.673205103346574e-06 * x1521 - 0.9999999999932537 * x1316;
+  const Real x1550 = 3.673205103346574e-06 * x1511 - 0.9999999999932537 * x1254;
   const Real x1560 = 3.673205103346574e-06 * x1555;
   const Real x1556 = 0.9999999999932537 * x1555;
+  const Real x1633 = 3.673205103346574e-06 * x1316 + 0.9999999999932537 * x1521;
   const Real x1622 = cosine[3] * (x1217 - x1607) - x1596 * x1619;
   const Real x1645 = 3.673205103346574e-06 * (x1525 - x1535) + 1.9999999999865075 * x1528;
   const Real x1557 = x1515 + x1556;
-  const Real x1598 = 0.9999999999932537 * x1228;
+  const Real x1639 = 3.673205103346574e-06 * x1521 - 0.9999999999932537 * x1316;
   const Real x1626 = cosine[3] * x1622;
   const Real x1650 = 3.673205103346574e-06 * x1645;
-  const Real x1603 = 0.9999999999932537 * x1601;
-  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
-  const Real x1381 = x1079 * x1197 + x1373 + x1091 * x1201 - x792;
-  // joint 3 "elbow_pitch": assembly: its two sides become one chain
-  const Real x1685 = x1381 + 0.08 * x1379;
-  const Real x1688 = x1091 * x1202 - x793 - 0.08 * x1378;
-  const Real x1692 = 0.9999999999932537 * x1379 - 3.673205103346574e-06 * x1378;
   const Real x1624 = x1596 + sine[3] * x1622;
   const Real x1652 = x1535 + x1650;
   const Real x1587 = cosine[3] * (x1239 + x1560) - sine[3] * (x1536 + x1544);
@@ -497,30 +456,34 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1593 = cosine[3] * x1587;
   const Real x1588 = sine[3] * x1587;
   const Real x1673 = cosine[3] * x1550 - sine[3] * x1557 + -9.757715913858885;
+  const Real x1746 = w.x[57] = 1 / x1672;
+  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
+  const Real x246 = x188 * x188;
+  const Real x254 = x187 * x188;
+  const Real x259 = x183 * x188;
+  const Real x199 = 3.673205103346574e-06 * x97 - 0.9999999999932537 * x114;
+  const Real x218 = x139 - (x148 + x94 * x94) * 0.08;
+  const Real x226 = 0.9999999999932537 * x222 - 3.673205103346574e-06 * x220;
+  const Real x231 = 0.9999999999932537 * x220 + 3.673205103346574e-06 * x222;
+  const Real x247 = x187 * x187 + x246;
+  const Real x249 = x183 * x187;
+  const Real x252 = x183 * x183 + x246;
+  const Real x260 = x214 + x259;
+  // link 3 "elbow_housing": acceleration where nothing acts on it
+  const Real x784 = x97 * 0.0039325 * 254.29116338207245;
+  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
+  const Real x1355 = x1064 * x1185 + x1070 * x1191 + x1079 * x1195;
+  // joint 3 "elbow_pitch": assembly: its two sides become one chain
   const Real x1682 = x1525 - x1650 + 2.3394079550222524;
   require_more(w, x1682, 3.871069992040982e-14, kGrowth, 3);
-  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
-  const Real x1380 = x1091 * x1200 + x1362 - x788;
-  // link 4 "forearm": acceleration where nothing acts on it
-  const Real x1443 = x247 * 0.11000000000000001 + x250 * 0.22000000000000003 + x235 * 2.2;
-  const Real x1451 = x239 * 2.2 - (x251 * 0.11000000000000001 + x252 * 0.22000000000000003);
-  const Real x1436 = 0.011000000000000003 * (x252 - x247) + x1424 - x239 * 0.11000000000000001;
-  const Real x1437 = x1436 - x235 * 0.22000000000000003;
-  const Real x1473 = x1428 * 97.57715913858884 - x1459 * 9.757715913858885;
-  const Real x1478 = x1431 * 363.6363636363637 - x1459 * 18.181818181818183;
-  // joint 3 "elbow_pitch": assembly: its two sides become one chain
-  const Real x1746 = w.x[57] = 1 / x1672;
   const Real x1594 = x1593 - x1560;
   const Real x1589 = x1544 + x1588;
-  const Real x1538 = 0.9999999999932537 * x1280;
   const Real x1665 = cosine[3] * (x1305 - x1652) - x1619 * x1633;
-  const Real x1559 = 20.343293070565796 - x1556;
   const Real x1669 = cosine[3] * x1665;
-  const Real x1612 = w.x[58] = sine[3] * x1603 - cosine[3] * x1598;
-  const Real x1747 = w.x[59] = x1624 * x1746;
-  const Real x1749 = w.x[60] = x1594 * x1746;
-  const Real x1750 = w.x[61] = x1589 * x1746;
-  const Real x1752 = w.x[62] = x1673 * x1746;
+  const Real x1747 = w.x[58] = x1624 * x1746;
+  const Real x1749 = w.x[59] = x1594 * x1746;
+  const Real x1750 = w.x[60] = x1589 * x1746;
+  const Real x1752 = w.x[61] = x1673 * x1746;
   const Real x1958 = 97.57715913858884 * x1746;
   const Real x1959 = 9.757715913858885 * x1746;
   const Real x1679 = x1652 + x1669 + 1.430317045931343;
@@ -530,41 +493,36 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1755 = x1674 - x1624 * x1747;
   const Real x1758 = x1594 * x1747 - (x1536 + x1588);
   const Real x1761 = x1239 - x1593 - x1589 * x1747;
-  const Real x1857 = w.x[63] = 97.57715913858884 * x1747;
   const Real x1675 = -18.181818181818183 - (sine[3] * x1550 + cosine[3] * x1557);
   const Real x1764 = x1675 + x1673 * x1747;
-  const Real x1765 = w.x[64] = 1 / x1755;
-  const Real x1861 = w.x[65] = -18.181818181818183 - 9.757715913858885 * x1747;
-  const Real x1709 = 0.9999999999932537 * x1688 - 3.673205103346574e-06 * x1685;
-  const Real x1616 = w.x[66] = sine[3] * x1598 + cosine[3] * x1603;
-  // link 4 "forearm": acceleration where nothing acts on it
-  const Real x1488 = x1443 * 1.430317045931343 + x1451 * 0.48788579569294427 + x1437 * 9.757715913858885;
-  const Real x1493 = x1443 * 0.48788579569294427 + x1451 * 0.6984883523919266 + x1437 * 4.878857956929442;
-  const Real x1501 = x1459 * 2.3394079550222524 - (x1428 * 9.757715913858885 + x1431 * 18.181818181818183);
-  // joint 3 "elbow_pitch": assembly: its two sides become one chain
-  const Real x1766 = w.x[67] = x1758 * x1765;
-  const Real x1767 = w.x[68] = x1761 * x1765;
-  const Real x1768 = w.x[69] = x1764 * x1765;
+  const Real x1765 = w.x[62] = 1 / x1755;
+  const Real x1857 = w.x[63] = 97.57715913858884 * x1747;
+  const Real x1861 = w.x[64] = -18.181818181818183 - 9.757715913858885 * x1747;
+  const Real x1766 = w.x[65] = x1758 * x1765;
+  const Real x1767 = w.x[66] = x1761 * x1765;
+  const Real x1768 = w.x[67] = x1764 * x1765;
   const Real x1962 = 363.6363636363637 * x1765;
   const Real x1961 = x1765 * x1857;
   const Real x1963 = x1765 * x1861;
-  const Real x1868 = w.x[70] = 363.6363636363637 * x1766;
+  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
+  const Real x250 = x249 - x199;
+  const Real x251 = x199 + x249;
+  const Real x256 = x211 + x254;
+  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
+  const Real x1373 = x1070 * x1193 - (x962 * x1182 + x1064 * x1187);
+  // joint 3 "elbow_pitch": assembly: its two sides become one chain
+  const Real x1868 = w.x[68] = 363.6363636363637 * x1766;
   const Real x1774 = x1679 - x1594 * x1749 - x1758 * x1766;
   const Real x1779 = 0.48788579569294427 - (x1633 + sine[3] * x1665) + x1589 * x1749;
   const Real x1780 = x1779 - x1761 * x1766;
   const Real x1785 = cosine[3] * x1639 + sine[3] * x1649 - x1673 * x1749;
   const Real x1786 = x1785 - x1764 * x1766;
   const Real x1805 = cosine[3] * x1649 - sine[3] * x1639 + x1673 * x1750;
-  const Real x1866 = w.x[71] = 97.57715913858884 * x1749 + x1766 * x1857;
-  const Real x1787 = w.x[72] = 1 / x1774;
-  const Real x1874 = w.x[73] = 9.757715913858885 * x1749 - x1766 * x1861;
-  const Real x1677 = w.x[74] = sine[3] * x1559 - cosine[3] * x1538 + 9.757715913858885;
-  const Real x1723 = cosine[3] * x1377 + sine[3] * x1692 + x1473;
-  const Real x1735 = w.x[75] = x1723 - tau[3] * x1612;
-  const Real x1678 = w.x[76] = sine[3] * x1538 + cosine[3] * x1559 + 4.878857956929442;
-  const Real x1724 = cosine[3] * x1692 - sine[3] * x1377 + x1478;
-  const Real x1788 = w.x[77] = x1780 * x1787;
-  const Real x1789 = w.x[78] = x1786 * x1787;
+  const Real x1787 = w.x[69] = 1 / x1774;
+  const Real x1866 = w.x[70] = 97.57715913858884 * x1749 + x1766 * x1857;
+  const Real x1874 = w.x[71] = 9.757715913858885 * x1749 - x1766 * x1861;
+  const Real x1788 = w.x[72] = x1780 * x1787;
+  const Real x1789 = w.x[73] = x1786 * x1787;
   const Real x1966 = x1787 * x1868;
   const Real x1968 = 9.757715913858885 * x1787;
   const Real x1964 = x1787 * x1866;
@@ -575,39 +533,39 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1798 = x1797 - x1780 * x1788;
   const Real x1807 = x1805 - x1764 * x1767 - x1786 * x1788;
   const Real x1819 = x1682 - x1673 * x1752 - x1764 * x1768;
-  const Real x1887 = w.x[79] = x1788 * x1868 - 363.6363636363637 * x1767;
-  const Real x1890 = w.x[80] = 4.878857956929442 - 9.757715913858885 * x1788;
-  const Real x1882 = w.x[81] = 97.57715913858884 * x1750 - x1767 * x1857 + x1788 * x1866;
-  const Real x1808 = w.x[82] = 1 / x1798;
-  const Real x1905 = w.x[83] = 9.757715913858885 * x1750 + x1767 * x1861 + x1788 * x1874;
+  const Real x1887 = w.x[74] = x1788 * x1868 - 363.6363636363637 * x1767;
+  const Real x1890 = w.x[75] = 4.878857956929442 - 9.757715913858885 * x1788;
+  const Real x1808 = w.x[76] = 1 / x1798;
+  const Real x1882 = w.x[77] = 97.57715913858884 * x1750 - x1767 * x1857 + x1788 * x1866;
+  const Real x1905 = w.x[78] = 9.757715913858885 * x1750 + x1767 * x1861 + x1788 * x1874;
   const Real x1916 = -9.757715913858885 - 97.57715913858884 * x1752 - x1768 * x1857;
   const Real x1955 = 2.3394079550222524 + 9.757715913858885 * x1752 - x1768 * x1861;
-  const Real x1896 = w.x[84] = 0.6984883523919266 - 0.48788579569294427 * x1788;
+  const Real x1896 = w.x[79] = 0.6984883523919266 - 0.48788579569294427 * x1788;
   const Real x1999 = 97.57715913858884 - 97.57715913858884 * x1958 - x1857 * x1961;
   const Real x2052 = -9.757715913858885 + 97.57715913858884 * x1959 - x1857 * x1963;
+  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
+  const Real x1347 = x962 * x1181 + x1064 * x1184 - x1070 * x1189;
+  // joint 3 "elbow_pitch": assembly: its two sides become one chain
   const Real x2193 = 2.3394079550222524 - 9.757715913858885 * x1959 - x1861 * x1963;
-  const Real x1893 = w.x[85] = 0.48788579569294427 - 1.430317045931343 * x1788;
-  const Real x1809 = w.x[86] = x1807 * x1808;
+  const Real x1893 = w.x[80] = 0.48788579569294427 - 1.430317045931343 * x1788;
+  const Real x1809 = w.x[81] = x1807 * x1808;
   const Real x1973 = x1808 * x1887;
   const Real x1974 = x1808 * x1890;
   const Real x1972 = x1808 * x1882;
   const Real x1977 = x1808 * x1905;
   const Real x1976 = x1808 * x1896;
-  const Real x1975 = x1808 * x1893;
-  const Real x1562 = w.x[87] = x1291 + x1560;
   const Real x1821 = x1819 - x1786 * x1789 - x1807 * x1809;
   const Real x1926 = -18.181818181818183 - 363.6363636363637 * x1768 + x1789 * x1868;
-  const Real x1927 = w.x[88] = x1926 - x1809 * x1887;
-  const Real x1932 = w.x[89] = 9.757715913858885 * x1789 + x1809 * x1890;
+  const Real x1927 = w.x[82] = x1926 - x1809 * x1887;
+  const Real x1932 = w.x[83] = 9.757715913858885 * x1789 + x1809 * x1890;
   const Real x2065 = 363.6363636363637 - 363.6363636363637 * x1962 - x1868 * x1966;
-  const Real x1918 = w.x[90] = x1789 * x1866 + x1916 - x1809 * x1882;
-  const Real x1957 = w.x[91] = x1955 - x1789 * x1874 + x1809 * x1905;
-  const Real x1822 = w.x[92] = 1 / x1821;
-  const Real x1944 = w.x[93] = 0.48788579569294427 * x1789 + x1809 * x1896;
+  const Real x1918 = w.x[84] = x1789 * x1866 + x1916 - x1809 * x1882;
+  const Real x1957 = w.x[85] = x1955 - x1789 * x1874 + x1809 * x1905;
+  const Real x1822 = w.x[86] = 1 / x1821;
+  const Real x1944 = w.x[87] = 0.48788579569294427 * x1789 + x1809 * x1896;
   const Real x2101 = -18.181818181818183 - 363.6363636363637 * x1963 + x1868 * x1971;
-  const Real x1938 = w.x[94] = 1.430317045931343 * x1789 + x1809 * x1893;
-  const Real x1726 = cosine[3] * x1380 + sine[3] * x1709 + x1488;
-  const Real x1829 = w.x[95] = x1724 - tau[3] * x1616 + x1735 * x1747;
+  const Real x1975 = x1808 * x1893;
+  const Real x1938 = w.x[88] = 1.430317045931343 * x1789 + x1809 * x1893;
   const Real x1980 = x1822 * x1927;
   const Real x1981 = x1822 * x1932;
   const Real x1979 = x1822 * x1918;
@@ -628,50 +586,82 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x2055 = x2054 - x1918 * x1987;
   const Real x2138 = x1890 * x1977 - 9.757715913858885 * x1971 + x1932 * x1987;
   const Real x2195 = x2193 - x1874 * x1971 - x1905 * x1977;
+  // joint 4 "forearm_roll": assembly: its two sides become one chain
+  const Real x2393 = 0.08 * x2075;
+  // joint 3 "elbow_pitch": placement, velocity and reference acceleration of its link
+  const Real x235 = cosine[3] * x218 + sine[3] * x226;
+  const Real x239 = cosine[3] * x226 - sine[3] * x218;
+  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
+  const Real x1378 = x1091 * x1199 + x1355 - x783;
+  const Real x1379 = x784 + 254.29116338207245 * tau[2];
+  // joint 3 "elbow_pitch": assembly: its two sides become one chain
   const Real x2129 = 4.878857956929442 - 9.757715913858885 * x1970 - x1890 * x1976;
   const Real x2130 = x2129 - x1932 * x1985;
   const Real x2172 = 0.6984883523919266 - 0.48788579569294427 * x1970 - x1896 * x1976;
   const Real x2120 = 9.757715913858885 - 9.757715913858885 * x1969 - x1890 * x1975;
   const Real x2121 = x2120 - x1932 * x1983;
   // joint 4 "forearm_roll": assembly: its two sides become one chain
-  const Real x2393 = 0.08 * x2075;
   const Real x2522 = 3.673205103346574e-06 * x2015 - 0.9999999999932537 * x2024;
+  const Real x2534 = 3.673205103346574e-06 * (x2067 - x2112) + 1.9999999999865075 * x2075;
   const Real x2378 = 0.38 * x2024;
   const Real x2400 = x2103 + 0.08 * x2067 - 0.38 * x2015;
-  const Real x2534 = 3.673205103346574e-06 * (x2067 - x2112) + 1.9999999999865075 * x2075;
+  const Real x2539 = 3.673205103346574e-06 * x2534;
+  const Real x2541 = x2112 + x2539;
   const Real x2389 = x2055 - 0.08 * x2015 + 0.38 * x2002;
   // joint 3 "elbow_pitch": assembly: its two sides become one chain
   const Real x2091 = x1868 * x1970 - x1887 * x1976 + x1927 * x1985;
   // joint 4 "forearm_roll": assembly: its two sides become one chain
   const Real x2395 = x2091 - x2393;
   const Real x2406 = x2130 - 0.08 * x2112;
-  const Real x2539 = 3.673205103346574e-06 * x2534;
   const Real x2408 = x2138 + x2393 + x2378;
   const Real x2449 = x2195 - x1957 * x1987 + 0.08 * x2103;
+  const Real x2555 = cosine[4] * (x2002 - x2541) + x2522 * x2553;
+  const Real x2558 = cosine[4] * x2555;
   // joint 3 "elbow_pitch": assembly: its two sides become one chain
   const Real x2040 = x1866 * x1970 - x1882 * x1976 + x1918 * x1985;
   // joint 4 "forearm_roll": assembly: its two sides become one chain
   const Real x2383 = x2040 - 0.08 * x2024;
-  const Real x2541 = x2112 + x2539;
   // joint 3 "elbow_pitch": assembly: its two sides become one chain
   const Real x2181 = x1896 * x1977 - 0.48788579569294427 * x1971 + x1944 * x1987;
-  // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
-  const Real x273 = 3.673205103346574e-06 * x187 + 0.9999999999932537 * x188;
-  const Real x282 = x183 * cosine[4] - sine[4] * x273;
-  const Real x287 = x183 * sine[4] + cosine[4] * x273;
-  const Real x289 = 0.9999999999932537 * x187 - 3.673205103346574e-06 * x188 + v[4];
+  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
+  const Real x1377 = x1079 * x1194 + x1347 + x1091 * x1198 - x780;
+  const Real x1362 = x1064 * x1186 + x1070 * x1192 + x1079 * x1196;
+  const Real x1380 = x1091 * x1200 + x1362 - x788;
+  // link 4 "forearm": acceleration where nothing acts on it
+  const Real x1424 = x199 * 0.037748300000000005 - x249 * 0.023998300000000004;
+  const Real x1406 = x211 * 0.03224830000000001 + x254 * 0.029498300000000005 - x260 * 0.011000000000000003;
+  const Real x1428 = x1406 - x231 * 0.22000000000000003;
+  const Real x1459 = x256 * 0.22000000000000003 - (x231 * 2.2 + x260 * 0.11000000000000001);
+  const Real x1416 = x256 * 0.011000000000000003 - (x214 * 0.00825 + x259 * 0.005500000000000001);
+  const Real x1431 = x1416 - x231 * 0.11000000000000001;
+  const Real x1443 = x247 * 0.11000000000000001 + x250 * 0.22000000000000003 + x235 * 2.2;
+  const Real x1451 = x239 * 2.2 - (x251 * 0.11000000000000001 + x252 * 0.22000000000000003);
+  const Real x1436 = 0.011000000000000003 * (x252 - x247) + x1424 - x239 * 0.11000000000000001;
+  const Real x1437 = x1436 - x235 * 0.22000000000000003;
+  const Real x1473 = x1428 * 97.57715913858884 - x1459 * 9.757715913858885;
   // joint 3 "elbow_pitch": assembly: its two sides become one chain
+  const Real x1598 = 0.9999999999932537 * x1228;
+  const Real x1603 = 0.9999999999932537 * x1601;
+  // joint 2 "upper_arm_roll": assembly: its two sides become one chain
+  const Real x1381 = x1079 * x1197 + x1373 + x1091 * x1201 - x792;
+  // joint 3 "elbow_pitch": assembly: its two sides become one chain
+  const Real x1685 = x1381 + 0.08 * x1379;
+  const Real x1688 = x1091 * x1202 - x793 - 0.08 * x1378;
+  const Real x1692 = 0.9999999999932537 * x1379 - 3.673205103346574e-06 * x1378;
+  const Real x1538 = 0.9999999999932537 * x1280;
+  const Real x1559 = 20.343293070565796 - x1556;
   const Real x2155 = 0.48788579569294427 - 1.430317045931343 * x1970 - x1893 * x1976;
+  const Real x1612 = w.x[89] = sine[3] * x1603 - cosine[3] * x1598;
+  const Real x1709 = 0.9999999999932537 * x1688 - 3.673205103346574e-06 * x1685;
   const Real x2146 = 1.430317045931343 - 1.430317045931343 * x1969 - x1893 * x1975;
-  const Real x1727 = cosine[3] * x1709 - sine[3] * x1380 + x1493;
-  const Real x1728 = x1501 - (0.9999999999932537 * x1685 + 3.673205103346574e-06 * x1688);
-  const Real x1834 = x1726 - tau[3] * x1677 - x1735 * x1749;
-  const Real x1835 = w.x[96] = x1834 - x1766 * x1829;
   // joint 4 "forearm_roll": assembly: its two sides become one chain
   const Real x2433 = x2172 - x1944 * x1985 - 0.08 * x2130;
   const Real x2434 = x2433 - 0.08 * x2406;
   const Real x2451 = 0.38 * x2055 + x2449 + 0.08 * x2400;
   const Real x2452 = 0.38 * x2389 + x2451;
+  const Real x2603 = x2541 + x2558 + 222.85165433925602;
+  require_more(w, x2603, 3.7782214362185915e-12, kGrowth, 4);
+  require_more(w, x2603, 0.0, kFactorization, 4);
   // joint 3 "elbow_pitch": assembly: its two sides become one chain
   const Real x2083 = x1868 * x1969 - x1887 * x1975 + x1927 * x1983;
   // joint 4 "forearm_roll": assembly: its two sides become one chain
@@ -680,40 +670,66 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x2441 = x2181 - 0.08 * x2138 + 0.08 * x2395;
   const Real x2442 = 0.38 * x2383 + x2441;
   const Real x2479 = 3.673205103346574e-06 * (x2395 - x2408) + 0.9999999999932537 * (x2400 + x2406);
+  const Real x2687 = w.x[90] = 1 / x2603;
   // joint 3 "elbow_pitch": assembly: its two sides become one chain
   const Real x2032 = x1866 * x1969 - x1882 * x1975 + x1918 * x1983;
   // joint 4 "forearm_roll": assembly: its two sides become one chain
   const Real x2380 = x2032 - x2378;
-  const Real x2555 = cosine[4] * (x2002 - x2541) + x2522 * x2553;
   // joint 3 "elbow_pitch": assembly: its two sides become one chain
   const Real x2164 = x1893 * x1977 - 1.430317045931343 * x1971 + x1938 * x1987;
   // joint 4 "forearm_roll": assembly: its two sides become one chain
   const Real x2485 = 3.673205103346574e-06 * x2479;
-  const Real x2558 = cosine[4] * x2555;
   const Real x2457 = 3.673205103346574e-06 * x2392 + 0.9999999999932537 * x2403;
   const Real x2467 = 3.673205103346574e-06 * x2383 + 0.9999999999932537 * x2389;
   const Real x2487 = x2408 + x2485;
+  // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
+  const Real x273 = 3.673205103346574e-06 * x187 + 0.9999999999932537 * x188;
+  // link 4 "forearm": acceleration where nothing acts on it
+  const Real x1478 = x1431 * 363.6363636363637 - x1459 * 18.181818181818183;
+  const Real x1488 = x1443 * 1.430317045931343 + x1451 * 0.48788579569294427 + x1437 * 9.757715913858885;
+  const Real x1493 = x1443 * 0.48788579569294427 + x1451 * 0.6984883523919266 + x1437 * 4.878857956929442;
+  const Real x1501 = x1459 * 2.3394079550222524 - (x1428 * 9.757715913858885 + x1431 * 18.181818181818183);
+  // joint 3 "elbow_pitch": assembly: its two sides become one chain
+  const Real x1616 = w.x[91] = sine[3] * x1598 + cosine[3] * x1603;
+  const Real x1677 = w.x[92] = sine[3] * x1559 - cosine[3] * x1538 + 9.757715913858885;
+  const Real x1723 = cosine[3] * x1377 + sine[3] * x1692 + x1473;
+  const Real x1735 = w.x[93] = x1723 - tau[3] * x1612;
+  const Real x1678 = w.x[94] = sine[3] * x1538 + cosine[3] * x1559 + 4.878857956929442;
+  const Real x1724 = cosine[3] * x1692 - sine[3] * x1377 + x1478;
+  const Real x1562 = w.x[95] = x1291 + x1560;
+  const Real x1726 = cosine[3] * x1380 + sine[3] * x1709 + x1488;
+  const Real x1829 = w.x[96] = x1724 - tau[3] * x1616 + x1735 * x1747;
+  const Real x1727 = cosine[3] * x1709 - sine[3] * x1380 + x1493;
+  const Real x1728 = x1501 - (0.9999999999932537 * x1685 + 3.673205103346574e-06 * x1688);
+  const Real x1834 = x1726 - tau[3] * x1677 - x1735 * x1749;
+  const Real x1835 = w.x[97] = x1834 - x1766 * x1829;
+  // joint 4 "forearm_roll": assembly: its two sides become one chain
   const Real x2576 = 3.673205103346574e-06 * (x2434 - x2452) + 1.9999999999865075 * x2442;
   const Real x2557 = x2522 - sine[4] * x2555;
   const Real x2419 = x2155 - x1938 * x1985 - 0.38 * x2130;
   const Real x2420 = x2419 - 0.08 * x2403;
   const Real x2427 = x2164 - 0.38 * x2138 + 0.08 * x2392;
   const Real x2428 = 0.38 * x2380 + x2427;
-  const Real x2603 = x2541 + x2558 + 222.85165433925602;
-  require_more(w, x2603, 3.7782214362185915e-12, kGrowth, 4);
-  require_more(w, x2603, 0.0, kFactorization, 4);
   const Real x2581 = 3.673205103346574e-06 * x2576;
+  const Real x2688 = w.x[98] = x2557 * x2687;
   const Real x2413 = x2146 - x1938 * x1983 - 0.38 * x2121;
   const Real x2414 = x2413 - 0.38 * x2403;
+  const Real x2583 = x2452 + x2581;
   const Real x2606 = x2002 - x2558 + 222.85165433925602;
   require_more(w, x2606, 3.7782214362185915e-12, kGrowth, 4);
-  const Real x2687 = w.x[97] = 1 / x2603;
-  const Real x2583 = x2452 + x2581;
-  const Real x2565 = 3.673205103346574e-06 * x2420 + 0.9999999999932537 * x2428;
   const Real x2509 = cosine[4] * (x2380 - x2487) - sine[4] * (x2457 + x2467);
+  const Real x2565 = 3.673205103346574e-06 * x2420 + 0.9999999999932537 * x2428;
+  const Real x2694 = x2606 - x2557 * x2688;
   const Real x2510 = sine[4] * x2509;
   const Real x2515 = cosine[4] * x2509;
+  const Real x2704 = w.x[99] = 1 / x2694;
+  const Real x2516 = x2487 + x2515;
+  const Real x2596 = cosine[4] * (x2414 - x2583) - x2553 * x2565;
+  const Real x2600 = cosine[4] * x2596;
   // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
+  const Real x282 = x183 * cosine[4] - sine[4] * x273;
+  const Real x287 = x183 * sine[4] + cosine[4] * x273;
+  const Real x289 = 0.9999999999932537 * x187 - 3.673205103346574e-06 * x188 + v[4];
   const Real x294 = 3.673205103346574e-06 * x214 - 0.9999999999932537 * x199;
   const Real x356 = x282 * x282;
   const Real x325 = x239 - (0.08 * x251 + x252 * 0.38);
@@ -727,27 +743,22 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x299 = 0.9999999999932537 * x214 + 3.673205103346574e-06 * x199;
   // joint 3 "elbow_pitch": assembly: its two sides become one chain
   const Real x1842 = x1727 - tau[3] * x1678 + x1735 * x1750;
-  const Real x1844 = w.x[98] = x1842 - x1767 * x1829 - x1788 * x1835;
+  const Real x1844 = w.x[100] = x1842 - x1767 * x1829 - x1788 * x1835;
   const Real x1853 = x1728 - tau[3] * x1562 - x1735 * x1752;
   const Real x1855 = x1853 - x1768 * x1829 - x1789 * x1835;
-  const Real x1856 = w.x[99] = x1855 - x1809 * x1844;
+  const Real x1856 = w.x[101] = x1855 - x1809 * x1844;
   // joint 4 "forearm_roll": assembly: its two sides become one chain
-  const Real x2516 = x2487 + x2515;
-  const Real x2596 = cosine[4] * (x2414 - x2583) - x2553 * x2565;
-  const Real x2688 = w.x[100] = x2557 * x2687;
-  const Real x2689 = w.x[101] = x2516 * x2687;
-  const Real x2600 = cosine[4] * x2596;
-  const Real x2694 = x2606 - x2557 * x2688;
+  const Real x2689 = w.x[102] = x2516 * x2687;
   const Real x2697 = 17.828132347140482 - (x2457 + x2510) - x2516 * x2688;
   const Real x2610 = x2583 + x2600 + 2.0725831948881592;
   require_more(w, x2610, 3.591265808372574e-14, kGrowth, 4);
-  const Real x2704 = w.x[102] = 1 / x2694;
+  const Real x2705 = w.x[103] = x2697 * x2704;
   const Real x2604 = -17.828132347140482 - (x2467 + x2510);
   const Real x2481 = 0.9999999999932537 * x2479;
-  const Real x2705 = w.x[103] = x2697 * x2704;
   const Real x2713 = x2610 - x2516 * x2689 - x2697 * x2705;
   const Real x2472 = 0.9999999999932537 * x2383 - 3.673205103346574e-06 * x2389;
   const Real x2483 = x2400 - x2481;
+  const Real x2728 = w.x[104] = 1 / x2713;
   // joint 4 "forearm_roll": placement, velocity and reference acceleration of its link
   const Real x341 = 0.9999999999932537 * x325 - 3.673205103346574e-06 * x331;
   const Real x362 = x282 * x287;
@@ -775,7 +786,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x2327 = x341 * 1.7 + x374 * 0.136;
   const Real x2328 = (x310 - x369) * 0.017 + x2327;
   // joint 4 "forearm_roll": assembly: its two sides become one chain
-  const Real x2728 = w.x[104] = 1 / x2713;
   const Real x2700 = x2380 - x2515 - x2604 * x2688;
   const Real x2690 = w.x[105] = x2604 * x2687;
   const Real x2611 = x2414 - x2600 + 2.0144858818888856;
@@ -1065,87 +1075,87 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_1(Workspace& w) {
   const Real x3398 = 2.0 * sine[5];
   const Real x3367 = 0.9999999999932537 * x2993 - 3.673205103346574e-06 * x2984;
   const Real x3307 = 0.9999999999932537 * x3112 - 3.673205103346574e-06 * x3068;
-  const Real x3317 = 0.9999999999932537 * x3034 - 3.673205103346574e-06 * x3019;
   const Real x3379 = 3.673205103346574e-06 * (x3046 - x3103) + 1.9999999999865075 * x3055;
+  const Real x3317 = 0.9999999999932537 * x3034 - 3.673205103346574e-06 * x3019;
   const Real x3329 = 0.9999999999932537 * (x3094 + x3121) - 3.673205103346574e-06 * (x3081 - x3130);
-  const Real x3409 = 0.9999999999932537 * x3168 - 3.673205103346574e-06 * x3155;
-  const Real x3420 = 1.9999999999865075 * x3198 - 3.673205103346574e-06 * (x3183 - x3213);
   const Real x3384 = w.x[177] = 3.673205103346574e-06 * x3379;
-  const Real x3322 = 0.9999999999932537 * x3019 + 3.673205103346574e-06 * x3034;
-  const Real x3414 = 0.9999999999932537 * x3155 + 3.673205103346574e-06 * x3168;
+  const Real x3420 = 1.9999999999865075 * x3198 - 3.673205103346574e-06 * (x3183 - x3213);
+  const Real x3409 = 0.9999999999932537 * x3168 - 3.673205103346574e-06 * x3155;
   const Real x3333 = 3.673205103346574e-06 * x3329;
   const Real x3330 = 0.9999999999932537 * x3329;
-  const Real x3372 = 0.9999999999932537 * x2984 + 3.673205103346574e-06 * x2993;
-  const Real x3423 = 3.673205103346574e-06 * x3420;
+  const Real x3322 = 0.9999999999932537 * x3019 + 3.673205103346574e-06 * x3034;
   const Real x3386 = x3103 + x3384;
-  const Real x3383 = 0.9999999999932537 * x3379 - x3055;
+  const Real x3423 = 3.673205103346574e-06 * x3420;
   const Real x3335 = x3130 - x3333;
   const Real x3331 = x3094 - x3330;
   const Real x3425 = x3213 - x3423;
+  const Real x3414 = 0.9999999999932537 * x3155 + 3.673205103346574e-06 * x3168;
   const Real x3422 = x3198 - 0.9999999999932537 * x3420;
-  const Real x3468 = 0.9999999999932537 * x3272 - 3.673205103346574e-06 * x3271;
-  const Real x3312 = 0.9999999999932537 * x3068 + 3.673205103346574e-06 * x3112;
-  const Real x3332 = x3121 - x3330;
+  const Real x3372 = 0.9999999999932537 * x2984 + 3.673205103346574e-06 * x2993;
+  const Real x3383 = 0.9999999999932537 * x3379 - x3055;
   const Real x3400 = cosine[5] * (x2973 - x3386) + x3367 * x3398;
   const Real x3357 = cosine[5] * (x3004 - x3335) + sine[5] * (x3307 + x3317);
   const Real x3449 = sine[5] * x3331 - cosine[5] * x3322 + x3281;
-  const Real x3438 = cosine[5] * (x3142 - x3425) + x3398 * x3409;
   const Real x3403 = cosine[5] * x3400;
+  const Real x3438 = cosine[5] * (x3142 - x3425) + x3398 * x3409;
+  const Real x3468 = 0.9999999999932537 * x3272 - 3.673205103346574e-06 * x3271;
   const Real x3361 = cosine[5] * x3357;
   const Real x3358 = sine[5] * x3357;
-  const Real x3446 = w.x[178] = sine[5] * x3383 - cosine[5] * x3372 + x3278;
   const Real x3441 = cosine[5] * x3438;
   const Real x3444 = x3386 + x3403 + x3276;
   require_more(w, x3444, 1.2260061762262752e-11, kGrowth, 5);
   require_more(w, x3444, 0.0, kFactorization, 5);
   const Real x3445 = x3367 - sine[5] * x3400 + x3277;
-  const Real x3450 = w.x[179] = x2973 - x3403 + x3282;
+  const Real x3450 = w.x[178] = x2973 - x3403 + x3282;
   require_more(w, x3450, 1.2260061762262752e-11, kGrowth, 5);
   const Real x3447 = x3335 + x3361 + x3279;
   const Real x3448 = x3317 - x3358 + x3280;
-  const Real x3459 = w.x[180] = x3425 + x3441 + x3291;
-  require_more(w, x3459, 2.0383895677461698e-14, kGrowth, 5);
   const Real x3525 = 1 / x3444;
-  const Real x3485 = 0.9999999999932537 * x3275 - 3.673205103346574e-06 * x3274;
-  const Real x3462 = w.x[181] = x3142 - x3441 + x3294;
+  const Real x3459 = w.x[179] = x3425 + x3441 + x3291;
+  require_more(w, x3459, 2.0383895677461698e-14, kGrowth, 5);
+  const Real x3312 = 0.9999999999932537 * x3068 + 3.673205103346574e-06 * x3112;
+  const Real x3332 = x3121 - x3330;
+  const Real x3462 = w.x[180] = x3142 - x3441 + x3294;
   require_more(w, x3462, 3.678103573346401e-14, kGrowth, 5);
+  const Real x3446 = w.x[181] = sine[5] * x3383 - cosine[5] * x3372 + x3278;
+  const Real x3485 = 0.9999999999932537 * x3275 - 3.673205103346574e-06 * x3274;
   const Real x3451 = w.x[182] = sine[5] * x3372 + cosine[5] * x3383 + x3283;
-  const Real x3456 = w.x[183] = sine[5] * x3332 - cosine[5] * x3312 + x3288;
-  const Real x3499 = cosine[5] * x3270 + sine[5] * x3468 - x3297;
-  const Real x3513 = x3499 - tau[5] * x3446;
-  const Real x3464 = w.x[184] = x3183 + x3423 + x3296;
-  require_more(w, x3464, 3.787417840386417e-14, kGrowth, 5);
-  const Real x3457 = w.x[185] = sine[5] * x3312 + cosine[5] * x3332 + x3289;
-  const Real x3500 = cosine[5] * x3468 - sine[5] * x3270 - x3298;
-  const Real x3458 = w.x[186] = x3081 + x3333 + x3290;
   const Real x3526 = x3445 * x3525;
   const Real x3527 = x3447 * x3525;
   const Real x3528 = x3448 * x3525;
-  const Real x3529 = x3449 * x3525;
-  const Real x3503 = cosine[5] * x3273 + sine[5] * x3485 - x3300;
-  const Real x3532 = w.x[187] = x3450 - x3445 * x3526;
+  const Real x3532 = w.x[183] = x3450 - x3445 * x3526;
   const Real x3535 = x3307 - x3358 + x3284 - x3447 * x3526;
   const Real x3538 = x3004 - x3361 + x3285 - x3448 * x3526;
   const Real x3454 = sine[5] * x3322 + cosine[5] * x3331 + x3286;
   const Real x3541 = x3454 - x3449 * x3526;
   const Real x3461 = sine[5] * x3422 - cosine[5] * x3414 + x3293;
-  const Real x3463 = sine[5] * x3414 + cosine[5] * x3422 + x3295;
-  const Real x3606 = x3500 - tau[5] * x3451 - x3513 * x3526;
+  const Real x3529 = x3449 * x3525;
   const Real x3542 = 1 / x3532;
-  const Real x3504 = cosine[5] * x3485 - sine[5] * x3273 - x3301;
-  const Real x3505 = 0.9999999999932537 * x3274 + 3.673205103346574e-06 * x3275 + x3302;
+  const Real x3463 = sine[5] * x3414 + cosine[5] * x3422 + x3295;
+  const Real x3456 = w.x[184] = sine[5] * x3332 - cosine[5] * x3312 + x3288;
+  const Real x3499 = cosine[5] * x3270 + sine[5] * x3468 - x3297;
+  const Real x3513 = x3499 - tau[5] * x3446;
+  const Real x3464 = w.x[185] = x3183 + x3423 + x3296;
+  require_more(w, x3464, 3.787417840386417e-14, kGrowth, 5);
+  const Real x3457 = w.x[186] = sine[5] * x3312 + cosine[5] * x3332 + x3289;
+  const Real x3500 = cosine[5] * x3468 - sine[5] * x3270 - x3298;
+  const Real x3458 = w.x[187] = x3081 + x3333 + x3290;
+  const Real x3503 = cosine[5] * x3273 + sine[5] * x3485 - x3300;
+  const Real x3606 = x3500 - tau[5] * x3451 - x3513 * x3526;
   const Real x3543 = x3535 * x3542;
   const Real x3544 = x3538 * x3542;
   const Real x3545 = x3541 * x3542;
+  const Real x3504 = cosine[5] * x3485 - sine[5] * x3273 - x3301;
+  const Real x3505 = 0.9999999999932537 * x3274 + 3.673205103346574e-06 * x3275 + x3302;
   const Real x3551 = w.x[188] = x3459 - x3447 * x3527 - x3535 * x3543;
   const Real x3556 = x3409 - sine[5] * x3438 + x3292 - x3448 * x3527;
   const Real x3557 = x3556 - x3538 * x3543;
   const Real x3563 = x3461 - x3449 * x3527 - x3541 * x3543;
   const Real x3611 = x3503 - tau[5] * x3456 - x3513 * x3527;
   const Real x3612 = x3611 - x3543 * x3606;
+  const Real x3564 = 1 / x3551;
   const Real x3619 = x3504 - tau[5] * x3457 - x3513 * x3528;
   const Real x3630 = x3505 + tau[5] * x3458 + x3513 * x3529;
-  const Real x3564 = 1 / x3551;
   const Real x3565 = x3557 * x3564;
   const Real x3566 = x3563 * x3564;
   const Real x3574 = x3462 - x3448 * x3528 - x3538 * x3544;
@@ -1181,10 +1191,10 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x588 = w.x[2];
   const Real x616 = w.x[9];
   const Real x618 = w.x[144];
-  const Real x619 = w.x[4];
+  const Real x619 = w.x[6];
   const Real x624 = w.x[3];
-  const Real x625 = w.x[5];
-  const Real x626 = w.x[6];
+  const Real x625 = w.x[4];
+  const Real x626 = w.x[5];
   const Real x630 = w.x[7];
   const Real x632 = w.x[10];
   const Real x633 = w.x[12];
@@ -1197,12 +1207,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x663 = w.x[13];
   const Real x823 = w.x[18];
   const Real x838 = w.x[21];
-  const Real x844 = w.x[23];
+  const Real x844 = w.x[24];
   const Real x872 = w.x[19];
   const Real x876 = w.x[20];
-  const Real x962 = w.x[22];
+  const Real x962 = w.x[23];
   const Real x964 = w.x[145];
-  const Real x972 = w.x[24];
+  const Real x972 = w.x[22];
   const Real x973 = w.x[25];
   const Real x975 = w.x[26];
   const Real x976 = w.x[27];
@@ -1211,19 +1221,19 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x991 = w.x[33];
   const Real x992 = w.x[34];
   const Real x993 = w.x[35];
-  const Real x1016 = w.x[38];
+  const Real x1016 = w.x[37];
   const Real x1017 = w.x[41];
   const Real x1019 = w.x[42];
   const Real x1042 = w.x[46];
-  const Real x1043 = w.x[50];
-  const Real x1057 = w.x[55];
+  const Real x1043 = w.x[49];
+  const Real x1057 = w.x[54];
   const Real x1064 = w.x[32];
   const Real x1070 = w.x[43];
-  const Real x1079 = w.x[49];
+  const Real x1079 = w.x[50];
   const Real x1091 = w.x[56];
   const Real x1092 = w.x[30];
   const Real x1094 = w.x[31];
-  const Real x1100 = w.x[37];
+  const Real x1100 = w.x[38];
   const Real x1104 = w.x[36];
   const Real x1107 = w.x[40];
   const Real x1112 = w.x[39];
@@ -1233,51 +1243,51 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x1140 = w.x[47];
   const Real x1153 = w.x[52];
   const Real x1161 = w.x[51];
-  const Real x1169 = w.x[54];
+  const Real x1169 = w.x[55];
   const Real x1180 = w.x[53];
-  const Real x1562 = w.x[87];
-  const Real x1612 = w.x[58];
-  const Real x1616 = w.x[66];
-  const Real x1677 = w.x[74];
-  const Real x1678 = w.x[76];
-  const Real x1735 = w.x[75];
+  const Real x1562 = w.x[95];
+  const Real x1612 = w.x[89];
+  const Real x1616 = w.x[91];
+  const Real x1677 = w.x[92];
+  const Real x1678 = w.x[94];
+  const Real x1735 = w.x[93];
   const Real x1737 = w.x[146];
   const Real x1746 = w.x[57];
-  const Real x1747 = w.x[59];
-  const Real x1749 = w.x[60];
-  const Real x1750 = w.x[61];
-  const Real x1752 = w.x[62];
-  const Real x1765 = w.x[64];
-  const Real x1766 = w.x[67];
-  const Real x1767 = w.x[68];
-  const Real x1768 = w.x[69];
-  const Real x1787 = w.x[72];
-  const Real x1788 = w.x[77];
-  const Real x1789 = w.x[78];
-  const Real x1808 = w.x[82];
-  const Real x1809 = w.x[86];
-  const Real x1822 = w.x[92];
-  const Real x1829 = w.x[95];
-  const Real x1835 = w.x[96];
-  const Real x1844 = w.x[98];
-  const Real x1856 = w.x[99];
+  const Real x1747 = w.x[58];
+  const Real x1749 = w.x[59];
+  const Real x1750 = w.x[60];
+  const Real x1752 = w.x[61];
+  const Real x1765 = w.x[62];
+  const Real x1766 = w.x[65];
+  const Real x1767 = w.x[66];
+  const Real x1768 = w.x[67];
+  const Real x1787 = w.x[69];
+  const Real x1788 = w.x[72];
+  const Real x1789 = w.x[73];
+  const Real x1808 = w.x[76];
+  const Real x1809 = w.x[81];
+  const Real x1822 = w.x[86];
+  const Real x1829 = w.x[96];
+  const Real x1835 = w.x[97];
+  const Real x1844 = w.x[100];
+  const Real x1856 = w.x[101];
   const Real x1857 = w.x[63];
-  const Real x1861 = w.x[65];
-  const Real x1866 = w.x[71];
-  const Real x1868 = w.x[70];
-  const Real x1874 = w.x[73];
-  const Real x1882 = w.x[81];
-  const Real x1887 = w.x[79];
-  const Real x1890 = w.x[80];
-  const Real x1893 = w.x[85];
-  const Real x1896 = w.x[84];
-  const Real x1905 = w.x[83];
-  const Real x1918 = w.x[90];
-  const Real x1927 = w.x[88];
-  const Real x1932 = w.x[89];
-  const Real x1938 = w.x[94];
-  const Real x1944 = w.x[93];
-  const Real x1957 = w.x[91];
+  const Real x1861 = w.x[64];
+  const Real x1866 = w.x[70];
+  const Real x1868 = w.x[68];
+  const Real x1874 = w.x[71];
+  const Real x1882 = w.x[77];
+  const Real x1887 = w.x[74];
+  const Real x1890 = w.x[75];
+  const Real x1893 = w.x[80];
+  const Real x1896 = w.x[79];
+  const Real x1905 = w.x[78];
+  const Real x1918 = w.x[84];
+  const Real x1927 = w.x[82];
+  const Real x1932 = w.x[83];
+  const Real x1938 = w.x[88];
+  const Real x1944 = w.x[87];
+  const Real x1957 = w.x[85];
   const Real x2488 = w.x[118];
   const Real x2502 = w.x[116];
   const Real x2546 = w.x[108];
@@ -1285,12 +1295,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x2609 = w.x[113];
   const Real x2677 = w.x[114];
   const Real x2679 = w.x[147];
-  const Real x2687 = w.x[97];
-  const Real x2688 = w.x[100];
-  const Real x2689 = w.x[101];
+  const Real x2687 = w.x[90];
+  const Real x2688 = w.x[98];
+  const Real x2689 = w.x[102];
   const Real x2690 = w.x[105];
   const Real x2691 = w.x[110];
-  const Real x2704 = w.x[102];
+  const Real x2704 = w.x[99];
   const Real x2705 = w.x[103];
   const Real x2706 = w.x[106];
   const Real x2707 = w.x[112];
@@ -1330,16 +1340,16 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x3287 = w.x[175];
   const Real x3299 = w.x[176];
   const Real x3384 = w.x[177];
-  const Real x3446 = w.x[178];
-  const Real x3450 = w.x[179];
+  const Real x3446 = w.x[181];
+  const Real x3450 = w.x[178];
   const Real x3451 = w.x[182];
-  const Real x3456 = w.x[183];
-  const Real x3457 = w.x[185];
-  const Real x3458 = w.x[186];
-  const Real x3459 = w.x[180];
-  const Real x3462 = w.x[181];
-  const Real x3464 = w.x[184];
-  const Real x3532 = w.x[187];
+  const Real x3456 = w.x[184];
+  const Real x3457 = w.x[186];
+  const Real x3458 = w.x[187];
+  const Real x3459 = w.x[179];
+  const Real x3462 = w.x[180];
+  const Real x3464 = w.x[185];
+  const Real x3532 = w.x[183];
   const Real x3551 = w.x[188];
   const Real x3575 = w.x[189];
   const Real x3598 = w.x[190];
@@ -1368,11 +1378,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x3688 = cosine[5] * x3673 - sine[5] * x3661;
   const Real x3696 = 3.673205103346574e-06 * x3691 + 0.9999999999932537 * tau[5];
   const Real x3701 = 0.9999999999932537 * x3691 - 3.673205103346574e-06 * tau[5];
-  // joint 5 "wrist_pitch": assembly: its two sides become one chain
-  const Real x3515 = x3501 + tau[5] * (x3046 - x3384 + x3287);
-  // joint 5 "wrist_pitch": disassembly: its acceleration and force
-  const Real x3684 = x3451 * x3661 + x3681 + x3446 * x3673 + x3515;
-  w.result[5] = x3684;
   // joint 4 "forearm_roll": disassembly: its acceleration and force
   const Real x3798 = x2901 * x3705 - x2914 * x3713 - x2926 * x3717;
   const Real x3779 = x2846 * x3705 + x2855 * x3713 + x2864 * x3717;
@@ -1380,6 +1385,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x3743 = 17.828132347140482 * x3705 + x2801 * x3713 + x2803 * x3717;
   const Real x3731 = 17.828132347140482 * x3713 + 2.2285165433925602 * x3717 - 222.85165433925602 * x3688;
   const Real x3800 = x3798 - x2876 * x3688 - x2885 * x3696;
+  // joint 5 "wrist_pitch": assembly: its two sides become one chain
+  const Real x3515 = x3501 + tau[5] * (x3046 - x3384 + x3287);
+  // joint 5 "wrist_pitch": disassembly: its acceleration and force
+  const Real x3684 = x3451 * x3661 + x3681 + x3446 * x3673 + x3515;
+  w.result[5] = x3684;
+  // joint 4 "forearm_roll": disassembly: its acceleration and force
   const Real x3783 = x2839 * x3696 - (x2834 * x3688 + x3779);
   const Real x3764 = x2812 * x3696 - (x2809 * x3688 + x3760);
   const Real x3803 = x2771 - (x2799 * x3688 - x3743 + 222.85165433925602 * x3696);
@@ -1397,12 +1408,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x3849 = x3848 - x2688 * x3837;
   const Real x3887 = 0.9999999999932537 * x3819 - 3.673205103346574e-06 * x3883;
   const Real x3892 = 0.9999999999932537 * x3883 + 3.673205103346574e-06 * x3819;
-  const Real x3856 = x2502 * x3822 + x2488 * x3819 + x2609 * x3828;
   const Real x3866 = sine[4] * x3849 + cosine[4] * x3837;
   const Real x3896 = cosine[4] * x3849 - sine[4] * x3837 - 0.38 * x3892;
-  const Real x3858 = x2550 * x3837 + x3856 + x2546 * x3849;
-  const Real x3859 = x3858 - (580.9731299927379 * x3701 + 5.809731299927379 * x3705 + x2679);
-  w.result[4] = x3859;
+  const Real x3856 = x2502 * x3822 + x2488 * x3819 + x2609 * x3828;
   const Real x3899 = 0.9999999999932537 * tau[4] - 3.673205103346574e-06 * x3866 - 0.08 * x3892;
   const Real x3875 = 0.9999999999932537 * x3866 + 3.673205103346574e-06 * tau[4];
   const Real x3906 = 0.08 * x3887 + 0.38 * x3880 + x3875;
@@ -1410,6 +1418,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x3974 = x1938 * x3880 + x1944 * x3887 + x1957 * x3892;
   const Real x3955 = x1893 * x3880 + x1896 * x3887 + x1905 * x3892;
   const Real x3938 = x1874 * x3892 - (1.430317045931343 * x3880 + 0.48788579569294427 * x3887);
+  // joint 4 "forearm_roll": disassembly: its acceleration and force
+  const Real x3858 = x2550 * x3837 + x3856 + x2546 * x3849;
+  const Real x3859 = x3858 - (580.9731299927379 * x3701 + 5.809731299927379 * x3705 + x2679);
+  w.result[4] = x3859;
+  // joint 3 "elbow_pitch": disassembly: its acceleration and force
   const Real x3976 = x3974 - x1918 * x3896 - x1927 * x3899;
   const Real x3959 = x1882 * x3896 + x3955 + x1887 * x3899;
   const Real x3940 = x1866 * x3896 + x3938 + x1868 * x3899;
@@ -1429,9 +1442,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_2(Workspace& w) {
   const Real x4026 = x4024 - x1749 * x4005 + x1747 * x4014;
   const Real x4065 = 3.673205103346574e-06 * x4060 + 0.9999999999932537 * x3996;
   const Real x4070 = 0.9999999999932537 * x4060 - 3.673205103346574e-06 * x3996;
-  const Real x4033 = x1678 * x3999 + x1562 * x3996 + x1677 * x4005;
   const Real x4043 = sine[3] * x4026 + cosine[3] * x4014;
   const Real x4040 = cosine[3] * x4026 - sine[3] * x4014;
+  const Real x4033 = x1678 * x3999 + x1562 * x3996 + x1677 * x4005;
   const Real x4035 = x1616 * x4014 + x4033 + x1612 * x4026;
   const Real x4036 = x3990 - x1737 + x4035;
   w.result[3] = x4036;

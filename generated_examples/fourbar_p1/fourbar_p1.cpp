@@ -112,20 +112,20 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x76 = x27 * 0.25;
   // directions in which a loop holds its two links
   const Real x137 = cosine[0] * cosine[1] - sine[0] * sine[1];
-  const Real x106 = sine[1] * 0.5;
   const Real x140 = sine[0] * cosine[1] + cosine[0] * sine[1];
   const Real x157 = 9.81 * sine[2] + x47 * 0.4;
-  const Real x109 = 0.2 + cosine[1] * 0.5;
   const Real x143 = cosine[2] * x137 + sine[2] * x140;
   const Real x147 = cosine[2] * x140 - sine[2] * x137;
   const Real x163 = 0.4 * x143;
   const Real x178 = 0.4 * x147;
-  const Real x121 = cosine[0] * x106 + sine[0] * x109 - sine[2] * 0.4;
+  const Real x106 = sine[1] * 0.5;
   const Real x165 = x44 * x143 - x147 * x157 - x27;
-  const Real x119 = cosine[0] * x109 - sine[0] * x106;
-  const Real x120 = 0.45 + cosine[2] * 0.4 - x119;
+  const Real x109 = 0.2 + cosine[1] * 0.5;
   const Real x176 = x44 * x147 + x143 * x157;
   const Real x180 = x32 + x36 * 0.5 - x176;
+  const Real x121 = cosine[0] * x106 + sine[0] * x109 - sine[2] * 0.4;
+  const Real x119 = cosine[0] * x109 - sine[0] * x106;
+  const Real x120 = 0.45 + cosine[2] * 0.4 - x119;
   // joint 1 "coupler_pin": inertia and bias force of what is beyond, its own motion left open
   const Real x198 = sine[1] * 0.2;
   const Real x187 = cosine[1] * 0.25;
@@ -134,31 +134,19 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x222 = cosine[1] * x27 + sine[1] * (x32 + x36 * 0.25);
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x262 = x178 * x197 - x163 * x198;
-  const Real x249 = v[1] * 0.5 + v[0] * x197 - v[2] * x163;
   const Real x263 = 1 / x262;
+  const Real x249 = v[1] * 0.5 + v[0] * x197 - v[2] * x163;
   const Real x253 = v[2] * x178 - v[0] * x198;
   // directions in which a loop holds its two links
   const Real x129 = 1e-08 - (x120 * x120 + x121 * x121);
   require_more(w, x129, 0.0, kLoopOpen, 3);
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x288 = x262 * x262;
-  const Real x279 = x197 * x197 + x163 * x163;
-  const Real x283 = x198 * x198 + x178 * x178;
-  const Real x284 = 4.0 * x279;
-  require_more(w, x284, 9.999999999999998e-15, kSingularPose, 3);
-  const Real x286 = x283 * 16.0;
-  require_more(w, x286, 9.999999999999998e-15, kSingularPose, 3);
-  // directions in which a loop holds its two links
-  const Real x133 = (x11 + v[1] * v[1] + x47 + 1.0) * 1.0000000000000002e-06;
-  // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x257 = x133 - (x249 * x249 + x253 * x253);
-  require_more(w, x257, 0.0, kLoopTorn, 3);
   const Real x264 = x178 * x263;
   const Real x266 = x198 * x263;
-  const Real x290 = x279 * x283 * 9.999999999999998e-15;
-  require_more(w, x288, x290, kSingularPose, 3);
   const Real x268 = 0.5 * x264;
   const Real x272 = 0.5 * x266;
+  const Real x279 = x197 * x197 + x163 * x163;
+  const Real x283 = x198 * x198 + x178 * x178;
   // joint 1 "coupler_pin": inertia and bias force of what is beyond, its own motion left open
   const Real x234 = 0.0834083 + 0.2 * (0.2 + x187 + x187) + 0.00536333;
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
@@ -169,7 +157,19 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x275 = x165 * x266 + x180 * (x197 * x263);
   const Real x306 = x193 - x234 * x268;
+  // directions in which a loop holds its two links
+  const Real x133 = (x11 + v[1] * v[1] + x47 + 1.0) * 1.0000000000000002e-06;
+  // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
+  const Real x257 = x133 - (x249 * x249 + x253 * x253);
+  require_more(w, x257, 0.0, kLoopTorn, 3);
+  const Real x284 = 4.0 * x279;
+  require_more(w, x284, 9.999999999999998e-15, kSingularPose, 3);
   const Real x320 = x242 * x268 + (x44 * 0.16000000000000003 + tau[2]) * x272;
+  const Real x286 = x283 * 16.0;
+  require_more(w, x286, 9.999999999999998e-15, kSingularPose, 3);
+  const Real x288 = x262 * x262;
+  const Real x290 = x279 * x283 * 9.999999999999998e-15;
+  require_more(w, x288, x290, kSingularPose, 3);
   const Real x301 = 40000.0 - (x268 * x268 + x272 * x272);
   require_more(w, x301, 0.0, kSingularPose, 3);
   const Real x325 = x275 * x304 - x271 * x306;
@@ -208,14 +208,14 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x76 = x27 * 0.25;
   // directions in which a loop holds its two links
   const Real x137 = cosine[0] * cosine[1] - sine[0] * sine[1];
-  const Real x106 = sine[1] * 0.5;
   const Real x140 = sine[0] * cosine[1] + cosine[0] * sine[1];
   const Real x157 = 9.81 * sine[2] + x47 * 0.4;
-  const Real x109 = 0.2 + cosine[1] * 0.5;
   const Real x143 = cosine[2] * x137 + sine[2] * x140;
   const Real x147 = cosine[2] * x140 - sine[2] * x137;
   const Real x163 = 0.4 * x143;
   const Real x178 = 0.4 * x147;
+  const Real x106 = sine[1] * 0.5;
+  const Real x109 = 0.2 + cosine[1] * 0.5;
   const Real x176 = x44 * x147 + x143 * x157;
   // joint 1 "coupler_pin": inertia and bias force of what is beyond, its own motion left open
   const Real x198 = sine[1] * 0.2;
@@ -231,20 +231,20 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x264 = x178 * 4.0;
   const Real x267 = x260 * x260;
   // directions in which a loop holds its two links
+  const Real x121 = cosine[0] * x106 + sine[0] * x109 - sine[2] * 0.4;
   const Real x119 = cosine[0] * x109 - sine[0] * x106;
   const Real x120 = 0.45 + cosine[2] * 0.4 - x119;
-  const Real x121 = cosine[0] * x106 + sine[0] * x109 - sine[2] * 0.4;
   const Real x129 = 1e-08 - (x120 * x120 + x121 * x121);
   require_more(w, x129, 0.0, kLoopOpen, 3);
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x249 = v[1] * 0.5 + v[0] * x197 - v[2] * x163;
   const Real x253 = v[2] * x178 - v[0] * x198;
+  const Real x249 = v[1] * 0.5 + v[0] * x197 - v[2] * x163;
+  const Real x272 = sign_of(x259) * sqrt_of(1.0 + x259 * x259 + x267);
   // directions in which a loop holds its two links
   const Real x133 = (x11 + v[1] * v[1] + x47 + 1.0) * 1.0000000000000002e-06;
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x257 = x133 - (x249 * x249 + x253 * x253);
   require_more(w, x257, 0.0, kLoopTorn, 3);
-  const Real x272 = sign_of(x259) * sqrt_of(1.0 + x259 * x259 + x267);
   const Real x273 = x259 + x272;
   const Real x306 = x272 * x272;
   require_more(w, x306, 9.999999999999998e-15, kLoopSingular, 3);
@@ -284,11 +284,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x367 = x193 * x344 + 0.0834083 * x348;
   const Real x368 = 0.042726700000000006 * x349;
   const Real x375 = x242 * x344 + (x76 + tau[1]) * x348;
-  const Real x396 = x234 * (x344 * x344) + 0.0834083 * (x348 * x348);
   const Real x389 = x344 * x364 + x348 * x367 + x349 * x368;
+  const Real x396 = x234 * (x344 * x344) + 0.0834083 * (x348 * x348);
+  const Real x383 = x359 * x364 + x360 * x367 + x361 * x368;
   const Real x400 = (0.042726700000000006 * (x349 * x349) + x396) * 1.7763568394002505e-15;
   require_more(w, x389, x400, kLoopFree, 0);
-  const Real x383 = x359 * x364 + x360 * x367 + x361 * x368;
   const Real x384 = x383 - ((x44 * 0.16000000000000003 + tau[2]) * x349 + x375);
   const Real x401 = x384 * (1 / x389);
   // link 0 "ground": accelerations and constraint forces of loops below it

@@ -9,15 +9,18 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from adagen.emit.unrolled.order import in_order
+from adagen.emit.unrolled.order import Pace, in_order
 from adagen.executor import simulate
 from adagen.graph import Graph, live_nodes
 from adagen.plan import make_plan
 from adagen.plan.steps import Kinematics
 from adagen.plan.types import Process
+from adagen.schedule import step_costs
 from tests.emitted import plan_of
 from tests.models import random_tree, serial_chain
 from tests.schedules import random_schedule
+
+COSTS = step_costs(None)
 
 
 def most_alive(graph: Graph, order: Sequence[int]) -> int:
@@ -43,7 +46,8 @@ def test_everything_is_computed_once_and_after_what_it_uses(
         graph = one.machine.graph
         live = live_nodes(graph, one.machine.roots())
         values = {k for k in live if graph.nodes[k].op not in ("constant", "input")}
-        order = in_order(graph, process, values, batch=batch)
+        pace = None if batch else Pace.of(one.operations, len(values), COSTS)
+        order = in_order(graph, process, values, pace)
         assert sorted(order) == sorted(values)
         turn = {k: n for n, k in enumerate(order)}
         assert all(turn[a] < turn[k] for k in order for a in graph.nodes[k].args if a in turn)
@@ -56,7 +60,7 @@ def test_what_a_link_takes_is_computed_while_its_motion_is_at_hand(joints: int) 
     graph = one.machine.graph
     live = live_nodes(graph, one.machine.roots())
     values = {k for k in live if graph.nodes[k].op not in ("constant", "input")}
-    order = in_order(graph, plan.processes[0], values, batch=True)
+    order = in_order(graph, plan.processes[0], values)
     assert most_alive(graph, order) < 0.8 * most_alive(graph, sorted(values))
 
 
@@ -69,7 +73,9 @@ def test_of_a_single_state_what_most_waits_for_comes_first() -> None:
         power.append(power[-1] * x)
     values = {value.index for value in (*short, *power)}
     process = Process(steps=(Kinematics(0),), reads=(0,), owns=(0,))
-    alone = in_order(graph, process, values, batch=False)
+    alone = in_order(graph, process, values, Pace(value=1.0, cycle=2.0, margin=0.03))
     assert alone[0] == power[0].index
     assert set(alone[-3:]) == {value.index for value in power[-3:]}
-    assert in_order(graph, process, values, batch=True) == sorted(values)
+    assert in_order(graph, process, values) == sorted(values)
+    busy = Pace(value=1.0, cycle=0.1, margin=0.03)  # 121 values take 121, and waiting 17
+    assert in_order(graph, process, values, busy) == sorted(values)

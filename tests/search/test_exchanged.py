@@ -31,7 +31,7 @@ def exchanged(joints: int, processes: int, cuttable: list[bool] | None = None) -
     found = chains.best(processes, processes, play)
     assert found is not None
     validate(found, topology)
-    assert chains.least(processes) <= play(found)[1].makespan
+    assert chains.least(processes, processes) <= play(found)[1].makespan
     return found
 
 
@@ -88,8 +88,14 @@ def test_long_chains_exchange_where_that_is_the_fastest(processes: int) -> None:
     assert found.lower_bound <= found.makespan
 
 
-def test_trees_and_short_chains_are_not_asked_to_exchange() -> None:
+def test_parts_have_two_joints_and_trees_are_not_asked_to_exchange() -> None:
     assert numbers_of_processes(Topology.of(serial_chain(900)), 16) == [16, 8, 4, 2]
-    assert numbers_of_processes(Topology.of(serial_chain(100)), 4) == [2]
-    assert numbers_of_processes(Topology.of(serial_chain(60)), 4) == []
+    assert numbers_of_processes(Topology.of(serial_chain(11)), 8) == [4, 2]
+    assert numbers_of_processes(Topology.of(serial_chain(10)), 4) == [2]
+    assert numbers_of_processes(Topology.of(serial_chain(4)), 4) == []
     assert numbers_of_processes(Topology.of(binary(6)), 4) == []
+
+
+@pytest.mark.parametrize(("joints", "processes"), [(5, 2), (8, 2), (11, 4), (17, 4), (23, 8)])
+def test_the_bound_holds_for_short_chains(joints: int, processes: int) -> None:
+    exchanged(joints, processes)

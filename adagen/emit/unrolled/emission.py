@@ -111,7 +111,7 @@ class _ProcessText:
         self.graph = simulated.machine.graph
         self.operations = simulated.operations
         self.layout: Layout = laid_out(
-            self.process, self.machine, simulated.ends, chunk, batch=words.batch
+            self.process, simulated, chunk, None if words.batch else words.costs
         )
         self.text = Text(self.graph, words.plan.scalar, self._only_users())
         self.results = Results(words, process, self.owner, self.machine, self.text)

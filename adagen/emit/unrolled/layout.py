@@ -10,11 +10,12 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from adagen.emit.unrolled.order import in_order
-from adagen.executor import RECEIVED, SINGULAR, Check, Machine
+from adagen.emit.unrolled.order import Pace, in_order
+from adagen.executor import RECEIVED, SINGULAR, Check, Machine, Simulated
 from adagen.graph import Node, live_nodes
 from adagen.plan.stages import Stage, stages
 from adagen.plan.types import Process
+from adagen.schedule.costs import StepCosts
 
 
 @dataclass
@@ -61,17 +62,17 @@ class Layout:
 
 
 def laid_out(
-    process: Process, machine: Machine, ends: Sequence[int], longest: int, *, batch: bool = False
+    process: Process, simulated: Simulated, longest: int, costs: StepCosts | None
 ) -> Layout:
     """Return the layout of a process.
 
     Args:
         process: the process.
-        machine: it, after all steps.
-        ends: number of nodes in the graph after each step.
+        simulated: it, after all steps.
         longest: values of one function.
-        batch: whether many states are solved at once.
+        costs: by which a single state is put in order; None where many are solved at once.
     """
+    machine, ends = simulated.machine, simulated.ends
     pending: list[int] = []
     done = 0
     last_work: int | None = None
@@ -82,6 +83,7 @@ def laid_out(
         for k in live_nodes(machine.graph, machine.roots())
         if nodes[k].op != "constant" and not is_given(nodes[k])
     ]
+    pace = None if costs is None else Pace.of(simulated.operations, len(alive), costs)
     found = stages(process)
     for place, stage in enumerate([*found, None]):
         if stage is not None and stage.message is None:
@@ -93,7 +95,9 @@ def laid_out(
             done += 1
         now = _needed(machine, pending, stage)
         pending = [k for k in pending if k not in now]
-        orders[place] = last_work, in_order(machine.graph, process, now, batch=batch)
+        # In several functions, what is computed long before it is used goes through memory.
+        whole = len(now) <= longest
+        orders[place] = last_work, in_order(machine.graph, process, now, pace if whole else None)
         last_work = None
     stretches = {
         place: Stretch(

@@ -2,9 +2,11 @@
 
 Either by step, so that a value is used soon and registers and the first-level cache hold what is
 alive: what a link takes of the reference field is computed as soon as the link has it. Or by what
-still follows: the evaluation of a single state by a short line lasts as long as its longest chain
-of values that wait for each other, if nothing on that is begun late. A processor looks some hundred
-statements ahead, so that what belongs to one step may still stand together as long as it is near.
+still follows, where the evaluation of a single state is predicted to last longer for its longest
+chain of values that wait for each other: then nothing on that is to be begun late. A processor
+looks some hundred statements ahead, so that what belongs to one step may still stand together as
+long as it is near. Over several functions values would go through memory, so that only a stretch
+that is one function has this order.
 """
 
 from __future__ import annotations
@@ -14,29 +16,57 @@ from collections import defaultdict
 from collections.abc import Callable, Set
 from dataclasses import dataclass
 
-from adagen.graph import Graph
+from adagen.executor import at_once, work_of
+from adagen.graph import Graph, Operations
 from adagen.plan.steps import Kinematics, LinkBias, StartLink
 from adagen.plan.types import Process
+from adagen.schedule.costs import StepCosts
 
-_EACH_CYCLE = 2.5  # values that a processor of today computes in a cycle, other work beside
-_WAITING = 0.8  # share of the time that the longest chain has to take to be what limits
-_SHORT = 2500  # values that are alive all over a longer line fill the first-level cache
 _TOGETHER = 100  # values among which those of one step stand together
 
 
-def in_order(graph: Graph, process: Process, values: Set[int], *, batch: bool) -> list[int]:
+@dataclass(frozen=True)
+class Pace:
+    """How fast a machine computes the values of a process; microseconds.
+
+    Attributes:
+        value: what one takes, on average, where none waits for another.
+        cycle: a cycle of the longest chain of values that do.
+        margin: the share of a time by which predictions are off.
+    """
+
+    value: float
+    cycle: float
+    margin: float
+
+    @staticmethod
+    def of(operations: Operations, values: int, costs: StepCosts) -> Pace:
+        """Return the pace of a process with so many values."""
+        work = costs.total(work_of(operations, costs["unrolled.held"]))
+        return Pace(work / max(1, values), costs["unrolled.cycle"], costs["process.margin"])
+
+    def waits(self, values: int, longest: int) -> bool:
+        """Whether so many values are predicted to take longer for a chain of so many cycles."""
+        work = self.value * values
+        return at_once(work, self.cycle * longest) > (1 + self.margin) * work
+
+
+def in_order(
+    graph: Graph, process: Process, values: Set[int], pace: Pace | None = None
+) -> list[int]:
     """Return the values of a stretch in the order in which they are computed.
 
     Args:
         graph: what they belong to.
         process: whose steps the marks of the nodes number.
         values: indices of what is to be computed; the rest of the graph is there before.
-        batch: whether many states are solved at once, which keeps a processor busy in any case.
+        pace: of a single state in one function; None for the order by step in any case. Many
+            states at once keep a processor busy, whatever waits for what.
     """
-    if not batch and len(values) <= _SHORT:
+    if pace is not None:
         waits = _waits(graph, values)
-        if waits.longest >= _WAITING * len(values) / _EACH_CYCLE:
-            turns = {k: turn for turn, k in enumerate(_played(waits))}
+        if pace.waits(len(values), waits.longest):
+            turns = {k: turn for turn, k in enumerate(_played(waits, pace))}
             place = {k: (turn // _TOGETHER, graph.nodes[k].mark, turn) for k, turn in turns.items()}
             return _operands_first(graph, values, place.__getitem__)
     moved = {s.joint + 1: k for k, s in enumerate(process.steps) if isinstance(s, Kinematics)}
@@ -104,7 +134,7 @@ def _waits(graph: Graph, values: Set[int]) -> _Waits:
     return waits
 
 
-def _played(waits: _Waits) -> list[int]:
+def _played(waits: _Waits, pace: Pace) -> list[int]:
     """The values as a processor would begin them that always takes what most waits for."""
     start: dict[int, float] = dict(waits.start)
     missing = {k: len(operands) for k, operands in waits.operands.items()}
@@ -125,5 +155,5 @@ def _played(waits: _Waits) -> list[int]:
             start[user] = max(start[user], now + waits.lasts[k])
             if missing[user] == 0:
                 heapq.heappush(later, (start[user], user))
-        now += 1 / _EACH_CYCLE
+        now += pace.value / pace.cycle  # not 0, or no chain would lengthen anything
     return order
