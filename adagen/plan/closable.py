@@ -9,6 +9,7 @@ from adagen.errors import InputError
 from adagen.model import Model
 from adagen.plan.choices import NO_PIVOT
 from adagen.plan.tied import connected, freedoms_of, rows_of, tied_by
+from adagen.reference.closed import nearly_closed
 from adagen.reference.double import joint_space_inertia
 
 Array = NDArray[np.float64]
@@ -57,16 +58,24 @@ def _rank(matrix: Array) -> int:
 
 
 def why_open(model: Model) -> str:
-    """Return why no state of a robot is closed."""
+    """Return why no state of a robot is closed: what stays open in the nearest one, and how far."""
+    kinds = ["loop"] * bool(model.loops) + ["coupling"] * bool(model.couplings)
     names = [loop.name for loop in model.loops] + [c.name for c in model.couplings]
+    gaps = nearly_closed(model)
+    open_ones = sorted(names, key=lambda name: -gaps[name])[:3]
+    left = ", ".join(f'"{name}" open by {gaps[name]:.2g}' for name in open_ones)
     quoted = ", ".join(f'"{name}"' for name in names[:5])
     more = f" and {len(names) - 5} more" if len(names) > 5 else ""
-    which = (
-        f"loops {quoted}{more} cannot all be closed"
+    what = (
+        f"{' and '.join(f'{kind}s' for kind in kinds)} {quoted}{more} cannot all be closed"
         if len(names) > 1
-        else (f"loop {quoted} cannot be closed")
+        else f"{kinds[0]} {quoted} cannot be closed"
     )
-    return f"{which}: no configuration was found that does; correct the frames of their ends"
+    wrong = "frames" if model.loops else "factors and offsets"
+    return (
+        f"{what}: no configuration was found that does; the nearest one leaves {left} (m or rad); "
+        f"correct their {wrong}"
+    )
 
 
 def check_inertia(model: Model, q: Array, rows: Array) -> None:

@@ -319,6 +319,21 @@ def closed_states(
     return q, v
 
 
+def nearly_closed(model: Model, seed: int = 0) -> dict[str, float]:
+    """Return by how much each loop and coupling is open where all are closed as well as was found.
+
+    In m and rad, the larger one; from as many random starts as there are scales, by least squares.
+    """
+    rng = np.random.default_rng(seed)
+    starts = np.array([_start(model, rng, scale) for scale in SCALES])
+    found = constraints_of_all(model, closest(model, starts))
+    best = int(np.argmin((found.gaps**2).sum(axis=1)))
+    by: dict[str, float] = {}
+    for name, gap in zip(found.names, np.abs(found.gaps[best]).tolist(), strict=True):
+        by[name] = max(by.get(name, 0.0), gap)
+    return by
+
+
 def _start(model: Model, rng: np.random.Generator, scale: float) -> Array:
     q, size = np.zeros(model.nq), size_of(model)
     step = rng.uniform(-scale, scale, model.nv)

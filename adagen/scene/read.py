@@ -232,7 +232,8 @@ class _Reader:
                 hint = nearest(word, LOOP_WORDS) or f"; known: {', '.join(LOOP_WORDS)}"
                 raise self.fail(f"unknown kind of loop '{word}'{hint}", (*place, "kind"))
             axes = ("axis", "axis2")[: LOOP_WORDS[word].axes]
-            self.need(table, axes, f"{word} loop", place)
+            given = f" '{self.text(table['name'], (*place, 'name'))}'" if "name" in table else ""
+            self.need(table, axes, f"{word} loop{given}", place)
             for key in {"axis", "axis2"}.intersection(table).difference(axes):
                 raise self.fail(f"a {word} loop has no {key}: leave it out", (*place, key))
             loop = NamedLoop(

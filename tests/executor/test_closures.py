@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -212,8 +213,10 @@ def _closed_flat(model: Model) -> Model:
 def test_what_cannot_be_solved_is_refused_at_once() -> None:
     model = four_bar()
     model.loops[0].frame2.translation[0] = 5.0
-    with pytest.raises(InputError, match='loop "pin" cannot be closed'):
+    with pytest.raises(InputError, match='loop "pin" cannot be closed') as caught:
         plan_of(model)
+    by = re.search(r'leaves "pin" open by (\S+) \(m or rad\)', str(caught.value))
+    assert by is not None and float(by[1]) == 3.9  # the others together span 1.1 m of 5 m
     massless = planar_chain(0.2, 0.5, 0.4, 0.3, massless=3)
     loops = four_bar().loops
     with pytest.raises(InputError, match='joint "p3" can move with no inertia'):

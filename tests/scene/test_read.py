@@ -147,9 +147,9 @@ BAD = {
         "this revolute loop has no axis",
     ),
     "loop with one axis of two": (
-        '[[loops]]\nkind = "universal"\nlink1 = "a"\nlink2 = "b"\naxis = [0, 0, 1]\n',
+        '[[loops]]\nname = "u"\nkind = "universal"\nlink1 = "a"\nlink2 = "b"\naxis = [0, 0, 1]\n',
         1,
-        "this universal loop has no axis2",
+        "this universal loop 'u' has no axis2",
     ),
     "loop with an axis too many": (
         '[[loops]]\nkind = "point"\nlink1 = "a"\nlink2 = "b"\naxis = [0, 0, 1]\n',
