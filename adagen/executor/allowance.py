@@ -52,12 +52,18 @@ class Allowance:
         """The sum of squares."""
         return total([self.state.graph.constant(0), *(x * x for x in numbers)])
 
-    def whole(self, j: int, x: Expression) -> Expression:
-        """The sum of a row's numbers; of a single joint its own."""
-        if j not in self.state.rows:
-            return x
-        found: Expression = self.state.graph.across(x, len(self.state.rows.own(j)))
+    def count(self, j: int) -> int:
+        """How many joints are treated as a joint."""
+        return len(self.state.rows.own(j))
+
+    def summed(self, x: Expression, count: int) -> Expression:
+        """The sum of the first numbers of a row; of a single joint its own."""
+        found: Expression = self.state.rows.sum_of(np.array(x, object), count).item()
         return found
+
+    def whole(self, j: int, x: Expression) -> Expression:
+        """The sum of a joint's row."""
+        return self.summed(x, self.count(j))
 
     # -- how large accelerations are --------------------------------------------------------------
 
@@ -117,16 +123,20 @@ class Allowance:
         levers = [self.square(arm) * noise[3] for arm in arms]
         return np.array([*(turned + np.array(levers, dtype=object)), noise[3]], dtype=object)
 
-    def weigh_noise(self, j: int, factors: Factors, noise: Array) -> None:
+    def weigh_noise(self, count: int, factors: Factors, noise: Array) -> Array:
         """Add what rounding may add to the energy of what has these factors, squares of it given.
 
         Args:
-            j: a joint whose lanes they are.
-            factors: of its inertia.
+            count: how many lanes they have.
+            factors: of an inertia.
             noise: shape (n,).
+
+        Returns:
+            What comes together at each pivot, shape (n,).
         """
         rest: list[Expression] = []
         for k, inverse in enumerate(factors.inverses):
             row = factors.lower[k]
             rest.append(total([noise[k], *(row[i] * row[i] * rest[i] for i in range(k))]))
-            self.rounded.append(self.whole(j, rest[k] * inverse))
+            self.rounded.append(self.summed(rest[k] * inverse, count))
+        return np.array(rest, dtype=object)

@@ -130,7 +130,7 @@ class Certificate(Allowance):
         y = factors.forward(u.reshape(-1, 1))[:, 0]
         for k, inverse in enumerate(factors.inverses):
             self.seen.append(self.whole(j, y[k] * y[k] * inverse))
-        self.weigh_noise(j, factors, noise)
+        self.weigh_noise(self.count(j), factors, noise)
 
     # -- floating bases ---------------------------------------------------------------------------
 

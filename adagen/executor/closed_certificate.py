@@ -12,7 +12,7 @@ way.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,6 +22,7 @@ from adagen.executor.allowance import Allowance
 from adagen.executor.front import Front
 from adagen.executor.segments import Articulated
 from adagen.graph import Expression, factorize, total
+from adagen.plan.arms import Mates
 from adagen.plan.certificate import ROUNDING
 from adagen.plan.digits import EPSILON
 from adagen.plan.steps import Articulate, Certify, Eliminate, HoldBack, SolveRoot, StartLink, Step
@@ -71,11 +72,11 @@ class ClosedCertificate(Allowance):
                 self._pass_held(step)
             case Eliminate():
                 front, left = (x.closures.fronts[step.closure] for x in (self.machine, residual))
-                blamed = next(iter(front.first), None)
-                if blamed is not None:
-                    self._eliminate(step, blamed, front, left)
+                if front.first:
+                    self._eliminate(step, front, left)
                     assert left.reduced is not None  # others are not certified
-                    yield self.whole(blamed, left.reduced.energy)
+                    for freed in left.reduced.freed:
+                        yield self.summed(freed.energy, self._lanes(step, freed.unknowns))
             case SolveRoot(link):
                 self._at_root(link)
                 a, p = residual.memory["a", link], residual.memory["pA", link]
@@ -91,7 +92,7 @@ class ClosedCertificate(Allowance):
     def _pass_articulated(self, j: int) -> None:
         body: Articulated = self.memory["articulated", j]
         noise, free = self.noise_at(j + 1), list(self.state.kind(j).free)
-        self.weigh_noise(j, body.factors, noise[[min(k, 3) for k in free]])
+        self.weigh_noise(self.count(j), body.factors, noise[[min(k, 3) for k in free]])
         given = self.state.torques(j)[:, 0]
         self._hand_on(j, free, given, noise)
 
@@ -104,9 +105,11 @@ class ClosedCertificate(Allowance):
             for unknown, factor in front.ties.get(j, [])
             if unknown in front.forces
         ]
-        own = self.held.setdefault(step.closure, {})
+        own, mates = self.held.setdefault(step.closure, {}), self.machine.closures.mates
+        firsts = [front.first[each] for each in mates.holds.get(j, (j,))]
         for k, row in enumerate(self.state.kind(j).free):
-            own[step.first + k] = total([noise[min(row, 3)], *(x * x for x in tied)])
+            here = mates.each(total([noise[min(row, 3)], *(x * x for x in tied)]), len(firsts))
+            own.update((first + k, x) for first, x in zip(firsts, here, strict=True))
         self._hand_on(j, [], self.state.zeros(0), noise)
 
     def _hand_on(self, j: int, free: list[int], given: Array, noise: Array) -> None:
@@ -116,48 +119,82 @@ class ClosedCertificate(Allowance):
 
     # -- closures ---------------------------------------------------------------------------------
 
-    def _eliminate(self, step: Eliminate, blamed: int, front: Front, left: Front) -> None:
+    def _eliminate(self, step: Eliminate, front: Front, left: Front) -> None:
         """What the unknowns' share of rounding does to what the rows leave free, and to the top.
 
         Args:
             step: what eliminates them.
-            blamed: a joint whose lanes they are.
             front: the closure as it was answered.
             left: the same with what the answer leaves over.
         """
-        reduced, own = front.reduced, self.held[step.closure]
+        reduced, noise = front.reduced, self.held[step.closure]
         assert reduced is not None  # others are not certified
-        moved = np.array([own[unknown] for unknown in reduced.moved], dtype=object)
-        squares = reduced.gained * reduced.gained
-        noise = [total([*(squares[:, k] * moved)]) for k in range(len(reduced.kept))]
-        kept = [own.get(unknown) for unknown in reduced.kept]  # of a basis none
-        noise = [x if y is None else x + y for x, y in zip(noise, kept, strict=True)]
-        if reduced.factors is not None:
-            self.weigh_noise(blamed, reduced.factors, np.array(noise, dtype=object))
-        rows = np.array([self._of_row(front, left, row) for row in step.rows], dtype=object)
-        for parts, inertia in zip(reduced.by_rows, reduced.inertia, strict=True):
-            if len(rows):
-                self.rounded.append(self.whole(blamed, total(parts * parts * rows) * inertia))
-        if step.link and any(x.constant != 0 for x in reduced.across.flat):
-            self._hand_to_top(step, reduced.across, moved)
+        for each in reduced.followed:
+            own, count = self._noise_of(noise, each.unknowns), self._lanes(step, each.unknowns)
+            self._hand_over(noise, each.others, each.gained, own, len(each.unknowns[0]))
+            rows = np.array([self._of_row(front, left, row) for row in each.rows], dtype=object)
+            for parts, inertia in zip(each.by_rows, each.inertia, strict=True):
+                energy = total(parts * parts * rows) * inertia
+                self.rounded.append(self.summed(energy, count))
+            if step.link and any(x.constant != 0 for x in each.across.flat):
+                self._hand_to_top(step, each.across, own, len(each.unknowns[0]))
+        for freed in reduced.freed:
+            own, count = self._noise_of(noise, freed.unknowns), self._lanes(step, freed.unknowns)
+            rest = self.weigh_noise(count, freed.factors, own)
+            self._hand_over(noise, freed.others, freed.gained, rest, len(freed.unknowns[0]))
 
-    def _hand_to_top(self, step: Eliminate, across: Array, moved: Array) -> None:
+    def _lanes(self, step: Eliminate, unknowns: Sequence[Mates]) -> int:
+        """How many arms, or closures, unknowns are of."""
+        closures = self.machine.closures.lanes(step.closure)
+        return max(len(unknowns[0]), len({lane.number for lane in closures}))
+
+    def _noise_of(self, noise: dict[int, Expression], unknowns: Sequence[Mates]) -> Array:
+        """What comes together at unknowns, shape (n,)."""
+        together = self.machine.closures.mates.together
+        return np.array([together([noise[u] for u in mates]) for mates in unknowns], dtype=object)
+
+    def _hand_over(
+        self,
+        noise: dict[int, Expression],
+        others: Sequence[Mates],
+        gained: Array,
+        own: Array,
+        count: int,
+    ) -> None:
+        """Add what comes together at unknowns of so many arms to those that they follow from."""
+        for k, mates in enumerate(others):
+            handed = total((gained[:, k] * gained[:, k]) * own)
+            if len(mates) == 1:
+                each = [self.summed(handed, count)]
+            else:
+                each = self.machine.closures.mates.each(handed, count)
+            for unknown, x in zip(mates, each, strict=True):  # those of a basis have none before
+                noise[unknown] = noise[unknown] + x if unknown in noise else x
+
+    def _hand_to_top(self, step: Eliminate, across: Array, moved: Array, arms: int) -> None:
         """What comes together at unknowns that follow from the top's acceleration is handed on."""
         parts = [total((across[:, i] * across[:, i]) * moved) for i in range(6)]
         lanes = self.machine.closures.lanes(step.closure)
         tops = [lane.eliminate.link for lane in lanes]
         count = len(dict.fromkeys(lane.eliminate.closure for lane in lanes))
         handed = np.array([*parts[:3], total(parts[3:])], dtype=object)
-        self.state.rows.add("noise", tops, count, handed)
+        self.state.rows.add("noise", tops, count, self.state.rows.sum_of(handed, arms))
 
-    def _of_row(self, front: Front, left: Front, unknown: int) -> Expression:
-        """The square of how a row parts, and of what is added up for that, in squares of units."""
-        gap = left.gaps[unknown] * (1 / self.unit)
+    def _of_row(self, front: Front, left: Front, mates: Mates) -> Expression:
+        """The square of how a row parts, and of what is added up for that, in squares of units.
+
+        Rows of alike arms are looked at together, also where what follows from them is not.
+        """
+        if mates not in left.gaps:
+            wide = next(own for own in left.gaps if mates[0] in own)
+            each = self.machine.closures.mates.each(self._of_row(front, left, wide), len(wide))
+            return each[wide.index(mates[0])]
+        gap = left.gaps[mates] * (1 / self.unit)
         terms = [gap * gap]
         for end in front.ends:
-            if unknown not in end.columns:
+            if mates not in end.columns:
                 continue
-            column, field = end.columns[unknown], self.motion.field_of_all(end.links)
+            column, field = end.columns[mates], self.motion.field_of_all(end.links)
             ground = np.array([self.state.graph.constant(0)] * 2, dtype=object)
             turning, sliding = self.state.rows.of_links("size", end.links, ground)
             spin = self.square(field.omega)
@@ -166,7 +203,7 @@ class ClosedCertificate(Allowance):
             terms.append(total([sliding, self.square(field.a)]) * self.square(column[3:]))
         for j, ties in front.ties.items():
             for tied, factor in ties:
-                if tied == unknown:
+                if (tied,) == mates:
                     moved = self.memory["accelerated", j][0] * factor
                     terms.append(moved * moved)
         return total(terms)
@@ -176,7 +213,8 @@ class ClosedCertificate(Allowance):
     def _at_root(self, link: int) -> None:
         """What comes together at a floating base, and what its acceleration of free fall rounds."""
         noise = self.noise_at(link)
-        self.weigh_noise(link - 1, factorize(self.memory["IA", link]), noise[[0, 1, 2, 3, 3, 3]])
+        factors = factorize(self.memory["IA", link])
+        self.weigh_noise(self.count(link - 1), factors, noise[[0, 1, 2, 3, 3, 3]])
         drift = self.motion.drift(link - 1)
         if drift is None:
             return

@@ -176,7 +176,7 @@ class Closures:
                     column = np.concatenate([direction, self.state.zeros(3)])
                 bias = bias + part * sign
                 if link > 0:
-                    held[k].columns[unknown] = column * sign
+                    held[k].columns[mates] = column * sign
                     self.mates.add_columns(front, held[k].links, mates, column * sign)
                     if unknown in self.column_of:
                         pushed = self.state.tied_links.setdefault(link, [])
@@ -184,7 +184,7 @@ class Closures:
             beyond = len(self.state.plan.joints)
             front.places.update((u, beyond + n) for u, n in zip(mates, numbers, strict=False))
             if self.state.left is not None:
-                bias = self._apart(front, unknown, self.state.left.of_row(bias, held, unknown))
+                bias = self._apart(front, mates, self.state.left.of_row(bias, held, mates))
             column = self.state.column(np.array([bias], dtype=object))[0]
             if self._told(step):
                 front.waiting[unknown], column = column, self.state.zeros(len(column))
@@ -193,7 +193,7 @@ class Closures:
             if loop.turn2:
                 turn = self._packed([one.turn2 for one in loops])
                 in_frame = matrix_times(turn, in_frame)
-            front.loops[step.loop].append((unknown, linear, in_frame))
+            front.loops[step.loop].append((mates, linear, in_frame))
 
     def _told(self, step: CloseLoop) -> bool:
         """Whether others may tell what they do to a loop's rows, the only unknowns then."""
@@ -246,7 +246,8 @@ class Closures:
         front.places[step.unknown] = place
         front.add_bias(step.unknown, self.state.zeros(self.state.columns))
         if self.state.left is not None:
-            moved = self._apart(front, step.unknown, self.state.left.of_coupling(joints, factors))
+            moved = self.state.left.of_coupling(joints, factors)
+            moved = self._apart(front, (step.unknown,), moved)
             front.add_bias(step.unknown, self.state.column(np.array([moved], dtype=object))[0])
         for j, factor in zip(joints, factors, strict=True):
             front.ties.setdefault(j, []).append((step.unknown, factor))
@@ -258,11 +259,11 @@ class Closures:
                 tied = self.state.tied_joints.setdefault(j, [])
                 tied.append((self.column_of[step.unknown], factor))
 
-    def _apart(self, front: Front, unknown: int, gap: Expression) -> Expression:
+    def _apart(self, front: Front, mates: Mates, gap: Expression) -> Expression:
         """How a row parts by the answer; in a certificate that is weighed by itself."""
         if not self.state.plan.certified:
             return gap
-        front.gaps[unknown] = gap
+        front.gaps[mates] = gap
         return self.state.graph.constant(0)  # type: ignore[no-any-return]
 
     def _packed(self, values: Sequence[Any]) -> Array:
@@ -410,7 +411,7 @@ class Closures:
         if self.state.plan.loop_forces:
             give_forces(self.state, front, near)
         if self.state.plan.weighed:
-            front.forces = forces_of_kept(front, near)
+            front.forces = forces_of_kept(self.state, front, near)
         for j, columns in front.carried.items():
             body = self.memory["articulated", j]
             pushed = None

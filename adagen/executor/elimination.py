@@ -9,6 +9,7 @@ leave y, whose inertia is positive definite.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -16,8 +17,17 @@ from numpy.typing import NDArray
 
 from adagen.executor.checks import SINGULAR, Check
 from adagen.executor.followed import Part, SolvedPart, by_lanes, followed, mates_of
-from adagen.executor.front import Front, Pushed, Reduced, Solved, alone
-from adagen.executor.left_free import LeftFree
+from adagen.executor.front import (
+    Followed,
+    Freed,
+    Front,
+    Push,
+    Pushed,
+    Reduced,
+    Solved,
+    alone,
+)
+from adagen.executor.left_free import LeftFree, SolvedOwn
 from adagen.executor.state import State
 from adagen.graph import (
     Expression,
@@ -71,13 +81,12 @@ class Elimination:
         """Do it, in the way that the rows allow and the step says."""
         step = self.step
         forces = (*step.rows, *step.followers)
+        self._begin_forces()
         if any(self.front.entry(i, k) is not None for i in forces for k in forces):
             self._solve_all()
         elif step.rows and not step.moved:
-            self._keep_forces(step.singles)
             self._follow_basis()
         else:
-            self._keep_forces(step.moved)
             self._follow()
         if step.link:
             tops = [lane.link for lane in self.lanes]
@@ -128,25 +137,49 @@ class Elimination:
         each = [self.state.constants(lane.scales) for lane in self.lanes]
         return self.state.rows.packed(each)
 
-    def _keep_forces(self, moving: Sequence[int]) -> None:
-        """Keep what forces follow from, where they are asked for: how rows push accelerations."""
-        if not (self.state.plan.loop_forces or self.state.plan.weighed):
+    def _begin_forces(self) -> None:
+        """Begin to keep what forces follow from, where they are asked for."""
+        if self.state.plan.loop_forces or self.state.plan.weighed:
+            step = self.step
+            by_kept = self.state.zeros(len(step.followers), len(step.rows))
+            self.front.pushed = Pushed(step.rows, (), step.followers, by_kept)
+
+    def _keep_forces(
+        self,
+        rows: Sequence[Mates],
+        moving: Sequence[Mates],
+        others: Sequence[Mates],
+        inverse: Array,
+    ) -> None:
+        """Keep what forces of rows follow from: how rows push accelerations.
+
+        Args:
+            rows: numbers of the forces.
+            moving: accelerations that they push, at least as many.
+            others: all accelerations that these feel, themselves among them.
+            inverse: of how rows push, shape (n, n); without columns where it is not at hand.
+        """
+        step, kept = self.step, self.front.pushed
+        if kept is None or kept.parts is None:
             return
-        step, others = self.step, (*self.step.singles, *self.step.moved)
-        rows, left_out = self._block(step.rows, moving), self._block(step.followers, moving)
-        by_kept = left_out[:, :0]
-        if step.rows:
-            by_kept = solved_by_reflections(rows.T.copy(), left_out.T.copy())[0].T
-        self.front.pushed = Pushed(
-            step.rows,
-            rows,
-            others,
+        pushes = self._block(rows, moving)
+        part = Push(
+            tuple(rows),
+            pushes,
+            inverse,
+            tuple(others),
             self._block(moving, others),
             self._at_top(moving),
             self._biases(moving),
-            step.followers,
-            by_kept,
         )
+        self.front.pushed = replace(kept, parts=(*kept.parts, part))
+        if self.state.plan.loop_forces and step.followers and rows:
+            left_out = self._block(step.followers, moving)
+            found = solved_by_reflections(pushes.T.copy(), left_out.T.copy())[0].T
+            for k, mates in enumerate(rows):
+                each = self.state.rows.each(found[:, k], len(mates))
+                for unknown, column in zip(mates, each, strict=True):
+                    kept.by_kept[:, step.rows.index(unknown)] = column
 
     # -- three ways -------------------------------------------------------------------------------
 
@@ -160,31 +193,26 @@ class Elimination:
         free = LeftFree(self.state.rows, y, square, across, bias)
         for each in found:
             self.front.solved.append(each.solved)
+            part = each.part
+            self._keep_forces(part.rows, part.moved, (*part.others, *part.moved), each.by_rows)
             free.take(each)
             self._move_top(each)
         free.square = _symmetric(free.square) if found else free.square
-        for each in found:
-            own = free.solve_own(each)
-            if own is not None:
-                self._keep_own(*own)
-        numbers, freed = free.numbers, None
-        if numbers:
+        freed = [self._keep_own(own) for each in found if (own := free.solve_own(each))]
+        if numbers := free.numbers:
             left = free.square, free.across, free.bias
-            freed = self._solve_free(numbers, numbers, free.alone, *left)
-        if self.state.plan.certified:  # none of its arms are in lanes
-            none = self.state.zeros(0, 6), self.state.zeros(0, len(y)), self.state.zeros(0, 0)
-            a, g, by_rows = none
-            for each in found:
-                a, g, by_rows = each.solved.across, each.solved.more, each.by_rows
-            self._keep_reduced(self.step.moved, y, g, a, by_rows, freed)
+            freed.append(self._solve_free(numbers, numbers, free.alone, *left))
+        self._keep_reduced([_followed(each) for each in found], freed)
 
-    def _keep_own(self, solved: Solved, factors: Factors, before: Array, gives: Array) -> None:
+    def _keep_own(self, own: SolvedOwn) -> Freed:
         """Keep y that arms have for their own; take what they give way from the top."""
-        self.front.solved.append(solved)
-        self._check_inertia([mates[0] for mates in solved.unknowns], factors, before)
+        self.front.solved.append(own.solved)
+        blamed = [mates[0] for mates in own.solved.unknowns]
+        self._check_inertia(blamed, own.freed.factors, own.before)
         if self.step.link:
-            self.front.hand("IA", _symmetric(-gives[:, :6]))
-            self.front.hand("pA", -gives[:, 6:])
+            self.front.hand("IA", _symmetric(-own.gives[:, :6]))
+            self.front.hand("pA", -own.gives[:, 6:])
+        return own.freed
 
     def _solved_part(self, part: Part) -> SolvedPart:
         """Solve the rows of a part for what follows by them."""
@@ -234,11 +262,14 @@ class Elimination:
         self.front.solved.append(Solved(alone(w), self.state.zeros(len(w), 6), alone(y), n, offset))
         at_top, half = self._at_top(w), matrix_times(n.T, self._block(w, w))
         bias = matrix_times(n.T, self._biases(w)) + matrix_times(half, offset)
+        self._keep_forces(alone(step.rows), alone(w), alone(w), by_rows)
         self._push_top(at_top, offset)
         own, left = np.diag(self._block(w, w)), _symmetric(matrix_times(half, n))
         sizes = matrix_times((n * n).T, own)
         freed = self._solve_free(y, w[:free], sizes, left, matrix_times(n.T, at_top), bias)
-        self._keep_reduced(w, y, n, self.state.zeros(len(w), 6), by_rows, freed)
+        none = self.state.zeros(len(w), 6)
+        found = Followed(alone(w), alone(y), n, none, alone(step.rows), by_rows, own)
+        self._keep_reduced([found], [freed] if y else [])
 
     def _solve_all(self) -> None:
         """All unknowns at once, where rows push each other through articulated joints."""
@@ -254,10 +285,7 @@ class Elimination:
         self._check_pushed(pushed, whole[:, count:])
         if self.state.plan.loop_forces or self.state.plan.weighed:
             by_kept = whole[len(every) - len(step.rows) :, count:].T
-            none = self.state.zeros(0, 0)
-            self.front.pushed = Pushed(
-                step.rows, None, (), none, none, none, step.followers, by_kept
-            )
+            self.front.pushed = Pushed(step.rows, None, step.followers, by_kept)
         self._found(every, across, whole[:, :count])
 
     # -- parts ------------------------------------------------------------------------------------
@@ -290,10 +318,8 @@ class Elimination:
         reduced: Array,
         across: Array,
         bias: Array,
-    ) -> tuple[Factors, Expression]:
-        """What the loops leave free, by its inertia; its factors, and what energy it takes.
-
-        Each pivot has to be positive.
+    ) -> Freed:
+        """What the loops leave free, by its inertia: each pivot has to be positive.
 
         Args:
             y: numbers that it is found by.
@@ -308,7 +334,8 @@ class Elimination:
         found = factors.solve(np.concatenate([across, bias], axis=1))
         self._found(y, across, found)
         weighed = self.state.plan.certified
-        return factors, dot(bias[:, 0], found[:, 6]) if weighed else self.state.graph.constant(0)
+        energy = dot(bias[:, 0], found[:, 6]) if weighed else self.state.graph.constant(0)
+        return Freed(alone(y), factors, energy, (), self.state.zeros(len(y), 0))
 
     # -- what certificates need -------------------------------------------------------------------
 
@@ -321,23 +348,10 @@ class Elimination:
             parted[k, k] = zero + size
         return parted
 
-    def _keep_reduced(
-        self,
-        moved: Sequence[int],
-        kept: Sequence[int],
-        gained: Array,
-        across: Array,
-        by_rows: Array,
-        freed: tuple[Factors, Expression] | None,
-    ) -> None:
-        """Keep how unknowns follow from others."""
+    def _keep_reduced(self, followed: Sequence[Followed], freed: Sequence[Freed]) -> None:
+        """Keep how unknowns were eliminated."""
         if self.state.plan.certified:
-            factors, energy = freed or (None, self.state.graph.constant(0))
-            block = self._block(moved, moved)
-            inertia = np.array([block[k, k] for k in range(len(moved))], dtype=object)
-            self.front.reduced = Reduced(
-                tuple(moved), tuple(kept), gained, across, by_rows, inertia, factors, energy
-            )
+            self.front.reduced = Reduced(tuple(followed), tuple(freed))
 
     def _found(self, unknowns: Sequence[int], across: Array, found: Array) -> None:
         """Keep unknowns as they follow from the top; take what they give way from the top."""
@@ -435,6 +449,15 @@ class Elimination:
             parts = [*([] if pivot == entry else [entry]), *([] if entry == size else [size])]
             least = total(parts) * (16 * self.epsilon) if parts else 0.0
             self._check(pivot, least, unknown, "kLoopFree")
+
+
+def _followed(each: SolvedPart) -> Followed:
+    """What a certificate needs of a part."""
+    part, solved = each.part, each.solved
+    own = np.diag(each.own)
+    return Followed(
+        part.moved, part.others, solved.more, solved.across, part.rows, each.by_rows, own
+    )
 
 
 def _squares(values: Iterable[Expression]) -> list[Expression]:

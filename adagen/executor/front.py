@@ -41,27 +41,41 @@ class Solved:
 
 
 @dataclass(frozen=True)
-class Pushed:
-    """What forces of kept rows follow from: rows^T w = -(inertia w' + across a + bias).
+class Push:
+    """What forces of some kept rows follow from: rows^T w = -(inertia w' + across a + bias).
 
     Attributes:
-        kept: numbers of their forces.
-        rows: what they do to some accelerations, shape (kept, n); None where forces are found with
-            the accelerations.
-        others: numbers w' of all accelerations.
+        kept: numbers of their forces, those of alike arms together, lane by lane.
+        rows: what they do to as many accelerations, shape (n, n).
+        inverse: of that, shape (n, n); without columns where it is not at hand.
+        others: numbers w' of all accelerations likewise; single ones are the same in all lanes.
         inertia: shape (n, m).
         across: shape (n, 6).
         bias: shape (n, columns).
+    """
+
+    kept: tuple[Mates, ...]
+    rows: Array
+    inverse: Array
+    others: tuple[Mates, ...]
+    inertia: Array
+    across: Array
+    bias: Array
+
+
+@dataclass(frozen=True)
+class Pushed:
+    """What forces of kept rows follow from, part by part.
+
+    Attributes:
+        kept: numbers of their forces.
+        parts: what they follow from; None where they are found with the accelerations.
         left_out: numbers of the forces of rows that follow from these.
         by_kept: the rows that were left out by those kept, shape (left_out, kept).
     """
 
     kept: tuple[int, ...]
-    rows: Array | None
-    others: tuple[int, ...]
-    inertia: Array
-    across: Array
-    bias: Array
+    parts: tuple[Push, ...] | None
     left_out: tuple[int, ...]
     by_kept: Array
 
@@ -88,37 +102,63 @@ class End:
     Attributes:
         links: one for each lane.
         count: how many of these lanes count; idle ones repeat the last.
-        columns: what a unit of each row's force does to it, shape (6,), by the force's number.
+        columns: what a unit of each row's force does to it, shape (6,), by the force's number; by
+            those of alike arms together.
     """
 
     links: tuple[int, ...]
     count: int
-    columns: dict[int, Array]
+    columns: dict[Mates, Array]
+
+
+@dataclass(frozen=True)
+class Followed:
+    """What a certificate needs of unknowns that follow from a closure's rows.
+
+    Attributes:
+        unknowns: their numbers, those of alike arms together, lane by lane.
+        others: numbers of those that they follow from, unknowns or of a basis.
+        gained: how they follow from these, shape (n, m).
+        across: how they follow from the top's acceleration, shape (n, 6).
+        rows: numbers of the rows' forces.
+        by_rows: how they follow from what these part by, shape (n, rows).
+        inertia: of each of them alone, shape (n,).
+    """
+
+    unknowns: tuple[Mates, ...]
+    others: tuple[Mates, ...]
+    gained: Array
+    across: Array
+    rows: tuple[Mates, ...]
+    by_rows: Array
+    inertia: Array
+
+
+@dataclass(frozen=True)
+class Freed:
+    """What a certificate needs of unknowns that rows leave free.
+
+    Attributes:
+        unknowns: their numbers, those of alike arms together, lane by lane; or of a basis.
+        factors: of their inertia.
+        energy: what they take of the square of the energy norm, were all others at rest.
+        others: numbers of those that are solved for after them.
+        gained: how they follow from these, shape (n, m).
+    """
+
+    unknowns: tuple[Mates, ...]
+    factors: Factors
+    energy: Expression
+    others: tuple[Mates, ...]
+    gained: Array
 
 
 @dataclass(frozen=True)
 class Reduced:
-    """What a closure's certificate needs of how its unknowns were eliminated.
+    """What a closure's certificate needs of how its unknowns were eliminated, in order."""
 
-    Attributes:
-        moved: unknowns that follow from its rows.
-        kept: numbers of those that these leave free; unknowns, or of a basis.
-        gained: how the first follow from the others, shape (moved, kept).
-        across: how they follow from the top's acceleration, shape (moved, 6).
-        by_rows: how they follow from what rows part by, shape (moved, rows).
-        inertia: of each of them alone, shape (moved,).
-        factors: of the inertia of those that are left free; None where there are none.
-        energy: what they take of the square of the energy norm, were the top at rest.
-    """
-
-    moved: tuple[int, ...]
-    kept: tuple[int, ...]
-    gained: Array
-    across: Array
-    by_rows: Array
-    inertia: Array
-    factors: Factors | None
-    energy: Expression
+    followed: tuple[Followed, ...]
+    freed: tuple[Freed, ...]
 
 
 @dataclass
@@ -137,8 +177,9 @@ class Front:
         places: what each unknown is blamed on: its joint; a loop, coupling, counted behind joints.
         first: number of the first unknown of each joint that was held back.
         pushed: what forces of rows follow from, where they are asked for.
-        loops: rows of loops, where forces are asked for: by loop the force's number, whether it is
-            a force and no moment, and its direction in frame 2, shape (3,).
+        loops: rows of loops, where forces are asked for: by loop the force's number, as in
+            `End.columns`, whether it is a force and no moment, and its direction in frame 2, shape
+            (3,).
         couplings: by coupling the number of its force, None for none.
         opening: loops of which is looked at how fast they open, once all is held back.
         speeds: of freedoms that are held back, by unknown.
@@ -148,7 +189,7 @@ class Front:
         ends: of its loops, on links that move.
         forces: of kept rows, by number, where answers are corrected or certified.
         reduced: how its unknowns were eliminated, where answers are certified.
-        gaps: how rows part by the answer, where that is weighed by itself.
+        gaps: how rows part by the answer, where that is weighed by itself, as in `End.columns`.
         arms: of the closure, that share lanes.
     """
 
@@ -163,7 +204,7 @@ class Front:
     places: dict[int, int] = field(default_factory=dict)
     first: dict[int, int] = field(default_factory=dict)
     pushed: Pushed | None = None
-    loops: dict[int, list[tuple[int, bool, Array]]] = field(default_factory=dict)
+    loops: dict[int, list[tuple[Mates, bool, Array]]] = field(default_factory=dict)
     couplings: dict[int, int | None] = field(default_factory=dict)
     opening: list[Opening] = field(default_factory=list)
     speeds: dict[int, Expression] = field(default_factory=dict)
@@ -172,7 +213,7 @@ class Front:
     ends: list[End] = field(default_factory=list)
     forces: dict[int, Expression] = field(default_factory=dict)
     reduced: Reduced | None = None
-    gaps: dict[int, Expression] = field(default_factory=dict)
+    gaps: dict[Mates, Expression] = field(default_factory=dict)
     arms: Sequence[Arms] = ()
 
     def hand(self, name: str, value: Array) -> None:

@@ -46,9 +46,7 @@ def _alike(plan: Plan, process: Process, counts: Sequence[int]) -> tuple[Limbs, 
 def _arms(
     plan: Plan, process: Process, besides: Container[int], counts: Sequence[int]
 ) -> tuple[Limbs, ...]:
-    """Arms of single closures; their forces are not known in lanes."""
-    if plan.loop_forces or plan.weighed:
-        return ()
+    """Arms of single closures."""
     alone = (one for k, one in closures_in(process.steps).items() if k not in besides)
     return tuple(limbs for one in alone for limbs in arms_of(plan, one, counts))
 

@@ -7,18 +7,36 @@ rod on two balls. These are solved for first, all arms side by side.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.followed import SolvedPart, by_lanes
-from adagen.executor.front import Solved, alone
+from adagen.executor.front import Freed, Solved, alone
 from adagen.executor.rows import Rows
-from adagen.graph import Factors, factorize, matrix_times
+from adagen.graph import dot, factorize, matrix_times
 from adagen.plan.arms import Mates
 
 Array = NDArray[Any]
+
+
+@dataclass(frozen=True)
+class SolvedOwn:
+    """Accelerations that alike arms have left free for their own, solved for side by side.
+
+    Attributes:
+        solved: how they follow from the others.
+        freed: their inertia's factors, and what a certificate needs beside them.
+        before: their inertias were nothing to follow from them, shape (n,).
+        gives: what they take from the top: of its inertia and bias, shape (6, 6 + columns).
+    """
+
+    solved: Solved
+    freed: Freed
+    before: Array
+    gives: Array
 
 
 class LeftFree:
@@ -87,14 +105,8 @@ class LeftFree:
         for place, own in zip(places, lanes, strict=True):
             to[place] = own[()]
 
-    def solve_own(self, each: SolvedPart) -> tuple[Solved, Factors, Array, Array] | None:
-        """Solve for y that a part has for its own in each lane; None where it has none.
-
-        Returns:
-            How they follow from the others, factors of their inertia, what this is where nothing
-            follows from them, and what they take from the top: shape (6, 6 + columns), of its
-            inertia and bias.
-        """
+    def solve_own(self, each: SolvedPart) -> SolvedOwn | None:
+        """Solve for y that a part has for its own in each lane; None where it has none."""
         own = [places for places in self.places(each) if len(places) > 1]
         if not own:
             return None
@@ -119,7 +131,11 @@ class LeftFree:
         self.square, self.across = square - gives[:m, :m], across - gives[:m, m : m + 6]
         self.bias, self.numbers = bias - gives[:m, m + 6 :], tuple(numbers[k] for k in left)
         self.alone = self.alone[left]
-        return solved, factors, before, gives[m : m + 6, m:]
+        state = self.rows.state
+        weighed = state.plan.certified
+        energy = dot(half[:, m + 6], over[:, m + 6]) if weighed else state.graph.constant(0)
+        freed = Freed(mates, factors, energy, others, over[:, :m])
+        return SolvedOwn(solved, freed, before, gives[m : m + 6, m:])
 
     def _wide(self, some: Sequence[Mates], others: Sequence[Mates]) -> Array:
         """Entries of R by places, of alike arms together."""

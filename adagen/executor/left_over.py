@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from adagen.executor.front import End
 from adagen.graph import Expression, matrix_times, total
+from adagen.plan.arms import Mates
 
 if TYPE_CHECKING:
     from adagen.executor.kinematics import Motion
@@ -88,13 +89,19 @@ class LeftOver:
 
     def _hold(self, closure: int, end: End) -> None:
         """What a loop's rows do to a link, the opposite of their force on it."""
+        forces = self.answer.forces
         parts = [
-            column * self.answer.forces[closure, unknown]
-            for unknown, column in end.columns.items()
-            if (closure, unknown) in self.answer.forces
+            column * self._together([forces[closure, unknown] for unknown in mates])
+            for mates, column in end.columns.items()
+            if (closure, mates[0]) in forces
         ]
         if parts:
             self.state.rows.add("held", end.links, end.count, sum(parts[1:], parts[0]))
+
+    def _together(self, values: Sequence[Expression]) -> Expression:
+        """What belongs to alike arms as one."""
+        whole: Expression = self.state.rows.together([np.array(x, object) for x in values]).item()
+        return whole
 
     def by_loops(self, link: int) -> Array:
         """Return what loops that end at a link take of it, shape (6,)."""
@@ -132,14 +139,14 @@ class LeftOver:
                     left = left - self.answer.forces[closure, unknown] * factor
         return left
 
-    def of_row(self, bias: Expression, ends: Sequence[End], unknown: int) -> Expression:
+    def of_row(self, bias: Expression, ends: Sequence[End], mates: Mates) -> Expression:
         """Return how a row of a loop parts; ``bias``: were all deviations zero."""
         terms = [bias]
         for end in ends:
-            if unknown in end.columns:
+            if mates in end.columns:
                 ground = self.state.zeros(6)
                 a = self.state.rows.of_links("whole", end.links, ground)
-                terms += list(end.columns[unknown] * a)
+                terms += list(end.columns[mates] * a)
         return total(terms)
 
     def of_coupling(self, joints: Sequence[int], factors: Array) -> Expression:

@@ -32,40 +32,47 @@ def give_forces(state: State, front: Front, near: Array | None) -> None:
     zero = state.graph.constant(0)
     for k, rows in front.loops.items():
         parts: list[list[Expression]] = [[zero] for _ in range(6)]
-        for unknown, linear, direction in rows:
+        for mates, linear, direction in rows:
+            each = [np.array(forces[unknown], object) for unknown in mates]
+            force = state.rows.together(each)[()]
             for i in range(3):  # f and m act on link 2, whose side of a row counts as positive
-                parts[i if linear else i + 3].append(-(forces[unknown] * direction[i]))
-        force = np.array(list(map(total, parts)), dtype=object)
+                parts[i if linear else i + 3].append(-(force * direction[i]))
+        whole = np.array(list(map(total, parts)), dtype=object)
         for lane, number in enumerate(front.lanes[joints + k]):
-            state.forces[state.plan.entry_of_loop(number)] = state.rows.lane(force, lane)
+            state.forces[state.plan.entry_of_loop(number)] = state.rows.lane(whole, lane)
     for k, known in front.couplings.items():
-        force = np.array([zero if known is None else -forces[known]], dtype=object)
+        whole = np.array([zero if known is None else -forces[known]], dtype=object)
         for lane, number in enumerate(front.lanes[joints + loops + k]):
-            state.forces[state.plan.entry_of_coupling(number)] = state.rows.lane(force, lane)
+            state.forces[state.plan.entry_of_coupling(number)] = state.rows.lane(whole, lane)
 
 
-def forces_of_kept(front: Front, near: Array | None) -> dict[int, Expression]:
+def forces_of_kept(state: State, front: Front, near: Array | None) -> dict[int, Expression]:
     """Return the forces of a closure's kept rows by number, were there no others.
 
     Args:
+        state: whose process it is.
         front: the closure, its unknowns being known.
         near: the acceleration of its top, shape (6, columns); None for the ground.
     """
     pushed = front.pushed
+    found: dict[int, Expression] = {}
     assert pushed is not None  # every closure is eliminated
-    if pushed.rows is None:
+    if pushed.parts is None:
         return {u: front.found[u][0] for u in pushed.kept}
-    if not pushed.kept:
-        return {}
-    others = np.array([front.found[u][:1] for u in pushed.others], dtype=object)
-    pull = pushed.bias[:, :1] + matrix_times(pushed.inertia, others)
-    if near is not None:
-        pull = pull + matrix_times(pushed.across, near[:, :1])
-    if front.reduced is None:
-        kept = -solved_by_reflections(pushed.rows.T.copy(), pull)[0]
-    else:  # a certificate has what rows move at hand
-        kept = -matrix_times(front.reduced.by_rows.T, pull)
-    return dict(zip(pushed.kept, kept[:, 0], strict=True))
+    for part in pushed.parts:
+        each = ([front.found[u][:1] for u in mates] for mates in part.others)
+        others = np.array([state.rows.together(own) for own in each], dtype=object)
+        pull = part.bias[:, :1] + matrix_times(part.inertia, others)
+        if near is not None:
+            pull = pull + matrix_times(part.across, near[:, :1])
+        if part.inverse.size:
+            kept = -matrix_times(part.inverse.T, pull)
+        else:
+            kept = -solved_by_reflections(part.rows.T.copy(), pull)[0]
+        for mates, force in zip(part.kept, kept, strict=True):
+            lanes = state.rows.each(force, len(mates))
+            found.update((u, own[0]) for u, own in zip(mates, lanes, strict=True))
+    return {u: found[u] for u in pushed.kept}
 
 
 def _forces_of_rows(state: State, front: Front, near: Array | None) -> dict[int, Expression]:
@@ -74,7 +81,7 @@ def _forces_of_rows(state: State, front: Front, near: Array | None) -> dict[int,
     assert pushed is not None  # every closure is eliminated
     if not pushed.kept:
         return dict.fromkeys(pushed.left_out, state.graph.constant(0))
-    kept = np.array([[x] for x in forces_of_kept(front, near).values()], dtype=object)
+    kept = np.array([[x] for x in forces_of_kept(state, front, near).values()], dtype=object)
     if pushed.left_out:
         shares = matrix_times(pushed.by_kept.T, pushed.by_kept)
         whole = shares + state.constants(np.eye(len(pushed.kept)))

@@ -46,7 +46,8 @@ class TiedRows:
         self.common = {
             unknown: _common(state.plan, loop)
             for loop, rows in front.loops.items()
-            for unknown, *_ in rows
+            for mates, *_ in rows
+            for unknown in mates
         }
 
     def values(self) -> dict[int, Array]:
@@ -127,7 +128,6 @@ class TiedRows:
         """Give forces: rows that follow from the kept ones by F part as F says."""
         tied = self.state.plan.tied_rows
         left_out = tuple(unknown for unknown in values if unknown not in tied)
-        none = self.state.zeros(0, 0)
         by_kept = self.state.zeros(len(left_out), len(tied))
         if left_out:
             first = len(self.state.plan.slaved) + 1
@@ -135,7 +135,7 @@ class TiedRows:
             kept = np.array([values[u][own] for u in tied], dtype=object)
             others = np.array([values[u][own] for u in left_out], dtype=object)
             by_kept = solved_by_reflections(kept.T.copy(), others.T.copy())[0].T
-        self.front.pushed = Pushed(tied, None, (), none, none, none, left_out, by_kept)
+        self.front.pushed = Pushed(tied, None, left_out, by_kept)
         give_forces(self.state, self.front, None)
 
 

@@ -11,13 +11,15 @@ import pytest
 from numpy.typing import NDArray
 
 from adagen.errors import UsageError
+from adagen.executor import grouping_of, simulate
 from adagen.executor.elimination import Elimination
+from adagen.executor.front import Freed
 from adagen.executor.grouping import offered_groupings
 from adagen.executor.lanes import Grouping
 from adagen.executor.refine import WideLinks
 from adagen.executor.run import each_for_itself
 from adagen.executor.solve import Run
-from adagen.graph import BALLS, DOUBLE, Algebra, Expression, Factors
+from adagen.graph import BALLS, DOUBLE, Algebra
 from adagen.model import Model
 from adagen.plan import Plan, plan_from_json, plan_to_json
 from adagen.plan.certificate import certified
@@ -26,6 +28,8 @@ from adagen.program import check, lower
 from adagen.reference import exact_forward_dynamics
 from adagen.states import States
 from adagen.studies.stability import linkages, mechanisms
+from tests.executor.test_arms import CASES as ARMS
+from tests.executor.test_arms import arms_of
 from tests.executor.test_closed_lanes import linkages as limbs_with_loops
 from tests.executor.test_closures import plan_of
 from tests.mechanisms import four_bar, geared, quadruped, slider_crank, states_of
@@ -62,6 +66,12 @@ def _ratio(plan: Plan, model: Model, state: State) -> float:
     )
     assert answer == pytest.approx(own, rel=1e-6)
     return float(np.sqrt(off / whole) / np.sqrt(error / answer))
+
+
+def _norm(plan: Plan, state: State, qdd: Array) -> float:
+    """The energy norm of accelerations."""
+    chain = WideLinks(plan, state[0], state[1], np.longdouble)
+    return float(np.sqrt(float(chain.energy(qdd.astype(np.longdouble)))))
 
 
 def _first_ratio(plans: Sequence[Plan], model: Model, state: State) -> float:
@@ -109,7 +119,7 @@ def test_a_factor_that_is_off_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
     model = four_bar(floating=True)
     plan, solve_free = certified(plan_of(model)), Elimination._solve_free
 
-    def spoilt(self: Elimination, *given: object) -> tuple[Factors, Expression]:
+    def spoilt(self: Elimination, *given: object) -> Freed:
         y, blamed, sizes, reduced, *rest = given
         off = reduced * self.state.graph.constant(1 + 1e-6)
         return solve_free(self, y, blamed, sizes, off, *rest)  # type: ignore[arg-type]
@@ -134,6 +144,28 @@ def test_closures_in_lanes_have_the_same_bounds() -> None:
         _, in_lanes, answer_in_lanes = _squares(plan, state, lanes=grouping)
         assert np.sqrt(in_lanes / error) == pytest.approx(1, abs=0.5)
         assert answer_in_lanes == pytest.approx(answer, rel=1e-9)
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_arms_in_lanes_have_the_same_bounds(name: str) -> None:
+    """What an arm leaves free for its own is weighed side by side; idle lanes are not."""
+    make, _ = ARMS[name]
+    model = make()
+    for plan in certified(plan_of(model)).alternatives[:1]:
+        (apart,), grouping = simulate(plan), grouping_of(plan)
+        (together,) = simulate(plan, grouping)
+        assert arms_of(plan, grouping)
+        assert together.operations.arithmetic < 0.8 * apart.operations.arithmetic
+        for state in _rows(states_of(model, 2)):
+            _, error, answer = _squares(plan, state)
+            qdd, in_lanes, answer_in_lanes = _squares(plan, state, lanes=grouping)
+            assert answer_in_lanes == pytest.approx(answer, rel=1e-9)
+            assert np.sqrt(in_lanes / error) == pytest.approx(1, abs=0.5)
+            _, rounding, _ = _squares(plan, state, BALLS)
+            _, rounding_in_lanes, _ = _squares(plan, state, BALLS, lanes=grouping)
+            assert rounding_in_lanes == pytest.approx(rounding, rel=1e-6)
+            true = exact_forward_dynamics(model, *state, digits=25).value
+            assert _norm(plan, state, qdd - true) <= 3 * np.sqrt(in_lanes)
 
 
 def test_what_is_done_instead_in_poor_poses_is_certified_too() -> None:

@@ -13,6 +13,7 @@ import pytest
 from numpy.typing import NDArray
 
 from adagen.build import find_toolchain
+from adagen.cli import main
 from adagen.emit import emit, program_of
 from adagen.errors import InputError, UsageError
 from adagen.executor import interpret, straight_line
@@ -38,6 +39,7 @@ from adagen.states import States, random_states, read_states, write_states
 from adagen.urdf import read_robot
 from tests.emitted import Builder, Solver, forward_error, text_of
 from tests.models import ALL_KINDS, random_tree
+from tests.real import real_robot
 from tests.scene.texts import reduced
 
 Array = NDArray[np.float64]
@@ -191,6 +193,49 @@ def test_outputs_are_emitted(batch: bool, builder: Builder, tmp_path: Path) -> N
     want = np.array([interpret(plan, *x) for x in zip(states.q, states.v, states.tau, strict=True)])
     assert abs(got - want).max() < 1e-11 * abs(want).max()
     assert solver.run("--check", "--time", "--repeat", "1").status == 0
+
+
+@pytest.mark.parametrize(
+    ("robot", "floating", "scalar", "batch"),
+    [
+        ("panda_description/urdf/panda.urdf", False, "double", 0),
+        ("solo_description/robots/solo12.urdf", True, "float", 0),
+        ("talos_data/robots/talos_left_arm.urdf", True, "double", 1),
+        ("allegro_hand_description/urdf/allegro_right_hand.urdf", False, "float", 1),
+    ],
+)
+def test_outputs_of_real_robots_keep_their_digits(
+    robot: str, floating: bool, scalar: str, batch: int, builder: Builder, tmp_path: Path
+) -> None:
+    """Beside balls of 400 bits; states of floats are rounded first."""
+    whole = read_robot(real_robot(robot), floating=floating).model
+    joint, link = whole.joints[-1].name, whole.links[-1].name
+    text = f'[outputs]\nlink_accelerations = ["{link}"]\nreaction_forces = ["{joint}"]\n'
+    model = reduced(whole, tmp_path, f'{text}inverse_inertia = ["{link}"]\n').model
+    plan = replace(planned(model), scalar=scalar)
+    number, limit = {"double": (np.float64, 1e-13), "float": (np.float32, 1e-4)}[scalar]
+    drawn = random_states(model, 3, seed=5)
+    states = States(*(x.astype(number).astype(float) for x in (drawn.q, drawn.v, drawn.tau)))
+    got = solved(builder.solver(plan, batch=batch), model, states, tmp_path)
+    for state, answer in zip(zip(states.q, states.v, states.tau, strict=True), got, strict=True):
+        truth = np.array([float(x) for x in interpret(plan, *state, algebra=BALLS)])
+        for k, output in enumerate(plan.outputs):
+            own = slice(plan.entry_of_output(k), plan.entry_of_output(k) + output.size)
+            assert abs(answer - truth)[own].max() < limit * abs(truth[own]).max()
+
+
+@pytest.mark.parametrize("words", [("--shape", "kernels"), ("--schedule", "balanced")])
+def test_outputs_elsewhere_are_refused(
+    words: tuple[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """They are straight lines of one process, which --procs 2 alone is given."""
+    scene = tmp_path / "scene.toml"
+    scene.write_text(ASKED)
+    command = [str(MODELS / "humanoid.urdf"), "--scene", str(scene), "--out", str(tmp_path / "out")]
+    assert main([*command, "--procs", "2"]) == 0
+    assert list((tmp_path / "out").glob("*_p1.cpp"))
+    assert main([*command, "--procs", "2", *words]) == 2
+    assert "[outputs]" in capsys.readouterr().err
 
 
 def test_an_output_is_told_where_it_is(tmp_path: Path) -> None:
