@@ -16,7 +16,6 @@ import numpy as np
 from adagen.build import Toolchain, build_executable
 from adagen.calibrate.measure import TIMEOUT
 from adagen.calibrate.nnls import nnls
-from adagen.emit.runtime import version_number
 from adagen.emit.templates import render
 from adagen.errors import EnvironmentFault
 from adagen.run import launch
@@ -69,7 +68,6 @@ def channel_program(toolchain: Toolchain, sizes: Sequence[int] = SIZES) -> Path:
     ]
     text = render(
         "channel_times.cpp.j2",
-        version_number=version_number(),
         mpi=True,
         threads=False,
         channel_messages=messages,

@@ -9,7 +9,7 @@ from adagen import __version__
 from adagen.cost import programmed
 from adagen.emit.around import PROGRAM_FILE, options_of, program_text, standalone
 from adagen.emit.embedded import check_target, embedded_values
-from adagen.emit.head import algorithm, method, program_lines
+from adagen.emit.head import algorithm, frames, method, program_lines
 from adagen.emit.interface import FAILURES
 from adagen.emit.model import model_values
 from adagen.emit.names import file_stem, prefix_of, quoted
@@ -246,6 +246,7 @@ def _texts(
         "failures": FAILURES,
         **_head(program, stem, chunk, compiler),
         "method": method(program),
+        "frames": frames(program),
         "algorithm": algorithm(program),
         "program_lines": program_lines(program, costs),
         **model_values(words),
@@ -258,7 +259,9 @@ def _texts(
     own = {
         "plain_program": not (more or mpi or plan.threads),
         "plain_solver": plain and processes == 1,
-        "whole": f"whole_{kind}.hpp" if plain and not more and not plan.reproducible else "",
+        "whole": f"whole_{kind}.hpp"
+        if plain and not (more or plan.reproducible or (kind == "alone" and words.refine))
+        else "",
         "macros": _macros(plan, values),
         "settings": settings(values, len(plan.messages)),
         "description": more,

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from functools import cache
 
 from adagen import __version__
-from adagen.emit.runtime import joined, runtime_files
+from adagen.emit.runtime import INTERFACE, joined, runtime_files
 from adagen.emit.templates import render
 
 PROGRAM_FILE = "adagen_program.cpp"
@@ -17,8 +17,7 @@ _MPI = "#if defined(ADAGEN_MPI)\n#include <mpi.h>\n#endif\n"
 _COMMENTS = re.compile(r"^//.*\n", re.MULTILINE)
 _SECTION = "#ifndef ADAGEN_NO_MAIN\n"
 _JOINED = "// The program around this solver, the same for all robots.\n\n"
-_HEADER = re.compile(r"#if __has_include.*\n#include .*\n#define ADAGEN_HEADER\n#endif\n")
-_LINKS = re.compile(rf"^// links     {re.escape(PROGRAM_FILE)}(.*)\n", re.MULTILINE)
+_LINKS = re.compile(rf"^// links     {re.escape(PROGRAM_FILE)}((?: -D\w+)*).*\n", re.MULTILINE)
 
 
 @cache
@@ -52,7 +51,7 @@ def standalone(
         header: the solver's own, if it is to hold that, too.
     """
     if header:
-        source = _HEADER.sub(lambda _: f"{header}#define ADAGEN_HEADER\n", source, count=1)
+        source = INTERFACE.sub(lambda _: header, source, count=1)
     options = options_in(source)
     if options is None:
         return joined(source, files)

@@ -54,10 +54,15 @@ _BATCH = "Each SIMD lane holds a state; the processes share the states of a batc
 
 
 def method(program: Program) -> str:
-    """Return in one line how the accelerations are computed, and in what frames."""
+    """Return in a few words how the accelerations are computed."""
     name = "assembly-disassembly" if program.plan.form == "ada" else "articulated-body"
-    frames = _FRAMES.get(program.shape, _FRAMES["other"])
-    return f"{name} algorithm; spatial vectors [angular; linear] {frames}"
+    return f"{name} algorithm"
+
+
+def frames(program: Program) -> str:
+    """Return in a few words what vectors are in the code."""
+    where = _FRAMES.get(program.shape, _FRAMES["other"])
+    return f"spatial vectors [angular; linear] {where}"
 
 
 def algorithm(program: Program) -> list[str]:

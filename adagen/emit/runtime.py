@@ -14,6 +14,9 @@ from adagen.emit.templates import templates_folder
 FOLDER = "adagen"
 """What the folder of the headers is called beside the sources that include them."""
 
+INTERFACE = re.compile(r'^#include ".*\.h"\n(?=#define ADAGEN_CALL)', re.M)
+"""The line by which a solver's source includes its own header."""
+
 _OWN = re.compile(r'#include "([^"]+)"')
 _SYSTEM = re.compile(r"#include <[^>]+>")
 _SAMPLE = f"{FOLDER}/sample/"
@@ -46,12 +49,13 @@ def joined(source: str, files: Mapping[str, str] | None = None) -> str:
 
     Each comes once, where it is included first; what headers take of a sample solver when they are
     read alone is left out. Includes of the standard library come once, too, where nothing is
-    conditional.
+    conditional. The solver's own header is neither read nor needed.
 
     Args:
         source: what includes them.
         files: the headers, path to text; those of this version by default.
     """
+    source = INTERFACE.sub("#define ADAGEN_NO_HEADER\n", source, count=1)
     return _Joining(runtime_files() if files is None else files).text(source, FOLDER)
 
 

@@ -33,7 +33,7 @@ class Shape:
 
     Attributes:
         why_not: says why a plan cannot be emitted in it; None where it can.
-        values: what its template (SHAPE.cpp.j2, sections 4 and 5 of the file) needs.
+        values: what its template (SHAPE.cpp.j2: functions and processes) needs.
     """
 
     why_not: Callable[[Plan], str | None]

@@ -29,8 +29,8 @@ def stamped(
     operations: Sequence[Operation],
     lines_of: Callable[[Operation], list[str]],
 ) -> list[str]:
-    """Return the lines of all operations with a time stamp at the start and after each stage."""
-    lines = ["stamp(0);"] if process.steps else []
+    """Return the lines of all operations with a time stamp after each stage."""
+    lines: list[str] = []
     place = 0
     for number in range(len(stages(process))):
         while place < len(operations) and operations[place].stage == number:

@@ -25,4 +25,15 @@ Passed hand_on(Workspace& w, int joint, Body& body, Real sigma, const Inertia& I
   return passed;
 }
 
+// To the link that it is handed on to, in the same axes or seen from the parent link.
+[[maybe_unused]] inline void add(const Passed& passed, Inertia& IA, Columns6& pA) {
+  IA += passed.inertia;
+  pA += passed.force;
+}
+[[maybe_unused]] inline void add_in_parent(const Transform& X, const Passed& passed, Inertia& IA,
+                                           Columns6& pA) {
+  add_in_parent(X, passed.inertia, IA);
+  pA += X.transposed_times(passed.force);
+}
+
 }  // namespace

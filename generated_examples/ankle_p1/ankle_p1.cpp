@@ -1,43 +1,29 @@
-// Forward dynamics of "ankle" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
+// Forward dynamics of "ankle" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "ankle", 8 joints, 12 degrees of freedom, description sha256 ddb900f3e284309ae668afcdcf39b2b2f8b0b30c7e4b7984814bb0e23c113d8c
 // command   adagen ../models/ankle.urdf --scene=../models/ankle.toml --procs 1
 // input     scene, sha256 11c8028c5b54b9020d35bd5ac03db5bc865ea05a389c3bc7c7df6b476153c181
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
-// options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// links     adagen_program.cpp
+// options   form segment (articulated-body algorithm), shape unrolled (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// links     adagen_program.cpp; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes ankle_p1.h
 // program   1 process; 0.117 us predicted (default profile)
 //           process 0: left_motor .. left_ball | right_motor .. right_ball in 2 lanes, hip .. ankle_roll
-// method    articulated-body algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
-// licence   yours to choose: generated code belongs to its user
 //
 // Closed loops: accelerations of their joints and constraint forces stay unknown until the last link that
 // these joints have in common, where they are eliminated (docs/explanation/loops.md).
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// ankle_p1.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
-
-#if __has_include("ankle_p1.h")
 #include "ankle_p1.h"
-#define ADAGEN_HEADER
-#endif
 #define ADAGEN_CALL(word) ankle_p1_##word
 #define ADAGEN_NAMED(WORD) ANKLE_P1_##WORD
-
-// ---- 2. model -----------------------------------------------------------------------------------
-
-#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_LOOPS
 #define ADAGEN_RECOVERS
 #include "adagen/settings.hpp"
 
 struct ankle_p1_settings : PlainSettings {
-  static constexpr int kJointCount = 8, kNq = 14, kNv = 12;
+  static constexpr int kVersion = 100, kJointCount = 8, kNq = 14, kNv = 12;
   [[maybe_unused]] static constexpr const char* kRobot = "ankle";
 };
 
 #include "adagen/constants.hpp"
-
-namespace {
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"pelvis", 0.0, {0.0, 0.0, 0.0}},
@@ -56,8 +42,7 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"right_crank", 0.2, {0.0, -0.03, 0.0},
      {6.16667e-05, 0.0, 0.0, 0.0, 8.33333e-06, 0.0, 0.0, 0.0, 6.66667e-05}},
     {"right_rod", 0.15, {0.0, 0.0, -0.115},
-     {0.0006626, 0.0, 0.0, 0.0, 0.0006626, 0.0, 0.0, 0.0, 2.7e-06}},
-} };
+     {0.0006626, 0.0, 0.0, 0.0, 0.0006626, 0.0, 0.0, 0.0, 2.7e-06}}}};
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"hip", JointKind::kRevolute, 0, 0, 1, 0, 1,
@@ -75,19 +60,15 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"right_motor", JointKind::kRevolute, 2, 9, 1, 8, 1,
      {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {-0.17, 0.0, -0.05}},
     {"right_ball", JointKind::kSpherical, 7, 10, 4, 9, 3,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, -0.06, 0.0}},
-} };
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, -0.06, 0.0}}}};
 
 // Loops, then couplings: what statuses name them by.
 constexpr int kLoopCount = 2;
 constexpr std::array<const char*, 2> kLoopNames{ {
     "left_heel",
-    "right_heel",
-} };
+    "right_heel"}};
 
-}  // namespace
-
-// ---- 3. functions -------------------------------------------------------------------------------
+// ---- functions ----------------------------------------------------------------------------------
 
 #include "adagen/far_angles.hpp"
 #include "adagen/kernels/lanes.hpp"
@@ -1581,7 +1562,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   w.result[11] = x4773;
 }
 
-// ---- 4. processes -------------------------------------------------------------------------------
+// ---- processes ----------------------------------------------------------------------------------
 
 // Process 0: 8 of 8 joints: "hip", "knee", "ankle_pitch", "ankle_roll", "left_motor", "left_ball", ...
 constexpr std::array<int, 8> kRead_0{0, 1, 2, 3, 4, 5, 6, 7};
@@ -1590,7 +1571,6 @@ constexpr std::array<int, 6> kAngles_0{4, 9, 0, 1, 2, 3};
 
 ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
-  stamp(0);
   take_sines_and_cosines(q, kAngles_0, w.sine.data(), w.cosine.data());
   part_0_0(w);
   stamp(1);
@@ -1624,7 +1604,6 @@ ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] C
 constexpr std::array<int, 6> kAngles_1{0, 1, 2, 3, 4, 9};
 ADAGEN_AS_IT_STANDS void recover_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
-  stamp(0);
   take_sines_and_cosines(q, kAngles_1, w.sine.data(), w.cosine.data());
   part_1_0(w);
   stamp(1);
@@ -1637,16 +1616,17 @@ ADAGEN_AS_IT_STANDS void recover_0([[maybe_unused]] Workspace& w, [[maybe_unused
   std::copy_n(w.result.data() + 0, 12, w.qdd + 0);
 }
 
+
+}  // namespace
+
 [[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 7, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1}} };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
 constexpr std::array<void (*)(Workspace&, Channel&), 1> kRecover{recover_0};
 
-}  // namespace
-
 #include "adagen/alone.hpp"
 #include "adagen/c_interface.hpp"
 
-// ---- 5. program ---------------------------------------------------------------------------------
+// ---- program ------------------------------------------------------------------------------------
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/measured_alone.hpp"

@@ -1,35 +1,23 @@
-// Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
+// Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 2 --batch --name=arm7_batch
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
-// options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// links     adagen_program.cpp -DADAGEN_MPI
+// options   form segment (articulated-body algorithm), shape unrolled (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes arm7_batch_p2.h
 // program   1 process
 //           process 0: base_yaw .. right_finger_slide
-// method    articulated-body algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
-// licence   yours to choose: generated code belongs to its user
 //
 // Each SIMD lane holds a state; the processes share the states of a batch, not the robot.
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// arm7_batch_p2.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
-
-#if __has_include("arm7_batch_p2.h")
 #include "arm7_batch_p2.h"
-#define ADAGEN_HEADER
-#endif
 #define ADAGEN_CALL(word) arm7_batch_p2_##word
 #define ADAGEN_NAMED(WORD) ARM7_BATCH_P2_##WORD
-
-// ---- 2. model -----------------------------------------------------------------------------------
-
-#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
 #define ADAGEN_BATCH
 #include "adagen/settings.hpp"
 
 struct arm7_batch_p2_settings : PlainSettings {
-  static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
+  static constexpr int kVersion = 100, kJointCount = 9, kNq = 9, kNv = 9;
   [[maybe_unused]] static constexpr const char* kRobot = "arm7";
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
@@ -38,8 +26,6 @@ struct arm7_batch_p2_settings : PlainSettings {
 };
 
 #include "adagen/constants.hpp"
-
-namespace {
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"pedestal", 0.0, {0.0, 0.0, 0.0}},
@@ -60,8 +46,7 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"left_finger", 0.05, {0.03, 0.0, 0.01},
      {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}},
     {"right_finger", 0.05, {0.03, 0.0, 0.01},
-     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}},
-} };
+     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}}}};
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"base_yaw", JointKind::kRevolute, 0, 0, 1, 0, 1,
@@ -81,14 +66,11 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"left_finger_slide", JointKind::kPrismatic, 7, 7, 1, 7, 1,
      {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}},
     {"right_finger_slide", JointKind::kPrismatic, 7, 8, 1, 8, 1,
-     {0.0, -0.9999999999964793, -2.65358979335273e-06, 0.0, 2.65358979335273e-06, -0.9999999999964793, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}},
-} };
+     {0.0, -0.9999999999964793, -2.65358979335273e-06, 0.0, 2.65358979335273e-06, -0.9999999999964793, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 0> kMessages{};
 
-}  // namespace
-
-// ---- 3. functions -------------------------------------------------------------------------------
+// ---- functions ----------------------------------------------------------------------------------
 
 #include "adagen/far_angles.hpp"
 #include "adagen/kernels/lanes.hpp"
@@ -940,7 +922,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   w.result[8] = x3375;
 }
 
-// ---- 4. processes -------------------------------------------------------------------------------
+// ---- processes ----------------------------------------------------------------------------------
 
 // Each process: 9 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll", "wrist_pitch", ...
 constexpr std::array<int, 9> kRead_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
@@ -965,15 +947,15 @@ void end_group(Workspace& w) {
 // What is done for a group of states, in order.
 constexpr std::array kParts{begin_group, part_0_0, end_group};
 
+
+}  // namespace
+
 [[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 8, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1}} };
 
 constexpr std::array<Range, 4> kRanges_0{ {{0, 9}, {0, 9}, {0, 9}, {0, 9}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
     {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {3, kStages_0.data()}},
-    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {3, kStages_0.data()}},
-} };
-
-}  // namespace
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {3, kStages_0.data()}}}};
 
 #include "adagen/no_parameters.hpp"
 #include "adagen/handout.hpp"
@@ -981,7 +963,7 @@ constexpr std::array<Range, 4> kRanges_0{ {{0, 9}, {0, 9}, {0, 9}, {0, 9}} };
 #include "adagen/open.hpp"
 #include "adagen/c_interface.hpp"
 
-// ---- 5. program ---------------------------------------------------------------------------------
+// ---- program ------------------------------------------------------------------------------------
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/measured.hpp"

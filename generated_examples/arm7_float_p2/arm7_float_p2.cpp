@@ -1,15 +1,13 @@
-// Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
+// Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 2 --schedule=balanced --shape=kernels --scalar=float --name=arm7_float
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
-// options   form segment, shape kernels, scalar float, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// links     adagen_program.cpp -DADAGEN_MPI -DADAGEN_FLOAT
+// options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar float, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// links     adagen_program.cpp -DADAGEN_MPI -DADAGEN_FLOAT; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes arm7_float_p2.h
 // program   2 processes, joined at cuts; 0.664 us predicted (default profile)
 //           process 0: base_yaw .. forearm_roll
 //           process 1: left_finger_slide | right_finger_slide in 2 lanes, wrist_pitch .. flange_roll
 // schedule  forearm_roll@0-1(shoulder_pitch@0(base_yaw | upper_arm_roll(|elbow_pitch)) | flange_roll@1(wrist_pitch | left_finger_slide(right_finger_slide|)))
-// method    articulated-body algorithm; spatial vectors [angular; linear] in the axes of the base, about each link's origin
-// licence   yours to choose: generated code belongs to its user
 //
 // Each process solves a segment of the robot with the articulated-body algorithm: the articulated-body
 // inertias I^A and bias forces p^A (IA, pA) are computed from the ends to the segment's root, then the
@@ -18,24 +16,14 @@
 // a cut; joint i joins chain A (on its parent link's side) and chain B (on its child link's side), Eq.
 // (3)-(7), and its force follows from Eq. (8)-(10).
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// arm7_float_p2.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
-
-#if __has_include("arm7_float_p2.h")
 #include "arm7_float_p2.h"
-#define ADAGEN_HEADER
-#endif
 #define ADAGEN_CALL(word) arm7_float_p2_##word
 #define ADAGEN_NAMED(WORD) ARM7_FLOAT_P2_##WORD
-
-// ---- 2. model -----------------------------------------------------------------------------------
-
-#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
-#include "adagen/settings.hpp"
+#include "adagen/kernels/plain_layout.hpp"
 
-struct arm7_float_p2_settings : PlainSettings {
-  static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
+struct arm7_float_p2_settings : PlainLayout<9> {
+  static constexpr int kVersion = 100, kJointCount = 9, kNq = 9, kNv = 9;
   using Number = float;
   [[maybe_unused]] static constexpr const char* kRobot = "arm7";
   static constexpr int kProcesses = 2;
@@ -43,11 +31,15 @@ struct arm7_float_p2_settings : PlainSettings {
   static constexpr int kPlanMessages = 2;
   [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
   static constexpr double kTolerance = 0.001;
+  static constexpr int kSlotCount = 20;
+  static constexpr bool kReordered = true;
+  static constexpr int kSlots[kJointCount] = {0, 1, 2, 3, 4, 18, 19, 16, 17};
+  static constexpr bool kInLanes = true;
+  static constexpr bool kByColumns = true;
+  static constexpr bool kCarriesAlong = true;
 };
 
 #include "adagen/kernels/model.hpp"
-
-namespace {
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"pedestal", 0.0f, {0.0f, 0.0f, 0.0f}},
@@ -68,8 +60,7 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"left_finger", 0.05f, {0.03f, 0.0f, 0.01f},
      {3.33333e-06f, 0.0f, 0.0f, 0.0f, 1.66667e-05f, 0.0f, 0.0f, 0.0f, 1.66667e-05f}},
     {"right_finger", 0.05f, {0.03f, 0.0f, 0.01f},
-     {3.33333e-06f, 0.0f, 0.0f, 0.0f, 1.66667e-05f, 0.0f, 0.0f, 0.0f, 1.66667e-05f}},
-} };
+     {3.33333e-06f, 0.0f, 0.0f, 0.0f, 1.66667e-05f, 0.0f, 0.0f, 0.0f, 1.66667e-05f}}}};
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"base_yaw", JointKind::kRevolute, 0, 0, 1, 0, 1,
@@ -89,15 +80,13 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"left_finger_slide", JointKind::kPrismatic, 7, 7, 1, 7, 1,
      {0.0f, 1.0f, 0.0f, 0.0f, 0.0f, 1.0f, 1.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.13f}},
     {"right_finger_slide", JointKind::kPrismatic, 7, 8, 1, 8, 1,
-     {0.0f, -0.9999999999964793f, -2.65358979335273e-06f, 0.0f, 2.65358979335273e-06f, -0.9999999999964793f, 1.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.13f}},
-} };
+     {0.0f, -0.9999999999964793f, -2.65358979335273e-06f, 0.0f, 2.65358979335273e-06f, -0.9999999999964793f, 1.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.13f}}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 4> kMessages{ {
     {1, 0, 42},  // 0: assembled: chain of "flange_roll"
     {0, 1, 6},  // 1: forces on: chain of "flange_roll"
     {0, 1, 22},  // 2: state
-    {1, 0, 4},  // 3: accelerations
-} };
+    {1, 0, 4}}};  // 3: accelerations
 
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {3.6f, {0.0f, 0.0f, 0.36000000000000004f},
@@ -117,26 +106,13 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {0.05f, {0.0015f, 0.0f, 0.0005f},
      {6.0000035e-05f, 0.0f, 1.5e-05f, 1.666665e-06f, 0.0f, 6.666665e-06f}},
     {0.05f, {0.0015f, 0.0f, 0.0005f},
-     {6.0000035e-05f, 0.0f, 1.5e-05f, 1.666665e-06f, 0.0f, 6.666665e-06f}},
-} };
-
-struct Layout : PlainLayout {
-  static constexpr int kSlotCount = 20;
-  static constexpr bool kReordered = true;
-  static constexpr int kSlots[kJointCount] = {0, 1, 2, 3, 4, 18, 19, 16, 17};
-  static constexpr bool kInLanes = true;
-  static constexpr bool kByColumns = true;
-  static constexpr bool kCarriesAlong = true;
-};
+     {6.0000035e-05f, 0.0f, 1.5e-05f, 1.666665e-06f, 0.0f, 6.666665e-06f}}}};
 
 constexpr LinkRole kRoles[2][kLinkCount]{
     {{1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
-    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
-};
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}}};
 
-}  // namespace
-
-// ---- 3. functions -------------------------------------------------------------------------------
+// ---- functions ----------------------------------------------------------------------------------
 
 #include "adagen/spatial.hpp"
 #include "adagen/joins.hpp"
@@ -182,19 +158,16 @@ struct Cuts {
 #include "adagen/kernels/inward_carrying.hpp"
 #include "adagen/exchange.hpp"
 
-namespace {
-
 // "left_finger_slide", "right_finger_slide"
 constexpr Limbs<2, 1> kLimbs0{16, {{7, 8}}};
 
-// ---- 4. processes -------------------------------------------------------------------------------
+// ---- processes ----------------------------------------------------------------------------------
 
 // Process 0: 5 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll"
-void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.q, 0, 5, &JointConstants::q, kNotFinite);
   require_finite(w, w.v, 0, 5, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 0, 5, &JointConstants::v, kNotFinite);
-  stamp(0);
   take_angles<0, 4>(w);
   turn<block(0), block(4) + 1>(w);
   outward<0, 4>(w);  // "base_yaw" .. "forearm_roll"
@@ -246,11 +219,10 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 // Process 1: 4 of 9 joints: "wrist_pitch", "flange_roll", "left_finger_slide", "right_finger_slide"; kinematics of 5 more on the way to the ground
-void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.q, 0, 9, &JointConstants::q, kNotFinite);
   require_finite(w, w.v, 0, 9, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 5, 4, &JointConstants::v, kNotFinite);
-  stamp(0);
   take_angles<0, 8>(w);
   turn<block(0), block(19) + 1>(w);
   pass_outward<0, 4>(w);  // "base_yaw" .. "forearm_roll"
@@ -301,9 +273,6 @@ constexpr std::array<Range, 4> kRanges_0{ {{0, 5}, {0, 5}, {0, 5}, {0, 5}} };
 constexpr std::array<Range, 4> kRanges_1{ {{0, 9}, {0, 9}, {5, 4}, {5, 4}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
     {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {7, kStages_0.data()}},
-    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}, {5, kStages_1.data()}},
-} };
-
-}  // namespace
+    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}, {5, kStages_1.data()}}}};
 
 #include "adagen/whole_mpi.hpp"

@@ -1,37 +1,23 @@
-// Forward dynamics of "arm7" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
+// Forward dynamics of "arm7" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 1 --shape=joints
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
-// options   form segment, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// links     adagen_program.cpp
+// options   form segment (articulated-body algorithm), shape joints (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// links     adagen_program.cpp; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes arm7_p1.h
 // program   1 process; 0.4 us predicted (default profile)
 //           process 0: base_yaw .. right_finger_slide
-// method    articulated-body algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
-// licence   yours to choose: generated code belongs to its user
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// arm7_p1.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
-
-#if __has_include("arm7_p1.h")
 #include "arm7_p1.h"
-#define ADAGEN_HEADER
-#endif
 #define ADAGEN_CALL(word) arm7_p1_##word
 #define ADAGEN_NAMED(WORD) ARM7_P1_##WORD
-
-// ---- 2. model -----------------------------------------------------------------------------------
-
-#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #include "adagen/settings.hpp"
 
 struct arm7_p1_settings : PlainSettings {
-  static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
+  static constexpr int kVersion = 100, kJointCount = 9, kNq = 9, kNv = 9;
   [[maybe_unused]] static constexpr const char* kRobot = "arm7";
 };
 
 #include "adagen/constants.hpp"
-
-namespace {
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"pedestal", 0.0, {0.0, 0.0, 0.0}},
@@ -52,8 +38,7 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"left_finger", 0.05, {0.03, 0.0, 0.01},
      {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}},
     {"right_finger", 0.05, {0.03, 0.0, 0.01},
-     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}},
-} };
+     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}}}};
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"base_yaw", JointKind::kRevolute, 0, 0, 1, 0, 1,
@@ -73,17 +58,11 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"left_finger_slide", JointKind::kPrismatic, 7, 7, 1, 7, 1,
      {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}},
     {"right_finger_slide", JointKind::kPrismatic, 7, 8, 1, 8, 1,
-     {0.0, -0.9999999999964793, -2.65358979335273e-06, 0.0, 2.65358979335273e-06, -0.9999999999964793, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}},
-} };
+     {0.0, -0.9999999999964793, -2.65358979335273e-06, 0.0, 2.65358979335273e-06, -0.9999999999964793, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}}}};
 
-}  // namespace
+// ---- functions ----------------------------------------------------------------------------------
 
-// ---- 3. functions -------------------------------------------------------------------------------
-
-#include "adagen/spatial.hpp"
-#include "adagen/articulated.hpp"
-#include "adagen/no_channel.hpp"
-#include "adagen/joints_memory.hpp"
+#include "adagen/joints_alone.hpp"
 
 namespace {
 
@@ -103,8 +82,6 @@ struct Workspace : JointsMemory {
 
 #include "adagen/hand_on.hpp"
 
-namespace {
-
 const Inertia kInertia_turret = spatial_inertia(kLinks[1]);
 const Inertia kInertia_upper_arm = spatial_inertia(kLinks[2]);
 const Inertia kInertia_elbow_housing = spatial_inertia(kLinks[3]);
@@ -117,26 +94,24 @@ const Inertia kInertia_right_finger = spatial_inertia(kLinks[9]);
 
 // ---- joint 0 "base_yaw": revolute, between links "pedestal" and "turret"
 
-void kinematics_base_yaw(Workspace& w) {
+static void kinematics_base_yaw(Workspace& w) {
   auto& i = w.j_base_yaw;
   require_finite(w, w.q + 0, 1, 0);
   require_finite(w, w.v + 0, 1, 0);
   const Real q = Real(w.q[0]), c = std::cos(q), s = std::sin(q);
-  i.X.E << c, s, 0.0,  //
-      -s, c, 0.0,  //
-      0.0, 0.0, 1.0;
+  i.X.E << c, s, 0.0,  -s, c, 0.0,  0.0, 0.0, 1.0;  // row by row
   i.X.r << 0.0, 0.0, 0.16;
   i.v = joint_velocity<Revolute>(w.v + 0);
 }
 
-void articulate_base_yaw(Workspace& w) {
+static void articulate_base_yaw(Workspace& w) {
   auto& i = w.j_base_yaw;
   load_torque(w, 0, 0, i.body.tau);
   i.body.c = Columns6::Zero();
   hand_on(w, 0, i.body, 1, i.IA, i.pA);
 }
 
-void accelerate_base_yaw(Workspace& w) {
+static void accelerate_base_yaw(Workspace& w) {
   auto& i = w.j_base_yaw;
   i.a = i.X * w.ground;
   store_acceleration(w, 0, 0, accelerate(i.body, i.a));
@@ -144,28 +119,24 @@ void accelerate_base_yaw(Workspace& w) {
 
 // ---- joint 1 "shoulder_pitch": revolute, between links "turret" and "upper_arm"
 
-void kinematics_shoulder_pitch(Workspace& w) {
+static void kinematics_shoulder_pitch(Workspace& w) {
   auto& i = w.j_shoulder_pitch;
   require_finite(w, w.q + 1, 1, 1);
   require_finite(w, w.v + 1, 1, 1);
   const Real q = Real(w.q[1]), c = std::cos(q), s = std::sin(q);
-  i.X.E << c, -3.673205103346574e-06 * s, -0.9999999999932537 * s,  //
-      -s, -3.673205103346574e-06 * c, -0.9999999999932537 * c,  //
-      0.0, 0.9999999999932537, -3.673205103346574e-06;
+  i.X.E << c, -3.673205103346574e-06 * s, -0.9999999999932537 * s,  -s, -3.673205103346574e-06 * c, -0.9999999999932537 * c,  0.0, 0.9999999999932537, -3.673205103346574e-06;  // row by row
   i.X.r << 0.0, 0.0, 0.18;
   i.v = i.X * w.j_base_yaw.v + joint_velocity<Revolute>(w.v + 1);
 }
 
-void articulate_shoulder_pitch(Workspace& w) {
+static void articulate_shoulder_pitch(Workspace& w) {
   auto& i = w.j_shoulder_pitch;
   load_torque(w, 1, 1, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 1);
-  const Passed passed = hand_on(w, 1, i.body, 1, i.IA, i.pA);
-  add_in_parent(i.X, passed.inertia, w.j_base_yaw.IA);
-  w.j_base_yaw.pA += i.X.transposed_times(passed.force);
+  add_in_parent(i.X, hand_on(w, 1, i.body, 1, i.IA, i.pA), w.j_base_yaw.IA, w.j_base_yaw.pA);
 }
 
-void accelerate_shoulder_pitch(Workspace& w) {
+static void accelerate_shoulder_pitch(Workspace& w) {
   auto& i = w.j_shoulder_pitch;
   i.a = i.X * w.j_base_yaw.a;
   store_acceleration(w, 1, 1, accelerate(i.body, i.a));
@@ -173,28 +144,24 @@ void accelerate_shoulder_pitch(Workspace& w) {
 
 // ---- joint 2 "upper_arm_roll": revolute, between links "upper_arm" and "elbow_housing"
 
-void kinematics_upper_arm_roll(Workspace& w) {
+static void kinematics_upper_arm_roll(Workspace& w) {
   auto& i = w.j_upper_arm_roll;
   require_finite(w, w.q + 2, 1, 2);
   require_finite(w, w.v + 2, 1, 2);
   const Real q = Real(w.q[2]), c = std::cos(q), s = std::sin(q);
-  i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
-      -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
-      0.0, -0.9999999999932537, -3.673205103346574e-06;
+  i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  0.0, -0.9999999999932537, -3.673205103346574e-06;  // row by row
   i.X.r << 0.0, -0.3, 0.0;
   i.v = i.X * w.j_shoulder_pitch.v + joint_velocity<Revolute>(w.v + 2);
 }
 
-void articulate_upper_arm_roll(Workspace& w) {
+static void articulate_upper_arm_roll(Workspace& w) {
   auto& i = w.j_upper_arm_roll;
   load_torque(w, 2, 2, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 2);
-  const Passed passed = hand_on(w, 2, i.body, 1, i.IA, i.pA);
-  add_in_parent(i.X, passed.inertia, w.j_shoulder_pitch.IA);
-  w.j_shoulder_pitch.pA += i.X.transposed_times(passed.force);
+  add_in_parent(i.X, hand_on(w, 2, i.body, 1, i.IA, i.pA), w.j_shoulder_pitch.IA, w.j_shoulder_pitch.pA);
 }
 
-void accelerate_upper_arm_roll(Workspace& w) {
+static void accelerate_upper_arm_roll(Workspace& w) {
   auto& i = w.j_upper_arm_roll;
   i.a = i.X * w.j_shoulder_pitch.a;
   store_acceleration(w, 2, 2, accelerate(i.body, i.a));
@@ -202,28 +169,24 @@ void accelerate_upper_arm_roll(Workspace& w) {
 
 // ---- joint 3 "elbow_pitch": revolute, between links "elbow_housing" and "forearm"
 
-void kinematics_elbow_pitch(Workspace& w) {
+static void kinematics_elbow_pitch(Workspace& w) {
   auto& i = w.j_elbow_pitch;
   require_finite(w, w.q + 3, 1, 3);
   require_finite(w, w.v + 3, 1, 3);
   const Real q = Real(w.q[3]), c = std::cos(q), s = std::sin(q);
-  i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
-      -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
-      0.0, -0.9999999999932537, -3.673205103346574e-06;
+  i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  0.0, -0.9999999999932537, -3.673205103346574e-06;  // row by row
   i.X.r << 0.08, 0.0, 0.0;
   i.v = i.X * w.j_upper_arm_roll.v + joint_velocity<Revolute>(w.v + 3);
 }
 
-void articulate_elbow_pitch(Workspace& w) {
+static void articulate_elbow_pitch(Workspace& w) {
   auto& i = w.j_elbow_pitch;
   load_torque(w, 3, 3, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 3);
-  const Passed passed = hand_on(w, 3, i.body, 1, i.IA, i.pA);
-  add_in_parent(i.X, passed.inertia, w.j_upper_arm_roll.IA);
-  w.j_upper_arm_roll.pA += i.X.transposed_times(passed.force);
+  add_in_parent(i.X, hand_on(w, 3, i.body, 1, i.IA, i.pA), w.j_upper_arm_roll.IA, w.j_upper_arm_roll.pA);
 }
 
-void accelerate_elbow_pitch(Workspace& w) {
+static void accelerate_elbow_pitch(Workspace& w) {
   auto& i = w.j_elbow_pitch;
   i.a = i.X * w.j_upper_arm_roll.a;
   store_acceleration(w, 3, 3, accelerate(i.body, i.a));
@@ -231,28 +194,24 @@ void accelerate_elbow_pitch(Workspace& w) {
 
 // ---- joint 4 "forearm_roll": revolute, between links "forearm" and "wrist_housing"
 
-void kinematics_forearm_roll(Workspace& w) {
+static void kinematics_forearm_roll(Workspace& w) {
   auto& i = w.j_forearm_roll;
   require_finite(w, w.q + 4, 1, 4);
   require_finite(w, w.v + 4, 1, 4);
   const Real q = Real(w.q[4]), c = std::cos(q), s = std::sin(q);
-  i.X.E << c, -3.673205103346574e-06 * s, -0.9999999999932537 * s,  //
-      -s, -3.673205103346574e-06 * c, -0.9999999999932537 * c,  //
-      0.0, 0.9999999999932537, -3.673205103346574e-06;
+  i.X.E << c, -3.673205103346574e-06 * s, -0.9999999999932537 * s,  -s, -3.673205103346574e-06 * c, -0.9999999999932537 * c,  0.0, 0.9999999999932537, -3.673205103346574e-06;  // row by row
   i.X.r << -0.08, 0.38, 0.0;
   i.v = i.X * w.j_elbow_pitch.v + joint_velocity<Revolute>(w.v + 4);
 }
 
-void articulate_forearm_roll(Workspace& w) {
+static void articulate_forearm_roll(Workspace& w) {
   auto& i = w.j_forearm_roll;
   load_torque(w, 4, 4, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 4);
-  const Passed passed = hand_on(w, 4, i.body, 1, i.IA, i.pA);
-  add_in_parent(i.X, passed.inertia, w.j_elbow_pitch.IA);
-  w.j_elbow_pitch.pA += i.X.transposed_times(passed.force);
+  add_in_parent(i.X, hand_on(w, 4, i.body, 1, i.IA, i.pA), w.j_elbow_pitch.IA, w.j_elbow_pitch.pA);
 }
 
-void accelerate_forearm_roll(Workspace& w) {
+static void accelerate_forearm_roll(Workspace& w) {
   auto& i = w.j_forearm_roll;
   i.a = i.X * w.j_elbow_pitch.a;
   store_acceleration(w, 4, 4, accelerate(i.body, i.a));
@@ -260,28 +219,24 @@ void accelerate_forearm_roll(Workspace& w) {
 
 // ---- joint 5 "wrist_pitch": revolute, between links "wrist_housing" and "wrist"
 
-void kinematics_wrist_pitch(Workspace& w) {
+static void kinematics_wrist_pitch(Workspace& w) {
   auto& i = w.j_wrist_pitch;
   require_finite(w, w.q + 5, 1, 5);
   require_finite(w, w.v + 5, 1, 5);
   const Real q = Real(w.q[5]), c = std::cos(q), s = std::sin(q);
-  i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
-      -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
-      0.0, -0.9999999999932537, -3.673205103346574e-06;
+  i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  0.0, -0.9999999999932537, -3.673205103346574e-06;  // row by row
   i.X.r << 0.0, 0.0, 0.0;
   i.v = i.X * w.j_forearm_roll.v + joint_velocity<Revolute>(w.v + 5);
 }
 
-void articulate_wrist_pitch(Workspace& w) {
+static void articulate_wrist_pitch(Workspace& w) {
   auto& i = w.j_wrist_pitch;
   load_torque(w, 5, 5, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 5);
-  const Passed passed = hand_on(w, 5, i.body, 1, i.IA, i.pA);
-  add_in_parent(i.X, passed.inertia, w.j_forearm_roll.IA);
-  w.j_forearm_roll.pA += i.X.transposed_times(passed.force);
+  add_in_parent(i.X, hand_on(w, 5, i.body, 1, i.IA, i.pA), w.j_forearm_roll.IA, w.j_forearm_roll.pA);
 }
 
-void accelerate_wrist_pitch(Workspace& w) {
+static void accelerate_wrist_pitch(Workspace& w) {
   auto& i = w.j_wrist_pitch;
   i.a = i.X * w.j_forearm_roll.a;
   store_acceleration(w, 5, 5, accelerate(i.body, i.a));
@@ -289,28 +244,24 @@ void accelerate_wrist_pitch(Workspace& w) {
 
 // ---- joint 6 "flange_roll": revolute, between links "wrist" and "hand"
 
-void kinematics_flange_roll(Workspace& w) {
+static void kinematics_flange_roll(Workspace& w) {
   auto& i = w.j_flange_roll;
   require_finite(w, w.q + 6, 1, 6);
   require_finite(w, w.v + 6, 1, 6);
   const Real q = Real(w.q[6]), c = std::cos(q), s = std::sin(q);
-  i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
-      -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
-      0.0, -0.9999999999932537, -3.673205103346574e-06;
+  i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  0.0, -0.9999999999932537, -3.673205103346574e-06;  // row by row
   i.X.r << 0.09, 0.0, 0.0;
   i.v = i.X * w.j_wrist_pitch.v + joint_velocity<Revolute>(w.v + 6);
 }
 
-void articulate_flange_roll(Workspace& w) {
+static void articulate_flange_roll(Workspace& w) {
   auto& i = w.j_flange_roll;
   load_torque(w, 6, 6, i.body.tau);
   i.body.c = velocity_product<Revolute>(i.v, w.v + 6);
-  const Passed passed = hand_on(w, 6, i.body, 1, i.IA, i.pA);
-  add_in_parent(i.X, passed.inertia, w.j_wrist_pitch.IA);
-  w.j_wrist_pitch.pA += i.X.transposed_times(passed.force);
+  add_in_parent(i.X, hand_on(w, 6, i.body, 1, i.IA, i.pA), w.j_wrist_pitch.IA, w.j_wrist_pitch.pA);
 }
 
-void accelerate_flange_roll(Workspace& w) {
+static void accelerate_flange_roll(Workspace& w) {
   auto& i = w.j_flange_roll;
   i.a = i.X * w.j_wrist_pitch.a;
   store_acceleration(w, 6, 6, accelerate(i.body, i.a));
@@ -318,28 +269,24 @@ void accelerate_flange_roll(Workspace& w) {
 
 // ---- joint 7 "left_finger_slide": prismatic, between links "hand" and "left_finger"
 
-void kinematics_left_finger_slide(Workspace& w) {
+static void kinematics_left_finger_slide(Workspace& w) {
   auto& i = w.j_left_finger_slide;
   require_finite(w, w.q + 7, 1, 7);
   require_finite(w, w.v + 7, 1, 7);
   const Real q = Real(w.q[7]);
-  i.X.E << 0.0, 0.0, 1.0,  //
-      1.0, 0.0, 0.0,  //
-      0.0, 1.0, 0.0;
+  i.X.E << 0.0, 0.0, 1.0,  1.0, 0.0, 0.0,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, q, 0.13;
   i.v = i.X * w.j_flange_roll.v + joint_velocity<Prismatic>(w.v + 7);
 }
 
-void articulate_left_finger_slide(Workspace& w) {
+static void articulate_left_finger_slide(Workspace& w) {
   auto& i = w.j_left_finger_slide;
   load_torque(w, 7, 7, i.body.tau);
   i.body.c = velocity_product<Prismatic>(i.v, w.v + 7);
-  const Passed passed = hand_on(w, 7, i.body, 1, i.IA, i.pA);
-  add_in_parent(i.X, passed.inertia, w.j_flange_roll.IA);
-  w.j_flange_roll.pA += i.X.transposed_times(passed.force);
+  add_in_parent(i.X, hand_on(w, 7, i.body, 1, i.IA, i.pA), w.j_flange_roll.IA, w.j_flange_roll.pA);
 }
 
-void accelerate_left_finger_slide(Workspace& w) {
+static void accelerate_left_finger_slide(Workspace& w) {
   auto& i = w.j_left_finger_slide;
   i.a = i.X * w.j_flange_roll.a;
   store_acceleration(w, 7, 7, accelerate(i.body, i.a));
@@ -347,40 +294,34 @@ void accelerate_left_finger_slide(Workspace& w) {
 
 // ---- joint 8 "right_finger_slide": prismatic, between links "hand" and "right_finger"
 
-void kinematics_right_finger_slide(Workspace& w) {
+static void kinematics_right_finger_slide(Workspace& w) {
   auto& i = w.j_right_finger_slide;
   require_finite(w, w.q + 8, 1, 8);
   require_finite(w, w.v + 8, 1, 8);
   const Real q = Real(w.q[8]);
-  i.X.E << 0.0, 0.0, 1.0,  //
-      -0.9999999999964793, 2.65358979335273e-06, 0.0,  //
-      -2.65358979335273e-06, -0.9999999999964793, 0.0;
+  i.X.E << 0.0, 0.0, 1.0,  -0.9999999999964793, 2.65358979335273e-06, 0.0,  -2.65358979335273e-06, -0.9999999999964793, 0.0;  // row by row
   i.X.r << -2.65358979335273e-06 * q, -0.9999999999964793 * q, 0.13;
   i.v = i.X * w.j_flange_roll.v + joint_velocity<Prismatic>(w.v + 8);
 }
 
-void articulate_right_finger_slide(Workspace& w) {
+static void articulate_right_finger_slide(Workspace& w) {
   auto& i = w.j_right_finger_slide;
   load_torque(w, 8, 8, i.body.tau);
   i.body.c = velocity_product<Prismatic>(i.v, w.v + 8);
-  const Passed passed = hand_on(w, 8, i.body, 1, i.IA, i.pA);
-  add_in_parent(i.X, passed.inertia, w.j_flange_roll.IA);
-  w.j_flange_roll.pA += i.X.transposed_times(passed.force);
+  add_in_parent(i.X, hand_on(w, 8, i.body, 1, i.IA, i.pA), w.j_flange_roll.IA, w.j_flange_roll.pA);
 }
 
-void accelerate_right_finger_slide(Workspace& w) {
+static void accelerate_right_finger_slide(Workspace& w) {
   auto& i = w.j_right_finger_slide;
   i.a = i.X * w.j_flange_roll.a;
   store_acceleration(w, 8, 8, accelerate(i.body, i.a));
 }
 
-
-// ---- 4. processes -------------------------------------------------------------------------------
+// ---- processes ----------------------------------------------------------------------------------
 
 // Process 0: 9 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll", "wrist_pitch", ...
-void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
-  stamp(0);
   kinematics_base_yaw(w);
   kinematics_shoulder_pitch(w);
   kinematics_upper_arm_roll(w);
@@ -423,8 +364,5 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 [[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 8, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1}} };
-[[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
-
-}  // namespace
 
 #include "adagen/whole_alone.hpp"

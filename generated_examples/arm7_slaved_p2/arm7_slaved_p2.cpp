@@ -1,38 +1,26 @@
-// Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
+// Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --mimic --procs 2 --form=ada --name=arm7_slaved
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
-// options   form ada, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// links     adagen_program.cpp -DADAGEN_MPI
+// options   form ada (assembly-disassembly algorithm), shape joints (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes arm7_slaved_p2.h
 // program   2 processes, joined at cuts; 1.54 us predicted (default profile)
 //           process 0: base_yaw .. wrist_pitch
 //           process 1: flange_roll .. right_finger_slide
 // schedule  wrist_pitch@0-1(forearm_roll@0(elbow_pitch(upper_arm_roll(shoulder_pitch(base_yaw|)|)|)|) | flange_roll@1(|left_finger_slide(right_finger_slide|)))
-// method    assembly-disassembly algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
-// licence   yours to choose: generated code belongs to its user
 //
 // Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
 // bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
 // to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down.
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// arm7_slaved_p2.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
-
-#if __has_include("arm7_slaved_p2.h")
 #include "arm7_slaved_p2.h"
-#define ADAGEN_HEADER
-#endif
 #define ADAGEN_CALL(word) arm7_slaved_p2_##word
 #define ADAGEN_NAMED(WORD) ARM7_SLAVED_P2_##WORD
-
-// ---- 2. model -----------------------------------------------------------------------------------
-
-#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
 #include "adagen/settings.hpp"
 
 struct arm7_slaved_p2_settings : PlainSettings {
-  static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
+  static constexpr int kVersion = 100, kJointCount = 9, kNq = 9, kNv = 9;
   [[maybe_unused]] static constexpr const char* kRobot = "arm7";
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
@@ -43,8 +31,6 @@ struct arm7_slaved_p2_settings : PlainSettings {
 };
 
 #include "adagen/constants.hpp"
-
-namespace {
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"pedestal", 0.0, {0.0, 0.0, 0.0}},
@@ -74,8 +60,7 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
      {300000.3000003, 0.0, 0.0, 0.0, 59999.880000239995, 0.0, 0.0, 0.0, 59999.880000239995}},
     {"right_finger", 0.05, {0.03, 0.0, 0.01},
      {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05},
-     {300000.3000003, 0.0, 0.0, 0.0, 59999.880000239995, 0.0, 0.0, 0.0, 59999.880000239995}},
-} };
+     {300000.3000003, 0.0, 0.0, 0.0, 59999.880000239995, 0.0, 0.0, 0.0, 59999.880000239995}}}};
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"base_yaw", JointKind::kRevolute, 0, 0, 1, 0, 1,
@@ -95,8 +80,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"left_finger_slide", JointKind::kPrismatic, 7, 7, 1, 7, 1,
      {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}},
     {"right_finger_slide", JointKind::kPrismatic, 7, 8, 1, 8, 1,
-     {0.0, -0.9999999999964793, -2.65358979335273e-06, 0.0, 2.65358979335273e-06, -0.9999999999964793, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}, 7, 1.0, 0.0},
-} };
+     {0.0, -0.9999999999964793, -2.65358979335273e-06, 0.0, 2.65358979335273e-06, -0.9999999999964793, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}, 7, 1.0, 0.0}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 6> kMessages{ {
     {1, 0, 48},  // 0: assembled: chain of "flange_roll"
@@ -104,14 +88,10 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {1, 0, 4},  // 2: accelerations of slaved joints
     {0, 1, 1},  // 3: torques of slaved joints
     {0, 1, 19},  // 4: state
-    {1, 0, 3},  // 5: accelerations
-} };
+    {1, 0, 3}}};  // 5: accelerations
 
-}  // namespace
+// ---- functions ----------------------------------------------------------------------------------
 
-// ---- 3. functions -------------------------------------------------------------------------------
-
-#include "adagen/spatial.hpp"
 #include "adagen/joins.hpp"
 #include "adagen/channel.hpp"
 #include "adagen/joints_memory.hpp"
@@ -241,8 +221,6 @@ struct Workspace : JointsMemory {
 #include "adagen/coupling.hpp"
 #include "adagen/exchange.hpp"
 
-namespace {
-
 const Mat6 kPhi_turret = symmetric({60.93845216331505, 0.0, 0.0, 0.0, 6.0938452163315056, 0.0, 60.93845216331505, 0.0, -6.0938452163315056, 0.0, 0.0, 113.37868480725623, 0.0, 0.0, 0.0, 0.8871622994109283, 0.0, 0.0, 0.8871622994109283, 0.0, 0.2777777777777778});
 const Mat6 kPhi_upper_arm = symmetric({56.59309564233163, 0.0, 0.0, 0.0, 0.0, 5.659309564233164, 179.2114695340502, 0.0, 0.0, 0.0, 0.0, 56.59309564233163, -5.659309564233164, 0.0, 0.0, 0.8885116015846066, 0.0, 0.0, 0.3225806451612903, 0.0, 0.8885116015846066});
 const Mat6 kPhi_elbow_housing = symmetric({111.2811239393518, 0.0, 0.0, 0.0, -3.338433718180554, 0.0, 111.2811239393518, 0.0, 3.338433718180554, 0.0, 0.0, 254.29116338207245, 0.0, 0.0, 0.0, 0.4847683961608012, 0.0, 0.0, 0.4847683961608012, 0.0, 0.3846153846153846});
@@ -255,20 +233,18 @@ const Mat6 kPhi_right_finger = symmetric({300000.3000003, 0.0, 0.0, 0.0, 3000.00
 
 // ---- joint 0 "base_yaw": revolute, between links "pedestal" and "turret"
 
-void kinematics_base_yaw(Workspace& w) {
+static void kinematics_base_yaw(Workspace& w) {
   auto& i = w.j_base_yaw;
   require_finite(w, w.q + 0, 1, 0);
   require_finite(w, w.v + 0, 1, 0);
   const Real q = Real(w.q[0]), c = std::cos(q), s = std::sin(q);
-  i.X.E << c, s, 0.0,  //
-      -s, c, 0.0,  //
-      0.0, 0.0, 1.0;
+  i.X.E << c, s, 0.0,  -s, c, 0.0,  0.0, 0.0, 1.0;  // row by row
   i.X.r << 0.0, 0.0, 0.16;
   i.v = joint_velocity<Revolute>(w.v + 0);
 }
 
 // A: the ground "pedestal"; B: link "turret"; C feels the joint at "turret"
-void assemble_base_yaw(Workspace& w) {
+static void assemble_base_yaw(Workspace& w) {
   auto& i = w.j_base_yaw;
   load_torque(w, 0, 0, i.joined.tau);
   const Columns6 c = Columns6::Zero();
@@ -282,7 +258,7 @@ void assemble_base_yaw(Workspace& w) {
   i.b_turret = w.j_base_yaw.b + bias_change(i.joined, i.at_turret);  // Eq. (7)
 }
 
-void disassemble_base_yaw(Workspace& w) {
+static void disassemble_base_yaw(Workspace& w) {
   auto& i = w.j_base_yaw;
   Release<Revolute> release(i.joined);
   release.feel_B(i.at_turret, w.j_base_yaw.F_on_turret);
@@ -292,20 +268,18 @@ void disassemble_base_yaw(Workspace& w) {
 
 // ---- joint 1 "shoulder_pitch": revolute, between links "turret" and "upper_arm"
 
-void kinematics_shoulder_pitch(Workspace& w) {
+static void kinematics_shoulder_pitch(Workspace& w) {
   auto& i = w.j_shoulder_pitch;
   require_finite(w, w.q + 1, 1, 1);
   require_finite(w, w.v + 1, 1, 1);
   const Real q = Real(w.q[1]), c = std::cos(q), s = std::sin(q);
-  i.X.E << c, -3.673205103346574e-06 * s, -0.9999999999932537 * s,  //
-      -s, -3.673205103346574e-06 * c, -0.9999999999932537 * c,  //
-      0.0, 0.9999999999932537, -3.673205103346574e-06;
+  i.X.E << c, -3.673205103346574e-06 * s, -0.9999999999932537 * s,  -s, -3.673205103346574e-06 * c, -0.9999999999932537 * c,  0.0, 0.9999999999932537, -3.673205103346574e-06;  // row by row
   i.X.r << 0.0, 0.0, 0.18;
   i.v = i.X * w.j_base_yaw.v + joint_velocity<Revolute>(w.v + 1);
 }
 
 // A: the chain of "base_yaw"; B: link "upper_arm"; C feels the joint at "upper_arm"
-void assemble_shoulder_pitch(Workspace& w) {
+static void assemble_shoulder_pitch(Workspace& w) {
   auto& i = w.j_shoulder_pitch;
   load_torque(w, 1, 1, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_base_yaw.Phi_turret;
@@ -321,7 +295,7 @@ void assemble_shoulder_pitch(Workspace& w) {
   i.b_upper_arm = w.j_shoulder_pitch.b + bias_change(i.joined, i.at_upper_arm);  // Eq. (7)
 }
 
-void disassemble_shoulder_pitch(Workspace& w) {
+static void disassemble_shoulder_pitch(Workspace& w) {
   auto& i = w.j_shoulder_pitch;
   Release<Revolute> release(i.joined);
   release.feel_B(i.at_upper_arm, w.j_shoulder_pitch.F_on_upper_arm);
@@ -332,20 +306,18 @@ void disassemble_shoulder_pitch(Workspace& w) {
 
 // ---- joint 2 "upper_arm_roll": revolute, between links "upper_arm" and "elbow_housing"
 
-void kinematics_upper_arm_roll(Workspace& w) {
+static void kinematics_upper_arm_roll(Workspace& w) {
   auto& i = w.j_upper_arm_roll;
   require_finite(w, w.q + 2, 1, 2);
   require_finite(w, w.v + 2, 1, 2);
   const Real q = Real(w.q[2]), c = std::cos(q), s = std::sin(q);
-  i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
-      -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
-      0.0, -0.9999999999932537, -3.673205103346574e-06;
+  i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  0.0, -0.9999999999932537, -3.673205103346574e-06;  // row by row
   i.X.r << 0.0, -0.3, 0.0;
   i.v = i.X * w.j_shoulder_pitch.v + joint_velocity<Revolute>(w.v + 2);
 }
 
 // A: the chain of "shoulder_pitch"; B: link "elbow_housing"; C feels the joint at "elbow_housing"
-void assemble_upper_arm_roll(Workspace& w) {
+static void assemble_upper_arm_roll(Workspace& w) {
   auto& i = w.j_upper_arm_roll;
   load_torque(w, 2, 2, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_shoulder_pitch.Phi_upper_arm;
@@ -361,7 +333,7 @@ void assemble_upper_arm_roll(Workspace& w) {
   i.b_elbow_housing = w.j_upper_arm_roll.b + bias_change(i.joined, i.at_elbow_housing);  // Eq. (7)
 }
 
-void disassemble_upper_arm_roll(Workspace& w) {
+static void disassemble_upper_arm_roll(Workspace& w) {
   auto& i = w.j_upper_arm_roll;
   Release<Revolute> release(i.joined);
   release.feel_B(i.at_elbow_housing, w.j_upper_arm_roll.F_on_elbow_housing);
@@ -372,20 +344,18 @@ void disassemble_upper_arm_roll(Workspace& w) {
 
 // ---- joint 3 "elbow_pitch": revolute, between links "elbow_housing" and "forearm"
 
-void kinematics_elbow_pitch(Workspace& w) {
+static void kinematics_elbow_pitch(Workspace& w) {
   auto& i = w.j_elbow_pitch;
   require_finite(w, w.q + 3, 1, 3);
   require_finite(w, w.v + 3, 1, 3);
   const Real q = Real(w.q[3]), c = std::cos(q), s = std::sin(q);
-  i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
-      -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
-      0.0, -0.9999999999932537, -3.673205103346574e-06;
+  i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  0.0, -0.9999999999932537, -3.673205103346574e-06;  // row by row
   i.X.r << 0.08, 0.0, 0.0;
   i.v = i.X * w.j_upper_arm_roll.v + joint_velocity<Revolute>(w.v + 3);
 }
 
 // A: the chain of "upper_arm_roll"; B: link "forearm"; C feels the joint at "forearm"
-void assemble_elbow_pitch(Workspace& w) {
+static void assemble_elbow_pitch(Workspace& w) {
   auto& i = w.j_elbow_pitch;
   load_torque(w, 3, 3, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_upper_arm_roll.Phi_elbow_housing;
@@ -401,7 +371,7 @@ void assemble_elbow_pitch(Workspace& w) {
   i.b_forearm = w.j_elbow_pitch.b + bias_change(i.joined, i.at_forearm);  // Eq. (7)
 }
 
-void disassemble_elbow_pitch(Workspace& w) {
+static void disassemble_elbow_pitch(Workspace& w) {
   auto& i = w.j_elbow_pitch;
   Release<Revolute> release(i.joined);
   release.feel_B(i.at_forearm, w.j_elbow_pitch.F_on_forearm);
@@ -412,20 +382,18 @@ void disassemble_elbow_pitch(Workspace& w) {
 
 // ---- joint 4 "forearm_roll": revolute, between links "forearm" and "wrist_housing"
 
-void kinematics_forearm_roll(Workspace& w) {
+static void kinematics_forearm_roll(Workspace& w) {
   auto& i = w.j_forearm_roll;
   require_finite(w, w.q + 4, 1, 4);
   require_finite(w, w.v + 4, 1, 4);
   const Real q = Real(w.q[4]), c = std::cos(q), s = std::sin(q);
-  i.X.E << c, -3.673205103346574e-06 * s, -0.9999999999932537 * s,  //
-      -s, -3.673205103346574e-06 * c, -0.9999999999932537 * c,  //
-      0.0, 0.9999999999932537, -3.673205103346574e-06;
+  i.X.E << c, -3.673205103346574e-06 * s, -0.9999999999932537 * s,  -s, -3.673205103346574e-06 * c, -0.9999999999932537 * c,  0.0, 0.9999999999932537, -3.673205103346574e-06;  // row by row
   i.X.r << -0.08, 0.38, 0.0;
   i.v = i.X * w.j_elbow_pitch.v + joint_velocity<Revolute>(w.v + 4);
 }
 
 // A: the chain of "elbow_pitch"; B: link "wrist_housing"; C feels the joint at "wrist_housing"
-void assemble_forearm_roll(Workspace& w) {
+static void assemble_forearm_roll(Workspace& w) {
   auto& i = w.j_forearm_roll;
   load_torque(w, 4, 4, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_elbow_pitch.Phi_forearm;
@@ -441,7 +409,7 @@ void assemble_forearm_roll(Workspace& w) {
   i.b_wrist_housing = w.j_forearm_roll.b + bias_change(i.joined, i.at_wrist_housing);  // Eq. (7)
 }
 
-void disassemble_forearm_roll(Workspace& w) {
+static void disassemble_forearm_roll(Workspace& w) {
   auto& i = w.j_forearm_roll;
   Release<Revolute> release(i.joined);
   release.feel_B(i.at_wrist_housing, w.j_forearm_roll.F_on_wrist_housing);
@@ -452,20 +420,18 @@ void disassemble_forearm_roll(Workspace& w) {
 
 // ---- joint 5 "wrist_pitch": revolute, between links "wrist_housing" and "wrist"
 
-void kinematics_wrist_pitch(Workspace& w) {
+static void kinematics_wrist_pitch(Workspace& w) {
   auto& i = w.j_wrist_pitch;
   require_finite(w, w.q + 5, 1, 5);
   require_finite(w, w.v + 5, 1, 5);
   const Real q = Real(w.q[5]), c = std::cos(q), s = std::sin(q);
-  i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
-      -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
-      0.0, -0.9999999999932537, -3.673205103346574e-06;
+  i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  0.0, -0.9999999999932537, -3.673205103346574e-06;  // row by row
   i.X.r << 0.0, 0.0, 0.0;
   i.v = i.X * w.j_forearm_roll.v + joint_velocity<Revolute>(w.v + 5);
 }
 
 // A: the chain of "forearm_roll"; B: the chain of "flange_roll"; C feels the joint at no link
-void assemble_wrist_pitch(Workspace& w) {
+static void assemble_wrist_pitch(Workspace& w) {
   auto& i = w.j_wrist_pitch;
   load_torque(w, 5, 5, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_forearm_roll.Phi_wrist_housing;
@@ -478,7 +444,7 @@ void assemble_wrist_pitch(Workspace& w) {
     fail(w, kFactorization, 5);
 }
 
-void disassemble_wrist_pitch(Workspace& w) {
+static void disassemble_wrist_pitch(Workspace& w) {
   auto& i = w.j_wrist_pitch;
   Release<Revolute> release(i.joined);
   const Columns6 f = release.force();  // Eq. (8), (10)
@@ -489,20 +455,18 @@ void disassemble_wrist_pitch(Workspace& w) {
 
 // ---- joint 6 "flange_roll": revolute, between links "wrist" and "hand"
 
-void kinematics_flange_roll(Workspace& w) {
+static void kinematics_flange_roll(Workspace& w) {
   auto& i = w.j_flange_roll;
   require_finite(w, w.q + 6, 1, 6);
   require_finite(w, w.v + 6, 1, 6);
   const Real q = Real(w.q[6]), c = std::cos(q), s = std::sin(q);
-  i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  //
-      -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  //
-      0.0, -0.9999999999932537, -3.673205103346574e-06;
+  i.X.E << c, -3.673205103346574e-06 * s, 0.9999999999932537 * s,  -s, -3.673205103346574e-06 * c, 0.9999999999932537 * c,  0.0, -0.9999999999932537, -3.673205103346574e-06;  // row by row
   i.X.r << 0.09, 0.0, 0.0;
   i.v = i.X * w.j_wrist_pitch.v + joint_velocity<Revolute>(w.v + 6);
 }
 
 // A: link "wrist"; B: the chain of "left_finger_slide"; C feels the joint at "wrist"
-void assemble_flange_roll(Workspace& w) {
+static void assemble_flange_roll(Workspace& w) {
   auto& i = w.j_flange_roll;
   load_torque(w, 6, 6, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_wrist;
@@ -518,7 +482,7 @@ void assemble_flange_roll(Workspace& w) {
   i.b_wrist = w.j_wrist_pitch.b - bias_change(i.joined, i.at_wrist);  // Eq. (6)
 }
 
-void disassemble_flange_roll(Workspace& w) {
+static void disassemble_flange_roll(Workspace& w) {
   auto& i = w.j_flange_roll;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_wrist, w.j_flange_roll.F_on_wrist);
@@ -529,20 +493,18 @@ void disassemble_flange_roll(Workspace& w) {
 
 // ---- joint 7 "left_finger_slide": prismatic, between links "hand" and "left_finger"
 
-void kinematics_left_finger_slide(Workspace& w) {
+static void kinematics_left_finger_slide(Workspace& w) {
   auto& i = w.j_left_finger_slide;
   require_finite(w, w.q + 7, 1, 7);
   require_finite(w, w.v + 7, 1, 7);
   const Real q = Real(w.q[7]);
-  i.X.E << 0.0, 0.0, 1.0,  //
-      1.0, 0.0, 0.0,  //
-      0.0, 1.0, 0.0;
+  i.X.E << 0.0, 0.0, 1.0,  1.0, 0.0, 0.0,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, q, 0.13;
   i.v = i.X * w.j_flange_roll.v + joint_velocity<Prismatic>(w.v + 7);
 }
 
 // A: the chain of "right_finger_slide"; B: link "left_finger"; C feels the joint at "hand"
-void assemble_left_finger_slide(Workspace& w) {
+static void assemble_left_finger_slide(Workspace& w) {
   auto& i = w.j_left_finger_slide;
   load_torque(w, 7, 7, i.joined.tau);
   i.joined.tau[0][1] = -1.0;
@@ -559,7 +521,7 @@ void assemble_left_finger_slide(Workspace& w) {
   i.b_hand = w.j_right_finger_slide.b_hand - bias_change(i.joined, i.at_hand);  // Eq. (6)
 }
 
-void disassemble_left_finger_slide(Workspace& w) {
+static void disassemble_left_finger_slide(Workspace& w) {
   auto& i = w.j_left_finger_slide;
   Release<Prismatic> release(i.joined);
   release.feel_A(i.at_hand, w.j_left_finger_slide.F_on_hand);
@@ -570,21 +532,19 @@ void disassemble_left_finger_slide(Workspace& w) {
 
 // ---- joint 8 "right_finger_slide": prismatic, between links "hand" and "right_finger"
 
-void kinematics_right_finger_slide(Workspace& w) {
+static void kinematics_right_finger_slide(Workspace& w) {
   auto& i = w.j_right_finger_slide;
   require_finite(w, w.q + 7, 1, 7);
   require_finite(w, w.v + 7, 1, 7);
   const Real q = w.q[7];  // slaved to "left_finger_slide"
   const Number qd = w.v[7];
-  i.X.E << 0.0, 0.0, 1.0,  //
-      -0.9999999999964793, 2.65358979335273e-06, 0.0,  //
-      -2.65358979335273e-06, -0.9999999999964793, 0.0;
+  i.X.E << 0.0, 0.0, 1.0,  -0.9999999999964793, 2.65358979335273e-06, 0.0,  -2.65358979335273e-06, -0.9999999999964793, 0.0;  // row by row
   i.X.r << -2.65358979335273e-06 * q, -0.9999999999964793 * q, 0.13;
   i.v = i.X * w.j_flange_roll.v + joint_velocity<Prismatic>(&qd);
 }
 
 // A: link "hand"; B: link "right_finger"; C feels the joint at "hand"
-void assemble_right_finger_slide(Workspace& w) {
+static void assemble_right_finger_slide(Workspace& w) {
   auto& i = w.j_right_finger_slide;
   load_torque(w, 8, 8, i.joined.tau);
   i.joined.tau[0][1] = 1;
@@ -602,7 +562,7 @@ void assemble_right_finger_slide(Workspace& w) {
   i.b_hand = w.j_flange_roll.b - bias_change(i.joined, i.at_hand);  // Eq. (6)
 }
 
-void disassemble_right_finger_slide(Workspace& w) {
+static void disassemble_right_finger_slide(Workspace& w) {
   auto& i = w.j_right_finger_slide;
   Release<Prismatic> release(i.joined);
   release.feel_A(i.at_hand, w.j_right_finger_slide.F_on_hand);
@@ -610,13 +570,11 @@ void disassemble_right_finger_slide(Workspace& w) {
   i.qdd = release.qdd();  // Eq. (9)
 }
 
-
-// ---- 4. processes -------------------------------------------------------------------------------
+// ---- processes ----------------------------------------------------------------------------------
 
 // Process 0: 6 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll", "wrist_pitch"
-void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
-  stamp(0);
   kinematics_base_yaw(w);
   kinematics_shoulder_pitch(w);
   kinematics_upper_arm_roll(w);
@@ -685,9 +643,8 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 // Process 1: 3 of 9 joints: "flange_roll", "left_finger_slide", "right_finger_slide"; kinematics of 6 more on the way to the ground
-void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
-  stamp(0);
   kinematics_base_yaw(w);
   kinematics_shoulder_pitch(w);
   kinematics_upper_arm_roll(w);
@@ -755,9 +712,6 @@ constexpr std::array<Range, 4> kRanges_0{ {{0, 6}, {0, 6}, {0, 6}, {0, 6}} };
 constexpr std::array<Range, 4> kRanges_1{ {{0, 8}, {0, 8}, {6, 3}, {6, 3}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
     {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {11, kStages_0.data()}},
-    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}, {8, kStages_1.data()}},
-} };
-
-}  // namespace
+    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}, {8, kStages_1.data()}}}};
 
 #include "adagen/whole_mpi.hpp"

@@ -1,37 +1,23 @@
-// Forward dynamics of "arm7" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
+// Forward dynamics of "arm7" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 1 --shape=unrolled --name=arm7_unrolled
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
-// options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// links     adagen_program.cpp
+// options   form segment (articulated-body algorithm), shape unrolled (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// links     adagen_program.cpp; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes arm7_unrolled_p1.h
 // program   1 process; 0.217 us predicted (default profile)
 //           process 0: left_finger_slide | right_finger_slide in 2 lanes, base_yaw .. flange_roll
-// method    articulated-body algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
-// licence   yours to choose: generated code belongs to its user
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// arm7_unrolled_p1.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
-
-#if __has_include("arm7_unrolled_p1.h")
 #include "arm7_unrolled_p1.h"
-#define ADAGEN_HEADER
-#endif
 #define ADAGEN_CALL(word) arm7_unrolled_p1_##word
 #define ADAGEN_NAMED(WORD) ARM7_UNROLLED_P1_##WORD
-
-// ---- 2. model -----------------------------------------------------------------------------------
-
-#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #include "adagen/settings.hpp"
 
 struct arm7_unrolled_p1_settings : PlainSettings {
-  static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
+  static constexpr int kVersion = 100, kJointCount = 9, kNq = 9, kNv = 9;
   [[maybe_unused]] static constexpr const char* kRobot = "arm7";
 };
 
 #include "adagen/constants.hpp"
-
-namespace {
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"pedestal", 0.0, {0.0, 0.0, 0.0}},
@@ -52,8 +38,7 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"left_finger", 0.05, {0.03, 0.0, 0.01},
      {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}},
     {"right_finger", 0.05, {0.03, 0.0, 0.01},
-     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}},
-} };
+     {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05}}}};
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"base_yaw", JointKind::kRevolute, 0, 0, 1, 0, 1,
@@ -73,12 +58,9 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"left_finger_slide", JointKind::kPrismatic, 7, 7, 1, 7, 1,
      {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}},
     {"right_finger_slide", JointKind::kPrismatic, 7, 8, 1, 8, 1,
-     {0.0, -0.9999999999964793, -2.65358979335273e-06, 0.0, 2.65358979335273e-06, -0.9999999999964793, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}},
-} };
+     {0.0, -0.9999999999964793, -2.65358979335273e-06, 0.0, 2.65358979335273e-06, -0.9999999999964793, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}}}};
 
-}  // namespace
-
-// ---- 3. functions -------------------------------------------------------------------------------
+// ---- functions ----------------------------------------------------------------------------------
 
 #include "adagen/far_angles.hpp"
 #include "adagen/kernels/lanes.hpp"
@@ -948,7 +930,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   put(x3237, w.lanes.data() + 0);
 }
 
-// ---- 4. processes -------------------------------------------------------------------------------
+// ---- processes ----------------------------------------------------------------------------------
 
 // Process 0: 9 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll", "wrist_pitch", ...
 constexpr std::array<int, 9> kRead_0{0, 1, 2, 3, 4, 5, 6, 7, 8};
@@ -957,7 +939,6 @@ constexpr std::array<int, 7> kAngles_0{0, 1, 2, 3, 4, 5, 6};
 
 ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
-  stamp(0);
   if (!all(unlike_zero(q + 0, 1) == 0))
     name_what_is_not_finite(w, kRead_0, kOwned_0);
   take_sines_and_cosines(q, kAngles_0, w.sine.data(), w.cosine.data());
@@ -976,9 +957,9 @@ ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] C
   w.qdd[8] = w.lanes[1];
 }
 
-[[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 8, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1}} };
-[[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
 
 }  // namespace
+
+[[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 8, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1}} };
 
 #include "adagen/whole_alone.hpp"

@@ -1,38 +1,26 @@
-// Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
+// Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 2 --shape=unrolled --form=ada --name=arm7_unrolled
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
-// options   form ada, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// links     adagen_program.cpp -DADAGEN_MPI
+// options   form ada (assembly-disassembly algorithm), shape unrolled (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes arm7_unrolled_p2.h
 // program   2 processes, joined at cuts; 0.514 us predicted (default profile)
 //           process 0: base_yaw .. wrist_pitch
 //           process 1: flange_roll .. right_finger_slide
 // schedule  wrist_pitch@0-1(forearm_roll@0(elbow_pitch(upper_arm_roll(shoulder_pitch(base_yaw|)|)|)|) | flange_roll@1(|left_finger_slide(right_finger_slide|)))
-// method    assembly-disassembly algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
-// licence   yours to choose: generated code belongs to its user
 //
 // Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
 // bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
 // to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down.
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// arm7_unrolled_p2.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
-
-#if __has_include("arm7_unrolled_p2.h")
 #include "arm7_unrolled_p2.h"
-#define ADAGEN_HEADER
-#endif
 #define ADAGEN_CALL(word) arm7_unrolled_p2_##word
 #define ADAGEN_NAMED(WORD) ARM7_UNROLLED_P2_##WORD
-
-// ---- 2. model -----------------------------------------------------------------------------------
-
-#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
 #include "adagen/settings.hpp"
 
 struct arm7_unrolled_p2_settings : PlainSettings {
-  static constexpr int kJointCount = 9, kNq = 9, kNv = 9;
+  static constexpr int kVersion = 100, kJointCount = 9, kNq = 9, kNv = 9;
   [[maybe_unused]] static constexpr const char* kRobot = "arm7";
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
@@ -41,8 +29,6 @@ struct arm7_unrolled_p2_settings : PlainSettings {
 };
 
 #include "adagen/constants.hpp"
-
-namespace {
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"pedestal", 0.0, {0.0, 0.0, 0.0}},
@@ -72,8 +58,7 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
      {300000.3000003, 0.0, 0.0, 0.0, 59999.880000239995, 0.0, 0.0, 0.0, 59999.880000239995}},
     {"right_finger", 0.05, {0.03, 0.0, 0.01},
      {3.33333e-06, 0.0, 0.0, 0.0, 1.66667e-05, 0.0, 0.0, 0.0, 1.66667e-05},
-     {300000.3000003, 0.0, 0.0, 0.0, 59999.880000239995, 0.0, 0.0, 0.0, 59999.880000239995}},
-} };
+     {300000.3000003, 0.0, 0.0, 0.0, 59999.880000239995, 0.0, 0.0, 0.0, 59999.880000239995}}}};
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"base_yaw", JointKind::kRevolute, 0, 0, 1, 0, 1,
@@ -93,19 +78,15 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"left_finger_slide", JointKind::kPrismatic, 7, 7, 1, 7, 1,
      {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}},
     {"right_finger_slide", JointKind::kPrismatic, 7, 8, 1, 8, 1,
-     {0.0, -0.9999999999964793, -2.65358979335273e-06, 0.0, 2.65358979335273e-06, -0.9999999999964793, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}},
-} };
+     {0.0, -0.9999999999964793, -2.65358979335273e-06, 0.0, 2.65358979335273e-06, -0.9999999999964793, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.13}}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 4> kMessages{ {
     {1, 0, 42},  // 0: assembled: chain of "flange_roll"
     {0, 1, 6},  // 1: forces on: chain of "flange_roll"
     {0, 1, 21},  // 2: state
-    {1, 0, 3},  // 3: accelerations
-} };
+    {1, 0, 3}}};  // 3: accelerations
 
-}  // namespace
-
-// ---- 3. functions -------------------------------------------------------------------------------
+// ---- functions ----------------------------------------------------------------------------------
 
 #include "adagen/channel.hpp"
 #include "adagen/unrolled_memory.hpp"
@@ -2662,7 +2643,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_2(Workspace& w) {
   w.result[8] = x4218;
 }
 
-// ---- 4. processes -------------------------------------------------------------------------------
+// ---- processes ----------------------------------------------------------------------------------
 
 // Process 0: 6 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll", "wrist_pitch"
 constexpr std::array<int, 6> kRead_0{0, 1, 2, 3, 4, 5};
@@ -2670,7 +2651,6 @@ constexpr std::array<int, 6> kOwned_0{0, 1, 2, 3, 4, 5};
 
 ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
-  stamp(0);
   if (!all(unlike_zero(q + 0, 6) + unlike_zero(v + 0, 6) + unlike_zero(tau + 0, 6) == 0))
     name_what_is_not_finite(w, kRead_0, kOwned_0);
   w.to[1] = channel.outgoing(1, w.status);
@@ -2699,7 +2679,6 @@ constexpr std::array<int, 3> kOwned_1{6, 7, 8};
 
 ADAGEN_AS_IT_STANDS void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
-  stamp(0);
   if (!all(unlike_zero(q + 0, 9) + unlike_zero(v + 0, 9) + unlike_zero(tau + 6, 3) == 0))
     name_what_is_not_finite(w, kRead_1, kOwned_1);
   w.to[0] = channel.outgoing(0, w.status);
@@ -2719,6 +2698,9 @@ ADAGEN_AS_IT_STANDS void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] C
   std::copy_n(w.result.data() + 6, 3, w.qdd + 6);
 }
 
+
+}  // namespace
+
 [[maybe_unused]] constexpr std::array<StageInfo, 7> kStages_0{ {
     {"kinematics", 5, -1}, {"assembly", 4, -1}, {"receive", -1, 0}, {"assembly", 5, -1},
     {"disassembly", 5, -1}, {"send", -1, 1}, {"disassembly", 4, -1}
@@ -2733,9 +2715,6 @@ constexpr std::array<Range, 4> kRanges_0{ {{0, 6}, {0, 6}, {0, 6}, {0, 6}} };
 constexpr std::array<Range, 4> kRanges_1{ {{0, 9}, {0, 9}, {6, 3}, {6, 3}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
     {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {7, kStages_0.data()}},
-    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}, {5, kStages_1.data()}},
-} };
-
-}  // namespace
+    {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}, {5, kStages_1.data()}}}};
 
 #include "adagen/whole_mpi.hpp"

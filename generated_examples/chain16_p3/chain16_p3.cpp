@@ -1,16 +1,14 @@
-// Forward dynamics of "chain16" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
+// Forward dynamics of "chain16" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // command   adagen ../models/chain16.urdf --procs 3 --schedule=balanced --shape=kernels
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
-// options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// links     adagen_program.cpp -DADAGEN_MPI
+// options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes chain16_p3.h
 // program   3 processes, joined at cuts; 1.14 us predicted (default profile)
 //           process 0: joint01 .. joint08
 //           process 1: joint09 .. joint12
 //           process 2: joint13 .. joint16
 // schedule  joint08@0-2(joint04@0(joint02(joint01 | joint03) | joint06(joint05 | joint07)) | joint12@1-2(joint10@1(joint09 | joint11) | joint14@2(joint13 | joint15(|joint16))))
-// method    articulated-body algorithm; spatial vectors [angular; linear] in the axes of the base, about each link's origin
-// licence   yours to choose: generated code belongs to its user
 //
 // Each process solves a segment of the robot with the articulated-body algorithm: the articulated-body
 // inertias I^A and bias forces p^A (IA, pA) are computed from the ends to the segment's root, then the
@@ -19,34 +17,24 @@
 // a cut; joint i joins chain A (on its parent link's side) and chain B (on its child link's side), Eq.
 // (3)-(7), and its force follows from Eq. (8)-(10).
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// chain16_p3.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
-
-#if __has_include("chain16_p3.h")
 #include "chain16_p3.h"
-#define ADAGEN_HEADER
-#endif
 #define ADAGEN_CALL(word) chain16_p3_##word
 #define ADAGEN_NAMED(WORD) CHAIN16_P3_##WORD
-
-// ---- 2. model -----------------------------------------------------------------------------------
-
-#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
-#include "adagen/settings.hpp"
+#include "adagen/kernels/plain_layout.hpp"
 
-struct chain16_p3_settings : PlainSettings {
-  static constexpr int kJointCount = 16, kNq = 16, kNv = 16;
+struct chain16_p3_settings : PlainLayout<16> {
+  static constexpr int kVersion = 100, kJointCount = 16, kNq = 16, kNv = 16;
   [[maybe_unused]] static constexpr const char* kRobot = "chain16";
   static constexpr int kProcesses = 3;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 4;
   [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
+  static constexpr bool kByColumns = true;
+  static constexpr bool kCarriesAlong = true;
 };
 
 #include "adagen/kernels/model.hpp"
-
-namespace {
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"ceiling", 0.0, {0.0, 0.0, 0.0}},
@@ -81,8 +69,7 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"rod15", 1.0, {0.0, 0.0, -0.2},
      {0.0134333, 0.0, 0.0, 0.0, 0.0134333, 0.0, 0.0, 0.0, 0.0002}},
     {"rod16", 1.0, {0.0, -0.2, 0.0},
-     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333}},
-} };
+     {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333}}}};
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"joint01", JointKind::kRevolute, 0, 0, 1, 0, 1,
@@ -116,8 +103,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"joint15", JointKind::kRevolute, 14, 14, 1, 14, 1,
      {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.4, 0.0, 0.0}},
     {"joint16", JointKind::kRevolute, 15, 15, 1, 15, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, -0.4}},
-} };
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, -0.4}}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 8> kMessages{ {
     {2, 1, 42},  // 0: assembled: chain of "joint14"
@@ -127,8 +113,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {0, 1, 28},  // 4: state
     {1, 0, 4},  // 5: accelerations
     {0, 2, 36},  // 6: state
-    {2, 0, 4},  // 7: accelerations
-} };
+    {2, 0, 4}}};  // 7: accelerations
 
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {1.0, {0.0, -0.2, 0.0},
@@ -162,23 +147,14 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {1.0, {0.0, 0.0, -0.2},
      {0.0001, 0.0, 0.0, 0.0001, 0.0, 0.05333330000000001}},
     {1.0, {0.0, -0.2, 0.0},
-     {0.0001, 0.0, 0.0, 0.05333330000000001, 0.0, 0.0001}},
-} };
-
-struct Layout : PlainLayout {
-  static constexpr bool kByColumns = true;
-  static constexpr bool kCarriesAlong = true;
-};
+     {0.0001, 0.0, 0.0, 0.05333330000000001, 0.0, 0.0001}}}};
 
 constexpr LinkRole kRoles[3][kLinkCount]{
     {{1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
-    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
-};
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}}};
 
-}  // namespace
-
-// ---- 3. functions -------------------------------------------------------------------------------
+// ---- functions ----------------------------------------------------------------------------------
 
 #include "adagen/spatial.hpp"
 #include "adagen/joins.hpp"
@@ -241,16 +217,13 @@ struct Cuts {
 #include "adagen/kernels/inward_carrying.hpp"
 #include "adagen/exchange.hpp"
 
-namespace {
-
-// ---- 4. processes -------------------------------------------------------------------------------
+// ---- processes ----------------------------------------------------------------------------------
 
 // Process 0: 8 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint05", "joint06", ...
-void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.q, 0, 8, &JointConstants::q, kNotFinite);
   require_finite(w, w.v, 0, 8, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 0, 8, &JointConstants::v, kNotFinite);
-  stamp(0);
   std::copy_n(w.q + 0, 8, w.angle.data() + 0);
   turn<block(0), block(7) + 1>(w);
   outward<0, 7>(w);  // "joint01" .. "joint08"
@@ -302,11 +275,10 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 // Process 1: 4 of 16 joints: "joint09", "joint10", "joint11", "joint12"; kinematics of 8 more on the way to the ground
-void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.q, 0, 12, &JointConstants::q, kNotFinite);
   require_finite(w, w.v, 0, 12, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 8, 4, &JointConstants::v, kNotFinite);
-  stamp(0);
   std::copy_n(w.q + 0, 12, w.angle.data() + 0);
   turn<block(0), block(11) + 1>(w);
   pass_outward<0, 7>(w);  // "joint01" .. "joint08"
@@ -379,11 +351,10 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 // Process 2: 4 of 16 joints: "joint13", "joint14", "joint15", "joint16"; kinematics of 12 more on the way to the ground
-void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.q, 0, 16, &JointConstants::q, kNotFinite);
   require_finite(w, w.v, 0, 16, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 12, 4, &JointConstants::v, kNotFinite);
-  stamp(0);
   std::copy_n(w.q + 0, 16, w.angle.data() + 0);
   turn<block(0), block(15) + 1>(w);
   pass_outward<0, 11>(w);  // "joint01" .. "joint12"
@@ -435,9 +406,6 @@ constexpr std::array<Range, 4> kRanges_2{ {{0, 16}, {0, 16}, {12, 4}, {12, 4}} }
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
     {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {7, kStages_0.data()}},
     {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}, {9, kStages_1.data()}},
-    {{1, kRanges_2.data()}, {1, kRanges_2.data() + 1}, {1, kRanges_2.data() + 2}, {1, kRanges_2.data() + 3}, {5, kStages_2.data()}},
-} };
-
-}  // namespace
+    {{1, kRanges_2.data()}, {1, kRanges_2.data() + 1}, {1, kRanges_2.data() + 2}, {1, kRanges_2.data() + 3}, {5, kStages_2.data()}}}};
 
 #include "adagen/whole_mpi.hpp"

@@ -1,40 +1,28 @@
-// Forward dynamics of "chain16" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
+// Forward dynamics of "chain16" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // command   adagen ../models/chain16.urdf --procs 4 --form=ada --channel=message
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
-// options   form ada, shape joints, scalar double, channel message, fixed base, gravity 0.0, 0.0, -9.81
-// links     adagen_program.cpp -DADAGEN_MPI
+// options   form ada (assembly-disassembly algorithm), shape joints (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel message, fixed base, gravity 0.0, 0.0, -9.81
+// links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes chain16_p4.h
 // program   4 processes, joined at cuts; 2.07 us predicted (default profile)
 //           process 0: joint01 .. joint07, joint10
 //           process 1: joint08 .. joint09
 //           process 2: joint11 .. joint13
 //           process 3: joint14 .. joint16
 // schedule  joint10@0-3(joint07@0-1(joint06@0(joint05(joint04(joint03(joint02(joint01|)|)|)|)|) | joint08@1(|joint09)) | joint13@2-3(joint11@2(|joint12) | joint14@3(|joint15(|joint16))))
-// method    assembly-disassembly algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
-// licence   yours to choose: generated code belongs to its user
 //
 // Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
 // bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
 // to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down.
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// chain16_p4.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
-
-#if __has_include("chain16_p4.h")
 #include "chain16_p4.h"
-#define ADAGEN_HEADER
-#endif
 #define ADAGEN_CALL(word) chain16_p4_##word
 #define ADAGEN_NAMED(WORD) CHAIN16_P4_##WORD
-
-// ---- 2. model -----------------------------------------------------------------------------------
-
-#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
 #include "adagen/settings.hpp"
 
 struct chain16_p4_settings : PlainSettings {
-  static constexpr int kJointCount = 16, kNq = 16, kNv = 16;
+  static constexpr int kVersion = 100, kJointCount = 16, kNq = 16, kNv = 16;
   [[maybe_unused]] static constexpr const char* kRobot = "chain16";
   [[maybe_unused]] static constexpr const char* kChannel = "message";
   static constexpr int kProcesses = 4;
@@ -44,8 +32,6 @@ struct chain16_p4_settings : PlainSettings {
 };
 
 #include "adagen/constants.hpp"
-
-namespace {
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"ceiling", 0.0, {0.0, 0.0, 0.0}},
@@ -96,8 +82,7 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
      {74.44187206419866, 0.0, 0.0, 0.0, 74.44187206419866, 0.0, 0.0, 0.0, 5000.0}},
     {"rod16", 1.0, {0.0, -0.2, 0.0},
      {0.0134333, 0.0, 0.0, 0.0, 0.0002, 0.0, 0.0, 0.0, 0.0134333},
-     {74.44187206419866, 0.0, 0.0, 0.0, 5000.0, 0.0, 0.0, 0.0, 74.44187206419866}},
-} };
+     {74.44187206419866, 0.0, 0.0, 0.0, 5000.0, 0.0, 0.0, 0.0, 74.44187206419866}}}};
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"joint01", JointKind::kRevolute, 0, 0, 1, 0, 1,
@@ -131,8 +116,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"joint15", JointKind::kRevolute, 14, 14, 1, 14, 1,
      {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.4, 0.0, 0.0}},
     {"joint16", JointKind::kRevolute, 15, 15, 1, 15, 1,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, -0.4}},
-} };
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, -0.4}}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 12> kMessages{ {
     {1, 0, 120},  // 0: assembled: chain of "joint08"
@@ -146,14 +130,10 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {0, 2, 29},  // 8: state
     {2, 0, 3},  // 9: accelerations
     {0, 3, 35},  // 10: state
-    {3, 0, 3},  // 11: accelerations
-} };
+    {3, 0, 3}}};  // 11: accelerations
 
-}  // namespace
+// ---- functions ----------------------------------------------------------------------------------
 
-// ---- 3. functions -------------------------------------------------------------------------------
-
-#include "adagen/spatial.hpp"
 #include "adagen/joins.hpp"
 #include "adagen/channel.hpp"
 #include "adagen/joints_memory.hpp"
@@ -372,8 +352,6 @@ struct Workspace : JointsMemory {
 #include "adagen/memory.hpp"
 #include "adagen/exchange.hpp"
 
-namespace {
-
 const Mat6 kPhi_rod01 = symmetric({74.44187206419866, 0.0, 0.0, 0.0, 0.0, 14.888374412839735, 5000.0, 0.0, 0.0, 0.0, 0.0, 74.44187206419866, -14.888374412839735, 0.0, 0.0, 3.977674882567947, 0.0, 0.0, 1.0, 0.0, 3.977674882567947});
 const Mat6 kPhi_rod02 = symmetric({5000.0, 0.0, 0.0, 0.0, 0.0, 0.0, 74.44187206419866, 0.0, 0.0, 0.0, -14.888374412839735, 74.44187206419866, 0.0, 14.888374412839735, 0.0, 1.0, 0.0, 0.0, 3.977674882567947, 0.0, 3.977674882567947});
 const Mat6 kPhi_rod03 = symmetric({74.44187206419866, 0.0, 0.0, 0.0, -14.888374412839735, 0.0, 74.44187206419866, 0.0, 14.888374412839735, 0.0, 0.0, 5000.0, 0.0, 0.0, 0.0, 3.977674882567947, 0.0, 0.0, 3.977674882567947, 0.0, 1.0});
@@ -393,20 +371,18 @@ const Mat6 kPhi_rod16 = symmetric({74.44187206419866, 0.0, 0.0, 0.0, 0.0, 14.888
 
 // ---- joint 0 "joint01": revolute, between links "ceiling" and "rod01"
 
-void kinematics_joint01(Workspace& w) {
+static void kinematics_joint01(Workspace& w) {
   auto& i = w.j_joint01;
   require_finite(w, w.q + 0, 1, 0);
   require_finite(w, w.v + 0, 1, 0);
   const Real q = Real(w.q[0]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, 0.0;
   i.v = joint_velocity<Revolute>(w.v + 0);
 }
 
 // A: the ground "ceiling"; B: link "rod01"; C feels the joint at "rod01"
-void assemble_joint01(Workspace& w) {
+static void assemble_joint01(Workspace& w) {
   auto& i = w.j_joint01;
   load_torque(w, 0, 0, i.joined.tau);
   const Columns6 c = Columns6::Zero();
@@ -420,7 +396,7 @@ void assemble_joint01(Workspace& w) {
   i.b_rod01 = w.j_joint01.b + bias_change(i.joined, i.at_rod01);  // Eq. (7)
 }
 
-void disassemble_joint01(Workspace& w) {
+static void disassemble_joint01(Workspace& w) {
   auto& i = w.j_joint01;
   Release<Revolute> release(i.joined);
   release.feel_B(i.at_rod01, w.j_joint01.F_on_rod01);
@@ -430,20 +406,18 @@ void disassemble_joint01(Workspace& w) {
 
 // ---- joint 1 "joint02": revolute, between links "rod01" and "rod02"
 
-void kinematics_joint02(Workspace& w) {
+static void kinematics_joint02(Workspace& w) {
   auto& i = w.j_joint02;
   require_finite(w, w.q + 1, 1, 1);
   require_finite(w, w.v + 1, 1, 1);
   const Real q = Real(w.q[1]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << 0.0, -0.4, 0.0;
   i.v = i.X * w.j_joint01.v + joint_velocity<Revolute>(w.v + 1);
 }
 
 // A: the chain of "joint01"; B: link "rod02"; C feels the joint at "rod02"
-void assemble_joint02(Workspace& w) {
+static void assemble_joint02(Workspace& w) {
   auto& i = w.j_joint02;
   load_torque(w, 1, 1, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_joint01.Phi_rod01;
@@ -459,7 +433,7 @@ void assemble_joint02(Workspace& w) {
   i.b_rod02 = w.j_joint02.b + bias_change(i.joined, i.at_rod02);  // Eq. (7)
 }
 
-void disassemble_joint02(Workspace& w) {
+static void disassemble_joint02(Workspace& w) {
   auto& i = w.j_joint02;
   Release<Revolute> release(i.joined);
   release.feel_B(i.at_rod02, w.j_joint02.F_on_rod02);
@@ -470,20 +444,18 @@ void disassemble_joint02(Workspace& w) {
 
 // ---- joint 2 "joint03": revolute, between links "rod02" and "rod03"
 
-void kinematics_joint03(Workspace& w) {
+static void kinematics_joint03(Workspace& w) {
   auto& i = w.j_joint03;
   require_finite(w, w.q + 2, 1, 2);
   require_finite(w, w.v + 2, 1, 2);
   const Real q = Real(w.q[2]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << -0.4, 0.0, 0.0;
   i.v = i.X * w.j_joint02.v + joint_velocity<Revolute>(w.v + 2);
 }
 
 // A: the chain of "joint02"; B: link "rod03"; C feels the joint at "rod03"
-void assemble_joint03(Workspace& w) {
+static void assemble_joint03(Workspace& w) {
   auto& i = w.j_joint03;
   load_torque(w, 2, 2, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_joint02.Phi_rod02;
@@ -499,7 +471,7 @@ void assemble_joint03(Workspace& w) {
   i.b_rod03 = w.j_joint03.b + bias_change(i.joined, i.at_rod03);  // Eq. (7)
 }
 
-void disassemble_joint03(Workspace& w) {
+static void disassemble_joint03(Workspace& w) {
   auto& i = w.j_joint03;
   Release<Revolute> release(i.joined);
   release.feel_B(i.at_rod03, w.j_joint03.F_on_rod03);
@@ -510,20 +482,18 @@ void disassemble_joint03(Workspace& w) {
 
 // ---- joint 3 "joint04": revolute, between links "rod03" and "rod04"
 
-void kinematics_joint04(Workspace& w) {
+static void kinematics_joint04(Workspace& w) {
   auto& i = w.j_joint04;
   require_finite(w, w.q + 3, 1, 3);
   require_finite(w, w.v + 3, 1, 3);
   const Real q = Real(w.q[3]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, -0.4;
   i.v = i.X * w.j_joint03.v + joint_velocity<Revolute>(w.v + 3);
 }
 
 // A: the chain of "joint03"; B: link "rod04"; C feels the joint at "rod04"
-void assemble_joint04(Workspace& w) {
+static void assemble_joint04(Workspace& w) {
   auto& i = w.j_joint04;
   load_torque(w, 3, 3, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_joint03.Phi_rod03;
@@ -539,7 +509,7 @@ void assemble_joint04(Workspace& w) {
   i.b_rod04 = w.j_joint04.b + bias_change(i.joined, i.at_rod04);  // Eq. (7)
 }
 
-void disassemble_joint04(Workspace& w) {
+static void disassemble_joint04(Workspace& w) {
   auto& i = w.j_joint04;
   Release<Revolute> release(i.joined);
   release.feel_B(i.at_rod04, w.j_joint04.F_on_rod04);
@@ -550,20 +520,18 @@ void disassemble_joint04(Workspace& w) {
 
 // ---- joint 4 "joint05": revolute, between links "rod04" and "rod05"
 
-void kinematics_joint05(Workspace& w) {
+static void kinematics_joint05(Workspace& w) {
   auto& i = w.j_joint05;
   require_finite(w, w.q + 4, 1, 4);
   require_finite(w, w.v + 4, 1, 4);
   const Real q = Real(w.q[4]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << 0.0, -0.4, 0.0;
   i.v = i.X * w.j_joint04.v + joint_velocity<Revolute>(w.v + 4);
 }
 
 // A: the chain of "joint04"; B: link "rod05"; C feels the joint at "rod05"
-void assemble_joint05(Workspace& w) {
+static void assemble_joint05(Workspace& w) {
   auto& i = w.j_joint05;
   load_torque(w, 4, 4, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_joint04.Phi_rod04;
@@ -579,7 +547,7 @@ void assemble_joint05(Workspace& w) {
   i.b_rod05 = w.j_joint05.b + bias_change(i.joined, i.at_rod05);  // Eq. (7)
 }
 
-void disassemble_joint05(Workspace& w) {
+static void disassemble_joint05(Workspace& w) {
   auto& i = w.j_joint05;
   Release<Revolute> release(i.joined);
   release.feel_B(i.at_rod05, w.j_joint05.F_on_rod05);
@@ -590,20 +558,18 @@ void disassemble_joint05(Workspace& w) {
 
 // ---- joint 5 "joint06": revolute, between links "rod05" and "rod06"
 
-void kinematics_joint06(Workspace& w) {
+static void kinematics_joint06(Workspace& w) {
   auto& i = w.j_joint06;
   require_finite(w, w.q + 5, 1, 5);
   require_finite(w, w.v + 5, 1, 5);
   const Real q = Real(w.q[5]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << -0.4, 0.0, 0.0;
   i.v = i.X * w.j_joint05.v + joint_velocity<Revolute>(w.v + 5);
 }
 
 // A: the chain of "joint05"; B: link "rod06"; C feels the joint at "rod06"
-void assemble_joint06(Workspace& w) {
+static void assemble_joint06(Workspace& w) {
   auto& i = w.j_joint06;
   load_torque(w, 5, 5, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_joint05.Phi_rod05;
@@ -619,7 +585,7 @@ void assemble_joint06(Workspace& w) {
   i.b_rod06 = w.j_joint06.b + bias_change(i.joined, i.at_rod06);  // Eq. (7)
 }
 
-void disassemble_joint06(Workspace& w) {
+static void disassemble_joint06(Workspace& w) {
   auto& i = w.j_joint06;
   Release<Revolute> release(i.joined);
   release.feel_B(i.at_rod06, w.j_joint06.F_on_rod06);
@@ -630,20 +596,18 @@ void disassemble_joint06(Workspace& w) {
 
 // ---- joint 6 "joint07": revolute, between links "rod06" and "rod07"
 
-void kinematics_joint07(Workspace& w) {
+static void kinematics_joint07(Workspace& w) {
   auto& i = w.j_joint07;
   require_finite(w, w.q + 6, 1, 6);
   require_finite(w, w.v + 6, 1, 6);
   const Real q = Real(w.q[6]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, -0.4;
   i.v = i.X * w.j_joint06.v + joint_velocity<Revolute>(w.v + 6);
 }
 
 // A: the chain of "joint06"; B: the chain of "joint08"; C feels the joint at "rod09"
-void assemble_joint07(Workspace& w) {
+static void assemble_joint07(Workspace& w) {
   auto& i = w.j_joint07;
   load_torque(w, 6, 6, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_joint06.Phi_rod06;
@@ -659,7 +623,7 @@ void assemble_joint07(Workspace& w) {
   i.b_rod09 = w.j_joint08.b_rod09 + bias_change(i.joined, i.at_rod09);  // Eq. (7)
 }
 
-void disassemble_joint07(Workspace& w) {
+static void disassemble_joint07(Workspace& w) {
   auto& i = w.j_joint07;
   Release<Revolute> release(i.joined);
   release.feel_B(i.at_rod09, w.j_joint07.F_on_rod09);
@@ -671,20 +635,18 @@ void disassemble_joint07(Workspace& w) {
 
 // ---- joint 7 "joint08": revolute, between links "rod07" and "rod08"
 
-void kinematics_joint08(Workspace& w) {
+static void kinematics_joint08(Workspace& w) {
   auto& i = w.j_joint08;
   require_finite(w, w.q + 7, 1, 7);
   require_finite(w, w.v + 7, 1, 7);
   const Real q = Real(w.q[7]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << 0.0, -0.4, 0.0;
   i.v = i.X * w.j_joint07.v + joint_velocity<Revolute>(w.v + 7);
 }
 
 // A: link "rod07"; B: the chain of "joint09"; C feels the joint at "rod07", "rod09"
-void assemble_joint08(Workspace& w) {
+static void assemble_joint08(Workspace& w) {
   auto& i = w.j_joint08;
   load_torque(w, 7, 7, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_rod07;
@@ -704,7 +666,7 @@ void assemble_joint08(Workspace& w) {
   i.b_rod09 = w.j_joint09.b_rod09 + bias_change(i.joined, i.at_rod09);  // Eq. (7)
 }
 
-void disassemble_joint08(Workspace& w) {
+static void disassemble_joint08(Workspace& w) {
   auto& i = w.j_joint08;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_rod07, w.j_joint08.F_on_rod07);
@@ -716,20 +678,18 @@ void disassemble_joint08(Workspace& w) {
 
 // ---- joint 8 "joint09": revolute, between links "rod08" and "rod09"
 
-void kinematics_joint09(Workspace& w) {
+static void kinematics_joint09(Workspace& w) {
   auto& i = w.j_joint09;
   require_finite(w, w.q + 8, 1, 8);
   require_finite(w, w.v + 8, 1, 8);
   const Real q = Real(w.q[8]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << -0.4, 0.0, 0.0;
   i.v = i.X * w.j_joint08.v + joint_velocity<Revolute>(w.v + 8);
 }
 
 // A: link "rod08"; B: link "rod09"; C feels the joint at "rod08", "rod09"
-void assemble_joint09(Workspace& w) {
+static void assemble_joint09(Workspace& w) {
   auto& i = w.j_joint09;
   load_torque(w, 8, 8, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_rod08;
@@ -749,7 +709,7 @@ void assemble_joint09(Workspace& w) {
   i.b_rod09 = w.j_joint09.b + bias_change(i.joined, i.at_rod09);  // Eq. (7)
 }
 
-void disassemble_joint09(Workspace& w) {
+static void disassemble_joint09(Workspace& w) {
   auto& i = w.j_joint09;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_rod08, w.j_joint09.F_on_rod08);
@@ -760,20 +720,18 @@ void disassemble_joint09(Workspace& w) {
 
 // ---- joint 9 "joint10": revolute, between links "rod09" and "rod10"
 
-void kinematics_joint10(Workspace& w) {
+static void kinematics_joint10(Workspace& w) {
   auto& i = w.j_joint10;
   require_finite(w, w.q + 9, 1, 9);
   require_finite(w, w.v + 9, 1, 9);
   const Real q = Real(w.q[9]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, -0.4;
   i.v = i.X * w.j_joint09.v + joint_velocity<Revolute>(w.v + 9);
 }
 
 // A: the chain of "joint07"; B: the chain of "joint13"; C feels the joint at no link
-void assemble_joint10(Workspace& w) {
+static void assemble_joint10(Workspace& w) {
   auto& i = w.j_joint10;
   load_torque(w, 9, 9, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_joint07.Phi_rod09;
@@ -786,7 +744,7 @@ void assemble_joint10(Workspace& w) {
     fail(w, kFactorization, 9);
 }
 
-void disassemble_joint10(Workspace& w) {
+static void disassemble_joint10(Workspace& w) {
   auto& i = w.j_joint10;
   Release<Revolute> release(i.joined);
   const Columns6 f = release.force();  // Eq. (8), (10)
@@ -797,20 +755,18 @@ void disassemble_joint10(Workspace& w) {
 
 // ---- joint 10 "joint11": revolute, between links "rod10" and "rod11"
 
-void kinematics_joint11(Workspace& w) {
+static void kinematics_joint11(Workspace& w) {
   auto& i = w.j_joint11;
   require_finite(w, w.q + 10, 1, 10);
   require_finite(w, w.v + 10, 1, 10);
   const Real q = Real(w.q[10]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << 0.0, -0.4, 0.0;
   i.v = i.X * w.j_joint10.v + joint_velocity<Revolute>(w.v + 10);
 }
 
 // A: link "rod10"; B: the chain of "joint12"; C feels the joint at "rod10", "rod12"
-void assemble_joint11(Workspace& w) {
+static void assemble_joint11(Workspace& w) {
   auto& i = w.j_joint11;
   load_torque(w, 10, 10, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_rod10;
@@ -830,7 +786,7 @@ void assemble_joint11(Workspace& w) {
   i.b_rod12 = w.j_joint12.b_rod12 + bias_change(i.joined, i.at_rod12);  // Eq. (7)
 }
 
-void disassemble_joint11(Workspace& w) {
+static void disassemble_joint11(Workspace& w) {
   auto& i = w.j_joint11;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_rod10, w.j_joint13.F_on_rod10);
@@ -842,20 +798,18 @@ void disassemble_joint11(Workspace& w) {
 
 // ---- joint 11 "joint12": revolute, between links "rod11" and "rod12"
 
-void kinematics_joint12(Workspace& w) {
+static void kinematics_joint12(Workspace& w) {
   auto& i = w.j_joint12;
   require_finite(w, w.q + 11, 1, 11);
   require_finite(w, w.v + 11, 1, 11);
   const Real q = Real(w.q[11]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << -0.4, 0.0, 0.0;
   i.v = i.X * w.j_joint11.v + joint_velocity<Revolute>(w.v + 11);
 }
 
 // A: link "rod11"; B: link "rod12"; C feels the joint at "rod11", "rod12"
-void assemble_joint12(Workspace& w) {
+static void assemble_joint12(Workspace& w) {
   auto& i = w.j_joint12;
   load_torque(w, 11, 11, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_rod11;
@@ -875,7 +829,7 @@ void assemble_joint12(Workspace& w) {
   i.b_rod12 = w.j_joint12.b + bias_change(i.joined, i.at_rod12);  // Eq. (7)
 }
 
-void disassemble_joint12(Workspace& w) {
+static void disassemble_joint12(Workspace& w) {
   auto& i = w.j_joint12;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_rod11, w.j_joint12.F_on_rod11);
@@ -886,20 +840,18 @@ void disassemble_joint12(Workspace& w) {
 
 // ---- joint 12 "joint13": revolute, between links "rod12" and "rod13"
 
-void kinematics_joint13(Workspace& w) {
+static void kinematics_joint13(Workspace& w) {
   auto& i = w.j_joint13;
   require_finite(w, w.q + 12, 1, 12);
   require_finite(w, w.v + 12, 1, 12);
   const Real q = Real(w.q[12]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, -0.4;
   i.v = i.X * w.j_joint12.v + joint_velocity<Revolute>(w.v + 12);
 }
 
 // A: the chain of "joint11"; B: the chain of "joint14"; C feels the joint at "rod10"
-void assemble_joint13(Workspace& w) {
+static void assemble_joint13(Workspace& w) {
   auto& i = w.j_joint13;
   load_torque(w, 12, 12, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_joint11.Phi_rod12;
@@ -915,7 +867,7 @@ void assemble_joint13(Workspace& w) {
   i.b_rod10 = w.j_joint11.b_rod10 - bias_change(i.joined, i.at_rod10);  // Eq. (6)
 }
 
-void disassemble_joint13(Workspace& w) {
+static void disassemble_joint13(Workspace& w) {
   auto& i = w.j_joint13;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_rod10, w.j_joint13.F_on_rod10);
@@ -927,20 +879,18 @@ void disassemble_joint13(Workspace& w) {
 
 // ---- joint 13 "joint14": revolute, between links "rod13" and "rod14"
 
-void kinematics_joint14(Workspace& w) {
+static void kinematics_joint14(Workspace& w) {
   auto& i = w.j_joint14;
   require_finite(w, w.q + 13, 1, 13);
   require_finite(w, w.v + 13, 1, 13);
   const Real q = Real(w.q[13]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << 0.0, -0.4, 0.0;
   i.v = i.X * w.j_joint13.v + joint_velocity<Revolute>(w.v + 13);
 }
 
 // A: link "rod13"; B: the chain of "joint15"; C feels the joint at "rod13"
-void assemble_joint14(Workspace& w) {
+static void assemble_joint14(Workspace& w) {
   auto& i = w.j_joint14;
   load_torque(w, 13, 13, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_rod13;
@@ -956,7 +906,7 @@ void assemble_joint14(Workspace& w) {
   i.b_rod13 = w.j_joint13.b - bias_change(i.joined, i.at_rod13);  // Eq. (6)
 }
 
-void disassemble_joint14(Workspace& w) {
+static void disassemble_joint14(Workspace& w) {
   auto& i = w.j_joint14;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_rod13, w.j_joint14.F_on_rod13);
@@ -967,20 +917,18 @@ void disassemble_joint14(Workspace& w) {
 
 // ---- joint 14 "joint15": revolute, between links "rod14" and "rod15"
 
-void kinematics_joint15(Workspace& w) {
+static void kinematics_joint15(Workspace& w) {
   auto& i = w.j_joint15;
   require_finite(w, w.q + 14, 1, 14);
   require_finite(w, w.v + 14, 1, 14);
   const Real q = Real(w.q[14]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << -0.4, 0.0, 0.0;
   i.v = i.X * w.j_joint14.v + joint_velocity<Revolute>(w.v + 14);
 }
 
 // A: link "rod14"; B: the chain of "joint16"; C feels the joint at "rod14"
-void assemble_joint15(Workspace& w) {
+static void assemble_joint15(Workspace& w) {
   auto& i = w.j_joint15;
   load_torque(w, 14, 14, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_rod14;
@@ -996,7 +944,7 @@ void assemble_joint15(Workspace& w) {
   i.b_rod14 = w.j_joint14.b - bias_change(i.joined, i.at_rod14);  // Eq. (6)
 }
 
-void disassemble_joint15(Workspace& w) {
+static void disassemble_joint15(Workspace& w) {
   auto& i = w.j_joint15;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_rod14, w.j_joint15.F_on_rod14);
@@ -1007,20 +955,18 @@ void disassemble_joint15(Workspace& w) {
 
 // ---- joint 15 "joint16": revolute, between links "rod15" and "rod16"
 
-void kinematics_joint16(Workspace& w) {
+static void kinematics_joint16(Workspace& w) {
   auto& i = w.j_joint16;
   require_finite(w, w.q + 15, 1, 15);
   require_finite(w, w.v + 15, 1, 15);
   const Real q = Real(w.q[15]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, -0.4;
   i.v = i.X * w.j_joint15.v + joint_velocity<Revolute>(w.v + 15);
 }
 
 // A: link "rod15"; B: link "rod16"; C feels the joint at "rod15"
-void assemble_joint16(Workspace& w) {
+static void assemble_joint16(Workspace& w) {
   auto& i = w.j_joint16;
   load_torque(w, 15, 15, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_rod15;
@@ -1036,7 +982,7 @@ void assemble_joint16(Workspace& w) {
   i.b_rod15 = w.j_joint15.b - bias_change(i.joined, i.at_rod15);  // Eq. (6)
 }
 
-void disassemble_joint16(Workspace& w) {
+static void disassemble_joint16(Workspace& w) {
   auto& i = w.j_joint16;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_rod15, w.j_joint16.F_on_rod15);
@@ -1044,13 +990,11 @@ void disassemble_joint16(Workspace& w) {
   store_acceleration(w, 15, 15, release.qdd());  // Eq. (9)
 }
 
-
-// ---- 4. processes -------------------------------------------------------------------------------
+// ---- processes ----------------------------------------------------------------------------------
 
 // Process 0: 8 of 16 joints: "joint01", "joint02", "joint03", "joint04", "joint05", "joint06", ...; kinematics of 2 more on the way to the ground
-void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
-  stamp(0);
   kinematics_joint01(w);
   kinematics_joint02(w);
   kinematics_joint03(w);
@@ -1121,9 +1065,8 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 // Process 1: 2 of 16 joints: "joint08", "joint09"; kinematics of 7 more on the way to the ground
-void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
-  stamp(0);
   kinematics_joint01(w);
   kinematics_joint02(w);
   kinematics_joint03(w);
@@ -1162,9 +1105,8 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 // Process 2: 3 of 16 joints: "joint11", "joint12", "joint13"; kinematics of 10 more on the way to the ground
-void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
-  stamp(0);
   kinematics_joint01(w);
   kinematics_joint02(w);
   kinematics_joint03(w);
@@ -1219,9 +1161,8 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 // Process 3: 3 of 16 joints: "joint14", "joint15", "joint16"; kinematics of 13 more on the way to the ground
-void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
-  stamp(0);
   kinematics_joint01(w);
   kinematics_joint02(w);
   kinematics_joint03(w);
@@ -1293,9 +1234,6 @@ constexpr std::array<Range, 4> kRanges_3{ {{0, 16}, {0, 16}, {13, 3}, {13, 3}} }
     {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {2, kRanges_0.data() + 2}, {2, kRanges_0.data() + 4}, {11, kStages_0.data()}},
     {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}, {5, kStages_1.data()}},
     {{1, kRanges_2.data()}, {1, kRanges_2.data() + 1}, {1, kRanges_2.data() + 2}, {1, kRanges_2.data() + 3}, {9, kStages_2.data()}},
-    {{1, kRanges_3.data()}, {1, kRanges_3.data() + 1}, {1, kRanges_3.data() + 2}, {1, kRanges_3.data() + 3}, {5, kStages_3.data()}},
-} };
-
-}  // namespace
+    {{1, kRanges_3.data()}, {1, kRanges_3.data() + 1}, {1, kRanges_3.data() + 2}, {1, kRanges_3.data() + 3}, {5, kStages_3.data()}}}};
 
 #include "adagen/whole_mpi.hpp"

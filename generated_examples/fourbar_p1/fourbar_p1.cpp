@@ -1,43 +1,29 @@
-// Forward dynamics of "fourbar" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
+// Forward dynamics of "fourbar" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "fourbar", 3 joints, 3 degrees of freedom, description sha256 4800d9bbec7e9c8eaf1d028c5dcc2b2c9b4ac7410509da822ae29051a7391834
 // command   adagen ../models/fourbar.urdf --scene=../models/fourbar.toml --procs 1
 // input     scene, sha256 0325233a36e76e4c778daddeedd8a5bf9b6954f1680ed02dfb94e4ffe29019ee
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
-// options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// links     adagen_program.cpp
+// options   form segment (articulated-body algorithm), shape unrolled (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// links     adagen_program.cpp; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes fourbar_p1.h
 // program   1 process; 0.0535 us predicted (default profile)
 //           process 0: crank_pin .. rocker_pin
-// method    articulated-body algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
-// licence   yours to choose: generated code belongs to its user
 //
 // Closed loops: accelerations of their joints and constraint forces stay unknown until the last link that
 // these joints have in common, where they are eliminated (docs/explanation/loops.md).
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// fourbar_p1.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
-
-#if __has_include("fourbar_p1.h")
 #include "fourbar_p1.h"
-#define ADAGEN_HEADER
-#endif
 #define ADAGEN_CALL(word) fourbar_p1_##word
 #define ADAGEN_NAMED(WORD) FOURBAR_P1_##WORD
-
-// ---- 2. model -----------------------------------------------------------------------------------
-
-#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_LOOPS
 #define ADAGEN_RECOVERS
 #include "adagen/settings.hpp"
 
 struct fourbar_p1_settings : PlainSettings {
-  static constexpr int kJointCount = 3, kNq = 3, kNv = 3;
+  static constexpr int kVersion = 100, kJointCount = 3, kNq = 3, kNv = 3;
   [[maybe_unused]] static constexpr const char* kRobot = "fourbar";
 };
 
 #include "adagen/constants.hpp"
-
-namespace {
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"ground", 0.0, {0.0, 0.0, 0.0}},
@@ -46,8 +32,7 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"coupler", 1.0, {0.0, 0.25, 0.0},
      {0.0209083, 0.0, 0.0, 0.0, 0.00015, 0.0, 0.0, 0.0, 0.0209083}},
     {"rocker", 0.8, {0.0, 0.2, 0.0},
-     {0.0107267, 0.0, 0.0, 0.0, 0.00012, 0.0, 0.0, 0.0, 0.0107267}},
-} };
+     {0.0107267, 0.0, 0.0, 0.0, 0.00012, 0.0, 0.0, 0.0, 0.0107267}}}};
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"crank_pin", JointKind::kRevolute, 0, 0, 1, 0, 1,
@@ -55,18 +40,14 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"coupler_pin", JointKind::kRevolute, 1, 1, 1, 1, 1,
      {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}, {0.0, 0.2, 0.0}},
     {"rocker_pin", JointKind::kRevolute, 0, 2, 1, 2, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.45, 0.0, 0.0}},
-} };
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.45, 0.0, 0.0}}}};
 
 // Loops, then couplings: what statuses name them by.
 constexpr int kLoopCount = 1;
 constexpr std::array<const char*, 1> kLoopNames{ {
-    "pin",
-} };
+    "pin"}};
 
-}  // namespace
-
-// ---- 3. functions -------------------------------------------------------------------------------
+// ---- functions ----------------------------------------------------------------------------------
 
 #include "adagen/no_channel.hpp"
 #include "adagen/unrolled_memory.hpp"
@@ -300,7 +281,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   w.result[2] = x411;
 }
 
-// ---- 4. processes -------------------------------------------------------------------------------
+// ---- processes ----------------------------------------------------------------------------------
 
 // Process 0: 3 of 3 joints: "crank_pin", "coupler_pin", "rocker_pin"
 constexpr std::array<int, 3> kRead_0{0, 1, 2};
@@ -308,7 +289,6 @@ constexpr std::array<int, 3> kOwned_0{0, 1, 2};
 
 ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
-  stamp(0);
   take_sines_and_cosines<3>(q + 0, w.sine.data(), w.cosine.data());
   part_0_0(w);
   stamp(1);
@@ -325,7 +305,6 @@ ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] C
 // Alternative for poses in which a mobility is singular.
 ADAGEN_AS_IT_STANDS void recover_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
-  stamp(0);
   take_sines_and_cosines<3>(q + 0, w.sine.data(), w.cosine.data());
   part_1_0(w);
   stamp(1);
@@ -338,16 +317,17 @@ ADAGEN_AS_IT_STANDS void recover_0([[maybe_unused]] Workspace& w, [[maybe_unused
   std::copy_n(w.result.data() + 0, 3, w.qdd + 0);
 }
 
+
+}  // namespace
+
 [[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 2, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1}} };
 [[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
 constexpr std::array<void (*)(Workspace&, Channel&), 1> kRecover{recover_0};
 
-}  // namespace
-
 #include "adagen/alone.hpp"
 #include "adagen/c_interface.hpp"
 
-// ---- 5. program ---------------------------------------------------------------------------------
+// ---- program ------------------------------------------------------------------------------------
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/measured_alone.hpp"

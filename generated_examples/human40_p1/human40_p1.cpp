@@ -1,41 +1,27 @@
-// Forward dynamics of "human40" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
+// Forward dynamics of "human40" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "human40", 15 joints, 40 degrees of freedom, description sha256 bdc16488e5ef4610f46ad114b2f2b09a8601d7b212cf0d9aa1794a195cd4ce35
 // command   adagen ../models/human40.urdf --procs 1 --shape=joints --form=ada
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
-// options   form ada, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// links     adagen_program.cpp
+// options   form ada (assembly-disassembly algorithm), shape joints (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// links     adagen_program.cpp; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes human40_p1.h
 // program   1 process; 2.45 us predicted (default profile)
 //           process 0: root .. right_wrist
-// method    assembly-disassembly algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
-// licence   yours to choose: generated code belongs to its user
 //
 // Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
 // bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
 // to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down.
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// human40_p1.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
-
-#if __has_include("human40_p1.h")
 #include "human40_p1.h"
-#define ADAGEN_HEADER
-#endif
 #define ADAGEN_CALL(word) human40_p1_##word
 #define ADAGEN_NAMED(WORD) HUMAN40_P1_##WORD
-
-// ---- 2. model -----------------------------------------------------------------------------------
-
-#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #include "adagen/settings.hpp"
 
 struct human40_p1_settings : PlainSettings {
-  static constexpr int kJointCount = 15, kNq = 51, kNv = 40;
+  static constexpr int kVersion = 100, kJointCount = 15, kNq = 51, kNv = 40;
   [[maybe_unused]] static constexpr const char* kRobot = "human40";
 };
 
 #include "adagen/constants.hpp"
-
-namespace {
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"world", 0.0, {0.0, 0.0, 0.0}},
@@ -83,8 +69,7 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
      {1484.2300556586272, 0.0, 0.0, 0.0, 164.852193523287, 0.0, 0.0, 0.0, 164.852193523287}},
     {"right_hand", 0.42, {0.0, 0.0, -0.08},
      {0.0012355, 0.0, 0.0, 0.0, 0.001043, 0.0, 0.0, 0.0, 0.0002555},
-     {809.3889113719142, 0.0, 0.0, 0.0, 958.7727708533076, 0.0, 0.0, 0.0, 3913.894324853229}},
-} };
+     {809.3889113719142, 0.0, 0.0, 0.0, 958.7727708533076, 0.0, 0.0, 0.0, 3913.894324853229}}}};
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"root", JointKind::kFloating, 0, 0, 7, 0, 6,
@@ -116,14 +101,10 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"right_elbow", JointKind::kRevolute, 13, 46, 1, 36, 1,
      {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.29}},
     {"right_wrist", JointKind::kSpherical, 14, 47, 4, 37, 3,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.26, 0.0, 0.0}},
-} };
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.26, 0.0, 0.0}}}};
 
-}  // namespace
+// ---- functions ----------------------------------------------------------------------------------
 
-// ---- 3. functions -------------------------------------------------------------------------------
-
-#include "adagen/spatial.hpp"
 #include "adagen/joins.hpp"
 #include "adagen/no_channel.hpp"
 #include "adagen/joints_memory.hpp"
@@ -313,8 +294,6 @@ struct Workspace : JointsMemory {
 
 #include "adagen/memory.hpp"
 
-namespace {
-
 const Mat6 kPhi_pelvis = symmetric({9.615384615384615, 0.0, 0.0, 0.0, 0.2884615384615385, 0.0, 19.054878048780488, 0.0, -0.5716463414634146, 0.0, 0.0, 10.813148788927334, 0.0, 0.0, 0.0, 0.12131605691056911, 0.0, 0.0, 0.11282051282051282, 0.0, 0.10416666666666667});
 const Mat6 kPhi_left_thigh = symmetric({7.971938775510204, 0.0, 0.0, 0.0, -1.5146683673469388, 0.0, 7.971938775510204, 0.0, 1.5146683673469388, 0.0, 0.0, 37.20238095238095, 0.0, 0.0, 0.0, 0.40683460884353745, 0.0, 0.0, 0.40683460884353745, 0.0, 0.11904761904761904});
 const Mat6 kPhi_left_shank = symmetric({250.0, 0.0, 0.0, 0.0, 0.0, 0.0, 22.388042993997768, 0.0, 0.0, 0.0, -4.029847738919598, 22.388042993997768, 0.0, 4.029847738919598, 0.0, 0.3125, 0.0, 0.0, 1.0378725930055277, 0.0, 1.0378725930055277});
@@ -333,7 +312,7 @@ const Mat6 kPhi_right_hand = symmetric({809.3889113719142, 0.0, 0.0, 0.0, -64.75
 
 // ---- joint 0 "root": floating, between links "world" and "pelvis"
 
-void kinematics_root(Workspace& w) {
+static void kinematics_root(Workspace& w) {
   auto& i = w.j_root;
   require_finite(w, w.q + 0, 7, 0);
   require_finite(w, w.v + 0, 6, 0);
@@ -344,7 +323,7 @@ void kinematics_root(Workspace& w) {
 }
 
 // A: the ground "world"; B: the chain of "left_hip"; C feels the joint at no link
-void assemble_root(Workspace& w) {
+static void assemble_root(Workspace& w) {
   auto& i = w.j_root;
   load_torque(w, 0, 0, i.joined.tau);
   const Columns6 c = Columns6::Zero();
@@ -355,7 +334,7 @@ void assemble_root(Workspace& w) {
     fail(w, kFactorization, 0);
 }
 
-void disassemble_root(Workspace& w) {
+static void disassemble_root(Workspace& w) {
   auto& i = w.j_root;
   Release<Floating> release(i.joined);
   const Columns6 f = release.force();  // Eq. (8), (10)
@@ -365,7 +344,7 @@ void disassemble_root(Workspace& w) {
 
 // ---- joint 1 "left_hip": spherical, between links "pelvis" and "left_thigh"
 
-void kinematics_left_hip(Workspace& w) {
+static void kinematics_left_hip(Workspace& w) {
   auto& i = w.j_left_hip;
   require_finite(w, w.q + 7, 4, 1);
   require_finite(w, w.v + 6, 3, 1);
@@ -376,7 +355,7 @@ void kinematics_left_hip(Workspace& w) {
 }
 
 // A: the chain of "right_hip"; B: the chain of "left_knee"; C feels the joint at "pelvis"
-void assemble_left_hip(Workspace& w) {
+static void assemble_left_hip(Workspace& w) {
   auto& i = w.j_left_hip;
   load_torque(w, 1, 6, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_right_hip.Phi_pelvis;
@@ -392,7 +371,7 @@ void assemble_left_hip(Workspace& w) {
   i.b_pelvis = w.j_right_hip.b_pelvis - bias_change(i.joined, i.at_pelvis);  // Eq. (6)
 }
 
-void disassemble_left_hip(Workspace& w) {
+static void disassemble_left_hip(Workspace& w) {
   auto& i = w.j_left_hip;
   Release<Spherical> release(i.joined);
   release.feel_A(i.at_pelvis, w.j_left_hip.F_on_pelvis);
@@ -404,20 +383,18 @@ void disassemble_left_hip(Workspace& w) {
 
 // ---- joint 2 "left_knee": revolute, between links "left_thigh" and "left_shank"
 
-void kinematics_left_knee(Workspace& w) {
+static void kinematics_left_knee(Workspace& w) {
   auto& i = w.j_left_knee;
   require_finite(w, w.q + 11, 1, 2);
   require_finite(w, w.v + 9, 1, 2);
   const Real q = Real(w.q[11]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, -0.41;
   i.v = i.X * w.j_left_hip.v + joint_velocity<Revolute>(w.v + 9);
 }
 
 // A: link "left_thigh"; B: the chain of "left_ankle"; C feels the joint at "left_thigh"
-void assemble_left_knee(Workspace& w) {
+static void assemble_left_knee(Workspace& w) {
   auto& i = w.j_left_knee;
   load_torque(w, 2, 9, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_left_thigh;
@@ -433,7 +410,7 @@ void assemble_left_knee(Workspace& w) {
   i.b_left_thigh = w.j_left_hip.b - bias_change(i.joined, i.at_left_thigh);  // Eq. (6)
 }
 
-void disassemble_left_knee(Workspace& w) {
+static void disassemble_left_knee(Workspace& w) {
   auto& i = w.j_left_knee;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_left_thigh, w.j_left_knee.F_on_left_thigh);
@@ -444,22 +421,20 @@ void disassemble_left_knee(Workspace& w) {
 
 // ---- joint 3 "left_ankle": spherical, between links "left_shank" and "left_foot"
 
-void kinematics_left_ankle(Workspace& w) {
+static void kinematics_left_ankle(Workspace& w) {
   auto& i = w.j_left_ankle;
   require_finite(w, w.q + 12, 4, 3);
   require_finite(w, w.v + 10, 3, 3);
   const Number* const q = w.q + 12;
   Mat3 Q;
   require_length(w, conjugate_rotation(q, Q), 3);
-  i.X.E << Q(0, 2), Q(0, 0), Q(0, 1),  //
-      Q(1, 2), Q(1, 0), Q(1, 1),  //
-      Q(2, 2), Q(2, 0), Q(2, 1);
+  i.X.E << Q(0, 2), Q(0, 0), Q(0, 1),  Q(1, 2), Q(1, 0), Q(1, 1),  Q(2, 2), Q(2, 0), Q(2, 1);  // row by row
   i.X.r << -0.41, 0.0, 0.0;
   i.v = i.X * w.j_left_knee.v + joint_velocity<Spherical>(w.v + 10);
 }
 
 // A: link "left_shank"; B: link "left_foot"; C feels the joint at "left_shank"
-void assemble_left_ankle(Workspace& w) {
+static void assemble_left_ankle(Workspace& w) {
   auto& i = w.j_left_ankle;
   load_torque(w, 3, 10, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_left_shank;
@@ -475,7 +450,7 @@ void assemble_left_ankle(Workspace& w) {
   i.b_left_shank = w.j_left_knee.b - bias_change(i.joined, i.at_left_shank);  // Eq. (6)
 }
 
-void disassemble_left_ankle(Workspace& w) {
+static void disassemble_left_ankle(Workspace& w) {
   auto& i = w.j_left_ankle;
   Release<Spherical> release(i.joined);
   release.feel_A(i.at_left_shank, w.j_left_ankle.F_on_left_shank);
@@ -485,7 +460,7 @@ void disassemble_left_ankle(Workspace& w) {
 
 // ---- joint 4 "right_hip": spherical, between links "pelvis" and "right_thigh"
 
-void kinematics_right_hip(Workspace& w) {
+static void kinematics_right_hip(Workspace& w) {
   auto& i = w.j_right_hip;
   require_finite(w, w.q + 16, 4, 4);
   require_finite(w, w.v + 13, 3, 4);
@@ -496,7 +471,7 @@ void kinematics_right_hip(Workspace& w) {
 }
 
 // A: the chain of "spine"; B: the chain of "right_knee"; C feels the joint at "pelvis"
-void assemble_right_hip(Workspace& w) {
+static void assemble_right_hip(Workspace& w) {
   auto& i = w.j_right_hip;
   load_torque(w, 4, 13, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_spine.Phi_pelvis;
@@ -512,7 +487,7 @@ void assemble_right_hip(Workspace& w) {
   i.b_pelvis = w.j_spine.b_pelvis - bias_change(i.joined, i.at_pelvis);  // Eq. (6)
 }
 
-void disassemble_right_hip(Workspace& w) {
+static void disassemble_right_hip(Workspace& w) {
   auto& i = w.j_right_hip;
   Release<Spherical> release(i.joined);
   release.feel_A(i.at_pelvis, w.j_right_hip.F_on_pelvis);
@@ -524,20 +499,18 @@ void disassemble_right_hip(Workspace& w) {
 
 // ---- joint 5 "right_knee": revolute, between links "right_thigh" and "right_shank"
 
-void kinematics_right_knee(Workspace& w) {
+static void kinematics_right_knee(Workspace& w) {
   auto& i = w.j_right_knee;
   require_finite(w, w.q + 20, 1, 5);
   require_finite(w, w.v + 16, 1, 5);
   const Real q = Real(w.q[20]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, -0.41;
   i.v = i.X * w.j_right_hip.v + joint_velocity<Revolute>(w.v + 16);
 }
 
 // A: link "right_thigh"; B: the chain of "right_ankle"; C feels the joint at "right_thigh"
-void assemble_right_knee(Workspace& w) {
+static void assemble_right_knee(Workspace& w) {
   auto& i = w.j_right_knee;
   load_torque(w, 5, 16, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_right_thigh;
@@ -553,7 +526,7 @@ void assemble_right_knee(Workspace& w) {
   i.b_right_thigh = w.j_right_hip.b - bias_change(i.joined, i.at_right_thigh);  // Eq. (6)
 }
 
-void disassemble_right_knee(Workspace& w) {
+static void disassemble_right_knee(Workspace& w) {
   auto& i = w.j_right_knee;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_right_thigh, w.j_right_knee.F_on_right_thigh);
@@ -564,22 +537,20 @@ void disassemble_right_knee(Workspace& w) {
 
 // ---- joint 6 "right_ankle": spherical, between links "right_shank" and "right_foot"
 
-void kinematics_right_ankle(Workspace& w) {
+static void kinematics_right_ankle(Workspace& w) {
   auto& i = w.j_right_ankle;
   require_finite(w, w.q + 21, 4, 6);
   require_finite(w, w.v + 17, 3, 6);
   const Number* const q = w.q + 21;
   Mat3 Q;
   require_length(w, conjugate_rotation(q, Q), 6);
-  i.X.E << Q(0, 2), Q(0, 0), Q(0, 1),  //
-      Q(1, 2), Q(1, 0), Q(1, 1),  //
-      Q(2, 2), Q(2, 0), Q(2, 1);
+  i.X.E << Q(0, 2), Q(0, 0), Q(0, 1),  Q(1, 2), Q(1, 0), Q(1, 1),  Q(2, 2), Q(2, 0), Q(2, 1);  // row by row
   i.X.r << -0.41, 0.0, 0.0;
   i.v = i.X * w.j_right_knee.v + joint_velocity<Spherical>(w.v + 17);
 }
 
 // A: link "right_shank"; B: link "right_foot"; C feels the joint at "right_shank"
-void assemble_right_ankle(Workspace& w) {
+static void assemble_right_ankle(Workspace& w) {
   auto& i = w.j_right_ankle;
   load_torque(w, 6, 17, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_right_shank;
@@ -595,7 +566,7 @@ void assemble_right_ankle(Workspace& w) {
   i.b_right_shank = w.j_right_knee.b - bias_change(i.joined, i.at_right_shank);  // Eq. (6)
 }
 
-void disassemble_right_ankle(Workspace& w) {
+static void disassemble_right_ankle(Workspace& w) {
   auto& i = w.j_right_ankle;
   Release<Spherical> release(i.joined);
   release.feel_A(i.at_right_shank, w.j_right_ankle.F_on_right_shank);
@@ -605,7 +576,7 @@ void disassemble_right_ankle(Workspace& w) {
 
 // ---- joint 7 "spine": spherical, between links "pelvis" and "trunk"
 
-void kinematics_spine(Workspace& w) {
+static void kinematics_spine(Workspace& w) {
   auto& i = w.j_spine;
   require_finite(w, w.q + 25, 4, 7);
   require_finite(w, w.v + 20, 3, 7);
@@ -616,7 +587,7 @@ void kinematics_spine(Workspace& w) {
 }
 
 // A: link "pelvis"; B: the chain of "left_shoulder"; C feels the joint at "pelvis"
-void assemble_spine(Workspace& w) {
+static void assemble_spine(Workspace& w) {
   auto& i = w.j_spine;
   load_torque(w, 7, 20, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_pelvis;
@@ -632,7 +603,7 @@ void assemble_spine(Workspace& w) {
   i.b_pelvis = w.j_root.b - bias_change(i.joined, i.at_pelvis);  // Eq. (6)
 }
 
-void disassemble_spine(Workspace& w) {
+static void disassemble_spine(Workspace& w) {
   auto& i = w.j_spine;
   Release<Spherical> release(i.joined);
   release.feel_A(i.at_pelvis, w.j_spine.F_on_pelvis);
@@ -643,7 +614,7 @@ void disassemble_spine(Workspace& w) {
 
 // ---- joint 8 "left_shoulder": spherical, between links "trunk" and "left_upper_arm"
 
-void kinematics_left_shoulder(Workspace& w) {
+static void kinematics_left_shoulder(Workspace& w) {
   auto& i = w.j_left_shoulder;
   require_finite(w, w.q + 29, 4, 8);
   require_finite(w, w.v + 23, 3, 8);
@@ -654,7 +625,7 @@ void kinematics_left_shoulder(Workspace& w) {
 }
 
 // A: the chain of "neck"; B: the chain of "left_elbow"; C feels the joint at "trunk"
-void assemble_left_shoulder(Workspace& w) {
+static void assemble_left_shoulder(Workspace& w) {
   auto& i = w.j_left_shoulder;
   load_torque(w, 8, 23, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_neck.Phi_trunk;
@@ -670,7 +641,7 @@ void assemble_left_shoulder(Workspace& w) {
   i.b_trunk = w.j_neck.b_trunk - bias_change(i.joined, i.at_trunk);  // Eq. (6)
 }
 
-void disassemble_left_shoulder(Workspace& w) {
+static void disassemble_left_shoulder(Workspace& w) {
   auto& i = w.j_left_shoulder;
   Release<Spherical> release(i.joined);
   release.feel_A(i.at_trunk, w.j_left_shoulder.F_on_trunk);
@@ -682,20 +653,18 @@ void disassemble_left_shoulder(Workspace& w) {
 
 // ---- joint 9 "left_elbow": revolute, between links "left_upper_arm" and "left_forearm"
 
-void kinematics_left_elbow(Workspace& w) {
+static void kinematics_left_elbow(Workspace& w) {
   auto& i = w.j_left_elbow;
   require_finite(w, w.q + 33, 1, 9);
   require_finite(w, w.v + 26, 1, 9);
   const Real q = Real(w.q[33]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, -0.29;
   i.v = i.X * w.j_left_shoulder.v + joint_velocity<Revolute>(w.v + 26);
 }
 
 // A: link "left_upper_arm"; B: the chain of "left_wrist"; C feels the joint at "left_upper_arm"
-void assemble_left_elbow(Workspace& w) {
+static void assemble_left_elbow(Workspace& w) {
   auto& i = w.j_left_elbow;
   load_torque(w, 9, 26, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_left_upper_arm;
@@ -711,7 +680,7 @@ void assemble_left_elbow(Workspace& w) {
   i.b_left_upper_arm = w.j_left_shoulder.b - bias_change(i.joined, i.at_left_upper_arm);  // Eq. (6)
 }
 
-void disassemble_left_elbow(Workspace& w) {
+static void disassemble_left_elbow(Workspace& w) {
   auto& i = w.j_left_elbow;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_left_upper_arm, w.j_left_elbow.F_on_left_upper_arm);
@@ -722,22 +691,20 @@ void disassemble_left_elbow(Workspace& w) {
 
 // ---- joint 10 "left_wrist": spherical, between links "left_forearm" and "left_hand"
 
-void kinematics_left_wrist(Workspace& w) {
+static void kinematics_left_wrist(Workspace& w) {
   auto& i = w.j_left_wrist;
   require_finite(w, w.q + 34, 4, 10);
   require_finite(w, w.v + 27, 3, 10);
   const Number* const q = w.q + 34;
   Mat3 Q;
   require_length(w, conjugate_rotation(q, Q), 10);
-  i.X.E << Q(0, 2), Q(0, 0), Q(0, 1),  //
-      Q(1, 2), Q(1, 0), Q(1, 1),  //
-      Q(2, 2), Q(2, 0), Q(2, 1);
+  i.X.E << Q(0, 2), Q(0, 0), Q(0, 1),  Q(1, 2), Q(1, 0), Q(1, 1),  Q(2, 2), Q(2, 0), Q(2, 1);  // row by row
   i.X.r << -0.26, 0.0, 0.0;
   i.v = i.X * w.j_left_elbow.v + joint_velocity<Spherical>(w.v + 27);
 }
 
 // A: link "left_forearm"; B: link "left_hand"; C feels the joint at "left_forearm"
-void assemble_left_wrist(Workspace& w) {
+static void assemble_left_wrist(Workspace& w) {
   auto& i = w.j_left_wrist;
   load_torque(w, 10, 27, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_left_forearm;
@@ -753,7 +720,7 @@ void assemble_left_wrist(Workspace& w) {
   i.b_left_forearm = w.j_left_elbow.b - bias_change(i.joined, i.at_left_forearm);  // Eq. (6)
 }
 
-void disassemble_left_wrist(Workspace& w) {
+static void disassemble_left_wrist(Workspace& w) {
   auto& i = w.j_left_wrist;
   Release<Spherical> release(i.joined);
   release.feel_A(i.at_left_forearm, w.j_left_wrist.F_on_left_forearm);
@@ -763,7 +730,7 @@ void disassemble_left_wrist(Workspace& w) {
 
 // ---- joint 11 "neck": spherical, between links "trunk" and "head"
 
-void kinematics_neck(Workspace& w) {
+static void kinematics_neck(Workspace& w) {
   auto& i = w.j_neck;
   require_finite(w, w.q + 38, 4, 11);
   require_finite(w, w.v + 30, 3, 11);
@@ -774,7 +741,7 @@ void kinematics_neck(Workspace& w) {
 }
 
 // A: the chain of "right_shoulder"; B: link "head"; C feels the joint at "trunk"
-void assemble_neck(Workspace& w) {
+static void assemble_neck(Workspace& w) {
   auto& i = w.j_neck;
   load_torque(w, 11, 30, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_right_shoulder.Phi_trunk;
@@ -790,7 +757,7 @@ void assemble_neck(Workspace& w) {
   i.b_trunk = w.j_right_shoulder.b_trunk - bias_change(i.joined, i.at_trunk);  // Eq. (6)
 }
 
-void disassemble_neck(Workspace& w) {
+static void disassemble_neck(Workspace& w) {
   auto& i = w.j_neck;
   Release<Spherical> release(i.joined);
   release.feel_A(i.at_trunk, w.j_neck.F_on_trunk);
@@ -801,7 +768,7 @@ void disassemble_neck(Workspace& w) {
 
 // ---- joint 12 "right_shoulder": spherical, between links "trunk" and "right_upper_arm"
 
-void kinematics_right_shoulder(Workspace& w) {
+static void kinematics_right_shoulder(Workspace& w) {
   auto& i = w.j_right_shoulder;
   require_finite(w, w.q + 42, 4, 12);
   require_finite(w, w.v + 33, 3, 12);
@@ -812,7 +779,7 @@ void kinematics_right_shoulder(Workspace& w) {
 }
 
 // A: link "trunk"; B: the chain of "right_elbow"; C feels the joint at "trunk"
-void assemble_right_shoulder(Workspace& w) {
+static void assemble_right_shoulder(Workspace& w) {
   auto& i = w.j_right_shoulder;
   load_torque(w, 12, 33, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_trunk;
@@ -828,7 +795,7 @@ void assemble_right_shoulder(Workspace& w) {
   i.b_trunk = w.j_spine.b - bias_change(i.joined, i.at_trunk);  // Eq. (6)
 }
 
-void disassemble_right_shoulder(Workspace& w) {
+static void disassemble_right_shoulder(Workspace& w) {
   auto& i = w.j_right_shoulder;
   Release<Spherical> release(i.joined);
   release.feel_A(i.at_trunk, w.j_right_shoulder.F_on_trunk);
@@ -839,20 +806,18 @@ void disassemble_right_shoulder(Workspace& w) {
 
 // ---- joint 13 "right_elbow": revolute, between links "right_upper_arm" and "right_forearm"
 
-void kinematics_right_elbow(Workspace& w) {
+static void kinematics_right_elbow(Workspace& w) {
   auto& i = w.j_right_elbow;
   require_finite(w, w.q + 46, 1, 13);
   require_finite(w, w.v + 36, 1, 13);
   const Real q = Real(w.q[46]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, -0.29;
   i.v = i.X * w.j_right_shoulder.v + joint_velocity<Revolute>(w.v + 36);
 }
 
 // A: link "right_upper_arm"; B: the chain of "right_wrist"; C feels the joint at "right_upper_arm"
-void assemble_right_elbow(Workspace& w) {
+static void assemble_right_elbow(Workspace& w) {
   auto& i = w.j_right_elbow;
   load_torque(w, 13, 36, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_right_upper_arm;
@@ -868,7 +833,7 @@ void assemble_right_elbow(Workspace& w) {
   i.b_right_upper_arm = w.j_right_shoulder.b - bias_change(i.joined, i.at_right_upper_arm);  // Eq. (6)
 }
 
-void disassemble_right_elbow(Workspace& w) {
+static void disassemble_right_elbow(Workspace& w) {
   auto& i = w.j_right_elbow;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_right_upper_arm, w.j_right_elbow.F_on_right_upper_arm);
@@ -879,22 +844,20 @@ void disassemble_right_elbow(Workspace& w) {
 
 // ---- joint 14 "right_wrist": spherical, between links "right_forearm" and "right_hand"
 
-void kinematics_right_wrist(Workspace& w) {
+static void kinematics_right_wrist(Workspace& w) {
   auto& i = w.j_right_wrist;
   require_finite(w, w.q + 47, 4, 14);
   require_finite(w, w.v + 37, 3, 14);
   const Number* const q = w.q + 47;
   Mat3 Q;
   require_length(w, conjugate_rotation(q, Q), 14);
-  i.X.E << Q(0, 2), Q(0, 0), Q(0, 1),  //
-      Q(1, 2), Q(1, 0), Q(1, 1),  //
-      Q(2, 2), Q(2, 0), Q(2, 1);
+  i.X.E << Q(0, 2), Q(0, 0), Q(0, 1),  Q(1, 2), Q(1, 0), Q(1, 1),  Q(2, 2), Q(2, 0), Q(2, 1);  // row by row
   i.X.r << -0.26, 0.0, 0.0;
   i.v = i.X * w.j_right_elbow.v + joint_velocity<Spherical>(w.v + 37);
 }
 
 // A: link "right_forearm"; B: link "right_hand"; C feels the joint at "right_forearm"
-void assemble_right_wrist(Workspace& w) {
+static void assemble_right_wrist(Workspace& w) {
   auto& i = w.j_right_wrist;
   load_torque(w, 14, 37, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_right_forearm;
@@ -910,7 +873,7 @@ void assemble_right_wrist(Workspace& w) {
   i.b_right_forearm = w.j_right_elbow.b - bias_change(i.joined, i.at_right_forearm);  // Eq. (6)
 }
 
-void disassemble_right_wrist(Workspace& w) {
+static void disassemble_right_wrist(Workspace& w) {
   auto& i = w.j_right_wrist;
   Release<Spherical> release(i.joined);
   release.feel_A(i.at_right_forearm, w.j_right_wrist.F_on_right_forearm);
@@ -918,13 +881,11 @@ void disassemble_right_wrist(Workspace& w) {
   store_acceleration(w, 14, 37, release.qdd());  // Eq. (9)
 }
 
-
-// ---- 4. processes -------------------------------------------------------------------------------
+// ---- processes ----------------------------------------------------------------------------------
 
 // Process 0: 15 of 15 joints: "root", "left_hip", "left_knee", "left_ankle", "right_hip", "right_knee", ...
-void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
-  stamp(0);
   kinematics_root(w);
   kinematics_left_hip(w);
   kinematics_left_knee(w);
@@ -991,8 +952,5 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 [[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 14, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1}} };
-[[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
-
-}  // namespace
 
 #include "adagen/whole_alone.hpp"

@@ -1,17 +1,15 @@
-// Forward dynamics of "human40" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
+// Forward dynamics of "human40" on 4 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "human40", 15 joints, 40 degrees of freedom, description sha256 bdc16488e5ef4610f46ad114b2f2b09a8601d7b212cf0d9aa1794a195cd4ce35
 // command   adagen ../models/human40.urdf --procs 4 --schedule=balanced --shape=kernels
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
-// options   form segment, shape kernels, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// links     adagen_program.cpp -DADAGEN_MPI
+// options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes human40_p4.h
 // program   4 processes, joined at cuts; 0.888 us predicted (default profile)
 //           process 0: root .. left_hip, right_hip .. spine
 //           process 1: left_knee .. left_ankle
 //           process 2: neck | right_wrist in 2 lanes, left_shoulder, right_shoulder .. right_elbow
 //           process 3: left_elbow .. left_wrist
 // schedule  spine@0-3(left_hip@0-1(right_hip@0(root | right_knee(|right_ankle)) | left_knee@1(|left_ankle)) | left_shoulder@2-3(right_shoulder@2(neck | right_elbow(|right_wrist)) | left_elbow@3(|left_wrist)))
-// method    articulated-body algorithm; spatial vectors [angular; linear] in the axes of the base, about each link's origin
-// licence   yours to choose: generated code belongs to its user
 //
 // Each process solves a segment of the robot with the articulated-body algorithm: the articulated-body
 // inertias I^A and bias forces p^A (IA, pA) are computed from the ends to the segment's root, then the
@@ -20,34 +18,26 @@
 // a cut; joint i joins chain A (on its parent link's side) and chain B (on its child link's side), Eq.
 // (3)-(7), and its force follows from Eq. (8)-(10).
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// human40_p4.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
-
-#if __has_include("human40_p4.h")
 #include "human40_p4.h"
-#define ADAGEN_HEADER
-#endif
 #define ADAGEN_CALL(word) human40_p4_##word
 #define ADAGEN_NAMED(WORD) HUMAN40_P4_##WORD
-
-// ---- 2. model -----------------------------------------------------------------------------------
-
-#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
-#include "adagen/settings.hpp"
+#include "adagen/kernels/plain_layout.hpp"
 
-struct human40_p4_settings : PlainSettings {
-  static constexpr int kJointCount = 15, kNq = 51, kNv = 40;
+struct human40_p4_settings : PlainLayout<15> {
+  static constexpr int kVersion = 100, kJointCount = 15, kNq = 51, kNv = 40;
   [[maybe_unused]] static constexpr const char* kRobot = "human40";
   static constexpr int kProcesses = 4;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 6;
   [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
+  static constexpr int kSlotCount = 26;
+  static constexpr bool kReordered = true;
+  static constexpr int kSlots[kJointCount] = {0, 1, 8, 9, 2, 3, 4, 5, 18, 24, 25, 16, 19, 20, 17};
+  static constexpr bool kInLanes = true;
 };
 
 #include "adagen/kernels/model.hpp"
-
-namespace {
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"world", 0.0, {0.0, 0.0, 0.0}},
@@ -80,8 +70,7 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"right_forearm", 1.1, {-0.12, 0.0, 0.0},
      {0.00067375, 0.0, 0.0, 0.0, 0.00606604, 0.0, 0.0, 0.0, 0.00606604}},
     {"right_hand", 0.42, {0.0, 0.0, -0.08},
-     {0.0012355, 0.0, 0.0, 0.0, 0.001043, 0.0, 0.0, 0.0, 0.0002555}},
-} };
+     {0.0012355, 0.0, 0.0, 0.0, 0.001043, 0.0, 0.0, 0.0, 0.0002555}}}};
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"root", JointKind::kFloating, 0, 0, 7, 0, 6,
@@ -113,8 +102,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"right_elbow", JointKind::kRevolute, 13, 46, 1, 36, 1,
      {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.29}},
     {"right_wrist", JointKind::kSpherical, 14, 47, 4, 37, 3,
-     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.26, 0.0, 0.0}},
-} };
+     {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.26, 0.0, 0.0}}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 12> kMessages{ {
     {1, 0, 42},  // 0: assembled: chain of "left_knee"
@@ -128,8 +116,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {0, 2, 63},  // 8: state
     {2, 0, 13},  // 9: accelerations
     {0, 3, 40},  // 10: state
-    {3, 0, 4},  // 11: accelerations
-} };
+    {3, 0, 4}}};  // 11: accelerations
 
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {9.6, {0.0, 0.0, 0.288},
@@ -161,26 +148,15 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {1.1, {-0.132, 0.0, 0.0},
      {0.021569165, 0.0, 0.0, 0.000336875, 0.0, 0.000336875}},
     {0.42, {0.0, 0.0, -0.0336},
-     {3.150000000000001e-05, 0.0, 0.0, 0.00022399999999999997, 0.0, 0.0036995}},
-} };
-
-struct Layout : PlainLayout {
-  static constexpr int kSlotCount = 26;
-  static constexpr bool kReordered = true;
-  static constexpr int kSlots[kJointCount] = {0, 1, 8, 9, 2, 3, 4, 5, 18, 24, 25, 16, 19, 20, 17};
-  static constexpr bool kInLanes = true;
-};
+     {3.150000000000001e-05, 0.0, 0.0, 0.00022399999999999997, 0.0, 0.0036995}}}};
 
 constexpr LinkRole kRoles[4][kLinkCount]{
     {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 1, 0, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
     {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 1, 1, 1}, {0, 0, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 1, 0, 1}, {0, 1, 0, 1}, {1, 1, 1, 0}, {0, 1, 0, 1}},
-    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 1}, {1, 1, 1, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
-};
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 1}, {1, 1, 1, 1}, {0, 1, 0, 0}, {0, 1, 0, 1}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}}};
 
-}  // namespace
-
-// ---- 3. functions -------------------------------------------------------------------------------
+// ---- functions ----------------------------------------------------------------------------------
 
 #include "adagen/spatial.hpp"
 #include "adagen/joins.hpp"
@@ -254,22 +230,19 @@ struct Cuts {
 #include "adagen/kernels/wrenches.hpp"
 #include "adagen/exchange.hpp"
 
-namespace {
-
 // "neck", "right_wrist"
 constexpr Limbs<2, 1> kLimbs0{16, {{11, 14}}};
 
-// ---- 4. processes -------------------------------------------------------------------------------
+// ---- processes ----------------------------------------------------------------------------------
 
 // Process 0: 6 of 15 joints: "root", "left_hip", "right_hip", "right_knee", "right_ankle", "spine"
-void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.q, 0, 11, &JointConstants::q, kNotFinite);
   require_finite(w, w.q, 16, 13, &JointConstants::q, kNotFinite);
   require_finite(w, w.v, 0, 9, &JointConstants::v, kNotFinite);
   require_finite(w, w.v, 13, 10, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 0, 9, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 13, 10, &JointConstants::v, kNotFinite);
-  stamp(0);
   take_angles<0, 1>(w);
   take_angles<4, 7>(w);
   turn<block(3), block(3) + 1>(w);
@@ -366,11 +339,10 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 // Process 1: 2 of 15 joints: "left_knee", "left_ankle"; kinematics of 2 more on the way to the ground
-void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.q, 0, 16, &JointConstants::q, kNotFinite);
   require_finite(w, w.v, 0, 13, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 9, 4, &JointConstants::v, kNotFinite);
-  stamp(0);
   take_angles<0, 3>(w);
   turn<block(8), block(8) + 1>(w);
   orient<1, block(1), block(9) + 1>(w);
@@ -403,7 +375,7 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 // Process 2: 5 of 15 joints: "left_shoulder", "neck", "right_shoulder", "right_elbow", "right_wrist"; kinematics of 2 more on the way to the ground
-void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
   require_finite(w, w.q, 25, 8, &JointConstants::q, kNotFinite);
   require_finite(w, w.q, 38, 13, &JointConstants::q, kNotFinite);
@@ -412,7 +384,6 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.v, 30, 10, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 23, 3, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 30, 10, &JointConstants::v, kNotFinite);
-  stamp(0);
   take_angles<0, 0>(w);
   take_angles<7, 8>(w);
   take_angles<11, 14>(w);
@@ -494,13 +465,12 @@ void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 // Process 3: 2 of 15 joints: "left_elbow", "left_wrist"; kinematics of 3 more on the way to the ground
-void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_3([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
   require_finite(w, w.q, 25, 13, &JointConstants::q, kNotFinite);
   require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
   require_finite(w, w.v, 20, 10, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 26, 4, &JointConstants::v, kNotFinite);
-  stamp(0);
   take_angles<0, 0>(w);
   take_angles<7, 10>(w);
   turn<block(24), block(24) + 1>(w);
@@ -561,9 +531,6 @@ constexpr std::array<Range, 6> kRanges_3{ {{0, 7}, {25, 13}, {0, 6}, {20, 10}, {
     {{2, kRanges_0.data()}, {2, kRanges_0.data() + 2}, {2, kRanges_0.data() + 4}, {2, kRanges_0.data() + 6}, {11, kStages_0.data()}},
     {{1, kRanges_1.data()}, {1, kRanges_1.data() + 1}, {1, kRanges_1.data() + 2}, {1, kRanges_1.data() + 3}, {5, kStages_1.data()}},
     {{3, kRanges_2.data()}, {3, kRanges_2.data() + 3}, {2, kRanges_2.data() + 6}, {2, kRanges_2.data() + 8}, {9, kStages_2.data()}},
-    {{2, kRanges_3.data()}, {2, kRanges_3.data() + 2}, {1, kRanges_3.data() + 4}, {1, kRanges_3.data() + 5}, {5, kStages_3.data()}},
-} };
-
-}  // namespace
+    {{2, kRanges_3.data()}, {2, kRanges_3.data() + 2}, {1, kRanges_3.data() + 4}, {1, kRanges_3.data() + 5}, {5, kStages_3.data()}}}};
 
 #include "adagen/whole_mpi.hpp"

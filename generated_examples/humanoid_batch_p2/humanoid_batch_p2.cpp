@@ -1,35 +1,23 @@
-// Forward dynamics of "humanoid" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
+// Forward dynamics of "humanoid" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 2 --shape=kernels --batch --name=humanoid_batch
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
-// options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
-// links     adagen_program.cpp -DADAGEN_MPI
+// options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
+// links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes humanoid_batch_p2.h
 // program   1 process
 //           process 0: __base__ .. right_wrist_pitch
-// method    articulated-body algorithm; spatial vectors [angular; linear] in the axes of the base, about each link's origin
-// licence   yours to choose: generated code belongs to its user
 //
 // Each SIMD lane holds a state; the processes share the states of a batch, not the robot.
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// humanoid_batch_p2.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
-
-#if __has_include("humanoid_batch_p2.h")
 #include "humanoid_batch_p2.h"
-#define ADAGEN_HEADER
-#endif
 #define ADAGEN_CALL(word) humanoid_batch_p2_##word
 #define ADAGEN_NAMED(WORD) HUMANOID_BATCH_P2_##WORD
-
-// ---- 2. model -----------------------------------------------------------------------------------
-
-#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
 #define ADAGEN_BATCH
-#include "adagen/settings.hpp"
+#include "adagen/kernels/plain_layout.hpp"
 
-struct humanoid_batch_p2_settings : PlainSettings {
-  static constexpr int kJointCount = 30, kNq = 36, kNv = 35;
+struct humanoid_batch_p2_settings : PlainLayout<30> {
+  static constexpr int kVersion = 100, kJointCount = 30, kNq = 36, kNv = 35;
   [[maybe_unused]] static constexpr const char* kRobot = "humanoid";
   [[maybe_unused]] static constexpr bool kFloating = true;
   static constexpr int kProcesses = 2;
@@ -39,8 +27,6 @@ struct humanoid_batch_p2_settings : PlainSettings {
 };
 
 #include "adagen/kernels/model.hpp"
-
-namespace {
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"__world__", 0.0, {0.0, 0.0, 0.0}},
@@ -103,8 +89,7 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"right_wrist", 0.2, {0.0, 0.0, -0.01},
      {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05}},
     {"right_hand", 0.4, {-0.06, 0.0, 0.0},
-     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333}},
-} };
+     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333}}}};
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"__base__", JointKind::kFloating, 0, 0, 7, 0, 6,
@@ -166,8 +151,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"right_wrist_roll", JointKind::kRevolute, 28, 34, 1, 33, 1,
      {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.16, 0.01, 0.0}},
     {"right_wrist_pitch", JointKind::kRevolute, 29, 35, 1, 34, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}},
-} };
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 0> kMessages{};
 
@@ -231,30 +215,20 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {0.2, {0.0, 0.0, -0.002},
      {4.5e-05, 0.0, 0.0, 4.5e-05, 0.0, 6.16667e-05}},
     {0.4, {-0.024, 0.0, 0.0},
-     {0.0019199994999999999, 0.0, 0.0, 8.33335e-05, 0.0, 0.00021333350000000002}},
-} };
+     {0.0019199994999999999, 0.0, 0.0, 8.33335e-05, 0.0, 0.00021333350000000002}}}};
 
-struct Layout : PlainLayout {};
+constexpr LinkRole kRoles[1][kLinkCount]{{{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}}};
 
-constexpr LinkRole kRoles[1][kLinkCount]{
-    {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
-};
-
-}  // namespace
-
-// ---- 3. functions -------------------------------------------------------------------------------
+// ---- functions ----------------------------------------------------------------------------------
 
 #include "adagen/channel.hpp"
 #include "adagen/kernels/plain_sweeps.hpp"
 
-namespace {
-
-// ---- 4. processes -------------------------------------------------------------------------------
+// ---- processes ----------------------------------------------------------------------------------
 
 // Each process: 30 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
-void run_0([[maybe_unused]] Workspace& w) {
+static void run_0([[maybe_unused]] Workspace& w) {
   require_finite(w, w.q, 0, 3, &JointConstants::q, kNotFinite);
-  stamp(0);
   std::copy_n(w.q + 7, 29, w.angle.data() + 1);
   turn<block(1), block(29) + 1>(w);
   free_base_frame<0>(w);
@@ -290,10 +264,7 @@ constexpr std::array kParts{run_0};  // what is done for a group of states, in o
 constexpr std::array<Range, 4> kRanges_0{ {{0, 36}, {0, 35}, {0, 35}, {0, 35}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
     {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {3, kStages_0.data()}},
-    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {3, kStages_0.data()}},
-} };
-
-}  // namespace
+    {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {3, kStages_0.data()}}}};
 
 #include "adagen/no_parameters.hpp"
 #include "adagen/handout.hpp"
@@ -301,7 +272,7 @@ constexpr std::array<Range, 4> kRanges_0{ {{0, 36}, {0, 35}, {0, 35}, {0, 35}} }
 #include "adagen/open.hpp"
 #include "adagen/c_interface.hpp"
 
-// ---- 5. program ---------------------------------------------------------------------------------
+// ---- program ------------------------------------------------------------------------------------
 
 #ifndef ADAGEN_NO_MAIN
 #include "adagen/measured.hpp"

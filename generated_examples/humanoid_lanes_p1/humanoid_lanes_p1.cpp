@@ -1,40 +1,26 @@
-// Forward dynamics of "humanoid" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
+// Forward dynamics of "humanoid" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 1 --shape=unrolled --name=humanoid_lanes
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
-// options   form segment, shape unrolled, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
-// links     adagen_program.cpp
+// options   form segment (articulated-body algorithm), shape unrolled (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
+// links     adagen_program.cpp; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes humanoid_lanes_p1.h
 // program   1 process; 0.372 us predicted (default profile)
 //           process 0: left_hip_pitch .. left_ankle_roll | right_hip_pitch .. right_ankle_roll |
 //           left_shoulder_pitch .. left_wrist_pitch | right_shoulder_pitch .. right_wrist_pitch in 4
 //           lanes, __base__, waist_yaw .. waist_pitch, neck_yaw .. neck_pitch
-// method    articulated-body algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
-// licence   yours to choose: generated code belongs to its user
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// humanoid_lanes_p1.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
-
-#if __has_include("humanoid_lanes_p1.h")
 #include "humanoid_lanes_p1.h"
-#define ADAGEN_HEADER
-#endif
 #define ADAGEN_CALL(word) humanoid_lanes_p1_##word
 #define ADAGEN_NAMED(WORD) HUMANOID_LANES_P1_##WORD
-
-// ---- 2. model -----------------------------------------------------------------------------------
-
-#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #include "adagen/settings.hpp"
 
 struct humanoid_lanes_p1_settings : PlainSettings {
-  static constexpr int kJointCount = 30, kNq = 36, kNv = 35;
+  static constexpr int kVersion = 100, kJointCount = 30, kNq = 36, kNv = 35;
   [[maybe_unused]] static constexpr const char* kRobot = "humanoid";
   [[maybe_unused]] static constexpr bool kFloating = true;
 };
 
 #include "adagen/constants.hpp"
-
-namespace {
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"__world__", 0.0, {0.0, 0.0, 0.0}},
@@ -97,8 +83,7 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"right_wrist", 0.2, {0.0, 0.0, -0.01},
      {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05}},
     {"right_hand", 0.4, {-0.06, 0.0, 0.0},
-     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333}},
-} };
+     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333}}}};
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"__base__", JointKind::kFloating, 0, 0, 7, 0, 6,
@@ -160,12 +145,9 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"right_wrist_roll", JointKind::kRevolute, 28, 34, 1, 33, 1,
      {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.16, 0.01, 0.0}},
     {"right_wrist_pitch", JointKind::kRevolute, 29, 35, 1, 34, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}},
-} };
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}}}};
 
-}  // namespace
-
-// ---- 3. functions -------------------------------------------------------------------------------
+// ---- functions ----------------------------------------------------------------------------------
 
 #include "adagen/far_angles.hpp"
 #include "adagen/kernels/lanes.hpp"
@@ -1716,7 +1698,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   put(x4681, w.lanes.data() + 20);
 }
 
-// ---- 4. processes -------------------------------------------------------------------------------
+// ---- processes ----------------------------------------------------------------------------------
 
 // Process 0: 30 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
 constexpr std::array<int, 30> kRead_0{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29};
@@ -1725,7 +1707,6 @@ constexpr std::array<int, 29> kAngles_0{7, 13, 22, 30, 8, 14, 23, 31, 9, 15, 24,
 
 ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
-  stamp(0);
   if (!all(unlike_zero(q + 0, 3) == 0))
     name_what_is_not_finite(w, kRead_0, kOwned_0);
   take_sines_and_cosines(q, kAngles_0, w.sine.data(), w.cosine.data());
@@ -1790,9 +1771,9 @@ ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] C
   w.qdd[34] = w.lanes[23];
 }
 
-[[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 29, -1}, {"assembly", 1, -1}, {"disassembly", 1, -1}} };
-[[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
 
 }  // namespace
+
+[[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 29, -1}, {"assembly", 1, -1}, {"disassembly", 1, -1}} };
 
 #include "adagen/whole_alone.hpp"

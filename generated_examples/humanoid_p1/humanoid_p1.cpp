@@ -1,40 +1,30 @@
-// Forward dynamics of "humanoid" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
+// Forward dynamics of "humanoid" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 1 --shape=kernels
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
-// options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
-// links     adagen_program.cpp
+// options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
+// links     adagen_program.cpp; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes humanoid_p1.h
 // program   1 process; 0.537 us predicted (default profile)
 //           process 0: left_hip_pitch .. left_ankle_roll | right_hip_pitch .. right_ankle_roll |
 //           left_shoulder_pitch .. left_wrist_pitch | right_shoulder_pitch .. right_wrist_pitch in 4
 //           lanes, __base__, waist_yaw .. waist_pitch, neck_yaw .. neck_pitch
-// method    articulated-body algorithm; spatial vectors [angular; linear] in the axes of the base, about each link's origin
-// licence   yours to choose: generated code belongs to its user
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// humanoid_p1.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
-
-#if __has_include("humanoid_p1.h")
 #include "humanoid_p1.h"
-#define ADAGEN_HEADER
-#endif
 #define ADAGEN_CALL(word) humanoid_p1_##word
 #define ADAGEN_NAMED(WORD) HUMANOID_P1_##WORD
+#include "adagen/kernels/plain_layout.hpp"
 
-// ---- 2. model -----------------------------------------------------------------------------------
-
-#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
-#include "adagen/settings.hpp"
-
-struct humanoid_p1_settings : PlainSettings {
-  static constexpr int kJointCount = 30, kNq = 36, kNv = 35;
+struct humanoid_p1_settings : PlainLayout<30> {
+  static constexpr int kVersion = 100, kJointCount = 30, kNq = 36, kNv = 35;
   [[maybe_unused]] static constexpr const char* kRobot = "humanoid";
   [[maybe_unused]] static constexpr bool kFloating = true;
+  static constexpr bool kReordered = true;
+  static constexpr int kSlots[kJointCount] = {24, 0, 4, 8, 12, 16, 20, 1, 5, 9, 13, 17, 21, 25, 26, 27, 2, 6, 10, 14, 18, 22, 28, 29, 3, 7, 11, 15, 19, 23};
+  static constexpr bool kInLanes = true;
+  static constexpr bool kByColumns = true;
 };
 
 #include "adagen/kernels/model.hpp"
-
-namespace {
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"__world__", 0.0, {0.0, 0.0, 0.0}},
@@ -97,8 +87,7 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"right_wrist", 0.2, {0.0, 0.0, -0.01},
      {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05}},
     {"right_hand", 0.4, {-0.06, 0.0, 0.0},
-     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333}},
-} };
+     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333}}}};
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"__base__", JointKind::kFloating, 0, 0, 7, 0, 6,
@@ -160,8 +149,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"right_wrist_roll", JointKind::kRevolute, 28, 34, 1, 33, 1,
      {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.16, 0.01, 0.0}},
     {"right_wrist_pitch", JointKind::kRevolute, 29, 35, 1, 34, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}},
-} };
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}}}};
 
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {6.2, {0.0, 0.0, 0.12400000000000001},
@@ -223,40 +211,22 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {0.2, {0.0, 0.0, -0.002},
      {4.5e-05, 0.0, 0.0, 4.5e-05, 0.0, 6.16667e-05}},
     {0.4, {-0.024, 0.0, 0.0},
-     {0.0019199994999999999, 0.0, 0.0, 8.33335e-05, 0.0, 0.00021333350000000002}},
-} };
+     {0.0019199994999999999, 0.0, 0.0, 8.33335e-05, 0.0, 0.00021333350000000002}}}};
 
-struct Layout : PlainLayout {
-  static constexpr bool kReordered = true;
-  static constexpr int kSlots[kJointCount] = {24, 0, 4, 8, 12, 16, 20, 1, 5, 9, 13, 17, 21, 25, 26, 27, 2, 6, 10, 14, 18, 22, 28, 29, 3, 7, 11, 15, 19, 23};
-  static constexpr bool kInLanes = true;
-  static constexpr bool kByColumns = true;
-};
+constexpr LinkRole kRoles[1][kLinkCount]{{{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}}};
 
-constexpr LinkRole kRoles[1][kLinkCount]{
-    {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
-};
-
-}  // namespace
-
-// ---- 3. functions -------------------------------------------------------------------------------
-
-#include "adagen/no_channel.hpp"
-#include "adagen/kernels/plain_sweeps.hpp"
+#include "adagen/kernels/loops_alone.hpp"
 #include "adagen/kernels/inward_columns.hpp"
 #include "adagen/kernels/groups.hpp"
-
-namespace {
 
 // "left_hip_pitch" .. "left_ankle_roll", "right_hip_pitch" .. "right_ankle_roll", "left_shoulder_pitch" .. "left_wrist_pitch", "right_shoulder_pitch" .. "right_wrist_pitch"
 constexpr Limbs<4, 6> kLimbs0{0, {{1, 7, 16, 24}, {2, 8, 17, 25}, {3, 9, 18, 26}, {4, 10, 19, 27}, {5, 11, 20, 28}, {6, 12, 21, 29}}};
 
-// ---- 4. processes -------------------------------------------------------------------------------
+// ---- processes ----------------------------------------------------------------------------------
 
 // Process 0: 30 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
-void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.q, 0, 3, &JointConstants::q, kNotFinite);
-  stamp(0);
   take_angles<0, 29>(w);
   turn<block(0), block(29) + 1>(w);
   free_base_frame<0>(w);
@@ -288,8 +258,5 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 [[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 29, -1}, {"assembly", 1, -1}, {"disassembly", 1, -1}} };
-[[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
-
-}  // namespace
 
 #include "adagen/whole_alone.hpp"

@@ -1,52 +1,42 @@
-// Forward dynamics of "humanoid" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
+// Forward dynamics of "humanoid" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 2 --schedule=../models/humanoid_at_torso.json --shape=kernels
 // input     schedule, sha256 35c4c70f0b4c25ef442163ea2ff1fb2b75e983f3e3c7bd1a57b0eace91566f4f
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
-// options   form segment, shape kernels, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
-// links     adagen_program.cpp -DADAGEN_MPI
+// options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
+// links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes humanoid_p2.h
 // program   2 processes, gathered at torso; 0.52 us predicted (default profile)
 //           process 0: left_hip_pitch .. left_ankle_roll | right_hip_pitch .. right_ankle_roll in 2
 //           lanes, __base__, waist_yaw .. waist_pitch
 //           process 1: left_shoulder_pitch .. left_wrist_pitch | right_shoulder_pitch ..
 //           right_wrist_pitch in 2 lanes, neck_yaw .. neck_pitch
-// method    articulated-body algorithm; spatial vectors [angular; linear] in the axes of the base, about each link's origin
-// licence   yours to choose: generated code belongs to its user
 //
 // Each process computes articulated-body inertias I^A and bias forces p^A of its own limbs, from their
 // ends inwards. One exchange follows: each process sends its I^A and p^A at the links where limbs of
 // several processes meet. Every process then computes the links between those and the root, solves for
 // the root's acceleration, and computes the accelerations of its own limbs outwards.
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// humanoid_p2.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
-
-#if __has_include("humanoid_p2.h")
 #include "humanoid_p2.h"
-#define ADAGEN_HEADER
-#endif
 #define ADAGEN_CALL(word) humanoid_p2_##word
 #define ADAGEN_NAMED(WORD) HUMANOID_P2_##WORD
-
-// ---- 2. model -----------------------------------------------------------------------------------
-
-#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
-#include "adagen/settings.hpp"
+#include "adagen/kernels/plain_layout.hpp"
 
-struct humanoid_p2_settings : PlainSettings {
-  static constexpr int kJointCount = 30, kNq = 36, kNv = 35;
+struct humanoid_p2_settings : PlainLayout<30> {
+  static constexpr int kVersion = 100, kJointCount = 30, kNq = 36, kNv = 35;
   [[maybe_unused]] static constexpr const char* kRobot = "humanoid";
   [[maybe_unused]] static constexpr bool kFloating = true;
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 2;
   [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
+  static constexpr bool kReordered = true;
+  static constexpr int kSlots[kJointCount] = {12, 0, 2, 4, 6, 8, 10, 1, 3, 5, 7, 9, 11, 13, 14, 15, 16, 18, 20, 22, 24, 26, 28, 29, 17, 19, 21, 23, 25, 27};
+  static constexpr bool kInLanes = true;
+  static constexpr bool kByColumns = true;
 };
 
 #include "adagen/kernels/model.hpp"
-
-namespace {
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"__world__", 0.0, {0.0, 0.0, 0.0}},
@@ -109,8 +99,7 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"right_wrist", 0.2, {0.0, 0.0, -0.01},
      {8.66667e-05, 0.0, 0.0, 0.0, 8.66667e-05, 0.0, 0.0, 0.0, 9e-05}},
     {"right_hand", 0.4, {-0.06, 0.0, 0.0},
-     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333}},
-} };
+     {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333}}}};
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"__base__", JointKind::kFloating, 0, 0, 7, 0, 6,
@@ -172,15 +161,13 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"right_wrist_roll", JointKind::kRevolute, 28, 34, 1, 33, 1,
      {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.16, 0.01, 0.0}},
     {"right_wrist_pitch", JointKind::kRevolute, 29, 35, 1, 34, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}},
-} };
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 4> kMessages{ {
     {0, 1, 27},  // 0: what hangs on "torso"
     {1, 0, 27},  // 1: what hangs on "torso"
     {0, 1, 61},  // 2: state
-    {1, 0, 14},  // 3: accelerations
-} };
+    {1, 0, 14}}};  // 3: accelerations
 
 constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {6.2, {0.0, 0.0, 0.12400000000000001},
@@ -242,31 +229,18 @@ constexpr std::array<LinkInertia, kJointCount> kInertias{ {
     {0.2, {0.0, 0.0, -0.002},
      {4.5e-05, 0.0, 0.0, 4.5e-05, 0.0, 6.16667e-05}},
     {0.4, {-0.024, 0.0, 0.0},
-     {0.0019199994999999999, 0.0, 0.0, 8.33335e-05, 0.0, 0.00021333350000000002}},
-} };
-
-struct Layout : PlainLayout {
-  static constexpr bool kReordered = true;
-  static constexpr int kSlots[kJointCount] = {12, 0, 2, 4, 6, 8, 10, 1, 3, 5, 7, 9, 11, 13, 14, 15, 16, 18, 20, 22, 24, 26, 28, 29, 17, 19, 21, 23, 25, 27};
-  static constexpr bool kInLanes = true;
-  static constexpr bool kByColumns = true;
-};
+     {0.0019199994999999999, 0.0, 0.0, 8.33335e-05, 0.0, 0.00021333350000000002}}}};
 
 constexpr LinkRole kRoles[2][kLinkCount]{
     {{0, 0, 0, 0}, {1, 1, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {1, 0, 1, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}},
-    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}},
-};
+    {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 1, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}, {0, 1, 0, 0}}};
 
-}  // namespace
-
-// ---- 3. functions -------------------------------------------------------------------------------
+// ---- functions ----------------------------------------------------------------------------------
 
 #include "adagen/channel.hpp"
 #include "adagen/kernels/plain_sweeps.hpp"
 #include "adagen/kernels/inward_columns.hpp"
 #include "adagen/kernels/groups.hpp"
-
-namespace {
 
 // "left_hip_pitch" .. "left_ankle_roll", "right_hip_pitch" .. "right_ankle_roll"
 constexpr Limbs<2, 6> kLimbs0{0, {{1, 7}, {2, 8}, {3, 9}, {4, 10}, {5, 11}, {6, 12}}};
@@ -274,14 +248,13 @@ constexpr Limbs<2, 6> kLimbs0{0, {{1, 7}, {2, 8}, {3, 9}, {4, 10}, {5, 11}, {6, 
 // "left_shoulder_pitch" .. "left_wrist_pitch", "right_shoulder_pitch" .. "right_wrist_pitch"
 constexpr Limbs<2, 6> kLimbs1{16, {{16, 24}, {17, 25}, {18, 26}, {19, 27}, {20, 28}, {21, 29}}};
 
-// ---- 4. processes -------------------------------------------------------------------------------
+// ---- processes ----------------------------------------------------------------------------------
 
 // Process 0: 16 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
-void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.q, 0, 22, &JointConstants::q, kNotFinite);
   require_finite(w, w.v, 0, 21, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 0, 21, &JointConstants::v, kNotFinite);
-  stamp(0);
   take_angles<0, 15>(w);
   turn<block(0), block(15) + 1>(w);
   free_base_frame<0>(w);
@@ -320,13 +293,12 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 // Process 1: 14 of 30 joints: "left_shoulder_pitch", "left_shoulder_roll", "left_shoulder_yaw", "left_elbow", "left_wrist_roll", "left_wrist_pitch", ...; kinematics of 4 more on the way to the ground
-void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   require_finite(w, w.q, 0, 7, &JointConstants::q, kNotFinite);
   require_finite(w, w.q, 19, 17, &JointConstants::q, kNotFinite);
   require_finite(w, w.v, 0, 6, &JointConstants::v, kNotFinite);
   require_finite(w, w.v, 18, 17, &JointConstants::v, kNotFinite);
   require_finite(w, w.tau, 21, 14, &JointConstants::v, kNotFinite);
-  stamp(0);
   take_angles<0, 0>(w);
   take_angles<13, 29>(w);
   turn<block(13), block(29) + 1>(w);
@@ -378,9 +350,6 @@ constexpr std::array<Range, 4> kRanges_0{ {{0, 22}, {0, 21}, {0, 21}, {0, 21}} }
 constexpr std::array<Range, 6> kRanges_1{ {{0, 7}, {19, 17}, {0, 6}, {18, 17}, {21, 14}, {21, 14}} };
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
     {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {6, kStages_0.data()}},
-    {{2, kRanges_1.data()}, {2, kRanges_1.data() + 2}, {1, kRanges_1.data() + 4}, {1, kRanges_1.data() + 5}, {6, kStages_1.data()}},
-} };
-
-}  // namespace
+    {{2, kRanges_1.data()}, {2, kRanges_1.data() + 2}, {1, kRanges_1.data() + 4}, {1, kRanges_1.data() + 5}, {6, kStages_1.data()}}}};
 
 #include "adagen/whole_mpi.hpp"

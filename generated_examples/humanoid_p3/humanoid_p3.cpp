@@ -1,39 +1,27 @@
-// Forward dynamics of "humanoid" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
+// Forward dynamics of "humanoid" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 3 --form=ada
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
-// options   form ada, shape joints, scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
-// links     adagen_program.cpp -DADAGEN_MPI
+// options   form ada (assembly-disassembly algorithm), shape joints (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
+// links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes humanoid_p3.h
 // program   3 processes, joined at cuts; 2.94 us predicted (default profile)
 //           process 0: __base__ .. waist_yaw
 //           process 1: waist_roll .. left_shoulder_pitch, neck_yaw .. right_wrist_pitch
 //           process 2: left_shoulder_roll .. left_wrist_pitch
 // schedule  waist_yaw@0-2(__base__@0(|left_hip_pitch(right_hip_pitch(|right_hip_roll(|right_hip_yaw(|right_knee(|right_ankle_pitch(|right_ankle_roll))))) | left_hip_roll(|left_hip_yaw(|left_knee(|left_ankle_pitch(|left_ankle_roll)))))) | waist_roll@1-2(|waist_pitch(|left_shoulder_pitch(neck_yaw@1(right_shoulder_pitch(|right_shoulder_roll(|right_shoulder_yaw(|right_elbow(|right_wrist_roll(|right_wrist_pitch))))) | neck_pitch) | left_shoulder_roll@2(|left_shoulder_yaw(|left_elbow(|left_wrist_roll(|left_wrist_pitch))))))))
-// method    assembly-disassembly algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
-// licence   yours to choose: generated code belongs to its user
 //
 // Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
 // bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
 // to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down.
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// humanoid_p3.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
-
-#if __has_include("humanoid_p3.h")
 #include "humanoid_p3.h"
-#define ADAGEN_HEADER
-#endif
 #define ADAGEN_CALL(word) humanoid_p3_##word
 #define ADAGEN_NAMED(WORD) HUMANOID_P3_##WORD
-
-// ---- 2. model -----------------------------------------------------------------------------------
-
-#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
 #include "adagen/settings.hpp"
 
 struct humanoid_p3_settings : PlainSettings {
-  static constexpr int kJointCount = 30, kNq = 36, kNv = 35;
+  static constexpr int kVersion = 100, kJointCount = 30, kNq = 36, kNv = 35;
   [[maybe_unused]] static constexpr const char* kRobot = "humanoid";
   [[maybe_unused]] static constexpr bool kFloating = true;
   static constexpr int kProcesses = 3;
@@ -43,8 +31,6 @@ struct humanoid_p3_settings : PlainSettings {
 };
 
 #include "adagen/constants.hpp"
-
-namespace {
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"__world__", 0.0, {0.0, 0.0, 0.0}},
@@ -137,8 +123,7 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
      {11538.457100593423, 0.0, 0.0, 0.0, 11538.457100593423, 0.0, 0.0, 0.0, 11111.111111111111}},
     {"right_hand", 0.4, {-0.06, 0.0, 0.0},
      {0.000296667, 0.0, 0.0, 0.0, 0.000693333, 0.0, 0.0, 0.0, 0.000563333},
-     {3370.7827294576073, 0.0, 0.0, 0.0, 1442.3083857251854, 0.0, 0.0, 0.0, 1775.1489793780945}},
-} };
+     {3370.7827294576073, 0.0, 0.0, 0.0, 1442.3083857251854, 0.0, 0.0, 0.0, 1775.1489793780945}}}};
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"__base__", JointKind::kFloating, 0, 0, 7, 0, 6,
@@ -200,8 +185,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"right_wrist_roll", JointKind::kRevolute, 28, 34, 1, 33, 1,
      {0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0}, {-0.16, 0.01, 0.0}},
     {"right_wrist_pitch", JointKind::kRevolute, 29, 35, 1, 34, 1,
-     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}},
-} };
+     {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 8> kMessages{ {
     {2, 1, 42},  // 0: assembled: chain of "left_shoulder_roll"
@@ -211,14 +195,10 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {0, 1, 48},  // 4: state
     {1, 0, 11},  // 5: accelerations
     {0, 2, 36},  // 6: state
-    {2, 0, 5},  // 7: accelerations
-} };
+    {2, 0, 5}}};  // 7: accelerations
 
-}  // namespace
+// ---- functions ----------------------------------------------------------------------------------
 
-// ---- 3. functions -------------------------------------------------------------------------------
-
-#include "adagen/spatial.hpp"
 #include "adagen/joins.hpp"
 #include "adagen/channel.hpp"
 #include "adagen/joints_memory.hpp"
@@ -589,8 +569,6 @@ struct Workspace : JointsMemory {
 #include "adagen/memory.hpp"
 #include "adagen/exchange.hpp"
 
-namespace {
-
 const Mat6 kPhi_pelvis = symmetric({30.819775200559686, 0.0, 0.0, 0.0, 0.6163955040111937, 0.0, 56.92588818617042, 0.0, -1.1385177637234085, 0.0, 0.0, 28.463025107234447, 0.0, 0.0, 0.0, 0.18406067785511332, 0.0, 0.0, 0.17361823266086904, 0.0, 0.16129032258064516});
 const Mat6 kPhi_left_hip = symmetric({549.4505494505495, 0.0, 0.0, 0.0, 16.483516483516482, 0.0, 549.4505494505495, 0.0, -16.483516483516482, 0.0, 0.0, 571.4285714285714, 0.0, 0.0, 0.0, 1.2087912087912087, 0.0, 0.0, 1.2087912087912087, 0.0, 0.7142857142857143});
 const Mat6 kPhi_left_groin = symmetric({719.4244604316547, 0.0, 0.0, 0.0, 14.388489208633095, 28.77697841726619, 719.4244604316547, 0.0, -14.388489208633095, 0.0, 0.0, 666.6666666666666, -26.666666666666668, 0.0, 0.0, 2.1877697841726618, 0.0, 0.0, 1.1211031175059953, 0.5755395683453238, 1.984412470023981});
@@ -624,7 +602,7 @@ const Mat6 kPhi_right_hand = symmetric({3370.7827294576073, 0.0, 0.0, 0.0, 0.0, 
 
 // ---- joint 0 "__base__": floating, between links "__world__" and "pelvis"
 
-void kinematics_base(Workspace& w) {
+static void kinematics_base(Workspace& w) {
   auto& i = w.j_base;
   require_finite(w, w.q + 0, 7, 0);
   require_finite(w, w.v + 0, 6, 0);
@@ -635,7 +613,7 @@ void kinematics_base(Workspace& w) {
 }
 
 // A: the ground "__world__"; B: the chain of "left_hip_pitch"; C feels the joint at "pelvis"
-void assemble_base(Workspace& w) {
+static void assemble_base(Workspace& w) {
   auto& i = w.j_base;
   load_torque(w, 0, 0, i.joined.tau);
   const Columns6 c = Columns6::Zero();
@@ -649,7 +627,7 @@ void assemble_base(Workspace& w) {
   i.b_pelvis = w.j_left_hip_pitch.b_pelvis + bias_change(i.joined, i.at_pelvis);  // Eq. (7)
 }
 
-void disassemble_base(Workspace& w) {
+static void disassemble_base(Workspace& w) {
   auto& i = w.j_base;
   Release<Floating> release(i.joined);
   release.feel_B(i.at_pelvis, w.j_base.F_on_pelvis);
@@ -660,20 +638,18 @@ void disassemble_base(Workspace& w) {
 
 // ---- joint 1 "left_hip_pitch": revolute, between links "pelvis" and "left_hip"
 
-void kinematics_left_hip_pitch(Workspace& w) {
+static void kinematics_left_hip_pitch(Workspace& w) {
   auto& i = w.j_left_hip_pitch;
   require_finite(w, w.q + 7, 1, 1);
   require_finite(w, w.v + 6, 1, 1);
   const Real q = Real(w.q[7]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, 0.09, -0.05;
   i.v = i.X * w.j_base.v + joint_velocity<Revolute>(w.v + 6);
 }
 
 // A: the chain of "right_hip_pitch"; B: the chain of "left_hip_roll"; C feels the joint at "pelvis"
-void assemble_left_hip_pitch(Workspace& w) {
+static void assemble_left_hip_pitch(Workspace& w) {
   auto& i = w.j_left_hip_pitch;
   load_torque(w, 1, 6, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_right_hip_pitch.Phi_pelvis;
@@ -689,7 +665,7 @@ void assemble_left_hip_pitch(Workspace& w) {
   i.b_pelvis = w.j_right_hip_pitch.b_pelvis - bias_change(i.joined, i.at_pelvis);  // Eq. (6)
 }
 
-void disassemble_left_hip_pitch(Workspace& w) {
+static void disassemble_left_hip_pitch(Workspace& w) {
   auto& i = w.j_left_hip_pitch;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_pelvis, w.j_left_hip_pitch.F_on_pelvis);
@@ -701,20 +677,18 @@ void disassemble_left_hip_pitch(Workspace& w) {
 
 // ---- joint 2 "left_hip_roll": revolute, between links "left_hip" and "left_groin"
 
-void kinematics_left_hip_roll(Workspace& w) {
+static void kinematics_left_hip_roll(Workspace& w) {
   auto& i = w.j_left_hip_roll;
   require_finite(w, w.q + 8, 1, 2);
   require_finite(w, w.v + 7, 1, 2);
   const Real q = Real(w.q[8]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, 0.04;
   i.v = i.X * w.j_left_hip_pitch.v + joint_velocity<Revolute>(w.v + 7);
 }
 
 // A: link "left_hip"; B: the chain of "left_hip_yaw"; C feels the joint at "left_hip"
-void assemble_left_hip_roll(Workspace& w) {
+static void assemble_left_hip_roll(Workspace& w) {
   auto& i = w.j_left_hip_roll;
   load_torque(w, 2, 7, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_left_hip;
@@ -730,7 +704,7 @@ void assemble_left_hip_roll(Workspace& w) {
   i.b_left_hip = w.j_left_hip_pitch.b - bias_change(i.joined, i.at_left_hip);  // Eq. (6)
 }
 
-void disassemble_left_hip_roll(Workspace& w) {
+static void disassemble_left_hip_roll(Workspace& w) {
   auto& i = w.j_left_hip_roll;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_left_hip, w.j_left_hip_roll.F_on_left_hip);
@@ -741,20 +715,18 @@ void disassemble_left_hip_roll(Workspace& w) {
 
 // ---- joint 3 "left_hip_yaw": revolute, between links "left_groin" and "left_thigh"
 
-void kinematics_left_hip_yaw(Workspace& w) {
+static void kinematics_left_hip_yaw(Workspace& w) {
   auto& i = w.j_left_hip_yaw;
   require_finite(w, w.q + 9, 1, 3);
   require_finite(w, w.v + 8, 1, 3);
   const Real q = Real(w.q[9]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, -0.12, 0.0;
   i.v = i.X * w.j_left_hip_roll.v + joint_velocity<Revolute>(w.v + 8);
 }
 
 // A: link "left_groin"; B: the chain of "left_knee"; C feels the joint at "left_groin"
-void assemble_left_hip_yaw(Workspace& w) {
+static void assemble_left_hip_yaw(Workspace& w) {
   auto& i = w.j_left_hip_yaw;
   load_torque(w, 3, 8, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_left_groin;
@@ -770,7 +742,7 @@ void assemble_left_hip_yaw(Workspace& w) {
   i.b_left_groin = w.j_left_hip_roll.b - bias_change(i.joined, i.at_left_groin);  // Eq. (6)
 }
 
-void disassemble_left_hip_yaw(Workspace& w) {
+static void disassemble_left_hip_yaw(Workspace& w) {
   auto& i = w.j_left_hip_yaw;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_left_groin, w.j_left_hip_yaw.F_on_left_groin);
@@ -781,20 +753,18 @@ void disassemble_left_hip_yaw(Workspace& w) {
 
 // ---- joint 4 "left_knee": revolute, between links "left_thigh" and "left_shank"
 
-void kinematics_left_knee(Workspace& w) {
+static void kinematics_left_knee(Workspace& w) {
   auto& i = w.j_left_knee;
   require_finite(w, w.q + 10, 1, 4);
   require_finite(w, w.v + 9, 1, 4);
   const Real q = Real(w.q[10]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, -0.24;
   i.v = i.X * w.j_left_hip_yaw.v + joint_velocity<Revolute>(w.v + 9);
 }
 
 // A: link "left_thigh"; B: the chain of "left_ankle_pitch"; C feels the joint at "left_thigh"
-void assemble_left_knee(Workspace& w) {
+static void assemble_left_knee(Workspace& w) {
   auto& i = w.j_left_knee;
   load_torque(w, 4, 9, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_left_thigh;
@@ -810,7 +780,7 @@ void assemble_left_knee(Workspace& w) {
   i.b_left_thigh = w.j_left_hip_yaw.b - bias_change(i.joined, i.at_left_thigh);  // Eq. (6)
 }
 
-void disassemble_left_knee(Workspace& w) {
+static void disassemble_left_knee(Workspace& w) {
   auto& i = w.j_left_knee;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_left_thigh, w.j_left_knee.F_on_left_thigh);
@@ -821,20 +791,18 @@ void disassemble_left_knee(Workspace& w) {
 
 // ---- joint 5 "left_ankle_pitch": revolute, between links "left_shank" and "left_ankle"
 
-void kinematics_left_ankle_pitch(Workspace& w) {
+static void kinematics_left_ankle_pitch(Workspace& w) {
   auto& i = w.j_left_ankle_pitch;
   require_finite(w, w.q + 11, 1, 5);
   require_finite(w, w.v + 10, 1, 5);
   const Real q = Real(w.q[11]), c = std::cos(q), s = std::sin(q);
-  i.X.E << c, s, 0.0,  //
-      -s, c, 0.0,  //
-      0.0, 0.0, 1.0;
+  i.X.E << c, s, 0.0,  -s, c, 0.0,  0.0, 0.0, 1.0;  // row by row
   i.X.r << -0.3, 0.0, 0.0;
   i.v = i.X * w.j_left_knee.v + joint_velocity<Revolute>(w.v + 10);
 }
 
 // A: link "left_shank"; B: the chain of "left_ankle_roll"; C feels the joint at "left_shank"
-void assemble_left_ankle_pitch(Workspace& w) {
+static void assemble_left_ankle_pitch(Workspace& w) {
   auto& i = w.j_left_ankle_pitch;
   load_torque(w, 5, 10, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_left_shank;
@@ -850,7 +818,7 @@ void assemble_left_ankle_pitch(Workspace& w) {
   i.b_left_shank = w.j_left_knee.b - bias_change(i.joined, i.at_left_shank);  // Eq. (6)
 }
 
-void disassemble_left_ankle_pitch(Workspace& w) {
+static void disassemble_left_ankle_pitch(Workspace& w) {
   auto& i = w.j_left_ankle_pitch;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_left_shank, w.j_left_ankle_pitch.F_on_left_shank);
@@ -861,20 +829,18 @@ void disassemble_left_ankle_pitch(Workspace& w) {
 
 // ---- joint 6 "left_ankle_roll": revolute, between links "left_ankle" and "left_foot"
 
-void kinematics_left_ankle_roll(Workspace& w) {
+static void kinematics_left_ankle_roll(Workspace& w) {
   auto& i = w.j_left_ankle_roll;
   require_finite(w, w.q + 12, 1, 6);
   require_finite(w, w.v + 11, 1, 6);
   const Real q = Real(w.q[12]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << -0.02, 0.0, 0.0;
   i.v = i.X * w.j_left_ankle_pitch.v + joint_velocity<Revolute>(w.v + 11);
 }
 
 // A: link "left_ankle"; B: link "left_foot"; C feels the joint at "left_ankle"
-void assemble_left_ankle_roll(Workspace& w) {
+static void assemble_left_ankle_roll(Workspace& w) {
   auto& i = w.j_left_ankle_roll;
   load_torque(w, 6, 11, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_left_ankle;
@@ -890,7 +856,7 @@ void assemble_left_ankle_roll(Workspace& w) {
   i.b_left_ankle = w.j_left_ankle_pitch.b - bias_change(i.joined, i.at_left_ankle);  // Eq. (6)
 }
 
-void disassemble_left_ankle_roll(Workspace& w) {
+static void disassemble_left_ankle_roll(Workspace& w) {
   auto& i = w.j_left_ankle_roll;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_left_ankle, w.j_left_ankle_roll.F_on_left_ankle);
@@ -900,20 +866,18 @@ void disassemble_left_ankle_roll(Workspace& w) {
 
 // ---- joint 7 "right_hip_pitch": revolute, between links "pelvis" and "right_hip"
 
-void kinematics_right_hip_pitch(Workspace& w) {
+static void kinematics_right_hip_pitch(Workspace& w) {
   auto& i = w.j_right_hip_pitch;
   require_finite(w, w.q + 13, 1, 7);
   require_finite(w, w.v + 12, 1, 7);
   const Real q = Real(w.q[13]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, -0.09, -0.05;
   i.v = i.X * w.j_base.v + joint_velocity<Revolute>(w.v + 12);
 }
 
 // A: link "pelvis"; B: the chain of "right_hip_roll"; C feels the joint at "pelvis"
-void assemble_right_hip_pitch(Workspace& w) {
+static void assemble_right_hip_pitch(Workspace& w) {
   auto& i = w.j_right_hip_pitch;
   load_torque(w, 7, 12, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_pelvis;
@@ -929,7 +893,7 @@ void assemble_right_hip_pitch(Workspace& w) {
   i.b_pelvis = w.j_base.b - bias_change(i.joined, i.at_pelvis);  // Eq. (6)
 }
 
-void disassemble_right_hip_pitch(Workspace& w) {
+static void disassemble_right_hip_pitch(Workspace& w) {
   auto& i = w.j_right_hip_pitch;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_pelvis, w.j_right_hip_pitch.F_on_pelvis);
@@ -940,20 +904,18 @@ void disassemble_right_hip_pitch(Workspace& w) {
 
 // ---- joint 8 "right_hip_roll": revolute, between links "right_hip" and "right_groin"
 
-void kinematics_right_hip_roll(Workspace& w) {
+static void kinematics_right_hip_roll(Workspace& w) {
   auto& i = w.j_right_hip_roll;
   require_finite(w, w.q + 14, 1, 8);
   require_finite(w, w.v + 13, 1, 8);
   const Real q = Real(w.q[14]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, -0.04;
   i.v = i.X * w.j_right_hip_pitch.v + joint_velocity<Revolute>(w.v + 13);
 }
 
 // A: link "right_hip"; B: the chain of "right_hip_yaw"; C feels the joint at "right_hip"
-void assemble_right_hip_roll(Workspace& w) {
+static void assemble_right_hip_roll(Workspace& w) {
   auto& i = w.j_right_hip_roll;
   load_torque(w, 8, 13, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_right_hip;
@@ -969,7 +931,7 @@ void assemble_right_hip_roll(Workspace& w) {
   i.b_right_hip = w.j_right_hip_pitch.b - bias_change(i.joined, i.at_right_hip);  // Eq. (6)
 }
 
-void disassemble_right_hip_roll(Workspace& w) {
+static void disassemble_right_hip_roll(Workspace& w) {
   auto& i = w.j_right_hip_roll;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_right_hip, w.j_right_hip_roll.F_on_right_hip);
@@ -980,20 +942,18 @@ void disassemble_right_hip_roll(Workspace& w) {
 
 // ---- joint 9 "right_hip_yaw": revolute, between links "right_groin" and "right_thigh"
 
-void kinematics_right_hip_yaw(Workspace& w) {
+static void kinematics_right_hip_yaw(Workspace& w) {
   auto& i = w.j_right_hip_yaw;
   require_finite(w, w.q + 15, 1, 9);
   require_finite(w, w.v + 14, 1, 9);
   const Real q = Real(w.q[15]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, -0.12, 0.0;
   i.v = i.X * w.j_right_hip_roll.v + joint_velocity<Revolute>(w.v + 14);
 }
 
 // A: link "right_groin"; B: the chain of "right_knee"; C feels the joint at "right_groin"
-void assemble_right_hip_yaw(Workspace& w) {
+static void assemble_right_hip_yaw(Workspace& w) {
   auto& i = w.j_right_hip_yaw;
   load_torque(w, 9, 14, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_right_groin;
@@ -1009,7 +969,7 @@ void assemble_right_hip_yaw(Workspace& w) {
   i.b_right_groin = w.j_right_hip_roll.b - bias_change(i.joined, i.at_right_groin);  // Eq. (6)
 }
 
-void disassemble_right_hip_yaw(Workspace& w) {
+static void disassemble_right_hip_yaw(Workspace& w) {
   auto& i = w.j_right_hip_yaw;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_right_groin, w.j_right_hip_yaw.F_on_right_groin);
@@ -1020,20 +980,18 @@ void disassemble_right_hip_yaw(Workspace& w) {
 
 // ---- joint 10 "right_knee": revolute, between links "right_thigh" and "right_shank"
 
-void kinematics_right_knee(Workspace& w) {
+static void kinematics_right_knee(Workspace& w) {
   auto& i = w.j_right_knee;
   require_finite(w, w.q + 16, 1, 10);
   require_finite(w, w.v + 15, 1, 10);
   const Real q = Real(w.q[16]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, -0.24;
   i.v = i.X * w.j_right_hip_yaw.v + joint_velocity<Revolute>(w.v + 15);
 }
 
 // A: link "right_thigh"; B: the chain of "right_ankle_pitch"; C feels the joint at "right_thigh"
-void assemble_right_knee(Workspace& w) {
+static void assemble_right_knee(Workspace& w) {
   auto& i = w.j_right_knee;
   load_torque(w, 10, 15, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_right_thigh;
@@ -1049,7 +1007,7 @@ void assemble_right_knee(Workspace& w) {
   i.b_right_thigh = w.j_right_hip_yaw.b - bias_change(i.joined, i.at_right_thigh);  // Eq. (6)
 }
 
-void disassemble_right_knee(Workspace& w) {
+static void disassemble_right_knee(Workspace& w) {
   auto& i = w.j_right_knee;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_right_thigh, w.j_right_knee.F_on_right_thigh);
@@ -1060,20 +1018,18 @@ void disassemble_right_knee(Workspace& w) {
 
 // ---- joint 11 "right_ankle_pitch": revolute, between links "right_shank" and "right_ankle"
 
-void kinematics_right_ankle_pitch(Workspace& w) {
+static void kinematics_right_ankle_pitch(Workspace& w) {
   auto& i = w.j_right_ankle_pitch;
   require_finite(w, w.q + 17, 1, 11);
   require_finite(w, w.v + 16, 1, 11);
   const Real q = Real(w.q[17]), c = std::cos(q), s = std::sin(q);
-  i.X.E << c, s, 0.0,  //
-      -s, c, 0.0,  //
-      0.0, 0.0, 1.0;
+  i.X.E << c, s, 0.0,  -s, c, 0.0,  0.0, 0.0, 1.0;  // row by row
   i.X.r << -0.3, 0.0, 0.0;
   i.v = i.X * w.j_right_knee.v + joint_velocity<Revolute>(w.v + 16);
 }
 
 // A: link "right_shank"; B: the chain of "right_ankle_roll"; C feels the joint at "right_shank"
-void assemble_right_ankle_pitch(Workspace& w) {
+static void assemble_right_ankle_pitch(Workspace& w) {
   auto& i = w.j_right_ankle_pitch;
   load_torque(w, 11, 16, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_right_shank;
@@ -1089,7 +1045,7 @@ void assemble_right_ankle_pitch(Workspace& w) {
   i.b_right_shank = w.j_right_knee.b - bias_change(i.joined, i.at_right_shank);  // Eq. (6)
 }
 
-void disassemble_right_ankle_pitch(Workspace& w) {
+static void disassemble_right_ankle_pitch(Workspace& w) {
   auto& i = w.j_right_ankle_pitch;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_right_shank, w.j_right_ankle_pitch.F_on_right_shank);
@@ -1100,20 +1056,18 @@ void disassemble_right_ankle_pitch(Workspace& w) {
 
 // ---- joint 12 "right_ankle_roll": revolute, between links "right_ankle" and "right_foot"
 
-void kinematics_right_ankle_roll(Workspace& w) {
+static void kinematics_right_ankle_roll(Workspace& w) {
   auto& i = w.j_right_ankle_roll;
   require_finite(w, w.q + 18, 1, 12);
   require_finite(w, w.v + 17, 1, 12);
   const Real q = Real(w.q[18]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << -0.02, 0.0, 0.0;
   i.v = i.X * w.j_right_ankle_pitch.v + joint_velocity<Revolute>(w.v + 17);
 }
 
 // A: link "right_ankle"; B: link "right_foot"; C feels the joint at "right_ankle"
-void assemble_right_ankle_roll(Workspace& w) {
+static void assemble_right_ankle_roll(Workspace& w) {
   auto& i = w.j_right_ankle_roll;
   load_torque(w, 12, 17, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_right_ankle;
@@ -1129,7 +1083,7 @@ void assemble_right_ankle_roll(Workspace& w) {
   i.b_right_ankle = w.j_right_ankle_pitch.b - bias_change(i.joined, i.at_right_ankle);  // Eq. (6)
 }
 
-void disassemble_right_ankle_roll(Workspace& w) {
+static void disassemble_right_ankle_roll(Workspace& w) {
   auto& i = w.j_right_ankle_roll;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_right_ankle, w.j_right_ankle_roll.F_on_right_ankle);
@@ -1139,20 +1093,18 @@ void disassemble_right_ankle_roll(Workspace& w) {
 
 // ---- joint 13 "waist_yaw": revolute, between links "pelvis" and "waist_link"
 
-void kinematics_waist_yaw(Workspace& w) {
+static void kinematics_waist_yaw(Workspace& w) {
   auto& i = w.j_waist_yaw;
   require_finite(w, w.q + 19, 1, 13);
   require_finite(w, w.v + 18, 1, 13);
   const Real q = Real(w.q[19]), c = std::cos(q), s = std::sin(q);
-  i.X.E << c, s, 0.0,  //
-      -s, c, 0.0,  //
-      0.0, 0.0, 1.0;
+  i.X.E << c, s, 0.0,  -s, c, 0.0,  0.0, 0.0, 1.0;  // row by row
   i.X.r << 0.0, 0.0, 0.09;
   i.v = i.X * w.j_base.v + joint_velocity<Revolute>(w.v + 18);
 }
 
 // A: the chain of "__base__"; B: the chain of "waist_roll"; C feels the joint at no link
-void assemble_waist_yaw(Workspace& w) {
+static void assemble_waist_yaw(Workspace& w) {
   auto& i = w.j_waist_yaw;
   load_torque(w, 13, 18, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_base.Phi_pelvis;
@@ -1165,7 +1117,7 @@ void assemble_waist_yaw(Workspace& w) {
     fail(w, kFactorization, 13);
 }
 
-void disassemble_waist_yaw(Workspace& w) {
+static void disassemble_waist_yaw(Workspace& w) {
   auto& i = w.j_waist_yaw;
   Release<Revolute> release(i.joined);
   const Columns6 f = release.force();  // Eq. (8), (10)
@@ -1176,20 +1128,18 @@ void disassemble_waist_yaw(Workspace& w) {
 
 // ---- joint 14 "waist_roll": revolute, between links "waist_link" and "abdomen"
 
-void kinematics_waist_roll(Workspace& w) {
+static void kinematics_waist_roll(Workspace& w) {
   auto& i = w.j_waist_roll;
   require_finite(w, w.q + 20, 1, 14);
   require_finite(w, w.v + 19, 1, 14);
   const Real q = Real(w.q[20]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, 0.05;
   i.v = i.X * w.j_waist_yaw.v + joint_velocity<Revolute>(w.v + 19);
 }
 
 // A: link "waist_link"; B: the chain of "waist_pitch"; C feels the joint at "waist_link"
-void assemble_waist_roll(Workspace& w) {
+static void assemble_waist_roll(Workspace& w) {
   auto& i = w.j_waist_roll;
   load_torque(w, 14, 19, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_waist_link;
@@ -1205,7 +1155,7 @@ void assemble_waist_roll(Workspace& w) {
   i.b_waist_link = w.j_waist_yaw.b - bias_change(i.joined, i.at_waist_link);  // Eq. (6)
 }
 
-void disassemble_waist_roll(Workspace& w) {
+static void disassemble_waist_roll(Workspace& w) {
   auto& i = w.j_waist_roll;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_waist_link, w.j_waist_roll.F_on_waist_link);
@@ -1216,20 +1166,18 @@ void disassemble_waist_roll(Workspace& w) {
 
 // ---- joint 15 "waist_pitch": revolute, between links "abdomen" and "torso"
 
-void kinematics_waist_pitch(Workspace& w) {
+static void kinematics_waist_pitch(Workspace& w) {
   auto& i = w.j_waist_pitch;
   require_finite(w, w.q + 21, 1, 15);
   require_finite(w, w.v + 20, 1, 15);
   const Real q = Real(w.q[21]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << 0.0, 0.04, 0.0;
   i.v = i.X * w.j_waist_roll.v + joint_velocity<Revolute>(w.v + 20);
 }
 
 // A: link "abdomen"; B: the chain of "left_shoulder_pitch"; C feels the joint at "abdomen"
-void assemble_waist_pitch(Workspace& w) {
+static void assemble_waist_pitch(Workspace& w) {
   auto& i = w.j_waist_pitch;
   load_torque(w, 15, 20, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_abdomen;
@@ -1245,7 +1193,7 @@ void assemble_waist_pitch(Workspace& w) {
   i.b_abdomen = w.j_waist_roll.b - bias_change(i.joined, i.at_abdomen);  // Eq. (6)
 }
 
-void disassemble_waist_pitch(Workspace& w) {
+static void disassemble_waist_pitch(Workspace& w) {
   auto& i = w.j_waist_pitch;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_abdomen, w.j_waist_pitch.F_on_abdomen);
@@ -1256,20 +1204,18 @@ void disassemble_waist_pitch(Workspace& w) {
 
 // ---- joint 16 "left_shoulder_pitch": revolute, between links "torso" and "left_shoulder"
 
-void kinematics_left_shoulder_pitch(Workspace& w) {
+static void kinematics_left_shoulder_pitch(Workspace& w) {
   auto& i = w.j_left_shoulder_pitch;
   require_finite(w, w.q + 22, 1, 16);
   require_finite(w, w.v + 21, 1, 16);
   const Real q = Real(w.q[22]), c = std::cos(q), s = std::sin(q);
-  i.X.E << c, s, 0.0,  //
-      -s, c, 0.0,  //
-      0.0, 0.0, 1.0;
+  i.X.E << c, s, 0.0,  -s, c, 0.0,  0.0, 0.0, 1.0;  // row by row
   i.X.r << 0.29, 0.0, 0.15;
   i.v = i.X * w.j_waist_pitch.v + joint_velocity<Revolute>(w.v + 21);
 }
 
 // A: the chain of "neck_yaw"; B: the chain of "left_shoulder_roll"; C feels the joint at "torso"
-void assemble_left_shoulder_pitch(Workspace& w) {
+static void assemble_left_shoulder_pitch(Workspace& w) {
   auto& i = w.j_left_shoulder_pitch;
   load_torque(w, 16, 21, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_neck_yaw.Phi_torso;
@@ -1285,7 +1231,7 @@ void assemble_left_shoulder_pitch(Workspace& w) {
   i.b_torso = w.j_neck_yaw.b_torso - bias_change(i.joined, i.at_torso);  // Eq. (6)
 }
 
-void disassemble_left_shoulder_pitch(Workspace& w) {
+static void disassemble_left_shoulder_pitch(Workspace& w) {
   auto& i = w.j_left_shoulder_pitch;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_torso, w.j_left_shoulder_pitch.F_on_torso);
@@ -1297,20 +1243,18 @@ void disassemble_left_shoulder_pitch(Workspace& w) {
 
 // ---- joint 17 "left_shoulder_roll": revolute, between links "left_shoulder" and "left_shoulder_cap"
 
-void kinematics_left_shoulder_roll(Workspace& w) {
+static void kinematics_left_shoulder_roll(Workspace& w) {
   auto& i = w.j_left_shoulder_roll;
   require_finite(w, w.q + 23, 1, 17);
   require_finite(w, w.v + 22, 1, 17);
   const Real q = Real(w.q[23]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, 0.05;
   i.v = i.X * w.j_left_shoulder_pitch.v + joint_velocity<Revolute>(w.v + 22);
 }
 
 // A: link "left_shoulder"; B: the chain of "left_shoulder_yaw"; C feels the joint at "left_shoulder"
-void assemble_left_shoulder_roll(Workspace& w) {
+static void assemble_left_shoulder_roll(Workspace& w) {
   auto& i = w.j_left_shoulder_roll;
   load_torque(w, 17, 22, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_left_shoulder;
@@ -1326,7 +1270,7 @@ void assemble_left_shoulder_roll(Workspace& w) {
   i.b_left_shoulder = w.j_left_shoulder_pitch.b - bias_change(i.joined, i.at_left_shoulder);  // Eq. (6)
 }
 
-void disassemble_left_shoulder_roll(Workspace& w) {
+static void disassemble_left_shoulder_roll(Workspace& w) {
   auto& i = w.j_left_shoulder_roll;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_left_shoulder, w.j_left_shoulder_roll.F_on_left_shoulder);
@@ -1337,20 +1281,18 @@ void disassemble_left_shoulder_roll(Workspace& w) {
 
 // ---- joint 18 "left_shoulder_yaw": revolute, between links "left_shoulder_cap" and "left_upper_arm"
 
-void kinematics_left_shoulder_yaw(Workspace& w) {
+static void kinematics_left_shoulder_yaw(Workspace& w) {
   auto& i = w.j_left_shoulder_yaw;
   require_finite(w, w.q + 24, 1, 18);
   require_finite(w, w.v + 23, 1, 18);
   const Real q = Real(w.q[24]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, -0.1, 0.0;
   i.v = i.X * w.j_left_shoulder_roll.v + joint_velocity<Revolute>(w.v + 23);
 }
 
 // A: link "left_shoulder_cap"; B: the chain of "left_elbow"; C feels the joint at "left_shoulder_cap"
-void assemble_left_shoulder_yaw(Workspace& w) {
+static void assemble_left_shoulder_yaw(Workspace& w) {
   auto& i = w.j_left_shoulder_yaw;
   load_torque(w, 18, 23, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_left_shoulder_cap;
@@ -1366,7 +1308,7 @@ void assemble_left_shoulder_yaw(Workspace& w) {
   i.b_left_shoulder_cap = w.j_left_shoulder_roll.b - bias_change(i.joined, i.at_left_shoulder_cap);  // Eq. (6)
 }
 
-void disassemble_left_shoulder_yaw(Workspace& w) {
+static void disassemble_left_shoulder_yaw(Workspace& w) {
   auto& i = w.j_left_shoulder_yaw;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_left_shoulder_cap, w.j_left_shoulder_yaw.F_on_left_shoulder_cap);
@@ -1377,20 +1319,18 @@ void disassemble_left_shoulder_yaw(Workspace& w) {
 
 // ---- joint 19 "left_elbow": revolute, between links "left_upper_arm" and "left_forearm"
 
-void kinematics_left_elbow(Workspace& w) {
+static void kinematics_left_elbow(Workspace& w) {
   auto& i = w.j_left_elbow;
   require_finite(w, w.q + 25, 1, 19);
   require_finite(w, w.v + 24, 1, 19);
   const Real q = Real(w.q[25]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, -0.11;
   i.v = i.X * w.j_left_shoulder_yaw.v + joint_velocity<Revolute>(w.v + 24);
 }
 
 // A: link "left_upper_arm"; B: the chain of "left_wrist_roll"; C feels the joint at "left_upper_arm"
-void assemble_left_elbow(Workspace& w) {
+static void assemble_left_elbow(Workspace& w) {
   auto& i = w.j_left_elbow;
   load_torque(w, 19, 24, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_left_upper_arm;
@@ -1406,7 +1346,7 @@ void assemble_left_elbow(Workspace& w) {
   i.b_left_upper_arm = w.j_left_shoulder_yaw.b - bias_change(i.joined, i.at_left_upper_arm);  // Eq. (6)
 }
 
-void disassemble_left_elbow(Workspace& w) {
+static void disassemble_left_elbow(Workspace& w) {
   auto& i = w.j_left_elbow;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_left_upper_arm, w.j_left_elbow.F_on_left_upper_arm);
@@ -1417,20 +1357,18 @@ void disassemble_left_elbow(Workspace& w) {
 
 // ---- joint 20 "left_wrist_roll": revolute, between links "left_forearm" and "left_wrist"
 
-void kinematics_left_wrist_roll(Workspace& w) {
+static void kinematics_left_wrist_roll(Workspace& w) {
   auto& i = w.j_left_wrist_roll;
   require_finite(w, w.q + 26, 1, 20);
   require_finite(w, w.v + 25, 1, 20);
   const Real q = Real(w.q[26]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << -0.16, 0.01, 0.0;
   i.v = i.X * w.j_left_elbow.v + joint_velocity<Revolute>(w.v + 25);
 }
 
 // A: link "left_forearm"; B: the chain of "left_wrist_pitch"; C feels the joint at "left_forearm"
-void assemble_left_wrist_roll(Workspace& w) {
+static void assemble_left_wrist_roll(Workspace& w) {
   auto& i = w.j_left_wrist_roll;
   load_torque(w, 20, 25, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_left_forearm;
@@ -1446,7 +1384,7 @@ void assemble_left_wrist_roll(Workspace& w) {
   i.b_left_forearm = w.j_left_elbow.b - bias_change(i.joined, i.at_left_forearm);  // Eq. (6)
 }
 
-void disassemble_left_wrist_roll(Workspace& w) {
+static void disassemble_left_wrist_roll(Workspace& w) {
   auto& i = w.j_left_wrist_roll;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_left_forearm, w.j_left_wrist_roll.F_on_left_forearm);
@@ -1457,20 +1395,18 @@ void disassemble_left_wrist_roll(Workspace& w) {
 
 // ---- joint 21 "left_wrist_pitch": revolute, between links "left_wrist" and "left_hand"
 
-void kinematics_left_wrist_pitch(Workspace& w) {
+static void kinematics_left_wrist_pitch(Workspace& w) {
   auto& i = w.j_left_wrist_pitch;
   require_finite(w, w.q + 27, 1, 21);
   require_finite(w, w.v + 26, 1, 21);
   const Real q = Real(w.q[27]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, -0.04;
   i.v = i.X * w.j_left_wrist_roll.v + joint_velocity<Revolute>(w.v + 26);
 }
 
 // A: link "left_wrist"; B: link "left_hand"; C feels the joint at "left_wrist"
-void assemble_left_wrist_pitch(Workspace& w) {
+static void assemble_left_wrist_pitch(Workspace& w) {
   auto& i = w.j_left_wrist_pitch;
   load_torque(w, 21, 26, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_left_wrist;
@@ -1486,7 +1422,7 @@ void assemble_left_wrist_pitch(Workspace& w) {
   i.b_left_wrist = w.j_left_wrist_roll.b - bias_change(i.joined, i.at_left_wrist);  // Eq. (6)
 }
 
-void disassemble_left_wrist_pitch(Workspace& w) {
+static void disassemble_left_wrist_pitch(Workspace& w) {
   auto& i = w.j_left_wrist_pitch;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_left_wrist, w.j_left_wrist_pitch.F_on_left_wrist);
@@ -1496,20 +1432,18 @@ void disassemble_left_wrist_pitch(Workspace& w) {
 
 // ---- joint 22 "neck_yaw": revolute, between links "torso" and "neck"
 
-void kinematics_neck_yaw(Workspace& w) {
+static void kinematics_neck_yaw(Workspace& w) {
   auto& i = w.j_neck_yaw;
   require_finite(w, w.q + 28, 1, 22);
   require_finite(w, w.v + 27, 1, 22);
   const Real q = Real(w.q[28]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << 0.38, 0.0, 0.0;
   i.v = i.X * w.j_waist_pitch.v + joint_velocity<Revolute>(w.v + 27);
 }
 
 // A: the chain of "right_shoulder_pitch"; B: the chain of "neck_pitch"; C feels the joint at "torso"
-void assemble_neck_yaw(Workspace& w) {
+static void assemble_neck_yaw(Workspace& w) {
   auto& i = w.j_neck_yaw;
   load_torque(w, 22, 27, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_right_shoulder_pitch.Phi_torso;
@@ -1525,7 +1459,7 @@ void assemble_neck_yaw(Workspace& w) {
   i.b_torso = w.j_right_shoulder_pitch.b_torso - bias_change(i.joined, i.at_torso);  // Eq. (6)
 }
 
-void disassemble_neck_yaw(Workspace& w) {
+static void disassemble_neck_yaw(Workspace& w) {
   auto& i = w.j_neck_yaw;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_torso, w.j_neck_yaw.F_on_torso);
@@ -1537,20 +1471,18 @@ void disassemble_neck_yaw(Workspace& w) {
 
 // ---- joint 23 "neck_pitch": revolute, between links "neck" and "head"
 
-void kinematics_neck_pitch(Workspace& w) {
+static void kinematics_neck_pitch(Workspace& w) {
   auto& i = w.j_neck_pitch;
   require_finite(w, w.q + 29, 1, 23);
   require_finite(w, w.v + 28, 1, 23);
   const Real q = Real(w.q[29]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, 0.06;
   i.v = i.X * w.j_neck_yaw.v + joint_velocity<Revolute>(w.v + 28);
 }
 
 // A: link "neck"; B: link "head"; C feels the joint at "neck"
-void assemble_neck_pitch(Workspace& w) {
+static void assemble_neck_pitch(Workspace& w) {
   auto& i = w.j_neck_pitch;
   load_torque(w, 23, 28, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_neck;
@@ -1566,7 +1498,7 @@ void assemble_neck_pitch(Workspace& w) {
   i.b_neck = w.j_neck_yaw.b - bias_change(i.joined, i.at_neck);  // Eq. (6)
 }
 
-void disassemble_neck_pitch(Workspace& w) {
+static void disassemble_neck_pitch(Workspace& w) {
   auto& i = w.j_neck_pitch;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_neck, w.j_neck_pitch.F_on_neck);
@@ -1576,20 +1508,18 @@ void disassemble_neck_pitch(Workspace& w) {
 
 // ---- joint 24 "right_shoulder_pitch": revolute, between links "torso" and "right_shoulder"
 
-void kinematics_right_shoulder_pitch(Workspace& w) {
+static void kinematics_right_shoulder_pitch(Workspace& w) {
   auto& i = w.j_right_shoulder_pitch;
   require_finite(w, w.q + 30, 1, 24);
   require_finite(w, w.v + 29, 1, 24);
   const Real q = Real(w.q[30]), c = std::cos(q), s = std::sin(q);
-  i.X.E << c, s, 0.0,  //
-      -s, c, 0.0,  //
-      0.0, 0.0, 1.0;
+  i.X.E << c, s, 0.0,  -s, c, 0.0,  0.0, 0.0, 1.0;  // row by row
   i.X.r << 0.29, 0.0, -0.15;
   i.v = i.X * w.j_waist_pitch.v + joint_velocity<Revolute>(w.v + 29);
 }
 
 // A: link "torso"; B: the chain of "right_shoulder_roll"; C feels the joint at "torso"
-void assemble_right_shoulder_pitch(Workspace& w) {
+static void assemble_right_shoulder_pitch(Workspace& w) {
   auto& i = w.j_right_shoulder_pitch;
   load_torque(w, 24, 29, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_torso;
@@ -1605,7 +1535,7 @@ void assemble_right_shoulder_pitch(Workspace& w) {
   i.b_torso = w.j_waist_pitch.b - bias_change(i.joined, i.at_torso);  // Eq. (6)
 }
 
-void disassemble_right_shoulder_pitch(Workspace& w) {
+static void disassemble_right_shoulder_pitch(Workspace& w) {
   auto& i = w.j_right_shoulder_pitch;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_torso, w.j_right_shoulder_pitch.F_on_torso);
@@ -1616,20 +1546,18 @@ void disassemble_right_shoulder_pitch(Workspace& w) {
 
 // ---- joint 25 "right_shoulder_roll": revolute, between links "right_shoulder" and "right_shoulder_cap"
 
-void kinematics_right_shoulder_roll(Workspace& w) {
+static void kinematics_right_shoulder_roll(Workspace& w) {
   auto& i = w.j_right_shoulder_roll;
   require_finite(w, w.q + 31, 1, 25);
   require_finite(w, w.v + 30, 1, 25);
   const Real q = Real(w.q[31]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, -0.05;
   i.v = i.X * w.j_right_shoulder_pitch.v + joint_velocity<Revolute>(w.v + 30);
 }
 
 // A: link "right_shoulder"; B: the chain of "right_shoulder_yaw"; C feels the joint at "right_shoulder"
-void assemble_right_shoulder_roll(Workspace& w) {
+static void assemble_right_shoulder_roll(Workspace& w) {
   auto& i = w.j_right_shoulder_roll;
   load_torque(w, 25, 30, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_right_shoulder;
@@ -1645,7 +1573,7 @@ void assemble_right_shoulder_roll(Workspace& w) {
   i.b_right_shoulder = w.j_right_shoulder_pitch.b - bias_change(i.joined, i.at_right_shoulder);  // Eq. (6)
 }
 
-void disassemble_right_shoulder_roll(Workspace& w) {
+static void disassemble_right_shoulder_roll(Workspace& w) {
   auto& i = w.j_right_shoulder_roll;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_right_shoulder, w.j_right_shoulder_roll.F_on_right_shoulder);
@@ -1656,20 +1584,18 @@ void disassemble_right_shoulder_roll(Workspace& w) {
 
 // ---- joint 26 "right_shoulder_yaw": revolute, between links "right_shoulder_cap" and "right_upper_arm"
 
-void kinematics_right_shoulder_yaw(Workspace& w) {
+static void kinematics_right_shoulder_yaw(Workspace& w) {
   auto& i = w.j_right_shoulder_yaw;
   require_finite(w, w.q + 32, 1, 26);
   require_finite(w, w.v + 31, 1, 26);
   const Real q = Real(w.q[32]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, -0.1, 0.0;
   i.v = i.X * w.j_right_shoulder_roll.v + joint_velocity<Revolute>(w.v + 31);
 }
 
 // A: link "right_shoulder_cap"; B: the chain of "right_elbow"; C feels the joint at "right_shoulder_cap"
-void assemble_right_shoulder_yaw(Workspace& w) {
+static void assemble_right_shoulder_yaw(Workspace& w) {
   auto& i = w.j_right_shoulder_yaw;
   load_torque(w, 26, 31, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_right_shoulder_cap;
@@ -1685,7 +1611,7 @@ void assemble_right_shoulder_yaw(Workspace& w) {
   i.b_right_shoulder_cap = w.j_right_shoulder_roll.b - bias_change(i.joined, i.at_right_shoulder_cap);  // Eq. (6)
 }
 
-void disassemble_right_shoulder_yaw(Workspace& w) {
+static void disassemble_right_shoulder_yaw(Workspace& w) {
   auto& i = w.j_right_shoulder_yaw;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_right_shoulder_cap, w.j_right_shoulder_yaw.F_on_right_shoulder_cap);
@@ -1696,20 +1622,18 @@ void disassemble_right_shoulder_yaw(Workspace& w) {
 
 // ---- joint 27 "right_elbow": revolute, between links "right_upper_arm" and "right_forearm"
 
-void kinematics_right_elbow(Workspace& w) {
+static void kinematics_right_elbow(Workspace& w) {
   auto& i = w.j_right_elbow;
   require_finite(w, w.q + 33, 1, 27);
   require_finite(w, w.v + 32, 1, 27);
   const Real q = Real(w.q[33]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, -0.11;
   i.v = i.X * w.j_right_shoulder_yaw.v + joint_velocity<Revolute>(w.v + 32);
 }
 
 // A: link "right_upper_arm"; B: the chain of "right_wrist_roll"; C feels the joint at "right_upper_arm"
-void assemble_right_elbow(Workspace& w) {
+static void assemble_right_elbow(Workspace& w) {
   auto& i = w.j_right_elbow;
   load_torque(w, 27, 32, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_right_upper_arm;
@@ -1725,7 +1649,7 @@ void assemble_right_elbow(Workspace& w) {
   i.b_right_upper_arm = w.j_right_shoulder_yaw.b - bias_change(i.joined, i.at_right_upper_arm);  // Eq. (6)
 }
 
-void disassemble_right_elbow(Workspace& w) {
+static void disassemble_right_elbow(Workspace& w) {
   auto& i = w.j_right_elbow;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_right_upper_arm, w.j_right_elbow.F_on_right_upper_arm);
@@ -1736,20 +1660,18 @@ void disassemble_right_elbow(Workspace& w) {
 
 // ---- joint 28 "right_wrist_roll": revolute, between links "right_forearm" and "right_wrist"
 
-void kinematics_right_wrist_roll(Workspace& w) {
+static void kinematics_right_wrist_roll(Workspace& w) {
   auto& i = w.j_right_wrist_roll;
   require_finite(w, w.q + 34, 1, 28);
   require_finite(w, w.v + 33, 1, 28);
   const Real q = Real(w.q[34]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.0, c, s,  //
-      0.0, -s, c,  //
-      1.0, 0.0, 0.0;
+  i.X.E << 0.0, c, s,  0.0, -s, c,  1.0, 0.0, 0.0;  // row by row
   i.X.r << -0.16, 0.01, 0.0;
   i.v = i.X * w.j_right_elbow.v + joint_velocity<Revolute>(w.v + 33);
 }
 
 // A: link "right_forearm"; B: the chain of "right_wrist_pitch"; C feels the joint at "right_forearm"
-void assemble_right_wrist_roll(Workspace& w) {
+static void assemble_right_wrist_roll(Workspace& w) {
   auto& i = w.j_right_wrist_roll;
   load_torque(w, 28, 33, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_right_forearm;
@@ -1765,7 +1687,7 @@ void assemble_right_wrist_roll(Workspace& w) {
   i.b_right_forearm = w.j_right_elbow.b - bias_change(i.joined, i.at_right_forearm);  // Eq. (6)
 }
 
-void disassemble_right_wrist_roll(Workspace& w) {
+static void disassemble_right_wrist_roll(Workspace& w) {
   auto& i = w.j_right_wrist_roll;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_right_forearm, w.j_right_wrist_roll.F_on_right_forearm);
@@ -1776,20 +1698,18 @@ void disassemble_right_wrist_roll(Workspace& w) {
 
 // ---- joint 29 "right_wrist_pitch": revolute, between links "right_wrist" and "right_hand"
 
-void kinematics_right_wrist_pitch(Workspace& w) {
+static void kinematics_right_wrist_pitch(Workspace& w) {
   auto& i = w.j_right_wrist_pitch;
   require_finite(w, w.q + 35, 1, 29);
   require_finite(w, w.v + 34, 1, 29);
   const Real q = Real(w.q[35]), c = std::cos(q), s = std::sin(q);
-  i.X.E << s, 0.0, c,  //
-      c, 0.0, -s,  //
-      0.0, 1.0, 0.0;
+  i.X.E << s, 0.0, c,  c, 0.0, -s,  0.0, 1.0, 0.0;  // row by row
   i.X.r << 0.0, 0.0, -0.04;
   i.v = i.X * w.j_right_wrist_roll.v + joint_velocity<Revolute>(w.v + 34);
 }
 
 // A: link "right_wrist"; B: link "right_hand"; C feels the joint at "right_wrist"
-void assemble_right_wrist_pitch(Workspace& w) {
+static void assemble_right_wrist_pitch(Workspace& w) {
   auto& i = w.j_right_wrist_pitch;
   load_torque(w, 29, 34, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_right_wrist;
@@ -1805,7 +1725,7 @@ void assemble_right_wrist_pitch(Workspace& w) {
   i.b_right_wrist = w.j_right_wrist_roll.b - bias_change(i.joined, i.at_right_wrist);  // Eq. (6)
 }
 
-void disassemble_right_wrist_pitch(Workspace& w) {
+static void disassemble_right_wrist_pitch(Workspace& w) {
   auto& i = w.j_right_wrist_pitch;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_right_wrist, w.j_right_wrist_pitch.F_on_right_wrist);
@@ -1813,13 +1733,11 @@ void disassemble_right_wrist_pitch(Workspace& w) {
   store_acceleration(w, 29, 34, release.qdd());  // Eq. (9)
 }
 
-
-// ---- 4. processes -------------------------------------------------------------------------------
+// ---- processes ----------------------------------------------------------------------------------
 
 // Process 0: 14 of 30 joints: "__base__", "left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "left_ankle_pitch", ...
-void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
-  stamp(0);
   kinematics_base(w);
   kinematics_left_hip_pitch(w);
   kinematics_left_hip_roll(w);
@@ -1895,9 +1813,8 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 // Process 1: 11 of 30 joints: "waist_roll", "waist_pitch", "left_shoulder_pitch", "neck_yaw", "neck_pitch", "right_shoulder_pitch", ...; kinematics of 2 more on the way to the ground
-void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
-  stamp(0);
   kinematics_base(w);
   kinematics_waist_yaw(w);
   kinematics_waist_roll(w);
@@ -1976,9 +1893,8 @@ void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 // Process 2: 5 of 30 joints: "left_shoulder_roll", "left_shoulder_yaw", "left_elbow", "left_wrist_roll", "left_wrist_pitch"; kinematics of 5 more on the way to the ground
-void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_2([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
-  stamp(0);
   kinematics_base(w);
   kinematics_waist_yaw(w);
   kinematics_waist_roll(w);
@@ -2043,9 +1959,6 @@ constexpr std::array<Range, 6> kRanges_2{ {{0, 7}, {19, 9}, {0, 6}, {18, 9}, {22
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
     {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {7, kStages_0.data()}},
     {{3, kRanges_1.data()}, {3, kRanges_1.data() + 3}, {2, kRanges_1.data() + 6}, {2, kRanges_1.data() + 8}, {9, kStages_1.data()}},
-    {{2, kRanges_2.data()}, {2, kRanges_2.data() + 2}, {1, kRanges_2.data() + 4}, {1, kRanges_2.data() + 5}, {5, kStages_2.data()}},
-} };
-
-}  // namespace
+    {{2, kRanges_2.data()}, {2, kRanges_2.data() + 2}, {1, kRanges_2.data() + 4}, {1, kRanges_2.data() + 5}, {5, kStages_2.data()}}}};
 
 #include "adagen/whole_mpi.hpp"

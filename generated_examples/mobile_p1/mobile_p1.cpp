@@ -1,37 +1,23 @@
-// Forward dynamics of "mobile" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
+// Forward dynamics of "mobile" on 1 process, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "mobile", 6 joints, 13 degrees of freedom, description sha256 421e40d13e3d94e0ea25fa3a829795267d134cdc98cb6abe58b7ec78cf6d9704
 // command   adagen ../models/mobile.urdf --procs 1
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
-// options   form segment, shape unrolled, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// links     adagen_program.cpp
+// options   form segment (articulated-body algorithm), shape unrolled (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// links     adagen_program.cpp; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes mobile_p1.h
 // program   1 process; 0.155 us predicted (default profile)
 //           process 0: drive .. loose
-// method    articulated-body algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
-// licence   yours to choose: generated code belongs to its user
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// mobile_p1.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
-
-#if __has_include("mobile_p1.h")
 #include "mobile_p1.h"
-#define ADAGEN_HEADER
-#endif
 #define ADAGEN_CALL(word) mobile_p1_##word
 #define ADAGEN_NAMED(WORD) MOBILE_P1_##WORD
-
-// ---- 2. model -----------------------------------------------------------------------------------
-
-#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #include "adagen/settings.hpp"
 
 struct mobile_p1_settings : PlainSettings {
-  static constexpr int kJointCount = 6, kNq = 14, kNv = 13;
+  static constexpr int kVersion = 100, kJointCount = 6, kNq = 14, kNv = 13;
   [[maybe_unused]] static constexpr const char* kRobot = "mobile";
 };
 
 #include "adagen/constants.hpp"
-
-namespace {
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"floor", 0.0, {0.0, 0.0, 0.0}},
@@ -46,8 +32,7 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"bowl", 0.9, {0.0, 0.0, 0.1},
      {0.0021075, 0.0, 0.0, 0.0, 0.00384, 0.0, 0.0, 0.0, 0.0021075}},
     {"load", 0.6, {0.01, -0.02, 0.015},
-     {0.0006, 0.0, 0.0, 0.0, 0.0006, 0.0, 0.0, 0.0, 0.0006}},
-} };
+     {0.0006, 0.0, 0.0, 0.0, 0.0006, 0.0, 0.0, 0.0, 0.0006}}}};
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"drive", JointKind::kPlanar, 0, 0, 3, 0, 3,
@@ -61,12 +46,9 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"wrist", JointKind::kRevolute, 4, 6, 1, 6, 1,
      {-0.4028214625008311, 0.04136261787763011, 0.9143434820629502, -0.4955543024180784, -0.8497464879390758, -0.17988007001927067, 0.7695198520529689, -0.5255663993041366, 0.3627935462750979}, {0.3707213992782555, 0.04639300360872268, 0.06937819061732105}},
     {"loose", JointKind::kFloating, 5, 7, 7, 7, 6,
-     {-0.19866933079506122, 0.9362933635841992, -0.28962947762551555, 0.0, 0.29552020666133955, 0.955336489125606, 0.9800665778412416, 0.18979606097868743, -0.058710801693826524}, {0.0, 0.08, 0.1}},
-} };
+     {-0.19866933079506122, 0.9362933635841992, -0.28962947762551555, 0.0, 0.29552020666133955, 0.955336489125606, 0.9800665778412416, 0.18979606097868743, -0.058710801693826524}, {0.0, 0.08, 0.1}}}};
 
-}  // namespace
-
-// ---- 3. functions -------------------------------------------------------------------------------
+// ---- functions ----------------------------------------------------------------------------------
 
 #include "adagen/no_channel.hpp"
 #include "adagen/unrolled_memory.hpp"
@@ -602,7 +584,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   w.result[12] = x2470;
 }
 
-// ---- 4. processes -------------------------------------------------------------------------------
+// ---- processes ----------------------------------------------------------------------------------
 
 // Process 0: 6 of 6 joints: "drive", "laser_spin", "lift", "shoulder", "wrist", "loose"
 constexpr std::array<int, 6> kRead_0{0, 1, 2, 3, 4, 5};
@@ -610,7 +592,6 @@ constexpr std::array<int, 6> kOwned_0{0, 1, 2, 3, 4, 5};
 
 ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
-  stamp(0);
   if (!all(unlike_zero(q + 0, 3) + unlike_zero(v + 3, 1) == 0))
     name_what_is_not_finite(w, kRead_0, kOwned_0);
   w.angle[0] = q[2];
@@ -629,9 +610,9 @@ ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] C
   std::copy_n(w.result.data() + 0, 13, w.qdd + 0);
 }
 
-[[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 5, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1}} };
-[[maybe_unused]] constexpr std::array<void (*)(Workspace&, Channel&), kProcesses> kRun{run_0};
 
 }  // namespace
+
+[[maybe_unused]] constexpr std::array<StageInfo, 3> kStages_0{ {{"kinematics", 5, -1}, {"assembly", 0, -1}, {"disassembly", 0, -1}} };
 
 #include "adagen/whole_alone.hpp"

@@ -1,39 +1,27 @@
-// Forward dynamics of "mobile" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again.
+// Forward dynamics of "mobile" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "mobile", 6 joints, 13 degrees of freedom, description sha256 421e40d13e3d94e0ea25fa3a829795267d134cdc98cb6abe58b7ec78cf6d9704
 // command   adagen ../models/mobile.urdf --procs 3 --form=ada
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
-// options   form ada, shape joints, scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
-// links     adagen_program.cpp -DADAGEN_MPI
+// options   form ada (assembly-disassembly algorithm), shape joints (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes mobile_p3.h
 // program   3 processes, joined at cuts; 0.834 us predicted (default profile)
 //           process 0: drive .. shoulder
 //           process 1: wrist .. loose
 //           process 2: nothing
 // schedule  shoulder@0-2(lift@0(drive(|laser_spin)|) | wrist@1-2(|loose))
-// method    assembly-disassembly algorithm; spatial vectors [angular; linear] in link frames whose joint axes are z
-// licence   yours to choose: generated code belongs to its user
 //
 // Assembly-disassembly algorithm of Yamane and Nakamura. Phi are inverse articulated-body inertias, b
 // bias accelerations. Joint i joins chain A (its parent link's side) and chain B (its child link's side)
 // to chain C: assembly, Eq. (3)-(7), goes up the schedule, disassembly, Eq. (8)-(10), comes down.
 
-// ---- 1. interface -------------------------------------------------------------------------------
-// mobile_p3.h declares it. To link this file with a program of your own, compile it with -DADAGEN_NO_MAIN.
-
-#if __has_include("mobile_p3.h")
 #include "mobile_p3.h"
-#define ADAGEN_HEADER
-#endif
 #define ADAGEN_CALL(word) mobile_p3_##word
 #define ADAGEN_NAMED(WORD) MOBILE_P3_##WORD
-
-// ---- 2. model -----------------------------------------------------------------------------------
-
-#define ADAGEN_SOLVER 100  // version of adagen that wrote this file
 #define ADAGEN_MPI
 #include "adagen/settings.hpp"
 
 struct mobile_p3_settings : PlainSettings {
-  static constexpr int kJointCount = 6, kNq = 14, kNv = 13;
+  static constexpr int kVersion = 100, kJointCount = 6, kNq = 14, kNv = 13;
   [[maybe_unused]] static constexpr const char* kRobot = "mobile";
   static constexpr int kProcesses = 3;
   static constexpr bool kAlone = false;
@@ -42,8 +30,6 @@ struct mobile_p3_settings : PlainSettings {
 };
 
 #include "adagen/constants.hpp"
-
-namespace {
 
 constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
     {"floor", 0.0, {0.0, 0.0, 0.0}},
@@ -64,8 +50,7 @@ constexpr std::array<LinkConstants, kLinkCount> kLinks{ {
      {474.4958481613286, 0.0, 0.0, 0.0, 260.4166666666667, 0.0, 0.0, 0.0, 474.4958481613286}},
     {"load", 0.6, {0.01, -0.02, 0.015},
      {0.0006, 0.0, 0.0, 0.0, 0.0006, 0.0, 0.0, 0.0, 0.0006},
-     {1666.6666666666667, 0.0, 0.0, 0.0, 1666.6666666666667, 0.0, 0.0, 0.0, 1666.6666666666667}},
-} };
+     {1666.6666666666667, 0.0, 0.0, 0.0, 1666.6666666666667, 0.0, 0.0, 0.0, 1666.6666666666667}}}};
 
 constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"drive", JointKind::kPlanar, 0, 0, 3, 0, 3,
@@ -79,8 +64,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {"wrist", JointKind::kRevolute, 4, 6, 1, 6, 1,
      {-0.4028214625008311, 0.04136261787763011, 0.9143434820629502, -0.4955543024180784, -0.8497464879390758, -0.17988007001927067, 0.7695198520529689, -0.5255663993041366, 0.3627935462750979}, {0.3707213992782555, 0.04639300360872268, 0.06937819061732105}},
     {"loose", JointKind::kFloating, 5, 7, 7, 7, 6,
-     {-0.19866933079506122, 0.9362933635841992, -0.28962947762551555, 0.0, 0.29552020666133955, 0.955336489125606, 0.9800665778412416, 0.18979606097868743, -0.058710801693826524}, {0.0, 0.08, 0.1}},
-} };
+     {-0.19866933079506122, 0.9362933635841992, -0.28962947762551555, 0.0, 0.29552020666133955, 0.955336489125606, 0.9800665778412416, 0.18979606097868743, -0.058710801693826524}, {0.0, 0.08, 0.1}}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 6> kMessages{ {
     {1, 0, 42},  // 0: assembled: chain of "wrist"
@@ -88,14 +72,10 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
     {0, 1, 32},  // 2: state
     {1, 0, 7},  // 3: accelerations
     {0, 2, 0},  // 4: state
-    {2, 0, 0},  // 5: accelerations
-} };
+    {2, 0, 0}}};  // 5: accelerations
 
-}  // namespace
+// ---- functions ----------------------------------------------------------------------------------
 
-// ---- 3. functions -------------------------------------------------------------------------------
-
-#include "adagen/spatial.hpp"
 #include "adagen/joins.hpp"
 #include "adagen/channel.hpp"
 #include "adagen/joints_memory.hpp"
@@ -178,8 +158,6 @@ struct Workspace : JointsMemory {
 #include "adagen/memory.hpp"
 #include "adagen/exchange.hpp"
 
-namespace {
-
 const Mat6 kPhi_cart = symmetric({0.49902918256322004, 0.0, -0.11680634127913112, 0.0, 0.10401036681056933, 0.0, 0.3924634431544335, 0.0, -0.08437101087533662, 0.0, -0.010986817092861124, 0.7207699610585852, 0.0, -0.0049332017948705885, 0.0, 0.04630692629082958, 0.0, 0.002361924099163447, 0.05039085348290442, 0.0, 0.02847658451415464});
 const Mat6 kPhi_laser = symmetric({4081.6326530612246, 0.0, 0.0, 0.0, -163.26530612244898, 0.0, 4081.6326530612246, 0.0, 163.26530612244898, 0.0, 0.0, 3571.4285714285716, 0.0, 0.0, 0.0, 9.387755102040817, 0.0, 0.0, 9.387755102040817, 0.0, 2.857142857142857});
 const Mat6 kPhi_carriage = symmetric({47.93863854266539, 0.0, 0.0, 0.0, 0.0, 0.0, 72.8862973760933, 0.0, 0.0, 0.0, 5.830903790087464, 47.93863854266539, 0.0, -3.8350910834132312, 0.0, 0.23809523809523808, 0.0, 0.0, 0.5449025247682966, 0.0, 0.7045675413022352});
@@ -189,21 +167,19 @@ const Mat6 kPhi_load = symmetric({1666.6666666666667, 0.0, 0.0, 0.0, 25.0, 33.33
 
 // ---- joint 0 "drive": planar, between links "floor" and "cart"
 
-void kinematics_drive(Workspace& w) {
+static void kinematics_drive(Workspace& w) {
   auto& i = w.j_drive;
   require_finite(w, w.q + 0, 3, 0);
   require_finite(w, w.v + 0, 3, 0);
   const Number* const q = w.q + 0;
   const Real c = std::cos(q[2]), s = std::sin(q[2]);
-  i.X.E << c, s, 0.0,  //
-      -s, c, 0.0,  //
-      0.0, 0.0, 1.0;
+  i.X.E << c, s, 0.0,  -s, c, 0.0,  0.0, 0.0, 1.0;  // row by row
   i.X.r << q[0], q[1], 0.0;
   i.v = joint_velocity<Planar>(w.v + 0);
 }
 
 // A: the ground "floor"; B: the chain of "laser_spin"; C feels the joint at "cart"
-void assemble_drive(Workspace& w) {
+static void assemble_drive(Workspace& w) {
   auto& i = w.j_drive;
   load_torque(w, 0, 0, i.joined.tau);
   const Columns6 c = Columns6::Zero();
@@ -217,7 +193,7 @@ void assemble_drive(Workspace& w) {
   i.b_cart = w.j_laser_spin.b_cart + bias_change(i.joined, i.at_cart);  // Eq. (7)
 }
 
-void disassemble_drive(Workspace& w) {
+static void disassemble_drive(Workspace& w) {
   auto& i = w.j_drive;
   Release<Planar> release(i.joined);
   release.feel_B(i.at_cart, w.j_drive.F_on_cart);
@@ -228,20 +204,18 @@ void disassemble_drive(Workspace& w) {
 
 // ---- joint 1 "laser_spin": revolute, between links "cart" and "laser"
 
-void kinematics_laser_spin(Workspace& w) {
+static void kinematics_laser_spin(Workspace& w) {
   auto& i = w.j_laser_spin;
   require_finite(w, w.q + 3, 1, 1);
   require_finite(w, w.v + 3, 1, 1);
   const Real q = Real(w.q[3]), c = std::cos(q), s = std::sin(q);
-  i.X.E << c, -s, 0.0,  //
-      -s, -c, 0.0,  //
-      0.0, 0.0, -1.0;
+  i.X.E << c, -s, 0.0,  -s, -c, 0.0,  0.0, 0.0, -1.0;  // row by row
   i.X.r << 0.22, 0.0, 0.23;
   i.v = i.X * w.j_drive.v + joint_velocity<Revolute>(w.v + 3);
 }
 
 // A: link "cart"; B: link "laser"; C feels the joint at "cart"
-void assemble_laser_spin(Workspace& w) {
+static void assemble_laser_spin(Workspace& w) {
   auto& i = w.j_laser_spin;
   load_torque(w, 1, 3, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_cart;
@@ -257,7 +231,7 @@ void assemble_laser_spin(Workspace& w) {
   i.b_cart = w.j_drive.b - bias_change(i.joined, i.at_cart);  // Eq. (6)
 }
 
-void disassemble_laser_spin(Workspace& w) {
+static void disassemble_laser_spin(Workspace& w) {
   auto& i = w.j_laser_spin;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_cart, w.j_laser_spin.F_on_cart);
@@ -267,20 +241,18 @@ void disassemble_laser_spin(Workspace& w) {
 
 // ---- joint 2 "lift": prismatic, between links "cart" and "carriage"
 
-void kinematics_lift(Workspace& w) {
+static void kinematics_lift(Workspace& w) {
   auto& i = w.j_lift;
   require_finite(w, w.q + 4, 1, 2);
   require_finite(w, w.v + 4, 1, 2);
   const Real q = Real(w.q[4]);
-  i.X.E << 0.9987502603949663, 0.0, -0.04997916927067833,  //
-      0.0, 1.0, 0.0,  //
-      0.04997916927067833, 0.0, 0.9987502603949663;
+  i.X.E << 0.9987502603949663, 0.0, -0.04997916927067833,  0.0, 1.0, 0.0,  0.04997916927067833, 0.0, 0.9987502603949663;  // row by row
   i.X.r << -0.08507706744923418 + 0.04997916927067833 * q, 0.0, 0.31687627588325595 + 0.9987502603949663 * q;
   i.v = i.X * w.j_drive.v + joint_velocity<Prismatic>(w.v + 4);
 }
 
 // A: the chain of "drive"; B: link "carriage"; C feels the joint at "carriage"
-void assemble_lift(Workspace& w) {
+static void assemble_lift(Workspace& w) {
   auto& i = w.j_lift;
   load_torque(w, 2, 4, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_drive.Phi_cart;
@@ -296,7 +268,7 @@ void assemble_lift(Workspace& w) {
   i.b_carriage = w.j_lift.b + bias_change(i.joined, i.at_carriage);  // Eq. (7)
 }
 
-void disassemble_lift(Workspace& w) {
+static void disassemble_lift(Workspace& w) {
   auto& i = w.j_lift;
   Release<Prismatic> release(i.joined);
   release.feel_B(i.at_carriage, w.j_lift.F_on_carriage);
@@ -307,20 +279,18 @@ void disassemble_lift(Workspace& w) {
 
 // ---- joint 3 "shoulder": revolute, between links "carriage" and "boom"
 
-void kinematics_shoulder(Workspace& w) {
+static void kinematics_shoulder(Workspace& w) {
   auto& i = w.j_shoulder;
   require_finite(w, w.q + 5, 1, 3);
   require_finite(w, w.v + 5, 1, 3);
   const Real q = Real(w.q[5]), c = std::cos(q), s = std::sin(q);
-  i.X.E << 0.9755826296796196 * c + 0.12208685160190179 * s, -0.12208685160190179 * c - 0.3895657419904911 * s, 0.18257418583505539 * c - 0.9128709291752769 * s,  //
-      0.12208685160190179 * c - 0.9755826296796196 * s, -0.3895657419904911 * c + 0.12208685160190179 * s, -0.9128709291752769 * c - 0.18257418583505539 * s,  //
-      0.18257418583505539, 0.9128709291752769, -0.36514837167011077;
+  i.X.E << 0.9755826296796196 * c + 0.12208685160190179 * s, -0.12208685160190179 * c - 0.3895657419904911 * s, 0.18257418583505539 * c - 0.9128709291752769 * s,  0.12208685160190179 * c - 0.9755826296796196 * s, -0.3895657419904911 * c + 0.12208685160190179 * s, -0.9128709291752769 * c - 0.18257418583505539 * s,  0.18257418583505539, 0.9128709291752769, -0.36514837167011077;  // row by row
   i.X.r << 0.15, 0.0, 0.02;
   i.v = i.X * w.j_lift.v + joint_velocity<Revolute>(w.v + 5);
 }
 
 // A: the chain of "lift"; B: the chain of "wrist"; C feels the joint at no link
-void assemble_shoulder(Workspace& w) {
+static void assemble_shoulder(Workspace& w) {
   auto& i = w.j_shoulder;
   load_torque(w, 3, 5, i.joined.tau);
   const Mat6 X_Phi_A = i.X * w.j_lift.Phi_carriage;
@@ -333,7 +303,7 @@ void assemble_shoulder(Workspace& w) {
     fail(w, kFactorization, 3);
 }
 
-void disassemble_shoulder(Workspace& w) {
+static void disassemble_shoulder(Workspace& w) {
   auto& i = w.j_shoulder;
   Release<Revolute> release(i.joined);
   const Columns6 f = release.force();  // Eq. (8), (10)
@@ -344,20 +314,18 @@ void disassemble_shoulder(Workspace& w) {
 
 // ---- joint 4 "wrist": revolute, between links "boom" and "bowl"
 
-void kinematics_wrist(Workspace& w) {
+static void kinematics_wrist(Workspace& w) {
   auto& i = w.j_wrist;
   require_finite(w, w.q + 6, 1, 4);
   require_finite(w, w.v + 6, 1, 4);
   const Real q = Real(w.q[6]), c = std::cos(q), s = std::sin(q);
-  i.X.E << -0.4028214625008311 * c + 0.04136261787763011 * s, -0.4955543024180784 * c - 0.8497464879390758 * s, 0.7695198520529689 * c - 0.5255663993041366 * s,  //
-      0.04136261787763011 * c + 0.4028214625008311 * s, -0.8497464879390758 * c + 0.4955543024180784 * s, -0.5255663993041366 * c - 0.7695198520529689 * s,  //
-      0.9143434820629502, -0.17988007001927067, 0.3627935462750979;
+  i.X.E << -0.4028214625008311 * c + 0.04136261787763011 * s, -0.4955543024180784 * c - 0.8497464879390758 * s, 0.7695198520529689 * c - 0.5255663993041366 * s,  0.04136261787763011 * c + 0.4028214625008311 * s, -0.8497464879390758 * c + 0.4955543024180784 * s, -0.5255663993041366 * c - 0.7695198520529689 * s,  0.9143434820629502, -0.17988007001927067, 0.3627935462750979;  // row by row
   i.X.r << 0.3707213992782555, 0.04639300360872268, 0.06937819061732105;
   i.v = i.X * w.j_shoulder.v + joint_velocity<Revolute>(w.v + 6);
 }
 
 // A: link "boom"; B: the chain of "loose"; C feels the joint at "boom"
-void assemble_wrist(Workspace& w) {
+static void assemble_wrist(Workspace& w) {
   auto& i = w.j_wrist;
   load_torque(w, 4, 6, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_boom;
@@ -373,7 +341,7 @@ void assemble_wrist(Workspace& w) {
   i.b_boom = w.j_shoulder.b - bias_change(i.joined, i.at_boom);  // Eq. (6)
 }
 
-void disassemble_wrist(Workspace& w) {
+static void disassemble_wrist(Workspace& w) {
   auto& i = w.j_wrist;
   Release<Revolute> release(i.joined);
   release.feel_A(i.at_boom, w.j_wrist.F_on_boom);
@@ -384,22 +352,20 @@ void disassemble_wrist(Workspace& w) {
 
 // ---- joint 5 "loose": floating, between links "bowl" and "load"
 
-void kinematics_loose(Workspace& w) {
+static void kinematics_loose(Workspace& w) {
   auto& i = w.j_loose;
   require_finite(w, w.q + 7, 7, 5);
   require_finite(w, w.v + 7, 6, 5);
   const Number* const q = w.q + 7;
   Mat3 Q;
   require_length(w, conjugate_rotation(q + 3, Q), 5);
-  i.X.E << -0.19866933079506122 * Q(0, 0) + 0.9362933635841992 * Q(0, 1) - 0.28962947762551555 * Q(0, 2), 0.29552020666133955 * Q(0, 1) + 0.955336489125606 * Q(0, 2), 0.9800665778412416 * Q(0, 0) + 0.18979606097868743 * Q(0, 1) - 0.058710801693826524 * Q(0, 2),  //
-      -0.19866933079506122 * Q(1, 0) + 0.9362933635841992 * Q(1, 1) - 0.28962947762551555 * Q(1, 2), 0.29552020666133955 * Q(1, 1) + 0.955336489125606 * Q(1, 2), 0.9800665778412416 * Q(1, 0) + 0.18979606097868743 * Q(1, 1) - 0.058710801693826524 * Q(1, 2),  //
-      -0.19866933079506122 * Q(2, 0) + 0.9362933635841992 * Q(2, 1) - 0.28962947762551555 * Q(2, 2), 0.29552020666133955 * Q(2, 1) + 0.955336489125606 * Q(2, 2), 0.9800665778412416 * Q(2, 0) + 0.18979606097868743 * Q(2, 1) - 0.058710801693826524 * Q(2, 2);
+  i.X.E << -0.19866933079506122 * Q(0, 0) + 0.9362933635841992 * Q(0, 1) - 0.28962947762551555 * Q(0, 2), 0.29552020666133955 * Q(0, 1) + 0.955336489125606 * Q(0, 2), 0.9800665778412416 * Q(0, 0) + 0.18979606097868743 * Q(0, 1) - 0.058710801693826524 * Q(0, 2),  -0.19866933079506122 * Q(1, 0) + 0.9362933635841992 * Q(1, 1) - 0.28962947762551555 * Q(1, 2), 0.29552020666133955 * Q(1, 1) + 0.955336489125606 * Q(1, 2), 0.9800665778412416 * Q(1, 0) + 0.18979606097868743 * Q(1, 1) - 0.058710801693826524 * Q(1, 2),  -0.19866933079506122 * Q(2, 0) + 0.9362933635841992 * Q(2, 1) - 0.28962947762551555 * Q(2, 2), 0.29552020666133955 * Q(2, 1) + 0.955336489125606 * Q(2, 2), 0.9800665778412416 * Q(2, 0) + 0.18979606097868743 * Q(2, 1) - 0.058710801693826524 * Q(2, 2);  // row by row
   i.X.r << -0.19866933079506122 * q[0] + 0.9362933635841992 * q[1] - 0.28962947762551555 * q[2], 0.08 + 0.29552020666133955 * q[1] + 0.955336489125606 * q[2], 0.1 + 0.9800665778412416 * q[0] + 0.18979606097868743 * q[1] - 0.058710801693826524 * q[2];
   i.v = i.X * w.j_wrist.v + joint_velocity<Floating>(w.v + 7);
 }
 
 // A: link "bowl"; B: link "load"; C feels the joint at "bowl"
-void assemble_loose(Workspace& w) {
+static void assemble_loose(Workspace& w) {
   auto& i = w.j_loose;
   load_torque(w, 5, 7, i.joined.tau);
   const Mat6 X_Phi_A = i.X * kPhi_bowl;
@@ -415,7 +381,7 @@ void assemble_loose(Workspace& w) {
   i.b_bowl = w.j_wrist.b - bias_change(i.joined, i.at_bowl);  // Eq. (6)
 }
 
-void disassemble_loose(Workspace& w) {
+static void disassemble_loose(Workspace& w) {
   auto& i = w.j_loose;
   Release<Floating> release(i.joined);
   release.feel_A(i.at_bowl, w.j_loose.F_on_bowl);
@@ -423,13 +389,11 @@ void disassemble_loose(Workspace& w) {
   store_acceleration(w, 5, 7, release.qdd());  // Eq. (9)
 }
 
-
-// ---- 4. processes -------------------------------------------------------------------------------
+// ---- processes ----------------------------------------------------------------------------------
 
 // Process 0: 4 of 6 joints: "drive", "laser_spin", "lift", "shoulder"
-void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
-  stamp(0);
   kinematics_drive(w);
   kinematics_laser_spin(w);
   kinematics_lift(w);
@@ -465,9 +429,8 @@ void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
 }
 
 // Process 1: 2 of 6 joints: "wrist", "loose"; kinematics of 3 more on the way to the ground
-void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
+static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   w.ground = ground(w);
-  stamp(0);
   kinematics_drive(w);
   kinematics_lift(w);
   kinematics_shoulder(w);
@@ -512,9 +475,6 @@ constexpr std::array<Range, 6> kRanges_1{ {{0, 3}, {4, 10}, {0, 3}, {4, 9}, {6, 
 [[maybe_unused]] constexpr std::array<ProcessInfo, kProcesses> kProcess{ {
     {{1, kRanges_0.data()}, {1, kRanges_0.data() + 1}, {1, kRanges_0.data() + 2}, {1, kRanges_0.data() + 3}, {7, kStages_0.data()}},
     {{2, kRanges_1.data()}, {2, kRanges_1.data() + 2}, {1, kRanges_1.data() + 4}, {1, kRanges_1.data() + 5}, {5, kStages_1.data()}},
-    {},
-} };
-
-}  // namespace
+    {}}};
 
 #include "adagen/whole_mpi.hpp"

@@ -227,7 +227,7 @@ _FUNCTIONS = r"""
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#define ADAGEN_SOLVER ADAGEN_VERSION
+#define ADAGEN_SOLVER
 #include "adagen/settings.hpp"
 struct Settings : PlainSettings {
   static constexpr int kJointCount = 1, kNq = 1, kNv = 1;

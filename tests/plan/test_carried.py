@@ -95,6 +95,6 @@ def test_a_segment_inside_of_a_chain_is_one_run(floating: bool) -> None:
     assert {operation.method for operation in runs} == {"along"}
     assert any(isinstance(s, Propagate) and s.spreads for op in runs for s in op.steps)
     text = emit(plan, name="chain", shape="kernels")["chain_p4.cpp"]
-    assert "propagate<" not in text.split("// ---- 4. processes")[1]
+    assert "propagate<" not in text.split("// ---- processes")[1]
     loads = [line for line in text.splitlines() if "w.loads[" in line and "Zero()" in line]
     assert len(loads) < 8  # none for the links inside of runs

@@ -81,6 +81,6 @@ def test_robots_without_effects_have_none_in_their_code() -> None:
     rng = np.random.default_rng(0)
     model = serial_chain(4)
     plan = make_plan(model, random_schedule(model, 1, rng))
-    text, _, _ = text_of(plan).partition("// ---- 5. program")  # which simulates any robot
+    text, _, _ = text_of(plan).partition("// ---- program")  # which simulates any robot
     for word in ("Geared", "Held", "outer_force", "std::tanh(("):
         assert word not in text

@@ -42,7 +42,7 @@ def values(words: Words) -> dict[str, object]:
     fused = any(
         isinstance(step, FusedJoin) for process in words.plan.processes for step in process.steps
     )
-    runtime = ["spatial.hpp", "articulated.hpp" if segments else "joins.hpp"]
+    runtime = ["articulated.hpp" if segments else "joins.hpp"]
     runtime += ["fused.hpp"] * fused
     if has_effects(words.plan):
         runtime += ["effects.hpp", *["geared.hpp"] * segments]

@@ -50,17 +50,11 @@ def articulate(words: Words, step: Articulate) -> list[str]:
             f"const Columns6 pA = wrench_in_child(i.X, {force});",
         ]
         inertia, force = "IA", "pA"
-    call = f"hand_on(w, {j}, i.body, {sigma}, {inertia}, {force});"
+    call = f"hand_on(w, {j}, i.body, {sigma}, {inertia}, {force})"
     if near == 0:
-        return [*lines, call]
-    lines.append(f"const Passed passed = {call}")
-    if step.reversed:
-        return [*lines, f"{own}.IA += passed.inertia;", f"{own}.pA += passed.force;"]
-    return [
-        *lines,
-        f"add_in_parent(i.X, passed.inertia, {own}.IA);",
-        f"{own}.pA += i.X.transposed_times(passed.force);",
-    ]
+        return [*lines, f"{call};"]
+    add = "add(" if step.reversed else "add_in_parent(i.X, "
+    return [*lines, f"{add}{call}, {own}.IA, {own}.pA);"]
 
 
 def propagate(words: Words, step: Propagate) -> list[str]:

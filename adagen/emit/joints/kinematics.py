@@ -52,8 +52,7 @@ def velocity(words: Words, j: int) -> str:
 
 
 def _matrix(entries: list[list[str]]) -> list[str]:
-    rows = [", ".join(row) for row in entries]
-    return [f"i.X.E << {rows[0]},  //", f"    {rows[1]},  //", f"    {rows[2]};"]
+    return [f"i.X.E << {',  '.join(', '.join(row) for row in entries)};  // row by row"]
 
 
 def _origin(words: Words, j: int, shift: list[list[tuple[float, str]]] | None = None) -> str:

@@ -124,7 +124,7 @@ def values(words: Words) -> dict[str, object]:
 
 
 def _layout(words: Words, turned: Turned, by_columns: bool, along: bool) -> list[str]:
-    """What a solver's Layout overrides: how its loops lie in memory, and what they do."""
+    """What a solver's settings say of its loops: how they lie in memory, and what they do."""
     plan, slots = words.plan, words.program.slots
     block_kinds = _block_kinds(words)
     joints = range(len(plan.joints))
@@ -156,7 +156,7 @@ def _layout(words: Words, turned: Turned, by_columns: bool, along: bool) -> list
     if plan.weighed:
         unit = words.printer.number(ROUNDING * EPSILON[plan.scalar])
         floats = ("bool", "kFloats", any(map(is_base, plan.joints)), False)
-        lines += overridden([floats, ("Real", "kUnit", unit, "")])
+        lines += overridden([floats, ("double", "kUnit", unit, "")])
     return lines
 
 

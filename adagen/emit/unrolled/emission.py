@@ -188,7 +188,7 @@ class _ProcessText:
 
     def _run(self) -> list[str]:
         """The lines of the function that does it all."""
-        lines = ["stamp(0);", *self._prologue()] if self.process.steps else []
+        lines = self._prologue() if self.process.steps else []
         found = stages(self.process)
         first = 0
         for place, stage in enumerate([*found, None]):

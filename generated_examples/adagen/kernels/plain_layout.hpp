@@ -1,19 +1,19 @@
 // adagen's runtime, the same for all robots.
-// How loops lie in memory and what they do where a source says nothing else: it derives its Layout
-// from these.
+// What a solver in loops is, how these lie in memory and what they do where its source says nothing
+// else: it derives its Settings from these.
 #pragma once
 
-#include "../sizes.hpp"
-#include "tables.hpp"
+#include "../settings.hpp"
 
 namespace {
 
-struct PlainLayout {
+template <int joints>
+struct PlainLayout : PlainSettings {
   // Memory slot of each joint and its child link, where they are reordered: limbs that share lanes,
   // and segments of long runs, are interleaved.
-  [[maybe_unused]] static constexpr int kSlotCount = kJointCount;
+  [[maybe_unused]] static constexpr int kSlotCount = joints;
   [[maybe_unused]] static constexpr bool kReordered = false;
-  [[maybe_unused]] static constexpr int kSlots[kJointCount]{};
+  [[maybe_unused]] static constexpr int kSlots[joints]{};
   // Joints whose memory is in use at a time; 0: all.
   [[maybe_unused]] static constexpr int kTile = 0;
   // Whether limbs share lanes.
@@ -29,7 +29,7 @@ struct PlainLayout {
   // Joints that are eliminated in their own axes: always, or only if the axes of the base lose
   // digits, which they do if trace > kLosing * D.
   [[maybe_unused]] static constexpr bool kAnyTurned = false, kAnyTurnedIfLost = false;
-  [[maybe_unused]] static constexpr bool kTurned[kJointCount]{}, kTurnedIfLost[kJointCount]{};
+  [[maybe_unused]] static constexpr bool kTurned[joints]{}, kTurnedIfLost[joints]{};
   [[maybe_unused]] static constexpr double kLosing = 1;
   // Whether wrenches are carried through runs along with their sweep inwards.
   [[maybe_unused]] static constexpr bool kCarriesAlong = false;
@@ -38,7 +38,7 @@ struct PlainLayout {
   // Of solvers that sweep residuals inwards: whether a base floats, and ..
   [[maybe_unused]] static constexpr bool kFloats = false;
   // .. the relative uncertainty of summands.
-  [[maybe_unused]] static constexpr Real kUnit = 0;
+  [[maybe_unused]] static constexpr double kUnit = 0;
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array<LinkInertia, kJointCount> kInertias{};
 
-struct Layout : PlainLayout {
+struct Layout : PlainLayout<kJointCount> {
   static constexpr int kTile = 16;
   static constexpr bool kInLanes = true, kByColumns = true;
   static constexpr int kBlockKindCount = 1;  // other lengths than each other, as in solvers
@@ -22,7 +22,7 @@ struct Layout : PlainLayout {
   static constexpr double kLosing = 1e6;
   static constexpr bool kCarriesAlong = true;
   static constexpr bool kPassesFree = true, kFloats = true;
-  static constexpr Real kUnit = 1e-15;
+  static constexpr double kUnit = 1e-15;
 };
 constexpr LinkRole kRoles[2][kLinkCount]{};
 

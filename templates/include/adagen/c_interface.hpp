@@ -1,6 +1,6 @@
 // adagen's runtime, the same for all robots.
 // The functions of the C interface, under names that begin with the solver's: ADAGEN_CALL(solve) is
-// NAME_pP_solve. NAME_pP.h declares them; where it lies beside the source, both are compared.
+// NAME_pP_solve. NAME_pP.h declares them, and both are compared.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 #include "sample/solver.hpp"
 #include "status.hpp"
 
-#if defined(ADAGEN_HEADER)
+#if defined(ADAGEN_SOLVER) && !defined(ADAGEN_NO_HEADER)
 static_assert(ADAGEN_NAMED(NQ) == kNq && ADAGEN_NAMED(NV) == kNv && ADAGEN_NAMED(NTAU) == kNtau);
 static_assert(int(ADAGEN_NAMED(FINE)) == int(kFine));
 static_assert(int(ADAGEN_NAMED(NOT_FINITE)) == int(kNotFinite));

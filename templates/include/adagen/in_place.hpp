@@ -8,6 +8,7 @@
 #include "sample/processes.hpp"
 #include "sample/workspace.hpp"
 #include "sizes.hpp"
+#include "stamp.hpp"
 #include "status.hpp"
 
 namespace {
@@ -35,11 +36,13 @@ class InPlace {
   // A pose that a try cannot stand is known to all processes: they try the next way together.
   void run() {
     const std::size_t rank = kAlone ? 0 : static_cast<std::size_t>(channel.rank());
+    stamp(0);
     kRun[rank](w, channel);
 #ifdef ADAGEN_RECOVERS
     for (std::size_t k = rank; k < kRecover.size(); k += std::size_t(kProcesses)) {
       if (failure_kind(w.status) != kSingularPose) return;
       w.status = kFine;
+      stamp(0);
       kRecover[k](w, channel);
     }
 #endif

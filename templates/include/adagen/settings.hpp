@@ -11,8 +11,8 @@
 
 #include "version.hpp"
 
-#if defined(ADAGEN_SOLVER) && ADAGEN_SOLVER != ADAGEN_VERSION
-#error "the headers in adagen/ are of another version than the adagen that wrote this solver"
+#if defined(ADAGEN_CALL) && !defined(ADAGEN_SOLVER)
+#define ADAGEN_SOLVER  // a solver's source, which says what it is before it includes more
 #endif
 
 namespace {
@@ -24,6 +24,8 @@ struct Hops {
 };
 
 struct PlainSettings {
+  // Version of adagen that wrote the source.
+  [[maybe_unused]] static constexpr int kVersion = ADAGEN_VERSION;
   [[maybe_unused]] static constexpr const char* kRobot = "robot";  // its name
   // Of a base that floats; of states in which nothing moves; how processes meet.
   [[maybe_unused]] static constexpr bool kFloating = false;

@@ -7,12 +7,16 @@
 
 #include "sample/settings.hpp"
 #include "settings.hpp"
+#include "version.hpp"
 
 namespace {
 
 #if defined(ADAGEN_SOLVER) && defined(ADAGEN_CALL)
 using Settings = ::ADAGEN_CALL(settings);
 #endif
+static_assert(
+    Settings::kVersion == ADAGEN_VERSION,
+    "the headers in adagen/ are of another version than the adagen that wrote this solver");
 using Number = Settings::Number;  // type of states, results and messages
 using Real = Number;              // type of what is computed from them
 [[maybe_unused]] constexpr int kProcesses = Settings::kProcesses;

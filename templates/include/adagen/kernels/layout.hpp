@@ -1,5 +1,5 @@
 // adagen's runtime, the same for all robots.
-// What a solver's Layout is called everywhere.
+// What a solver's Settings say of its loops, as it is called everywhere.
 #pragma once
 
 #include "../sample/layout.hpp"
@@ -7,6 +7,9 @@
 
 namespace {
 
+#if defined(ADAGEN_SOLVER)
+using Layout = Settings;
+#endif
 constexpr int kSlotCount = Layout::kSlotCount, kTile = Layout::kTile;
 constexpr bool kReordered = Layout::kReordered;
 constexpr const auto& kSlots = Layout::kSlots;
@@ -22,7 +25,7 @@ constexpr double kLosing = Layout::kLosing;
 [[maybe_unused]] constexpr bool kCarriesAlong = Layout::kCarriesAlong;
 constexpr bool kPassesFree = Layout::kPassesFree;
 [[maybe_unused]] constexpr bool kFloats = Layout::kFloats;
-[[maybe_unused]] constexpr Real kUnit = Layout::kUnit;
+[[maybe_unused]] constexpr Real kUnit = Real(Layout::kUnit);
 // Whether sweeps are repeated with other forces.
 constexpr bool kAgain = kWide || kSlavedCount > 0;
 
