@@ -2,26 +2,34 @@
 
 One state a call, with ``out`` and without, beside one state of many, which is solved by the C
 function alone; the least of several rounds, run by turns.
-Many states of one call on one thread and on two.
+Many states of one call on one thread and on two. What it would cost to release the interpreter's
+lock in each call: of a call alone, beside a thread that computes in Python, and of two threads that
+call solvers of their own.
 --page writes it into docs/how_to/python.md.
 """
 
 from __future__ import annotations
 
 import argparse
+import threading
+import time
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from timeit import timeit
 
 import numpy as np
 
 import adagen
+from adagen.build import find_toolchain
+from adagen.library.solver import built
 from adagen.states import random_states
 from adagen.studies.bench.machine import machine
 from benchmarks.page import write_between_marks
 
 ROOT = Path(__file__).resolve().parents[1]
 ROUNDS, CALLS, STATES, SHARED = 15, 20_000, 1000, 20_000
+SECONDS = 1.0
 
 
 def measured(model: Path) -> dict[str, float]:
@@ -48,6 +56,55 @@ def measured(model: Path) -> dict[str, float]:
     return {name: 1e9 * time for name, time in least.items()}
 
 
+def calls_a_second(call: Callable[[], object], others: list[Callable[[], object]]) -> float:
+    """Return how often a call returns in a second while other threads repeat others."""
+    stop = threading.Event()
+
+    def repeat(other: Callable[[], object]) -> None:
+        while not stop.is_set():
+            for _ in range(1000):
+                other()
+
+    threads = [threading.Thread(target=repeat, args=(other,)) for other in others]
+    for thread in threads:
+        thread.start()
+    count, start = 0, time.perf_counter()
+    while time.perf_counter() - start < SECONDS:
+        call()
+        count += 1
+    stop.set()
+    for thread in threads:
+        thread.join()
+    return count / SECONDS
+
+
+def of_the_lock(model: Path) -> dict[str, dict[str, float]]:
+    """Return what calls cost where small ones keep the interpreter's lock, and where none does.
+
+    Returns:
+        For "kept" and "released": ns a call alone; calls a second beside a thread that computes in
+        Python, and beside one that calls a solver of its own.
+    """
+    compiled = adagen.compile(adagen.read(model))
+    states = random_states(compiled.model, 1, seed=1)
+    q, v, tau = (np.ascontiguousarray(x[0]) for x in (states.q, states.v, states.tau))
+    toolchain = find_toolchain()
+    always = replace(toolchain, flags=(*toolchain.flags, "-DADAGEN_KEEPS_BELOW=0"))
+    calls: dict[str, list[Callable[[], object]]] = {}
+    for name, chain in (("kept", toolchain), ("released", always)):
+        pair = [(built(compiled, chain), np.empty_like(v)) for _ in range(2)]
+        calls[name] = [lambda s=s, out=out: s(q, v, tau, out) for s, out in pair]  # type: ignore[misc]
+    found: dict[str, dict[str, float]] = {name: {"alone": float("inf")} for name in calls}
+    for _ in range(ROUNDS):
+        for name, (call, _) in calls.items():
+            once = 1e9 * timeit(call, number=CALLS) / CALLS
+            found[name]["alone"] = min(found[name]["alone"], once)
+    for name, (call, another) in calls.items():
+        found[name]["beside Python"] = calls_a_second(call, [lambda: sum(range(100))])
+        found[name]["beside another"] = calls_a_second(call, [another])
+    return found
+
+
 def main() -> None:
     """Measure, and print or write what came of it."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -64,6 +121,15 @@ def main() -> None:
         f"{SHARED} states in one call: {found['on one thread']:.0f} ns a state on one thread, "
         f"{found['on two threads']:.0f} on two "
         f"({machine()['processor']}, load before {machine()['load_before']})."
+    )
+    lock = of_the_lock(options.model)
+    kept, released = lock["kept"], lock["released"]
+    text += (
+        "\n\nIf each call released the interpreter's lock, it would take "
+        f"{released['alone'] - kept['alone']:.0f} ns more alone. Beside a thread that computes in "
+        f"Python, there would be {released['beside Python']:.3g} calls a second instead of "
+        f"{kept['beside Python']:.3g}; beside a thread that calls another solver, "
+        f"{released['beside another']:.3g} instead of {kept['beside another']:.3g}."
     )
     print(text)
     if options.page:

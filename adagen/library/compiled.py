@@ -33,9 +33,13 @@ if TYPE_CHECKING:
     from adagen.library.solver import Solver
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Compiled:
     """The generated solver of a robot, as text, with its schedule and prediction.
+
+    Two are equal if the same request has made the same files of the same description: all of what
+    they are is in these, in the plan (robot, schedule, steps) and in the source. A pickle is equal
+    to its original.
 
     Attributes:
         model: the robot.
@@ -59,6 +63,17 @@ class Compiled:
     timeline: Timeline | None
     files: dict[str, str] = field(repr=False)
     inputs: tuple[Input, ...] = field(default=(), repr=False)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Compiled):
+            return NotImplemented
+        return self is other or (
+            (self.request, self.origin, self.inputs, self.files)
+            == (other.request, other.origin, other.inputs, other.files)
+        )
+
+    def __hash__(self) -> int:
+        return hash((self.request, self.source))
 
     @property
     def stem(self) -> str:

@@ -37,6 +37,7 @@ class Solver:
     Many states are shared among the machine's cores. Other threads of Python run while many states
     are solved; threads that call one solver take turns, and copies (``copy.copy``) work in
     parallel. Solvers can be pickled. They are found in the cache, or built, where they arrive.
+    Two are equal if what they were built from is, and the same is set at run time.
 
     Attributes:
         compiled: the ``Compiled`` from which it was built.
@@ -286,6 +287,16 @@ class Solver:
         if _part(of) == "q":
             return model.q_start[j], model.joints[j].kind.nq
         return model.v_start[j], model.joints[j].kind.nv
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Solver):
+            return NotImplemented
+        return self.compiled == other.compiled and np.array_equal(
+            self._parameters, other._parameters
+        )
+
+    def __hash__(self) -> int:
+        return hash(self.compiled)  # what is set at run time may change
 
     def __copy__(self) -> Solver:
         return _again(self.compiled, self._parameters)

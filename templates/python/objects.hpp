@@ -15,9 +15,13 @@
 namespace python {
 
 constexpr int kType = std::is_same_v<Number, double> ? NPY_DOUBLE : NPY_FLOAT;
-// Accelerations from which on the interpreter is left to other threads: to give it away and get it
-// back takes longer than to compute fewer.
-constexpr npy_intp kMany = 1000;
+// Accelerations from which on the interpreter is left to other threads. To give it away takes some
+// 50 ns, but to get it back from a thread that computes in Python takes until that one's turn ends,
+// after milliseconds: fewer accelerations are found long before.
+#ifndef ADAGEN_KEEPS_BELOW
+#define ADAGEN_KEEPS_BELOW 1000
+#endif
+constexpr npy_intp kMany = ADAGEN_KEEPS_BELOW;
 
 // Accelerations for which another thread of our own pays.
 constexpr npy_intp kOfThread = kBatch ? 200'000 : 50'000;

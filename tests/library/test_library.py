@@ -255,9 +255,34 @@ class TestObjects:
     def test_solvers_pickle_and_copy(self, arm: adagen.Solver) -> None:
         *given, _ = states(arm, 2)
         for other in (pickle.loads(pickle.dumps(arm)), copy.copy(arm), copy.deepcopy(arm)):
-            assert other is not arm
+            assert other is not arm and other == arm and hash(other) == hash(arm)
             assert np.array_equal(other(*given), arm(*given))
             assert other.compiled.request == arm.compiled.request
+
+    def test_a_pickle_is_equal_to_its_original(self) -> None:
+        robot = adagen.read(ARM)
+        made = adagen.compile(robot, procs=1, runtime="gravity", shape="kernels")
+        assert made.digits is not None  # what is found later does not count
+        again = pickle.loads(pickle.dumps(made))
+        assert again == made and hash(again) == hash(made) and again is not made
+        assert again.request == made.request and again.files == made.files
+        assert again.build() == made.build()
+        others = (
+            adagen.compile(robot, procs=1, shape="kernels"),
+            adagen.compile(robot, procs=1, runtime="gravity", shape="unrolled"),
+            adagen.compile(adagen.read(ARM, gravity=(0, 0, -1)), procs=1, runtime="gravity"),
+        )
+        for other in others:
+            assert other != made
+        assert made != made.request
+
+    def test_what_is_set_at_run_time_makes_solvers_differ(self) -> None:
+        made = adagen.compile(adagen.read(ARM), procs=1, runtime="gravity", shape="kernels")
+        one, other = made.build(), made.build()
+        assert one == other
+        other.gravity = (0, 0, -1.62)
+        assert one != other and other == pickle.loads(pickle.dumps(other))
+        assert hash(one) == hash(other)
 
     def test_a_pickle_works_in_another_process(self, arm: adagen.Solver, tmp_path: Path) -> None:
         *given, _ = states(arm, 2)
