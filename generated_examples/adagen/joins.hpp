@@ -59,10 +59,14 @@ Vec6 joint_velocity(const Number* qd) {
 template <class Kind>
 Columns6 velocity_product(const Vec6& velocity, const Number* qd) {
   const Vec6 motion = joint_velocity<Kind>(qd);
+  const Vec3 w(velocity[0], velocity[1], velocity[2]), v(velocity[3], velocity[4], velocity[5]);
+  const Vec3 turn(motion[0], motion[1], motion[2]), slide(motion[3], motion[4], motion[5]);
+  const Vec3 angular = cross(w, turn), of_slide = cross(w, slide), of_turn = cross(v, turn);
   Columns6 result = Columns6::Zero();
-  result.col(0).template head<3>() = velocity.head<3>().cross(motion.head<3>());
-  result.col(0).template tail<3>() =
-      velocity.head<3>().cross(motion.tail<3>()) + velocity.tail<3>().cross(motion.head<3>());
+  ADAGEN_FOR (k, 0, 3) {
+    result(k, 0) = angular[k];
+    result(3 + k, 0) = of_slide[k] + of_turn[k];
+  }
   return result;
 }
 

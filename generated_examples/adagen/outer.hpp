@@ -29,7 +29,7 @@ namespace {
   }
   const Vec3 force = turn * given_force;
   Columns6 result = Columns6::Zero();
-  result.col(0).template head<3>() = turn * given_moment + place.cross(force);
+  result.col(0).template head<3>() = turn * given_moment + cross(place, force);
   result.col(0).template tail<3>() = force;
   return result;
 }

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <array>
 #include <cstddef>
 #include <cstring>
@@ -22,6 +20,12 @@ using Vec6 = Eigen::Matrix<Real, 6, 1>;
 using Mat6 = Eigen::Matrix<Real, 6, 6>;
 using Columns6 = Eigen::Matrix<Real, 6, kColumns>;
 
+// What nearly every solver calls is written out, number by number: Eigen's expressions take the
+// compiler longer than all the rest. What few call is a template, compiled where it is called.
+inline Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 // Motion transform X = [[E, 0], [-E rx, E]] from the parent link's to the child link's frame.
 struct Transform {
   Mat3 E;  // rotates parent coordinates into child coordinates
@@ -30,10 +34,15 @@ struct Transform {
   template <class M>
   void times(const M& m, M& result) const {
     for (int k = 0; k < M::ColsAtCompileTime; ++k) {
-      const Vec3 angular = m.col(k).template head<3>();
-      const Vec3 linear = m.col(k).template tail<3>();
-      result.col(k).template head<3>().noalias() = E * angular;
-      result.col(k).template tail<3>().noalias() = E * (linear - r.cross(angular));
+      const Real* c = m.data() + 6 * k;
+      const Real x = c[0], y = c[1], z = c[2];
+      const Real u = c[3] - (r[1] * z - r[2] * y), v = c[4] - (r[2] * x - r[0] * z),
+                 w = c[5] - (r[0] * y - r[1] * x);
+      Real* to = result.data() + 6 * k;
+      ADAGEN_FOR (i, 0, 3) {
+        to[i] = E(i, 0) * x + E(i, 1) * y + E(i, 2) * z;
+        to[3 + i] = E(i, 0) * u + E(i, 1) * v + E(i, 2) * w;
+      }
     }
   }
 
@@ -41,10 +50,17 @@ struct Transform {
   Columns6 transposed_times(const Columns6& m) const {
     Columns6 result;
     for (int k = 0; k < kColumns; ++k) {
-      const Vec3 force = E.transpose() * m.col(k).template tail<3>();
-      result.col(k).template head<3>() =
-          E.transpose() * m.col(k).template head<3>() + r.cross(force);
-      result.col(k).template tail<3>() = force;
+      const Real* c = m.data() + 6 * k;
+      Real moment[3], force[3];
+      ADAGEN_FOR (i, 0, 3) {
+        moment[i] = E(0, i) * c[0] + E(1, i) * c[1] + E(2, i) * c[2];
+        force[i] = E(0, i) * c[3] + E(1, i) * c[4] + E(2, i) * c[5];
+      }
+      Real* to = result.data() + 6 * k;
+      to[0] = moment[0] + (r[1] * force[2] - r[2] * force[1]);
+      to[1] = moment[1] + (r[2] * force[0] - r[0] * force[2]);
+      to[2] = moment[2] + (r[0] * force[1] - r[1] * force[0]);
+      ADAGEN_FOR (i, 0, 3) to[3 + i] = force[i];
     }
     return result;
   }
@@ -91,7 +107,8 @@ ADAGEN_NOINLINE Mat6 from_right(const Mat6& m, const Transform& X) {
   return result;
 }
 
-[[maybe_unused]] inline Mat6 times_transposed(const Transform& X, const Mat6& m) {
+template <class Matrix>
+Matrix times_transposed(const Transform& X, const Matrix& m) {
   return from_right(m, X).transpose();
 }
 
@@ -136,7 +153,8 @@ Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
 
 // Rotation of a unit quaternion's conjugate: parent coordinates into child coordinates. The
 // quaternion (x, y, z, w) is normalised here; its squared length is returned, to be checked.
-[[maybe_unused]] Real conjugate_rotation(const Number* quaternion, Mat3& E) {
+template <class Matrix>
+Real conjugate_rotation(const Number* quaternion, Matrix& E) {
   const Real x = Real(quaternion[0]), y = Real(quaternion[1]);
   const Real z = Real(quaternion[2]), w = Real(quaternion[3]);
   const Real squared = x * x + y * y + z * z + w * w;
@@ -149,14 +167,22 @@ Eigen::Matrix<Real, 6, columns> operator*(const Transform& X,
 
 // b of a bare link: its acceleration (relative to free fall) when nothing acts on it.
 ADAGEN_NOINLINE void link_bias(const LinkConstants& link, const Vec6& velocity, Columns6& b) {
-  using Constant3 = Eigen::Map<const Eigen::Matrix<Number, 3, 3, Eigen::RowMajor>>;
-  const Vec3 omega = velocity.head<3>(), v = velocity.tail<3>();
+  const auto turned = [](const Number* m, const Vec3& x) {
+    return Vec3(Real(m[0]) * x[0] + Real(m[1]) * x[1] + Real(m[2]) * x[2],
+                Real(m[3]) * x[0] + Real(m[4]) * x[1] + Real(m[5]) * x[2],
+                Real(m[6]) * x[0] + Real(m[7]) * x[1] + Real(m[8]) * x[2]);
+  };
+  const Vec3 omega(velocity[0], velocity[1], velocity[2]);
   const Vec3 c(Real(link.com[0]), Real(link.com[1]), Real(link.com[2]));
-  const Vec3 momentum = Constant3(link.tensor).cast<Real>() * omega;
-  const Vec3 alpha = Constant3(link.tensor_inverse).cast<Real>() * momentum.cross(omega);
+  const Vec3 alpha = turned(link.tensor_inverse, cross(turned(link.tensor, omega), omega));
+  const Vec3 around = cross(omega, c), arm = cross(c, alpha);
+  const Vec3 falls =
+      cross(omega, Vec3(around[0] + velocity[3], around[1] + velocity[4], around[2] + velocity[5]));
   b.setZero();
-  b.col(0).template head<3>() = alpha;
-  b.col(0).template tail<3>() = c.cross(alpha) - omega.cross(omega.cross(c) + v);
+  ADAGEN_FOR (k, 0, 3) {
+    b(k, 0) = alpha[k];
+    b(3 + k, 0) = arm[k] - falls[k];
+  }
 }
 
 }  // namespace

@@ -29,17 +29,20 @@ ADAGEN_NOINLINE void start_link(const Inertia& inertia, const Vec6& velocity, In
                                 Columns6& pA) {
   IA = inertia;
   const auto& A = inertia.A;
-  const Vec3 w = velocity.head<3>(), v = velocity.tail<3>();
+  const Vec3 w(velocity[0], velocity[1], velocity[2]), v(velocity[3], velocity[4], velocity[5]);
   const Real mass = inertia.C[0];
   const Vec3 mc(inertia.B[7], inertia.B[2], inertia.B[3]);  // mass times centre of mass
-  const Vec3 angular =
-      Vec3(A[0] * w[0] + A[1] * w[1] + A[2] * w[2], A[1] * w[0] + A[3] * w[1] + A[4] * w[2],
-           A[2] * w[0] + A[4] * w[1] + A[5] * w[2]) +
-      mc.cross(v);
-  const Vec3 linear = mass * v + w.cross(mc);
+  const Vec3 carried = cross(mc, v), turned = cross(w, mc);
+  const Vec3 angular(A[0] * w[0] + A[1] * w[1] + A[2] * w[2] + carried[0],
+                     A[1] * w[0] + A[3] * w[1] + A[4] * w[2] + carried[1],
+                     A[2] * w[0] + A[4] * w[1] + A[5] * w[2] + carried[2]);
+  const Vec3 linear(mass * v[0] + turned[0], mass * v[1] + turned[1], mass * v[2] + turned[2]);
+  const Vec3 moment = cross(w, angular), of_speed = cross(v, linear), force = cross(w, linear);
   if constexpr (kColumns > 1) pA.setZero();
-  pA.col(0).template head<3>() = w.cross(angular) + v.cross(linear);
-  pA.col(0).template tail<3>() = w.cross(linear);
+  ADAGEN_FOR (k, 0, 3) {
+    pA(k, 0) = moment[k] + of_speed[k];
+    pA(3 + k, 0) = force[k];
+  }
 }
 
 template <class Kind>
@@ -179,7 +182,8 @@ void deliver(Articulated<Kind>& i, Columns6& load) {
 }
 
 // Phi = (I^A)^-1 and b = -Phi p^A, by Cholesky's factorization.
-ADAGEN_NOINLINE bool invert(const Inertia& I, const Columns6& p, Mat6& Phi, Columns6& b) {
+template <class Columns>
+ADAGEN_NOINLINE bool invert(const Inertia& I, const Columns& p, Mat6& Phi, Columns& b) {
   std::array<std::array<Real, 6>, 6> L, x{};
   ADAGEN_FOR (i, 0, 6) {
     ADAGEN_FOR (k, 0, 6) L[i][k] = I(i, k);

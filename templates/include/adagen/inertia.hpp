@@ -82,7 +82,8 @@ std::array<Real, 9> rotated(const Mat3& E, const std::array<Real, 9>& m) {
 
 // The inertia m expressed at a point whose origin is at -r from the one it is expressed at:
 // B + rx C, and A + rx (B + rx C)^T - B rx.
-inline void shift(const Vec3& r, Inertia& m) {
+template <class Place>
+void shift(const Place& r, Inertia& m) {
   const auto& C = m.C;
   auto& A = m.A;
   const std::array<Real, 9> B = m.B;
@@ -111,16 +112,17 @@ ADAGEN_NOINLINE void add_in_parent(const Transform& X, const Inertia& m, Inertia
 // X^-T m X^-1: an inertia in the parent's frame, felt in the child's.
 ADAGEN_NOINLINE Inertia in_child(const Transform& X, const Inertia& m) {
   Inertia moved = m;
-  shift(-X.r, moved);
+  shift(std::array<Real, 3>{-X.r[0], -X.r[1], -X.r[2]}, moved);
   return {rotated<true>(X.E, moved.A), rotated<true>(X.E, moved.C), rotated<true>(X.E, moved.B)};
 }
 
 // X^-T f: a wrench on the parent, felt in the child's frame.
-[[maybe_unused]] Columns6 wrench_in_child(const Transform& X, const Columns6& f) {
-  Columns6 result;
+template <class Columns>
+Columns wrench_in_child(const Transform& X, const Columns& f) {
+  Columns result;
   ADAGEN_FOR (k, 0, kColumns) {
     const Vec3 moment = f.col(k).template head<3>(), force = f.col(k).template tail<3>();
-    result.col(k).template head<3>() = X.E * (moment - X.r.cross(force));
+    result.col(k).template head<3>() = X.E * (moment - cross(X.r, force));
     result.col(k).template tail<3>() = X.E * force;
   }
   return result;
@@ -135,14 +137,15 @@ Eigen::Matrix<Real, 6, columns> motion_in_parent(const Transform& X,
     const Vec3 angular = X.E.transpose() * m.col(k).template head<3>();
     result.col(k).template head<3>() = angular;
     result.col(k).template tail<3>() =
-        X.E.transpose() * m.col(k).template tail<3>() + X.r.cross(angular);
+        X.E.transpose() * m.col(k).template tail<3>() + cross(X.r, angular);
   }
   return result;
 }
 
 // X^-1 m X^-T: a mobility in the child's frame, expressed in the parent's.
-ADAGEN_NOINLINE Mat6 congruent_in_parent(const Transform& X, const Mat6& m) {
-  const Mat6 half = motion_in_parent(X, m).transpose();
+template <class Matrix>
+ADAGEN_NOINLINE Matrix congruent_in_parent(const Transform& X, const Matrix& m) {
+  const Matrix half = motion_in_parent(X, m).transpose();
   return motion_in_parent(X, half);
 }
 
