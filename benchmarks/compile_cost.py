@@ -111,7 +111,8 @@ def solvers() -> list[str]:
         for name, robot in robots.items():
             start = time.perf_counter()
             made = adagen.compile(robot, procs=1, shape=shape)
-            sources[name], seconds[name] = made.source, time.perf_counter() - start
+            seconds[name] = time.perf_counter() - start
+            sources[name] = made.in_folder(".")[f"{made.stem}.cpp"]
             chosen[name] = made.program.shape
         for name, text in sources.items():
             alike = {n: other for n, other in sources.items() if chosen[n] == chosen[name]}

@@ -33,34 +33,27 @@ def test_most_lines_of_what_is_chosen_for_a_robot_are_its_own() -> None:
     assert max(len(texts[name].splitlines()) for name in ("ur5", "z1")) < 1000  # arms
 
 
-@pytest.mark.parametrize("processes", [1, 2])
 @pytest.mark.parametrize(
-    ("shape", "least"),
+    ("shape", "processes", "least"),
     [
-        ("unrolled", dict.fromkeys(ROBOTS, 0.8)),
-        (
-            "kernels",
-            {"ur5": 0.6, "z1": 0.6, "panda": 0.7, "solo12": 0.75, "talos": 0.8, "icub": 0.8},
-        ),
-        (
-            "joints",
-            {"ur5": 0.75, "z1": 0.75, "panda": 0.78, "solo12": 0.8, "talos": 0.8, "icub": 0.8},
-        ),
+        ("unrolled", 1, 0.8),
+        ("unrolled", 2, 0.8),
+        ("kernels", 1, 0.8),
+        ("kernels", 2, 0.75),
+        ("joints", 1, 0.8),
+        ("joints", 2, 0.8),
     ],
 )
-def test_lines_of_a_shape_are_the_robots_own(
-    shape: str, least: dict[str, float], processes: int
-) -> None:
-    """In loops the few lines of an arm stand among about forty that every robot has."""
-    texts = {
-        name: adagen.compile(_real(name), procs=processes, shape=shape).source for name in ROBOTS
-    }
-    for name, share in least.items():
-        assert own_lines(name, texts) >= share, name
+def test_lines_of_a_shape_are_the_robots_own(shape: str, processes: int, least: float) -> None:
+    """As written to a folder. In loops on two processes, an arm's few lines stand among thirty."""
+    made = {name: adagen.compile(_real(name), procs=processes, shape=shape) for name in ROBOTS}
+    texts = {name: each.in_folder(".")[f"{each.stem}.cpp"] for name, each in made.items()}
+    for name in ROBOTS:
+        assert own_lines(name, texts) >= least, name
     assert max(len(texts[name].splitlines()) for name in ("ur5", "z1")) < 1000  # arms
     if shape == "kernels":
         assert max(len(text.splitlines()) for text in texts.values()) < 1600
-        assert max(_shared(name, texts) for name in ("ur5", "z1", "panda", "solo12")) <= 45
+        assert max(_shared(name, texts) for name in ("ur5", "z1", "panda", "solo12")) <= 30
 
 
 @cache
