@@ -291,7 +291,7 @@ def check_search(parser: Parser, options: argparse.Namespace) -> None:
 
 
 def check_emission(parser: Parser, options: argparse.Namespace) -> None:
-    """Refuse what cannot be emitted, whatever the robot; leave to one process what is for one.
+    """Refuse what cannot be emitted, whatever the robot.
 
     Raises:
         UsageError: options exclude each other.
@@ -310,9 +310,6 @@ def check_emission(parser: Parser, options: argparse.Namespace) -> None:
             parser.error("batches are not tuned: leave out --tune or --batch")
     if options.tuned is not None and (options.tune or options.shape != "auto"):
         parser.error("--tuned replaces --tune and --shape: leave those out")
-    alone = options.certify or getattr(options, "target", "host") == "embedded"
-    if alone and options.procs == AUTO:
-        options.procs = 1
 
 
 @dataclass(frozen=True)

@@ -3,24 +3,21 @@
 from __future__ import annotations
 
 import argparse
-import math
-import os
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from adagen.cli.console import Stages, progress, tell, warn
+from adagen.cli.console import Stages, note, progress, tell, warn
 from adagen.cli.options import AUTO
-from adagen.cli.predicted import scheduled
 from adagen.errors import InputError
 
 if TYPE_CHECKING:
     from adagen.library import Compiled, Origin, Request
+    from adagen.library.choice import Chosen
     from adagen.model import Model
     from adagen.plan import Plan
-    from adagen.schedule import Schedule
     from adagen.urdf import Reading
 
 
@@ -116,8 +113,8 @@ def _length(path: Path) -> int:
         return 0
 
 
-def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) -> Schedule:
-    """Return the schedule of a robot under the options.
+def choose_schedule(model: Model, options: argparse.Namespace, stages: Stages) -> Chosen:
+    """Return the schedule of a robot under the options, and the request with all that was chosen.
 
     Raises:
         InputError: the profile or the schedule file is refused.
@@ -127,22 +124,20 @@ def schedule_model(model: Model, options: argparse.Namespace, stages: Stages) ->
         stages.stage("schedule"),
         progress(f"scheduling {len(model.joints)} joints", len(model.joints)),
     ):
-        from adagen.library.scheduling import KNOWN, given_schedule, schedule_of, searched
-        from adagen.plan import as_gathered
+        from adagen.library.choice import choose
 
-        asked = request_of(options)
-        if asked.schedule not in KNOWN:
-            found = given_schedule(model, asked)
-            if options.procs == AUTO:
-                options.procs = found.processes
-            if getattr(options, "shape", found.shape) == "auto":
-                options.shape = found.shape
-            return schedule_of(model, replace(asked, procs=options.procs))
-
-        def schedule(processes: int) -> Schedule:
-            return searched(model, replace(asked, procs=processes))
-
-        return as_gathered(model, scheduled(model, options, schedule))
+        found = choose(model, request_of(options), left_open=options.procs == AUTO)
+    if found.compared:
+        times = ", ".join(f"{time:.2f} us on {processes}" for processes, time in found.compared)
+        note(f"--procs auto: {found.request.procs} (predicted: {times}; {found.profile} profile)")
+    if found.unpaid is not None:
+        many, one = found.unpaid
+        warn(
+            f"{options.model}: warning: {found.request.procs} processes do not pay: "
+            f"{many:.2f} us predicted, {one:.2f} us on one ({found.profile} profile); use "
+            "--procs 1 or auto"
+        )
+    return found
 
 
 @contextmanager
@@ -162,29 +157,31 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Compi
     Raises:
         InputError: the robot cannot be treated in this form.
     """
-    processes = 0
-    if options.batch:
-        processes, options.procs = shared_by(options), 1
     with _about(options.model):
-        schedule = schedule_model(model, options, stages)
-    request = replace(request_of(options), procs=processes or options.procs)
+        chosen = choose_schedule(model, options, stages)
+    schedule, request = chosen.schedule, chosen.request
     with stages.stage("plan"), progress("planning", len(model.joints)), _about(options.model):
         from adagen.library.compiled import planned
         from adagen.library.robot import source_hash
 
         plan = planned(model, schedule, request, source_hash(origin_of(options, None)))
-    _warn_of_idle(plan, options)
+    if chosen.unpaid is None:
+        _warn_of_idle(plan, options)
     if options.verbose and options.scene is not None:
         from adagen.cli.scenes import tell_savings
 
         with stages.stage("compare"):
             tell_savings(plan, schedule, options)
-    with stages.stage("assess"), progress("assessing accuracy", len(model.joints)):
+    with (
+        stages.stage("assess"),
+        progress("assessing accuracy", len(model.joints)),
+        _about(options.model),
+    ):
         _warn_of_lost_digits(plan, model, request, options)
     if options.tune:
-        from adagen.cli.tuning import tuned
+        from adagen.cli.tuning import fastest
 
-        best = tuned(plan, options, stages)
+        best = fastest(plan, request, stages)
         request = replace(request, shape=best.shape, chunk=best.chunk, compiler=best.compiler)
     with stages.stage("emit"), progress("emitting", len(model.joints)):
         from adagen.library.compiled import emitted
@@ -195,17 +192,12 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Compi
 
 def _warn_of_idle(plan: Plan, options: argparse.Namespace) -> None:
     idle = sum(not process.owns for process in plan.processes)
-    if idle and not getattr(options, "warned_of_fewer", False):
+    if idle:
         few = len(plan.processes) - idle
         warn(
             f"{options.model}: warning: {idle} of {len(plan.processes)} processes will have"
             f" nothing to do; use --procs {few}"
         )
-
-
-def shared_by(options: argparse.Namespace) -> int:
-    """Return by how many processes a batch is shared: all cores for auto."""
-    return int(options.procs) or len(os.sched_getaffinity(0))
 
 
 def _warn_of_lost_digits(
@@ -216,54 +208,12 @@ def _warn_of_lost_digits(
     Raises:
         InputError: it keeps none: a factorization fails already here.
     """
-    from adagen.emit import TOLERANCE
-    from adagen.emit.shapes import chosen_shape, shape_to_refine, why_not_own
-    from adagen.library.compiled import shape_of
-    from adagen.search.objective import FEW, predicted_digits
+    from adagen.library.assessment import loss
     from adagen.urdf.notes import quoted
 
-    file, shape = options.model, shape_of(plan, request)
-    if request.refinement:
-        if request.residual == "wide" or why_not_own(plan, shape_to_refine(plan, shape)):
-            return  # what refinement makes good, or not, the solver says itself
-        shape = "unrolled"  # residuals in its own numbers leave about as much as a straight line
-    if shape == "auto":
-        shape = chosen_shape(plan, batch=request.batch)
-    try:
-        digits = predicted_digits(options.objective, model, plan, shape)
-    except FloatingPointError as error:
-        raise InputError(_why_it_fails(plan, model, options, str(error)), file) from None
-    few = TOLERANCE[plan.scalar] if plan.form == "ada" else FEW[plan.scalar]
-    if digits.error <= few:
-        return
-    ways = ["form segment keeps more digits"] if plan.form == "ada" else []
-    if plan.form != "ada" and shape == "kernels" and plan.scalar == "double":
-        ways = ["--shape unrolled or --refine 1 may keep more"]
-    elif plan.form != "ada" and plan.scalar == "float":
-        ways = ["--scalar double keeps nine more digits"]
-    warn(
-        f"{file}: warning: {max(0.0, -math.log10(digits.error)):.1f} digits are predicted; the "
-        f"largest loss is at joint {quoted([digits.worst])}" + "".join(f"; {way}" for way in ways)
-    )
-
-
-def _why_it_fails(plan: Plan, model: Model, options: argparse.Namespace, failure: str) -> str:
-    """Return why a factorization of a plan fails, and what to do."""
-    from adagen.plan.cuts import cuttable_joints
-    from adagen.plan.steps import Join
-    from adagen.urdf.notes import quoted
-
-    if plan.form == "ada":
-        return f"form ada cannot solve this robot: {failure}; use --form segment"
-    cuts = {s.joint for process in plan.processes for s in process.steps if isinstance(s, Join)}
-    good = cuttable_joints(model, plan.scalar)
-    bad = quoted([joint.name for j, joint in enumerate(plan.joints) if j in cuts and not good[j]])
-    if options.schedule == "auto":
-        return f"form segment cannot solve this robot: {failure}"
-    if not bad:
-        return f"--schedule {options.schedule} cannot be solved: {failure}; leave it out"
-    return (
-        f"--schedule {options.schedule} lets processes meet at {bad}, beside links whose inertia "
-        f"is singular or too small to be joined there ({failure}): leave out --schedule, or use"
-        " --procs 1"
-    )
+    lost = loss(plan, model, request)
+    if lost is not None:
+        warn(
+            f"{options.model}: warning: {lost.digits:.1f} digits are predicted; the largest loss "
+            f"is at joint {quoted([lost.joint])}" + "".join(f"; {way}" for way in lost.ways)
+        )

@@ -92,7 +92,7 @@ def predicted_savings(
     profile = load_profile(options.profile)
     reduction: Reduction = options.reduction
     time = _time(reduction.model, plan, schedule, profile)
-    whole = _whole(reduction, options, profile)
+    whole = _whole(reduction, schedule.processes, options, profile)
     if whole is None:
         (own,) = counted([plan])
         return saved(reduction, None, Cost(own, time)), None
@@ -138,7 +138,7 @@ _ROUNDS, _REPEAT = 5, 20  # evaluations of each of 64 random states
 
 
 def _whole(
-    reduction: Reduction, options: argparse.Namespace, profile: CostProfile
+    reduction: Reduction, processes: int, options: argparse.Namespace, profile: CostProfile
 ) -> tuple[Plan, Schedule] | None:
     """Return how the whole robot is solved by as many processes; None where it has no answer."""
     from adagen.plan import make_plan
@@ -152,7 +152,7 @@ def _whole(
     if options.form == "ada":
         profile = profile.joins_only()
     try:
-        schedule = best_schedule(full, options.procs, profile, options.form, options.scalar)
+        schedule = best_schedule(full, processes, profile, options.form, options.scalar)
         plan = make_plan(full, schedule, form=options.form, scalar=options.scalar)
     except InputError:
         return None

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,20 +10,14 @@ from adagen.cli.across import show_hosts
 from adagen.cli.console import Stages, long_note
 from adagen.cli.options import AUTO, add_model, add_schedule, check_search
 from adagen.cli.parser import Parser, make_parser, parse
-from adagen.cli.predicted import (
-    accuracy_line,
-    predicted_accuracy,
-    prediction,
-    program_for,
-    timeline_of,
-    with_accuracy,
-)
+from adagen.cli.predicted import accuracy_line, prediction, with_accuracy
 from adagen.cli.tables import table_of, wrapped
 
 if TYPE_CHECKING:
     import argparse
 
     from adagen.cost import Timeline
+    from adagen.library.assessment import Assessed
     from adagen.model import Model
     from adagen.program import Program
     from adagen.schedule import Schedule
@@ -75,6 +68,7 @@ def run(argv: Sequence[str]) -> int:
     from adagen.cli.files import write_file
     from adagen.cost.document import schedule_document
     from adagen.errors import UsageError
+    from adagen.library.assessment import assessed
     from adagen.schedule import Topology
 
     stages = Stages()
@@ -87,21 +81,22 @@ def run(argv: Sequence[str]) -> int:
                 )
             show_hosts(model, options)
             return 0
-        schedule = pipeline.schedule_model(model, options, stages)
-        found = _found(model, schedule, options)
+        chosen = pipeline.choose_schedule(model, options, stages)
+        found = assessed(model, chosen.schedule, chosen.request)
         if options.svg is not None:
             with stages.stage("draw"):
-                write_file(options.svg, _drawing(found, options))
+                write_file(options.svg, _drawing(model, found, options))
     finally:
         if options.verbose:
             long_note(str(stages))
-    digits = predicted_accuracy(model, schedule, found.program, options)
     if options.json:
-        document = schedule_document(schedule, Topology.of(model), found.program, found.timeline)
-        print(with_accuracy(document, digits))
+        document = schedule_document(
+            found.schedule, Topology.of(model), found.program, found.timeline
+        )
+        print(with_accuracy(document, found.digits))
         return 0
-    _show(found)
-    print(wrapped(accuracy_line(digits), 2))
+    _show(model, found)
+    print(wrapped(accuracy_line(found.digits), 2))
     return 0
 
 
@@ -116,38 +111,14 @@ def _check_hosts(parser: Parser, options: argparse.Namespace) -> None:
         parser.error("--hosts does not support it: leave out --reproducible")
 
 
-@dataclass(frozen=True)
-class _Found:
-    """A schedule, what runs, and how that is predicted to go, where the profile tells."""
-
-    model: Model
-    schedule: Schedule
-    program: Program
-    timeline: Timeline | None
-
-
-def _found(model: Model, schedule: Schedule, options: argparse.Namespace) -> _Found:
-    from adagen.plan import make_plan
-
-    plan = make_plan(
-        model,
-        schedule,
-        form=options.form,
-        scalar=options.scalar,
-        reproducible=options.reproducible,
-    )
-    program = program_for(plan, options)
-    return _Found(model, schedule, program, timeline_of(program, options))
-
-
-def _show(found: _Found) -> None:
+def _show(model: Model, found: Assessed) -> None:
     """Print the tree, what each process does, and what is predicted, for people."""
     from adagen.program.summary import TREES, meeting, program_text
     from adagen.schedule import Topology, schedule_tree
 
     print(wrapped(program_text(found.program), 2) + "\n")
     if meeting(found.program) in TREES:  # there the tree says what is joined when, and by whom
-        print(schedule_tree(found.schedule, Topology.of(found.model)))
+        print(schedule_tree(found.schedule, Topology.of(model)))
     if found.timeline is None:
         _show_loads(found.schedule)
     else:
@@ -155,12 +126,12 @@ def _show(found: _Found) -> None:
     print(wrapped(prediction(found.schedule, found.timeline)))
 
 
-def _drawing(found: _Found, options: argparse.Namespace) -> str:
+def _drawing(model: Model, found: Assessed, options: argparse.Namespace) -> str:
     """Return the schedule as SVG, or predicted and measured timelines where there is a trace."""
     from adagen.drawing import draw
     from adagen.schedule import Topology, load_profile
 
-    model, processes = found.model, found.schedule.processes
+    processes = found.schedule.processes
     if options.trace is None:
         profile, topology = load_profile(options.profile), Topology.of(model)
         return draw(found.schedule, topology, found.program, profile, model.name)

@@ -62,7 +62,7 @@ def test_auto_takes_one_for_an_arm_and_more_where_it_pays(
     capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("adagen.cli.predicted.cores", lambda: 4)
+    monkeypatch.setattr("adagen.library.choice.cores", lambda: 4)
     arm = write_arm(tmp_path / "arm.urdf", 6)
     assert main(["schedule", str(arm), "--procs", "auto", "--json"]) == 0
     stdout, stderr = capsys.readouterr()

@@ -4,6 +4,7 @@
 #define ADAGEN_SAMPLE_CUTS  // read alone, it is of a solver whose processes meet, and that refines
 #endif
 
+#include <Eigen/LU>
 #include <array>
 #include <cstddef>
 #include <cstring>

@@ -1,0 +1,113 @@
+"""The schedule of a request, on as many processes as pay where their number is left open."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, replace
+
+from adagen.library.request import Request
+from adagen.library.scheduling import KNOWN, given_schedule, schedule_of, searched
+from adagen.model import Model
+from adagen.plan import as_gathered
+from adagen.schedule import CostProfile, Schedule, load_profile
+from adagen.search import choose_processes, predicted_time
+from adagen.search.choose import margin
+
+MOST_CORES = 16
+"""Processes that are considered at most where their number is left open."""
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """A schedule, and what it was preferred to.
+
+    Attributes:
+        schedule: which process computes what.
+        request: the request, with the number of processes and, of a schedule in a file, the shape.
+        compared: processes and what is predicted of them, us, by their number; empty where it was
+            not left open.
+        unpaid: what is predicted of the processes that were asked for and of one alone, us, where
+            these do not pay; else None.
+        profile: the name of the cost profile that predicts it.
+    """
+
+    schedule: Schedule
+    request: Request
+    compared: tuple[tuple[int, float], ...] = ()
+    unpaid: tuple[float, float] | None = None
+    profile: str = ""
+
+
+def choose(model: Model, request: Request, *, left_open: bool = False) -> Chosen:
+    """Return the schedule that a request asks for.
+
+    Args:
+        model: the robot.
+        request: the request.
+        left_open: whether as many processes are taken as pay, whatever the request says: as a
+            schedule in a file has, all cores of a batch, one of a solver that is certified or
+            embedded.
+
+    Raises:
+        InputError: the profile or the schedule file is refused.
+        UsageError: there is no such profile or schedule.
+    """
+    if left_open and (request.certify or request.target == "embedded"):
+        request, left_open = replace(request, procs=1), False
+    if request.schedule not in KNOWN:
+        found = given_schedule(model, request)
+        if request.shape == "auto":
+            request = replace(request, shape=found.shape)
+        if left_open and not request.batch:
+            request = replace(request, procs=found.processes)
+    if request.batch:  # each process solves states by the schedule of one
+        request = replace(request, procs=_all_cores()) if left_open else request
+        return Chosen(schedule_of(model, request), request)
+    if request.schedule not in KNOWN:
+        return Chosen(schedule_of(model, request), request)
+    profile = load_profile(request.profile)
+    return (_as_pay if left_open else _as_asked)(model, request, profile)
+
+
+def cores() -> int:
+    """Return how many cores this process may use, up to what is worth a search."""
+    return min(_all_cores(), MOST_CORES)
+
+
+def _all_cores() -> int:
+    count = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+    return count or 1
+
+
+def _as_pay(model: Model, request: Request, profile: CostProfile) -> Chosen:
+    found = choose_processes(
+        model,
+        profile,
+        request.form,
+        cores(),
+        lambda processes: searched(model, replace(request, procs=processes)),
+        request.priced_shape,
+        reproducible=request.reproducible,
+    )
+    compared = tuple(sorted((each.processes, each.time) for each in found))
+    request = replace(request, procs=found[0].processes)
+    return Chosen(as_gathered(model, found[0].schedule), request, compared, None, profile.name)
+
+
+def _as_asked(model: Model, request: Request, profile: CostProfile) -> Chosen:
+    own = searched(model, request)
+    chosen = Chosen(as_gathered(model, own), request, profile=profile.name)
+    if request.procs == 1 or profile.steps is None:
+        return chosen
+    many, one = (
+        predicted_time(
+            model,
+            each,
+            profile,
+            request.form,
+            request.priced_shape,
+            reproducible=request.reproducible,
+        )
+        for each in (own, searched(model, replace(request, procs=1)))
+    )
+    return replace(chosen, unpaid=(many, one)) if many > (1 - margin(profile)) * one else chosen
