@@ -9,7 +9,7 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
-from adagen.build import Toolchain, build_executable
+from adagen.build import Toolchain, build_executable, find_toolchain
 from adagen.emit import emit, stem_of
 from adagen.emit.shapes import chosen_shape
 from adagen.errors import EnvironmentFault
@@ -202,3 +202,15 @@ def combined(measurements: Sequence[Measurement]) -> Measurement:
         all(m.pinned for m in measurements),
         first.source,
     )
+
+
+def least_times(plans: Sequence[Plan]) -> list[float]:
+    """Build plans and return the least time of each of a few rounds, timed in turns, us.
+
+    Raises:
+        EnvironmentFault: one cannot be built and run.
+    """
+    toolchain = find_toolchain()
+    programs = [Program(plan, toolchain) for plan in plans]
+    rounds = [[program.measure(repeat=20).time for program in programs] for _ in range(5)]
+    return [min(times) for times in zip(*rounds, strict=True)]

@@ -171,7 +171,7 @@ def generate(model: Model, options: argparse.Namespace, stages: Stages) -> Compi
         from adagen.cli.scenes import tell_savings
 
         with stages.stage("compare"):
-            tell_savings(plan, schedule, options)
+            tell_savings(plan, schedule, request, options)
     with (
         stages.stage("assess"),
         progress("assessing accuracy", len(model.joints)),

@@ -118,7 +118,7 @@ def _chart(path: Path, model: Model, scene: str | None) -> Chart:
 def _scene(made: Compiled, options: argparse.Namespace) -> Scene | None:
     if options.scene is None:
         return None
-    from adagen.cli.scenes import predicted_savings
+    from adagen.library.savings import predicted_savings
     from adagen.report import Scene
     from adagen.scene.report import removed
 
@@ -126,7 +126,9 @@ def _scene(made: Compiled, options: argparse.Namespace) -> Scene | None:
     if options.reduction.all_left:
         lines.append("it leaves out nothing of the robot")
     else:
-        lines.append(predicted_savings(made.plan, made.schedule, options)[0])
+        lines.append(
+            predicted_savings(made.plan, made.schedule, options.reduction, made.request)[0]
+        )
     return Scene(str(options.scene), tuple(each.removeprefix("scene: ") for each in lines))
 
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from adagen.cli.main import main
-from adagen.cli.scenes import counted
+from adagen.library.savings import counted
 from adagen.plan import make_plan
 from adagen.plan.operations import operations
 from adagen.reference import forward_dynamics
