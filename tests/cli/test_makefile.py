@@ -44,7 +44,7 @@ def test_the_emitted_makefile_builds_and_checks(
     toolchain = find_toolchain()
     source = next(out.glob("*_p[0-9]*.cpp")).read_text()
     # Joints by themselves are written in 6x6 blocks; a straight line needs no Eigen.
-    assert ("adagen/spatial.hpp" in source) == (processes == 2)
+    assert ("adagen/joins.hpp" in source) == (processes == 2)
     command = [
         "make",
         "-C",
