@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -207,21 +208,29 @@ def test_outputs_are_emitted(batch: bool, builder: Builder, tmp_path: Path) -> N
 def test_outputs_of_real_robots_keep_their_digits(
     robot: str, floating: bool, scalar: str, batch: int, builder: Builder, tmp_path: Path
 ) -> None:
-    """Beside balls of 400 bits; states of floats are rounded first."""
+    """Beside balls of 400 bits: as many as the accelerations beside them keep.
+
+    Reaction forces cancel by some tens of units. In one of its states, solo12 loses 3.6 digits of
+    a float.
+    """
     whole = read_robot(real_robot(robot), floating=floating).model
     joint, link = whole.joints[-1].name, whole.links[-1].name
     text = f'[outputs]\nlink_accelerations = ["{link}"]\nreaction_forces = ["{joint}"]\n'
     model = reduced(whole, tmp_path, f'{text}inverse_inertia = ["{link}"]\n').model
     plan = replace(planned(model), scalar=scalar)
-    number, limit = {"double": (np.float64, 1e-13), "float": (np.float32, 1e-4)}[scalar]
+    number, limit = {"double": (np.float64, 1e-12), "float": (np.float32, 1e-3)}[scalar]
     drawn = random_states(model, 3, seed=5)
     states = States(*(x.astype(number).astype(float) for x in (drawn.q, drawn.v, drawn.tau)))
     got = solved(builder.solver(plan, batch=batch), model, states, tmp_path)
     for state, answer in zip(zip(states.q, states.v, states.tau, strict=True), got, strict=True):
         truth = np.array([float(x) for x in interpret(plan, *state, algebra=BALLS)])
-        for k, output in enumerate(plan.outputs):
-            own = slice(plan.entry_of_output(k), plan.entry_of_output(k) + output.size)
-            assert abs(answer - truth)[own].max() < limit * abs(truth[own]).max()
+        firsts = [0, *(plan.entry_of_output(k) for k in range(len(plan.outputs))), len(truth)]
+        errors = [
+            abs(answer - truth)[first:last].max() / abs(truth[first:last]).max()
+            for first, last in pairwise(firsts)
+        ]
+        assert errors[0] < limit
+        assert max(errors) < max(500 * np.finfo(number).eps, 4 * errors[0])
 
 
 @pytest.mark.parametrize("words", [("--shape", "kernels"), ("--schedule", "balanced")])
@@ -233,9 +242,9 @@ def test_outputs_elsewhere_are_refused(
     scene.write_text(ASKED)
     command = [str(MODELS / "humanoid.urdf"), "--scene", str(scene), "--out", str(tmp_path / "out")]
     assert main([*command, "--procs", "2"]) == 0
-    assert list((tmp_path / "out").glob("*_p1.cpp"))
+    assert "2 processes do not pay" in capsys.readouterr().err
     assert main([*command, "--procs", "2", *words]) == 2
-    assert "[outputs]" in capsys.readouterr().err
+    assert "outputs" in capsys.readouterr().err.partition("error: ")[2]
 
 
 def test_an_output_is_told_where_it_is(tmp_path: Path) -> None:
