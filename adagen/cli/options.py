@@ -119,7 +119,8 @@ def add_schedule(parser: Parser) -> None:
         "--profile",
         default="default",
         metavar="NAME|FILE",
-        help="cost profile: default, paper, one that adagen calibrate has stored, or a TOML file",
+        help="cost profile: default, xeon, paper, one that adagen calibrate has stored, or a TOML "
+        "file",
     )
     group.add_argument(
         "--schedule",

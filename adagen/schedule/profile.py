@@ -23,7 +23,7 @@ from adagen.schedule.costs import StepCosts, read_steps
 TICKS = 1_000_000
 """Ticks in a microsecond."""
 
-SHIPPED = ("default", "paper")
+SHIPPED = ("default", "xeon", "paper")
 """Names of the profiles that come with adagen."""
 
 _LIMIT = 1e6  # microseconds; keeps every sum far below 2^63 ticks
