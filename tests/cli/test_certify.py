@@ -51,6 +51,24 @@ def test_a_bound_for_each_state_is_in_the_result(tmp_path: Path, more: tuple[str
     assert read_result(found, model).shape == (5, model.nv)
 
 
+def test_mpi_processes_bound_what_they_answer_together(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Three of four processes have limbs of a humanoid; their bounds are those of one."""
+    robot = str(MODELS / "humanoid.urdf")
+    model = read_robot(Path(robot)).model
+    given = tmp_path / "states.json"
+    write_states(random_states(model, 5, seed=1), model, given)
+    bounds = []
+    for count in ("1", "4"):
+        found = tmp_path / f"result{count}.json"
+        words = ["--procs", count, "--certify", "--channel", "window", "--states", str(given)]
+        assert main(["solve", robot, *words, "--result", str(found)]) == 0
+        assert "do not pay" not in capsys.readouterr().err
+        bounds.append(json.loads(found.read_text())["error_bounds"])
+    assert bounds[1] == pytest.approx(bounds[0], rel=0.1)
+
+
 @pytest.mark.parametrize("scene", ["pushed", "first", "outputs"])
 def test_scenes_that_want_more_or_less_are_certified_as_straight_lines(
     scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
