@@ -36,7 +36,7 @@ MOST_SAMPLED = 2000
 WEIGHED = 4
 """Of them, those at which inertias are looked at."""
 MOST_HELD = 30
-"""Freedoms of a closure up to which all of them are held back."""
+"""Freedoms of a closure up to which all of them are held back; more where many rows tie them."""
 
 
 @dataclass(frozen=True)
@@ -186,7 +186,7 @@ def closure_of(
 def with_choices(model: Model, tied: Tied, samples: Array) -> Closure:
     """Choose what follows from what: so that G is least where it is largest."""
     found = sampled_rows(model, tied, samples)
-    whole = len(found.columns) <= MOST_HELD
+    whole = len(found.columns) <= max(MOST_HELD, 2 * _rank(found.own))
     inertias = inertias_of(model, found.columns) if whole else []
     (moved, kept), others = chosen(found.own, depths_of(model, tied.path), inertias, whole=whole)
     choices = [found.choice(moved, kept)]
@@ -194,6 +194,16 @@ def with_choices(model: Model, tied: Tied, samples: Array) -> Closure:
     if whole and 0 < len(moved) < len(found.columns) and looped:
         choices += [found.choice((), each) for each in others]
     return closure_of(model, tied, found.rows, choices, whole=whole)
+
+
+def _rank(samples: Array) -> int:
+    """Return how many rows are independent where most are.
+
+    Where these alone are held back, a system of twice as many unknowns is solved, accelerations and
+    forces: if there are no more freedoms than that, it is better to hold all of them back.
+    """
+    sizes = np.linalg.svd(samples, compute_uv=False)
+    return int((sizes > NO_PIVOT * sizes[:, :1]).sum(axis=1).max(initial=0))
 
 
 def inertias_of(model: Model, columns: Sequence[int]) -> list[Array]:

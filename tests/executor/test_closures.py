@@ -13,7 +13,17 @@ from adagen.errors import InputError
 from adagen.executor import interpret
 from adagen.executor.closed_trial import tried_closed
 from adagen.graph import BALLS
-from adagen.model import LOOP_KINDS, PRISMATIC, REVOLUTE, SPHERICAL, Inertia, Model
+from adagen.model import (
+    LOOP_KINDS,
+    PRISMATIC,
+    REVOLUTE,
+    SPHERICAL,
+    WORLD,
+    Inertia,
+    LoopEnd,
+    Model,
+    NamedLoop,
+)
 from adagen.plan import Plan, closures, make_plan, plan_from_json, plan_to_json
 from adagen.plan.steps import CarryRows, Eliminate, HoldBack
 from adagen.program import check
@@ -35,7 +45,7 @@ from tests.mechanisms import (
     states_of,
     with_loops,
 )
-from tests.models import human_figure
+from tests.models import Part, assemble, human_figure, rod, vector
 
 TREES = (REVOLUTE, PRISMATIC, SPHERICAL)
 
@@ -204,8 +214,6 @@ def test_a_change_point_is_passed_at_speed(scalar: str) -> None:
 
 
 def _closed_flat(model: Model) -> Model:
-    from adagen.model import LoopEnd, NamedLoop
-
     ends = LoopEnd("p2_link", (0.2, 0.0, 0.0)), LoopEnd("ground", (0.5, 0.0, 0.0))
     return with_loops(model, (NamedLoop("pin", "revolute", *ends, (0.0, 1.0, 0.0)),))
 
@@ -263,8 +271,6 @@ def test_limbs_beside_loops_share_lanes(builder: Builder, tmp_path: Path) -> Non
     names = [joint.name for joint in model.joints]
     arms = [k for k, name in enumerate(names) if "wrist" in name or "hand" in name][:2]
     assert len(arms) == 2
-    from adagen.model import LoopEnd, NamedLoop
-
     ends = (LoopEnd(model.links[arms[0] + 1].name), LoopEnd(model.links[arms[1] + 1].name))
     held = with_loops(model, (NamedLoop("grasp", "point", *ends),))
     plan, states = plan_of(held), states_of(held, 3)
@@ -279,3 +285,23 @@ def test_a_body_that_loops_hold_may_have_no_inertia() -> None:
     model = four_bar(massless=True)
     assert model.links[2].inertia.mass == Inertia.zero().mass
     assert worst(model, plan_of(model), states_of(model, 3)) < 1e-13
+
+
+def test_many_freedoms_that_many_rows_tie_are_all_held_back() -> None:
+    """A row of windows: 33 hinges, of which one is free; else 32 and 32 forces were solved for."""
+    y, up, along = (0.0, 1.0, 0.0), vector(0.0, 0.0, 1.0), vector(1.0, 0.0, 0.0)
+    parts = [Part("post0", None, REVOLUTE, rod(1.0, up), axis=vector(*y))]
+    loops = []
+    for k in range(1, 17):
+        last = f"beam{k - 1}" if k > 1 else "post0"
+        start = along if k > 1 else up
+        parts += [
+            Part(f"beam{k}", last, REVOLUTE, rod(1.0, along), start, axis=vector(*y)),
+            Part(f"post{k}", f"beam{k}", REVOLUTE, rod(1.0, -up), along, axis=vector(*y)),
+        ]
+        foot, place = LoopEnd(f"post{k}_link", (0.0, 0.0, -1.0)), (1.1 * k, 0.0, 0.1 * (k % 3))
+        loops.append(NamedLoop(f"pin{k}", "revolute", foot, LoopEnd(WORLD, place), y))
+    model = with_loops(assemble("windows", parts), tuple(loops))
+    (closure,) = closures.closures_of(model)
+    assert len(closure.path) == 33 and closure.held == closure.path
+    assert worst(model, plan_of(model), states_of(model, 2)) < 1e-9
