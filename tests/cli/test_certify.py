@@ -11,6 +11,7 @@ from adagen.cli import main
 from adagen.library.command import command_in
 from adagen.states import random_states, read_result, write_states
 from adagen.urdf import read_robot
+from tests.emitted import OPTIMISED, Builder, Solver
 from tests.golden.make_models import MODELS
 from tests.options import words_of
 
@@ -67,6 +68,17 @@ def test_mpi_processes_bound_what_they_answer_together(
         assert "do not pay" not in capsys.readouterr().err
         bounds.append(json.loads(found.read_text())["error_bounds"])
     assert bounds[1] == pytest.approx(bounds[0], rel=0.1)
+
+
+def test_limbs_in_lanes_are_certified_without_warnings_of_an_optimising_compiler(
+    builder: Builder, tmp_path: Path
+) -> None:
+    words = ["--procs", "1", "--certify", "--shape", "unrolled", "--out", str(tmp_path)]
+    assert main([str(MODELS / "humanoid.urdf"), *words]) == 0
+    source = (tmp_path / "humanoid_p1.cpp").read_text()
+    assert "max_of(" in source
+    solver = builder.compile(source, "humanoid_p1", OPTIMISED)
+    assert Solver(solver, 1, builder.toolchain).run("--check").status == 0
 
 
 @pytest.mark.parametrize("scene", ["pushed", "first", "outputs"])

@@ -12,11 +12,7 @@ namespace {
 // The same of limbs, lane by lane; a single number stands for all lanes.
 template <class T, class R = std::enable_if_t<(kWidth<T> > 1), T>>
 [[maybe_unused]] ADAGEN_INLINE R max_of(const T& x, const T& y) {
-  const auto first = x > y;
-  using Bits = std::decay_t<decltype(first)>;
-  const Bits bits =
-      (first & reinterpret_cast<const Bits&>(x)) | (~first & reinterpret_cast<const Bits&>(y));
-  return reinterpret_cast<const T&>(bits);
+  return x > y ? x : y;
 }
 template <class T, class R = std::enable_if_t<(kWidth<T> > 1), T>>
 [[maybe_unused]] ADAGEN_INLINE R max_of(const T& x, const Real& y) {
