@@ -1,6 +1,8 @@
 // adagen's runtime, the same for all robots.
 // What follows the processes in a source: the solver, its C interface, the program around it.
+// Of a sample solver there is none.
 #pragma once
+#if defined(ADAGEN_SOLVER)
 
 #include "among_threads.hpp"
 #include "c_interface.hpp"
@@ -9,3 +11,5 @@
 #include "open_measured_threads.hpp"
 #include "program_processes.hpp"
 #endif  // ADAGEN_NO_MAIN
+
+#endif

@@ -17,7 +17,7 @@ struct Layout : PlainLayout<kJointCount> {
   static constexpr int kTile = 16;
   static constexpr bool kInLanes = true, kByColumns = true;
   static constexpr int kBlockKindCount = 1;  // other lengths than each other, as in solvers
-  [[maybe_unused]] static constexpr int kBlockKinds[]{0, 0}, kFirstOfKind[]{0};
+  [[maybe_unused]] static constexpr int kBlockKinds[]{0, 0, 0, 0}, kFirstOfKind[]{0};
   static constexpr bool kAnyTurned = true, kAnyTurnedIfLost = true;
   static constexpr double kLosing = 1e6;
   static constexpr bool kCarriesAlong = true;
@@ -25,6 +25,7 @@ struct Layout : PlainLayout<kJointCount> {
   static constexpr double kUnit = 1e-15;
 };
 constexpr LinkRole kRoles[2][kLinkCount]{};
+[[maybe_unused]] constexpr bool kStarts[2][kJointCount]{};
 
 }  // namespace
 
