@@ -218,7 +218,8 @@ def test_outputs_of_real_robots_keep_their_digits(
     text = f'[outputs]\nlink_accelerations = ["{link}"]\nreaction_forces = ["{joint}"]\n'
     model = reduced(whole, tmp_path, f'{text}inverse_inertia = ["{link}"]\n').model
     plan = replace(planned(model), scalar=scalar)
-    number, limit = {"double": (np.float64, 1e-12), "float": (np.float32, 1e-3)}[scalar]
+    number = np.dtype({"double": "float64", "float": "float32"}[scalar])
+    limit = {"double": 1e-12, "float": 1e-3}[scalar]
     drawn = random_states(model, 3, seed=5)
     states = States(*(x.astype(number).astype(float) for x in (drawn.q, drawn.v, drawn.tau)))
     got = solved(builder.solver(plan, batch=batch), model, states, tmp_path)
