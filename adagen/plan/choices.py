@@ -17,6 +17,8 @@ Numbers = tuple[int, ...]
 
 NO_PIVOT = 1e-9
 """A pivot below this, relative to the largest entry, is none: the row follows from others."""
+SAME = 9
+"""Digits of pivots, relative to the largest one, that are compared."""
 VANISHING = 1e-6
 """A singular value of rows that are brought to a size of one which counts as none."""
 NEAR = 0.3
@@ -218,10 +220,10 @@ def _pivots(matrix: Array, weights: Sequence[int], near: float = NEAR) -> tuple[
         largest = float(sizes.max(initial=0.0))
         if largest <= NO_PIVOT * first or largest == 0.0:
             return tuple(sorted(columns)), tuple(sorted(rows))
-        good = np.argwhere(sizes >= largest * (near if weights else 1.0)).tolist()
-        r, c = min(
-            good, key=lambda rc: (weights[rc[1]] if weights else 0, -sizes[rc[0], rc[1]], rc)
-        )
+        # Alike arms have entries that differ by rounding alone, and that depends on the processor.
+        seen = np.round(sizes / largest, SAME)
+        good = np.argwhere(seen >= (near if weights else 1.0)).tolist()
+        r, c = min(good, key=lambda rc: (weights[rc[1]] if weights else 0, -seen[rc[0], rc[1]], rc))
         columns.append(c)
         rows.append(r)
         left = left - np.outer(left[:, c], left[r]) / left[r, c]

@@ -123,7 +123,7 @@ class Sampled:
         columns: entries of v that they act on, beyond the top.
         rows: numbers in the robot.
         scales: of these rows, powers of two that bring them to a size.
-        values: brought to a size, shape (S, rows, nv).
+        values: brought to a size, without entries that rounding alone makes, shape (S, rows, nv).
     """
 
     columns: list[int]
@@ -162,7 +162,21 @@ def sampled_rows(model: Model, tied: Tied, samples: Array) -> Sampled:
     usual = np.median(of_all[:, there], axis=0)
     usual = np.where(usual > NO_PIVOT * sizes[there], usual, sizes[there])
     scales = [2.0 ** -round(float(np.log2(size))) for size in usual]
-    return Sampled(columns, rows, scales, samples[:, rows] / sizes[there][:, None])
+    return Sampled(
+        columns, rows, scales, without_rounding(samples[:, rows] / sizes[there][:, None])
+    )
+
+
+def without_rounding(values: Array) -> Array:
+    """Return rows of a size of one without the entries that are rounding alone at all states.
+
+    A rod that turns about the line through its two balls moves neither of them. What rounding makes
+    of that differs from one processor to the next, and would be taken for a motion that rows feel.
+
+    Args:
+        values: shape (S, rows, columns).
+    """
+    return np.where(np.abs(values).max(axis=0, initial=0.0) > NO_PIVOT, values, 0.0)
 
 
 def closure_of(

@@ -102,7 +102,7 @@ def test_rows_are_carried_through_articulated_joints(
 ) -> None:
     """A closure of many freedoms holds back few of them; the answer is the same."""
     monkeypatch.setattr(closures, "MOST_HELD", 3)
-    model = looped_tree(kind, 3, joints=12, whole=True)
+    model = looped_tree(kind, 3, joints=14, whole=True)
     plan = plan_of(model)
     usual = plan.alternatives[-1]
     assert {CarryRows, HoldBack, Eliminate} <= kinds_of(usual)
