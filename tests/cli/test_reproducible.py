@@ -18,7 +18,8 @@ def test_the_head_makes_it_again(tmp_path: Path, capsys: pytest.CaptureFixture[s
     words = [MOBILE, "--reproducible", "--scalar", "float", "--procs", "1", "--out", str(tmp_path)]
     assert main(words) == 0
     source = (tmp_path / "mobile_p1.cpp").read_text()
-    assert "shape unrolled, scalar float, reproducible, " in source
+    assert ", shape unrolled (" in source
+    assert ", scalar float, reproducible, " in source
     command = command_in(source)
     assert command is not None
     assert "--reproducible" in command
