@@ -18,10 +18,10 @@
 #define ADAGEN_RECOVERS
 #include "adagen/settings.hpp"
 
-struct ankle_p1_settings : PlainSettings {
+namespace { struct ankle_p1_settings : PlainSettings {
   static constexpr int kVersion = 100, kJointCount = 8, kNq = 14, kNv = 12;
   [[maybe_unused]] static constexpr const char* kRobot = "ankle";
-};
+}; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/constants.hpp"
 

@@ -16,14 +16,14 @@
 #define ADAGEN_BATCH
 #include "adagen/settings.hpp"
 
-struct arm7_batch_p2_settings : PlainSettings {
+namespace { struct arm7_batch_p2_settings : PlainSettings {
   static constexpr int kVersion = 100, kJointCount = 9, kNq = 9, kNv = 9;
   [[maybe_unused]] static constexpr const char* kRobot = "arm7";
   static constexpr int kProcesses = 2;
   static constexpr bool kAlone = false;
   static constexpr bool kBatch = true;
   [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
-};
+}; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/constants.hpp"
 

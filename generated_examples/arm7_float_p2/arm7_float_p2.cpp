@@ -22,7 +22,7 @@
 #define ADAGEN_MPI
 #include "adagen/kernels/plain_layout.hpp"
 
-struct arm7_float_p2_settings : PlainLayout<9> {
+namespace { struct arm7_float_p2_settings : PlainLayout<9> {
   static constexpr int kVersion = 100, kJointCount = 9, kNq = 9, kNv = 9;
   using Number = float;
   [[maybe_unused]] static constexpr const char* kRobot = "arm7";
@@ -37,7 +37,7 @@ struct arm7_float_p2_settings : PlainLayout<9> {
   static constexpr bool kInLanes = true;
   static constexpr bool kByColumns = true;
   static constexpr bool kCarriesAlong = true;
-};
+}; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/kernels/model.hpp"
 

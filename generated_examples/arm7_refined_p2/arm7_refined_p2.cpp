@@ -23,7 +23,7 @@
 #define ADAGEN_REFINES
 #include "adagen/kernels/plain_layout.hpp"
 
-struct arm7_refined_p2_settings : PlainLayout<9> {
+namespace { struct arm7_refined_p2_settings : PlainLayout<9> {
   static constexpr int kVersion = 100, kJointCount = 9, kNq = 9, kNv = 9;
   [[maybe_unused]] static constexpr const char* kRobot = "arm7";
   static constexpr int kProcesses = 2;
@@ -37,7 +37,7 @@ struct arm7_refined_p2_settings : PlainLayout<9> {
   static constexpr int kSlots[kJointCount] = {0, 1, 2, 3, 4, 10, 11, 8, 9};
   static constexpr bool kInLanes = true;
   static constexpr bool kByColumns = true;
-};
+}; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/kernels/model.hpp"
 

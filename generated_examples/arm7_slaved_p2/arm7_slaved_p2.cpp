@@ -19,7 +19,7 @@
 #define ADAGEN_MPI
 #include "adagen/settings.hpp"
 
-struct arm7_slaved_p2_settings : PlainSettings {
+namespace { struct arm7_slaved_p2_settings : PlainSettings {
   static constexpr int kVersion = 100, kJointCount = 9, kNq = 9, kNv = 9;
   [[maybe_unused]] static constexpr const char* kRobot = "arm7";
   static constexpr int kProcesses = 2;
@@ -28,7 +28,7 @@ struct arm7_slaved_p2_settings : PlainSettings {
   static constexpr std::size_t kSlavedCount = 1;
   static constexpr int kPlanMessages = 4;
   [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
-};
+}; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/constants.hpp"
 

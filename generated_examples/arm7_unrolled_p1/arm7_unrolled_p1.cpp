@@ -12,10 +12,10 @@
 #define ADAGEN_NAMED(WORD) ARM7_UNROLLED_P1_##WORD
 #include "adagen/settings.hpp"
 
-struct arm7_unrolled_p1_settings : PlainSettings {
+namespace { struct arm7_unrolled_p1_settings : PlainSettings {
   static constexpr int kVersion = 100, kJointCount = 9, kNq = 9, kNv = 9;
   [[maybe_unused]] static constexpr const char* kRobot = "arm7";
-};
+}; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/constants.hpp"
 

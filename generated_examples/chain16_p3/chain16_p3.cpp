@@ -23,7 +23,7 @@
 #define ADAGEN_MPI
 #include "adagen/kernels/plain_layout.hpp"
 
-struct chain16_p3_settings : PlainLayout<16> {
+namespace { struct chain16_p3_settings : PlainLayout<16> {
   static constexpr int kVersion = 100, kJointCount = 16, kNq = 16, kNv = 16;
   [[maybe_unused]] static constexpr const char* kRobot = "chain16";
   static constexpr int kProcesses = 3;
@@ -32,7 +32,7 @@ struct chain16_p3_settings : PlainLayout<16> {
   [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
   static constexpr bool kByColumns = true;
   static constexpr bool kCarriesAlong = true;
-};
+}; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/kernels/model.hpp"
 

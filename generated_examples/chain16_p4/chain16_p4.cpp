@@ -21,7 +21,7 @@
 #define ADAGEN_MPI
 #include "adagen/settings.hpp"
 
-struct chain16_p4_settings : PlainSettings {
+namespace { struct chain16_p4_settings : PlainSettings {
   static constexpr int kVersion = 100, kJointCount = 16, kNq = 16, kNv = 16;
   [[maybe_unused]] static constexpr const char* kRobot = "chain16";
   [[maybe_unused]] static constexpr const char* kChannel = "message";
@@ -29,7 +29,7 @@ struct chain16_p4_settings : PlainSettings {
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 6;
   [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
-};
+}; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/constants.hpp"
 

@@ -18,10 +18,10 @@
 #define ADAGEN_RECOVERS
 #include "adagen/settings.hpp"
 
-struct fourbar_p1_settings : PlainSettings {
+namespace { struct fourbar_p1_settings : PlainSettings {
   static constexpr int kVersion = 100, kJointCount = 3, kNq = 3, kNv = 3;
   [[maybe_unused]] static constexpr const char* kRobot = "fourbar";
-};
+}; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/constants.hpp"
 

@@ -16,10 +16,10 @@
 #define ADAGEN_NAMED(WORD) HUMAN40_P1_##WORD
 #include "adagen/settings.hpp"
 
-struct human40_p1_settings : PlainSettings {
+namespace { struct human40_p1_settings : PlainSettings {
   static constexpr int kVersion = 100, kJointCount = 15, kNq = 51, kNv = 40;
   [[maybe_unused]] static constexpr const char* kRobot = "human40";
-};
+}; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/constants.hpp"
 

@@ -24,7 +24,7 @@
 #define ADAGEN_MPI
 #include "adagen/kernels/plain_layout.hpp"
 
-struct human40_p4_settings : PlainLayout<15> {
+namespace { struct human40_p4_settings : PlainLayout<15> {
   static constexpr int kVersion = 100, kJointCount = 15, kNq = 51, kNv = 40;
   [[maybe_unused]] static constexpr const char* kRobot = "human40";
   static constexpr int kProcesses = 4;
@@ -35,7 +35,7 @@ struct human40_p4_settings : PlainLayout<15> {
   static constexpr bool kReordered = true;
   static constexpr int kSlots[kJointCount] = {0, 1, 8, 9, 2, 3, 4, 5, 18, 24, 25, 16, 19, 20, 17};
   static constexpr bool kInLanes = true;
-};
+}; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/kernels/model.hpp"
 

@@ -16,7 +16,7 @@
 #define ADAGEN_BATCH
 #include "adagen/kernels/plain_layout.hpp"
 
-struct humanoid_batch_p2_settings : PlainLayout<30> {
+namespace { struct humanoid_batch_p2_settings : PlainLayout<30> {
   static constexpr int kVersion = 100, kJointCount = 30, kNq = 36, kNv = 35;
   [[maybe_unused]] static constexpr const char* kRobot = "humanoid";
   [[maybe_unused]] static constexpr bool kFloating = true;
@@ -24,7 +24,7 @@ struct humanoid_batch_p2_settings : PlainLayout<30> {
   static constexpr bool kAlone = false;
   static constexpr bool kBatch = true;
   [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
-};
+}; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/kernels/model.hpp"
 

@@ -14,11 +14,11 @@
 #define ADAGEN_NAMED(WORD) HUMANOID_LANES_P1_##WORD
 #include "adagen/settings.hpp"
 
-struct humanoid_lanes_p1_settings : PlainSettings {
+namespace { struct humanoid_lanes_p1_settings : PlainSettings {
   static constexpr int kVersion = 100, kJointCount = 30, kNq = 36, kNv = 35;
   [[maybe_unused]] static constexpr const char* kRobot = "humanoid";
   [[maybe_unused]] static constexpr bool kFloating = true;
-};
+}; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/constants.hpp"
 

@@ -14,7 +14,7 @@
 #define ADAGEN_NAMED(WORD) HUMANOID_P1_##WORD
 #include "adagen/kernels/plain_layout.hpp"
 
-struct humanoid_p1_settings : PlainLayout<30> {
+namespace { struct humanoid_p1_settings : PlainLayout<30> {
   static constexpr int kVersion = 100, kJointCount = 30, kNq = 36, kNv = 35;
   [[maybe_unused]] static constexpr const char* kRobot = "humanoid";
   [[maybe_unused]] static constexpr bool kFloating = true;
@@ -22,7 +22,7 @@ struct humanoid_p1_settings : PlainLayout<30> {
   static constexpr int kSlots[kJointCount] = {24, 0, 4, 8, 12, 16, 20, 1, 5, 9, 13, 17, 21, 25, 26, 27, 2, 6, 10, 14, 18, 22, 28, 29, 3, 7, 11, 15, 19, 23};
   static constexpr bool kInLanes = true;
   static constexpr bool kByColumns = true;
-};
+}; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/kernels/model.hpp"
 

@@ -22,7 +22,7 @@
 #define ADAGEN_MPI
 #include "adagen/kernels/plain_layout.hpp"
 
-struct humanoid_p2_settings : PlainLayout<30> {
+namespace { struct humanoid_p2_settings : PlainLayout<30> {
   static constexpr int kVersion = 100, kJointCount = 30, kNq = 36, kNv = 35;
   [[maybe_unused]] static constexpr const char* kRobot = "humanoid";
   [[maybe_unused]] static constexpr bool kFloating = true;
@@ -34,7 +34,7 @@ struct humanoid_p2_settings : PlainLayout<30> {
   static constexpr int kSlots[kJointCount] = {12, 0, 2, 4, 6, 8, 10, 1, 3, 5, 7, 9, 11, 13, 14, 15, 16, 18, 20, 22, 24, 26, 28, 29, 17, 19, 21, 23, 25, 27};
   static constexpr bool kInLanes = true;
   static constexpr bool kByColumns = true;
-};
+}; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/kernels/model.hpp"
 

@@ -20,7 +20,7 @@
 #define ADAGEN_MPI
 #include "adagen/settings.hpp"
 
-struct humanoid_p3_settings : PlainSettings {
+namespace { struct humanoid_p3_settings : PlainSettings {
   static constexpr int kVersion = 100, kJointCount = 30, kNq = 36, kNv = 35;
   [[maybe_unused]] static constexpr const char* kRobot = "humanoid";
   [[maybe_unused]] static constexpr bool kFloating = true;
@@ -28,7 +28,7 @@ struct humanoid_p3_settings : PlainSettings {
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 4;
   [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
-};
+}; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/constants.hpp"
 

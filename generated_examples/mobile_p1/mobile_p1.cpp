@@ -12,10 +12,10 @@
 #define ADAGEN_NAMED(WORD) MOBILE_P1_##WORD
 #include "adagen/settings.hpp"
 
-struct mobile_p1_settings : PlainSettings {
+namespace { struct mobile_p1_settings : PlainSettings {
   static constexpr int kVersion = 100, kJointCount = 6, kNq = 14, kNv = 13;
   [[maybe_unused]] static constexpr const char* kRobot = "mobile";
-};
+}; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/constants.hpp"
 

@@ -20,14 +20,14 @@
 #define ADAGEN_MPI
 #include "adagen/settings.hpp"
 
-struct mobile_p3_settings : PlainSettings {
+namespace { struct mobile_p3_settings : PlainSettings {
   static constexpr int kVersion = 100, kJointCount = 6, kNq = 14, kNv = 13;
   [[maybe_unused]] static constexpr const char* kRobot = "mobile";
   static constexpr int kProcesses = 3;
   static constexpr bool kAlone = false;
   static constexpr int kPlanMessages = 2;
   [[maybe_unused]] static constexpr Hops kHops = {{0, 98.7, 0.394}, {19.3, 163, 0.552}};
-};
+}; }  // namespace: a program may load several solvers of one name
 
 #include "adagen/constants.hpp"
 
