@@ -10,6 +10,7 @@ from adagen.cost import programmed
 from adagen.emit.around import PROGRAM_FILE, options_of, program_text, standalone
 from adagen.emit.embedded import check_target, embedded_values
 from adagen.emit.head import algorithm, frames, method, program_lines
+from adagen.emit.includes import needs_eigen, umbrellas
 from adagen.emit.interface import FAILURES
 from adagen.emit.model import model_values
 from adagen.emit.names import file_stem, prefix_of, quoted
@@ -251,12 +252,14 @@ def _texts(
         "program_lines": program_lines(program, costs),
         **model_values(words),
         **of_shape,
+        "eigen": needs_eigen(of_shape),
         **(embedded_values(words, of_shape) if embedded else {}),
     }
     more = description(values)
     plain = not any(values[name] for name in ("certified", "parameters", "batch", "embedded"))
     kind = "threads" if plan.threads else "mpi" if mpi else "alone"
     own = {
+        **umbrellas(values),
         "plain_program": not (more or mpi or plan.threads),
         "plain_solver": plain and processes == 1,
         "whole": f"whole_{kind}.hpp"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from adagen.emit.includes import needs_eigen
 from adagen.emit.kernels.mobility import passes_free
 from adagen.emit.words import Words
 from adagen.errors import UsageError
@@ -14,7 +15,6 @@ TEXT = 200
 """Characters of a failure's message, the end among them."""
 _LANES = 64  # bytes of numbers side by side, whatever the machine's registers hold
 _LINE = 64  # what a solver is aligned to
-_EIGEN = ("spatial.hpp", "joins.hpp", "articulated.hpp")  # what blocks of 6x6 need
 _BODY, _MOTION, _BLOCK, _COLUMNS = 27, 6, 43, 24  # numbers
 
 
@@ -47,7 +47,7 @@ def embedded_values(words: Words, values: dict[str, object]) -> dict[str, object
     Raises:
         UsageError: in this shape it needs Eigen.
     """
-    if any(part in _EIGEN for part in _listed(values["runtime"])):
+    if needs_eigen(values):
         raise UsageError(
             f"shape {words.program.shape} needs Eigen here, which an embedded solver cannot "
             "have: use --shape unrolled"

@@ -3,6 +3,8 @@
 
 #include <chrono>
 
+#include "version.hpp"
+
 // What a solver tells the program around it (adagen_program.cpp), and what that asks of it.
 namespace adagen {
 
@@ -194,8 +196,9 @@ class AnySolver {
 };
 
 // The whole program; returns its exit status. Of a number and a communicator, as adagen_program.cpp
-// is compiled for them.
-template <class Number, class Comm>
+// is compiled for them. With one compiled from another version's headers a solver is not linked:
+// what they hand each other may lie otherwise in memory.
+template <int version, class Number, class Comm>
 int program(const Description<Number>& description, AnySolver<Number, Comm>& solver, int count,
             char** words);
 

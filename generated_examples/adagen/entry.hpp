@@ -9,7 +9,7 @@
 // Compiled for size: it runs once.
 [[gnu::cold]] int main(int count, char** words) {
   auto* const solver = new ThisSolver;
-  const int status = adagen::program(description(), *solver, count, words);
+  const int status = adagen::program<ADAGEN_VERSION>(description(), *solver, count, words);
   delete solver;
   return status;
 }

@@ -13,8 +13,9 @@ namespace adagen {
 
 // Compiled for size, and with it what it alone calls: it runs once.
 template <>
-[[gnu::cold]] int program(const Description<Number>& description,
-                          AnySolver<Number, MPI_Comm>& solver, int count, char** words) {
+[[gnu::cold]] int program<ADAGEN_VERSION>(const Description<Number>& description,
+                                          AnySolver<Number, MPI_Comm>& solver, int count,
+                                          char** words) {
   about = description;
   Options options;
   const std::string wrong = parse(count, words, options);

@@ -3,6 +3,7 @@
 // command   adagen ../models/arm7.urdf --procs 2 --schedule=balanced --shape=kernels --scalar=float --name=arm7_float
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
 // options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar float, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// needs     Eigen's headers
 // links     adagen_program.cpp -DADAGEN_MPI -DADAGEN_FLOAT; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes arm7_float_p2.h
 // program   2 processes, joined at cuts; 0.664 us predicted (default profile)
 //           process 0: base_yaw .. forearm_roll

@@ -3,6 +3,7 @@
 // command   adagen ../models/arm7.urdf --mimic --procs 2 --form=ada --name=arm7_slaved
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
 // options   form ada (assembly-disassembly algorithm), shape joints (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// needs     Eigen's headers
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes arm7_slaved_p2.h
 // program   2 processes, joined at cuts; 1.54 us predicted (default profile)
 //           process 0: base_yaw .. wrist_pitch

@@ -3,6 +3,7 @@
 // command   adagen ../models/chain16.urdf --procs 3 --schedule=balanced --shape=kernels
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
 // options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// needs     Eigen's headers
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes chain16_p3.h
 // program   3 processes, joined at cuts; 1.14 us predicted (default profile)
 //           process 0: joint01 .. joint08

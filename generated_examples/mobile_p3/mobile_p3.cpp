@@ -3,6 +3,7 @@
 // command   adagen ../models/mobile.urdf --procs 3 --form=ada
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
 // options   form ada (assembly-disassembly algorithm), shape joints (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
+// needs     Eigen's headers
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes mobile_p3.h
 // program   3 processes, joined at cuts; 0.834 us predicted (default profile)
 //           process 0: drive .. shoulder

@@ -106,6 +106,15 @@ def test_joined_sources_hold_each_header_once_and_no_sample() -> None:
     assert joined('#include "mine.hpp"\n') == '#include "mine.hpp"\n'
 
 
+def test_heads_say_where_eigen_is_needed() -> None:
+    said = {}
+    for path in FOLDER.glob("*/*_p[0-9]*.cpp"):
+        source = path.read_text()
+        said[path.stem] = "\n// needs     Eigen's headers\n" in source
+        assert said[path.stem] == ("#include <Eigen/" in joined(source)), path.stem
+    assert {True, False} == set(said.values())
+
+
 def source_of(stem: str) -> list[str]:
     return (FOLDER / stem / f"{stem}.cpp").read_text().splitlines()
 
@@ -162,6 +171,24 @@ def test_headers_of_another_version_are_refused(builder: Builder) -> None:
     files = {**HEADERS, "adagen/version.hpp": "#pragma once\n#define ADAGEN_VERSION 99999\n"}
     with pytest.raises(adagen.EnvironmentFault, match="of another version than the adagen"):
         builder.compile(joined(source, files), "other", (*QUICK, "-DADAGEN_NO_MAIN"))
+
+
+def test_a_program_of_another_version_is_not_linked(tmp_path: Path) -> None:
+    adagen.compile(adagen.read(FOLDER / "models" / "arm7.urdf"), name="arm").write(tmp_path)
+    version = tmp_path / "adagen" / "version.hpp"
+    ours = version.read_text()
+
+    def make(goal: str) -> subprocess.CompletedProcess[str]:
+        command = ["make", "-C", str(tmp_path), goal, "CXXFLAGS=-O1"]
+        return subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
+
+    version.write_text("#pragma once\n#define ADAGEN_VERSION 99999\n")
+    assert make("adagen_program.o").returncode == 0
+    version.write_text(ours)
+    os.utime(version, (1, 1))  # as where a folder was copied: make sees nothing that is newer
+    done = make("arm_p1")
+    assert done.returncode != 0
+    assert re.search(rf"undefined reference to .*program<{version_number()},", done.stderr)
 
 
 KINDS: dict[str, tuple[int, dict[str, Any], dict[str, Any]]] = {
