@@ -152,8 +152,8 @@ class SegmentPlanner(AdaPlanner):
         for j in members:
             self.open[self.joints[j].parent] -= 1
             self.open[j + 1] -= 1
-        handles = {link for link, count in enumerate(self.open) if count > 0} | self.asked
-        segment = laid_out(self.joints, node.joint, members, handles)
+        handles = {link for link, count in enumerate(self.open) if count > 0}
+        segment = laid_out(self.joints, node.joint, members, handles, self.asked)
         steps, couplings = segment.inwards()
         self.steps[node.processes[0]] += steps
         chain = Chain(node.joint, node.processes[0], segment=segment)
@@ -179,15 +179,24 @@ class SegmentPlanner(AdaPlanner):
 
 
 def laid_out(
-    joints: Sequence[PlanJoint], name: int, members: Set[int], handles: Container[int]
+    joints: Sequence[PlanJoint],
+    name: int,
+    members: Set[int],
+    handles: Container[int],
+    asked: Container[int] = (),
 ) -> Segment:
     """Find the components of a segment, a root for each, and the paths to its handles.
+
+    What floats is swept to its base where no joint has to follow, also if the mobility of another
+    link is asked for. Swept to that link, the whole robot would be taken out of, say, a shank
+    at the knee: of a stretched leg's D four digits are lost there.
 
     Args:
         joints: the robot's joints.
         name: the joint that names the segment.
         members: its joints.
         handles: links with joints that are neither in the segment nor done with.
+        asked: links whose mobility is asked for; they are handles, too.
     """
     free = [j for j in sorted(members) if is_free_base(joints[j])]
     links = set(joints_at(joints, members))
@@ -200,8 +209,8 @@ def laid_out(
             continue
         together = {start, *(edge.far for edge in edges_from(start, joints, at))}
         left -= together
-        own = sorted(h for h in together if h > 0 and h in handles)
-        root = start if start == 0 or not own else own[0]
+        own = sorted(h for h in together if h > 0 and (h in handles or h in asked))
+        root = start if start == 0 else min((h for h in own if h in handles), default=start)
         components.append(Component(root, edges_from(root, joints, at), own))
     return Segment(name, free, components)
 
