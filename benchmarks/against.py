@@ -28,13 +28,14 @@ from statistics import mean, median
 
 from adagen.build import build_executable, find_toolchain
 from adagen.cli.console import note, speaking
-from adagen.cli.contest import MOST_TEXT, VARIANTS, Entry
+from adagen.cli.contest import Entry
 from adagen.emit.around import PROGRAM_FILE, standalone
 from adagen.emit.runtime import FOLDER
 from adagen.model import Model
 from adagen.studies.bench.contest import WORDS, Contestant, Rules, Times, cores, hold
 from adagen.studies.bench.emitted import Emitted
 from adagen.studies.bench.machine import machine
+from adagen.studies.bench.variants import MOST_TEXT, VARIANTS
 from adagen.urdf import read_robot
 from benchmarks.bench import entries
 from benchmarks.page import write_between_marks

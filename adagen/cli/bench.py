@@ -45,8 +45,9 @@ def run(argv: Sequence[str]) -> int:
     check_scale(parser, options)
     if options.scale:
         return run_scale(options)
-    from adagen.cli.contest import VARIANTS, Entry, contest
+    from adagen.cli.contest import Entry, contest
     from adagen.studies.bench.contest import Rules
+    from adagen.studies.bench.variants import VARIANTS
 
     rules = Rules(rounds=3, repeat=5) if options.quick else Rules(options.rounds)
     variants = tuple(options.variant or (QUICK if options.quick else VARIANTS))

@@ -37,15 +37,3 @@ def predict(plan: Plan, profile: CostProfile, shape: str = "auto") -> Timeline:
         ValueError: the profile prices joins alone, as the paper's does.
     """
     return timeline(priced_program(plan, shape, profile), profile)
-
-
-def is_priced(plan: Plan, shape: str) -> bool:
-    """Return whether cost profiles price a plan in a shape, and not only in a faster one.
-
-    Args:
-        plan: the plan.
-        shape: one of ``adagen.emit.shapes.KNOWN``.
-    """
-    if shape == "unrolled":
-        return SHAPES[shape].why_not(plan) is None
-    return shape == stepwise(plan)

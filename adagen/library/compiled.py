@@ -167,6 +167,16 @@ def compile(robot: Robot, procs: int = 1, **asked: Any) -> Compiled:  # noqa: A0
         request = Request(procs=procs, **asked)
     except TypeError as error:
         raise UsageError(f"compile: {error}".replace("Request.__init__() ", "")) from None
+    return compiled(robot, request)
+
+
+def compiled(robot: Robot, request: Request) -> Compiled:
+    """Return the solver of a robot that a request asks for.
+
+    Raises:
+        InputError: the robot cannot be solved in this way.
+        UsageError: what is asked for cannot be had.
+    """
     try:
         if request.shape == "auto" and _given(request):
             request = replace(request, shape=given_schedule(robot.model, request).shape)

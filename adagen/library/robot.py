@@ -123,6 +123,11 @@ def read(
         tuple((arguments or {}).items()),
         None if loops is None else Path(loops),
     )
+    return robot_of(origin)
+
+
+def robot_of(origin: Origin) -> Robot:
+    """Return the robot of an origin; what is raised is what ``read`` raises."""
     reading, wanted = read_whole(origin)
     model, warnings, reduction = reading.model, list(reading.warnings), None
     if wanted is not None:

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from adagen.cli.contest import MOST_TEXT, Entry
+from adagen.cli.contest import Entry
+from adagen.studies.bench.variants import MOST_TEXT
 from benchmarks import against
 from benchmarks.against import Row, Source, emitted, table, typical
 

@@ -72,7 +72,7 @@ def test_more_processes_than_cores_are_timed_by_their_stretches(arm: Path) -> No
 def test_sources_that_compile_for_minutes_are_left_out(
     arm: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("adagen.cli.contest.MOST_TEXT", 1000)
+    monkeypatch.setattr("adagen.studies.bench.variants.MOST_TEXT", 1000)
     with pytest.raises(UsageError, match="take minutes to compile"):
         measure(Entry("arm", arm), Rules(rounds=1, repeat=1), ("--procs 1",), ())
 
