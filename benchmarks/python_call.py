@@ -14,15 +14,12 @@ import argparse
 import threading
 import time
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 from timeit import timeit
 
 import numpy as np
 
 import adagen
-from adagen.build import find_toolchain
-from adagen.library.solver import built
 from adagen.states import random_states
 from adagen.studies.bench.machine import machine
 from benchmarks.page import write_between_marks
@@ -88,11 +85,11 @@ def of_the_lock(model: Path) -> dict[str, dict[str, float]]:
     compiled = adagen.compile(adagen.read(model))
     states = random_states(compiled.model, 1, seed=1)
     q, v, tau = (np.ascontiguousarray(x[0]) for x in (states.q, states.v, states.tau))
-    toolchain = find_toolchain()
-    always = replace(toolchain, flags=(*toolchain.flags, "-DADAGEN_KEEPS_BELOW=0"))
     calls: dict[str, list[Callable[[], object]]] = {}
-    for name, chain in (("kept", toolchain), ("released", always)):
-        pair = [(built(compiled, chain), np.empty_like(v)) for _ in range(2)]
+    for name, below in (("kept", 1000), ("released", 0)):
+        pair = [(compiled.build(), np.empty_like(v)) for _ in range(2)]
+        for solver, _ in pair:
+            solver.keeps_lock_below = below
         calls[name] = [lambda s=s, out=out: s(q, v, tau, out) for s, out in pair]  # type: ignore[misc]
     found: dict[str, dict[str, float]] = {name: {"alone": float("inf")} for name in calls}
     for _ in range(ROUNDS):

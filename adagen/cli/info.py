@@ -4,18 +4,13 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from math import fsum
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from adagen.cli.console import Stages
 from adagen.cli.options import add_model
 from adagen.cli.parser import Parser, make_parser, parse, whole
 from adagen.cli.tables import table_of, wrapped
-from adagen.errors import InputError, printable
-
-if TYPE_CHECKING:
-    from adagen.model import Model
-    from adagen.states import States
+from adagen.errors import printable
 
 MOST_STATES = 1_000_000
 
@@ -51,106 +46,29 @@ def run(argv: Sequence[str]) -> int:
 
     model, reading = pipeline.read_whole(options, Stages(), options.gravity)
     if options.states is not None:
+        from adagen.library.described import states_to_fill_in
         from adagen.states import states_text
 
-        print(states_text(_states(model, options.states), model), end="")
-    elif options.json:
-        print(json.dumps({**robot_data(model), "not_modelled": list(reading.ignored)}, indent=1))
+        print(states_text(states_to_fill_in(model, options.states), model), end="")
+        return 0
+    from adagen.library.described import robot_data
+
+    data = robot_data(model)
+    if options.json:
+        print(json.dumps({**data, "not_modelled": list(reading.ignored)}, indent=1))
     else:
-        _show(model, reading.ignored)
+        _show(data, reading.ignored)
     return 0
 
 
-def _states(model: Model, count: int) -> States:
-    """States to fill in: at rest, closed where the robot has loops.
-
-    Raises:
-        InputError: the loops cannot be closed.
-    """
-    import numpy as np
-
-    from adagen.states import States, resting_states
-
-    if not model.closed:
-        return resting_states(model, count)
-    from adagen.plan.closable import why_open
-    from adagen.reference.closed import closed_states
-
-    q, _ = closed_states(model, count)
-    if not len(q):
-        raise InputError(why_open(model))
-    return States(
-        np.resize(q, (count, model.nq)), np.zeros((count, model.nv)), np.zeros((count, model.ntau))
-    )
-
-
-def robot_data(model: Model) -> dict[str, Any]:
-    """Return what a model is as plain data: joints in order, places in q and v, masses (kg, m)."""
-    return {
-        "name": model.name,
-        "floating": model.floating,
-        "gravity": model.gravity.tolist(),
-        "nq": model.nq,
-        "nv": model.nv,
-        "mass": fsum(link.inertia.mass for link in model.links[1:]),
-        "joints": [_joint_data(model, j) for j in range(len(model.joints))],
-        "forces": [wrench.frame.name for wrench in model.wrenches],
-        "loops": [
-            {
-                "name": loop.name,
-                "kind": loop.kind.name,
-                "links": [model.links[link].name for link, _ in loop.ends],
-                "frames": [frame.name for _, frame in loop.ends],
-                "tolerance": loop.tolerance,
-            }
-            for loop in model.loops
-        ],
-        "couplings": [
-            {
-                "name": coupling.name,
-                "terms": {model.joints[j].name: factor for j, factor in coupling.terms},
-                "offset": coupling.offset,
-                "tolerance": coupling.tolerance,
-            }
-            for coupling in model.couplings
-        ],
-    }
-
-
-def _joint_data(model: Model, j: int) -> dict[str, Any]:
-    joint, child = model.joints[j], model.links[j + 1]
-    follows = None
-    if joint.mimic is not None:
-        source = model.joints[joint.mimic.source].name
-        follows = {
-            "joint": source,
-            "multiplier": joint.mimic.multiplier,
-            "offset": joint.mimic.offset,
-        }
-    return {
-        "name": joint.name,
-        "kind": joint.kind.name,
-        "parent": model.links[joint.parent].name,
-        "child": child.name,
-        "q": [model.q_start[j], joint.kind.nq],
-        "v": [model.v_start[j], joint.kind.nv],
-        "axis": joint.axis.tolist() if joint.kind.has_axis else None,
-        "mimic": follows,
-        "prescribed": joint.prescribed,
-        "mass": child.inertia.mass,
-        "com": child.inertia.com.tolist(),
-        "fixed_to_it": list(child.merged),
-    }
-
-
-def _show(model: Model, ignored: Sequence[str]) -> None:
+def _show(data: dict[str, Any], ignored: Sequence[str]) -> None:
     """Print the robot as a table, for people."""
     from rich.console import Console
 
-    data = robot_data(model)
-    base = "floating" if model.floating else "fixed"
+    base = "floating" if data["floating"] else "fixed"
     gravity = " ".join(f"{g:g}" for g in data["gravity"])
-    head = f"{model.name}: {len(model.joints)} joints, {model.nv} degrees of freedom, {base} base"
+    joints, freedoms = len(data["joints"]), data["nv"]
+    head = f"{data['name']}: {joints} joints, {freedoms} degrees of freedom, {base} base"
     print(wrapped(f"{printable(head)}, {data['mass']:.6g} kg, gravity {gravity} m/s^2"))
     rows = (
         (

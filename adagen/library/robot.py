@@ -7,8 +7,10 @@ import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 from adagen.errors import UsageError
+from adagen.library.described import robot_data
 from adagen.mjcf import is_mjcf, read_mjcf, whole_bytes
 from adagen.model import Model
 from adagen.scene import Reduction, apply_scene, read_scene
@@ -82,6 +84,11 @@ class Robot:
     def nv(self) -> int:
         """Numbers in v, and in accelerations."""
         return self.model.nv
+
+    @property
+    def data(self) -> dict[str, Any]:
+        """What was read, as ``adagen info --json`` prints it: joints, places, masses (kg, m)."""
+        return {**robot_data(self.model), "not_modelled": list(self.ignored)}
 
 
 def read(

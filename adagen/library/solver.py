@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import sysconfig
 from collections.abc import Mapping
+from copy import copy
 from dataclasses import replace
 from functools import cache
 from importlib.machinery import ExtensionFileLoader
@@ -41,9 +42,14 @@ class Solver:
 
     Attributes:
         compiled: the ``Compiled`` from which it was built.
+        keeps_lock_below: calls with fewer accelerations keep the interpreter's lock, 1000 if
+            nothing else is set: they are over in microseconds, and getting the lock back from a
+            thread that computes in Python takes milliseconds. With 0 each call releases it. Copies
+            and pickles have what is set.
     """
 
     compiled: Compiled
+    keeps_lock_below: int
     _parameters: NDArray[np.float64]
 
     if TYPE_CHECKING:  # the extension has it
@@ -299,13 +305,13 @@ class Solver:
         return hash(self.compiled)  # what is set at run time may change
 
     def __copy__(self) -> Solver:
-        return _again(self.compiled, self._parameters)
+        return _again(self.compiled, self._parameters, self.keeps_lock_below)
 
     def __deepcopy__(self, _: object) -> Solver:
-        return _again(self.compiled, self._parameters)
+        return copy(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _again, (self.compiled, self._parameters)
+        return _again, (self.compiled, self._parameters, self.keeps_lock_below)
 
     def __repr__(self) -> str:
         return f"<adagen.Solver {self.compiled.stem}: {self.nq} in q, {self.nv} in v>"
@@ -339,9 +345,10 @@ def built(compiled: Compiled, toolchain: Toolchain | None = None) -> Solver:
     return solver
 
 
-def _again(compiled: Compiled, parameters: NDArray[np.float64]) -> Solver:
+def _again(compiled: Compiled, parameters: NDArray[np.float64], keeps_lock_below: int) -> Solver:
     """Return another solver of what was compiled, with the same set at run time."""
     solver = built(compiled)
+    solver.keeps_lock_below = keeps_lock_below
     if len(parameters):
         solver._set(0, parameters)
     solver._parameters = parameters.copy()

@@ -95,7 +95,8 @@ PyObject* call(PyObject* self, PyObject* const* given, std::size_t flags, PyObje
   }
   const Task task{q.data(), v.data(), tau.data(), qdd, q.count, q.dimensions == 2, of_states};
   Failed failed;
-  if (threads == 1 && q.count * kNv < kMany && held.mutex.try_lock()) {
+  const bool few = q.count * kNv < reinterpret_cast<Object*>(self)->keeps_lock_below;
+  if (threads == 1 && few && held.mutex.try_lock()) {
     failed = solve(held, 1, task);
     held.mutex.unlock();
   } else {

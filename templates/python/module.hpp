@@ -51,6 +51,7 @@ PyObject* make(PyTypeObject* type, PyObject*, PyObject*) {
   auto* const self = reinterpret_cast<Object*>(type->tp_alloc(type, 0));
   if (self == nullptr) return nullptr;
   self->call = call;
+  self->keeps_lock_below = kMany;
   self->held = new (std::nothrow) Held;
   if (self->held == nullptr) {
     Py_DECREF(self);
@@ -77,6 +78,7 @@ void drop(PyObject* self) {
 
 PyMemberDef members[] = {
     {"__vectorcalloffset__", T_PYSSIZET, offsetof(Object, call), READONLY, nullptr},
+    {"keeps_lock_below", T_PYSSIZET, offsetof(Object, keeps_lock_below), 0, nullptr},
     {nullptr, 0, 0, 0, nullptr}};
 
 PyType_Slot slots[] = {{Py_tp_new, reinterpret_cast<void*>(make)},

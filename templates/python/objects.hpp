@@ -15,13 +15,10 @@
 namespace python {
 
 constexpr int kType = std::is_same_v<Number, double> ? NPY_DOUBLE : NPY_FLOAT;
-// Accelerations from which on the interpreter is left to other threads. To give it away takes some
-// 50 ns, but to get it back from a thread that computes in Python takes until that one's turn ends,
-// after milliseconds: fewer accelerations are found long before.
-#ifndef ADAGEN_KEEPS_BELOW
-#define ADAGEN_KEEPS_BELOW 1000
-#endif
-constexpr npy_intp kMany = ADAGEN_KEEPS_BELOW;
+// Accelerations from which on the interpreter is left to other threads, where nothing else is set.
+// To give it away takes some 50 ns, but to get it back from a thread that computes in Python takes
+// until that one's turn ends, after milliseconds: fewer accelerations are found long before.
+constexpr Py_ssize_t kMany = 1000;
 
 // Accelerations for which another thread of our own pays.
 constexpr npy_intp kOfThread = kBatch ? 200'000 : 50'000;
@@ -86,6 +83,7 @@ Text start(AnySolver&, long) {
 struct Object {
   PyObject_HEAD vectorcallfunc call;
   Held* held;
+  Py_ssize_t keeps_lock_below;
 };
 
 }  // namespace python

@@ -38,6 +38,7 @@ def test_json_has_places_and_masses(capsys: pytest.CaptureFixture[str]) -> None:
     slaved = data["joints"][-1]
     assert slaved["mimic"]["joint"] == "left_finger_slide"
     assert data["not_modelled"]
+    assert read(ARM, mimic=True).data == data
 
 
 @pytest.mark.parametrize(("path", "base"), [(ARM, ["--floating"]), (HUMAN, [])])

@@ -9,8 +9,6 @@ import json
 import pickle
 import subprocess
 import sys
-import threading
-import timeit
 from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
@@ -20,35 +18,12 @@ import numpy as np
 import pytest
 
 import adagen
-from adagen.errors import SolveError, UsageError
+from adagen.errors import UsageError
 from adagen.library.request import Request
 from adagen.plan import plan_from_json
-from adagen.states import random_states
-from tests.emitted import ROUNDING, cores, energy_errors, forward_error, truth_of
+from tests.emitted import ROUNDING, forward_error
 from tests.golden.make_models import MODELS
-
-ARM, MOBILE = MODELS / "arm7.urdf", MODELS / "mobile.urdf"
-
-
-def build(path: Path, **asked: Any) -> adagen.Solver:
-    return adagen.compile(adagen.read(path), **asked).build()
-
-
-@pytest.fixture(scope="module")
-def arm() -> adagen.Solver:
-    return build(ARM)
-
-
-@pytest.fixture(scope="module")
-def mobile() -> adagen.Solver:
-    return build(MOBILE)
-
-
-def states(solver: adagen.Solver, count: int) -> tuple[Any, Any, Any, Any]:
-    """Return q, v, tau and the true accelerations of random states."""
-    model = solver.compiled.model
-    some = random_states(model, count, seed=2)
-    return some.q, some.v, some.tau, truth_of(model, some)
+from tests.library.solvers import ARM, MOBILE, build, states
 
 
 def test_scene_and_profile_are_in_head_and_plan(tmp_path: Path) -> None:
@@ -314,150 +289,6 @@ class TestObjects:
         assert done.stdout == "False\n"
 
 
-class TestThreads:
-    def test_others_run_while_many_states_are_solved(self, arm: adagen.Solver) -> None:
-        q, v, tau, _ = states(arm, 1)
-        many = [np.repeat(part, 400_000, axis=0) for part in (q, v, tau)]
-        done = threading.Event()
-
-        def solve() -> None:
-            arm(*many)
-            done.set()
-
-        thread = threading.Thread(target=solve)
-        thread.start()
-        turns = 0
-        while not done.is_set():
-            turns += 1
-            done.wait(0.001)
-        thread.join()
-        assert turns > 10  # the interpreter was free meanwhile
-
-    def test_threads_take_turns_with_one_solver(self, arm: adagen.Solver) -> None:
-        q, v, tau, _ = states(arm, 300)
-        expected = arm(q, v, tau)
-        found = [np.empty_like(expected) for _ in range(4)]
-
-        def solve(out: Any) -> None:
-            for _ in range(20):
-                arm(q, v, tau, out)
-                for s in range(50):
-                    arm(q[s], v[s], tau[s], out[s])
-
-        threads = [threading.Thread(target=solve, args=(out,)) for out in found]
-        for thread in threads:
-            thread.start()
-        for thread in threads:
-            thread.join()
-        assert all(np.array_equal(out, expected) for out in found)
-
-    @pytest.mark.parametrize("asked", [{}, {"batch": True}, {"scalar": "float"}])
-    def test_any_number_of_threads_gives_the_same_bits(self, asked: dict[str, Any]) -> None:
-        solver = build(ARM, runtime="gravity", **asked)
-        solver.gravity = (0, 0, -1.62)
-        q, v, tau = (np.tile(part, (450, 1)) for part in states(solver, 7)[:3])
-        alone = solver(q, v, tau, threads=1)
-        assert np.array_equal(alone[:7], solver(q[:7], v[:7], tau[:7]))
-        for threads in (2, 3, 7, None):
-            out = np.zeros_like(alone)
-            assert solver(q, v, tau, out, threads=threads) is out
-            assert np.array_equal(out, alone)
-        solver.gravity = (0, 0, 9.81)
-        upwards = solver(q, v, tau, threads=3)
-        assert not np.array_equal(upwards, alone)
-        assert np.array_equal(upwards, solver(q, v, tau, threads=1))
-        for spoilt in (3000, 70, 2999):
-            tau[spoilt, 1] = np.nan
-        found = []
-        for threads in (1, 3):
-            with pytest.raises(adagen.SolveError, match=r"^state 70: joint") as failed:
-                solver(q, v, tau, threads=threads)
-            found.append(failed.value)
-        assert [error.count for error in found] == [3, 3]
-        assert np.array_equal(found[0].out, found[1].out, equal_nan=True)
-        assert np.isnan(found[1].out[[70, 2999, 3000]]).all()
-
-    def test_threads_are_taken_for_many_states_alone(self, arm: adagen.Solver) -> None:
-        def running() -> int:
-            return len(list(Path("/proc/self/task").iterdir()))
-
-        def most(count: int, **threads: Any) -> int:
-            many = [np.repeat(part, count, axis=0) for part in states(arm, 1)[:3]]
-            done = threading.Event()
-
-            def solve() -> None:
-                arm(*many, **threads)
-                done.set()
-
-            before, seen = running(), 0
-            caller = threading.Thread(target=solve)
-            caller.start()
-            while not done.is_set():
-                seen = max(seen, running() - before)
-            caller.join()
-            return seen
-
-        assert most(400_000, threads=1) == 1  # the caller's own
-        assert most(400_000, threads=4) == 4
-        assert most(400_000) == min(cores(), 400_000 * arm.nv // 50_000)
-        assert most(10_000) <= 1
-
-    def test_a_number_of_threads_that_cannot_be_had_is_told(self, arm: adagen.Solver) -> None:
-        q, v, tau, _ = states(arm, 1)
-        for threads in (0, -3, 1025):
-            with pytest.raises(ValueError, match=f"threads is from 1 to 1024, not {threads}"):
-                arm(q, v, tau, threads=threads)
-        with pytest.raises(TypeError):
-            arm(q, v, tau, threads="two")  # type: ignore[arg-type]
-        assert np.array_equal(arm(q[0], v[0], tau[0], threads=5), arm(q, v, tau)[0])
-        team = build(ARM, procs=2, channel="threads", form="ada", shape="joints")
-        with pytest.raises(ValueError, match="threads of this solver share each state"):
-            team(q, v, tau, threads=2)
-        assert team(q, v, tau, threads=1).shape == (1, arm.nv)
-
-
-def test_a_call_costs_little_beside_the_evaluation(arm: adagen.Solver) -> None:
-    q, v, tau, _ = states(arm, 1)
-    many = [np.repeat(part, 20_000, axis=0) for part in (q, v, tau)]
-    out = np.empty((20_000, arm.nv))
-    alone = (
-        min(timeit.repeat(lambda: arm(many[0], many[1], many[2], out), number=1, repeat=7)) / 20_000
-    )
-    one = [q[0], v[0], tau[0], out[0]]
-    names = {"arm": arm, "one": one}
-    called = min(timeit.repeat("arm(*one)", globals=names, number=20_000, repeat=7)) / 20_000
-    assert called - alone < 2e-6  # about 0.15e-6 on an idle machine; pinocchio's binding: 4e-6
-
-
 def test_reproducible_solvers_are_for_hosts() -> None:
     with pytest.raises(UsageError, match="reproducible solvers are not emitted with --target"):
         Request(reproducible=True, target="embedded")
-
-
-@pytest.mark.parametrize("asked", [{"shape": "kernels"}, {"shape": "unrolled"}, {"batch": True}])
-def test_certified_solvers_tell_bounds(asked: dict[str, Any]) -> None:
-    robot = adagen.read(MODELS / "arm7.urdf")
-    solver = adagen.compile(robot, certify=True, **asked).build()
-    with pytest.raises(UsageError, match="there is no bound"):
-        _ = solver.error_bound
-    states = random_states(robot.model, 9, seed=3)
-    found = solver(states.q, states.v, states.tau)
-    bounds = solver.error_bound
-    assert bounds.shape == (9,)
-    assert (energy_errors(robot.model, states, found) <= 3 * bounds).all()
-    assert (bounds < 1e-12).all()
-    shared = solver(states.q, states.v, states.tau, threads=2)
-    assert np.array_equal(shared, found)
-    assert np.array_equal(solver.error_bound, bounds)
-    solver(states.q[4], states.v[4], states.tau[4])
-    assert solver.error_bound == pytest.approx(bounds[4], rel=1e-6)
-    spoilt = states.q.copy()
-    spoilt[2] = np.nan
-    with pytest.raises(SolveError):
-        solver(spoilt, states.v, states.tau)
-    assert np.isnan(solver.error_bound).tolist() == [k == 2 for k in range(9)]
-
-
-def test_others_tell_none(arm: adagen.Solver) -> None:
-    with pytest.raises(UsageError, match="compile with certify=True"):
-        _ = arm.error_bound
