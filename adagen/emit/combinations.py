@@ -1,0 +1,65 @@
+"""Which options of an emission go together, whatever the robot."""
+
+from __future__ import annotations
+
+from adagen.errors import UsageError
+from adagen.plan.types import THREADS
+
+
+def check_batch(shape: str, refine: int, channel: str) -> None:
+    """Refuse what is not emitted for batches.
+
+    Raises:
+        UsageError: the shape, refinement or channel cannot be had for batches.
+    """
+    if channel == THREADS:
+        raise UsageError(
+            "batches are not shared out to threads: open a solver for one process in each of yours"
+        )
+    if refine:
+        raise UsageError("batches are not refined; leave out --batch or --refine")
+    if shape not in ("auto", "kernels", "unrolled"):
+        raise UsageError(f"batches are emitted in shapes kernels and unrolled, not {shape}")
+
+
+def check_certified(form: str, refine: int, shape: str) -> None:
+    """Refuse what is not certified, whatever the robot.
+
+    Raises:
+        UsageError: the form, refinement or shape has no certificates.
+    """
+    if form != "segment":
+        raise UsageError(
+            f"form {form} has no factors to certify answers with: leave out --certify or "
+            f"--form {form}"
+        )
+    if refine:
+        raise UsageError(
+            "refined answers come with an estimate of their own: leave out --certify or --refine"
+        )
+    if shape not in ("auto", "kernels", "unrolled"):
+        raise UsageError(f"certificates are emitted in shapes kernels and unrolled, not {shape}")
+
+
+def check_reproducible(form: str, refine: int, shape: str) -> None:
+    """Refuse what is not reproducible, whatever the robot.
+
+    Raises:
+        UsageError: the form, refinement or shape has other digits on each number of
+            processes, or by each compiler.
+    """
+    if form != "segment":
+        raise UsageError(
+            f"form {form} joins in an order that depends on the number of processes, and so do "
+            f"its last digits: leave out --reproducible or --form {form}"
+        )
+    if refine:
+        raise UsageError(
+            "answers are refined in loops, which are not reproducible: leave out --reproducible "
+            "or --refine"
+        )
+    if shape not in ("auto", "unrolled"):
+        raise UsageError(
+            f"shape {shape} rounds differently for each number of lanes: only straight lines are "
+            f"reproducible; leave out --reproducible or --shape {shape}"
+        )
