@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from heapq import heapify, heappop, heappush
 
 from adagen.plan import Plan
-from adagen.plan.alike import ClosureSteps
+from adagen.plan.closure_steps import ClosureSteps
 from adagen.plan.order import ends_of
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Eliminate, Release, Step

@@ -20,14 +20,18 @@ from adagen.executor.checks import Check
 from adagen.executor.elimination import Elimination
 from adagen.executor.frames import Transform, columnwise
 from adagen.executor.front import End, Front, Opening
+from adagen.executor.hung import HungLinks
 from adagen.executor.kinematics import Motion
 from adagen.executor.loop_forces import forces_of_kept, give_forces
 from adagen.executor.loop_frames import LoopFrames
 from adagen.executor.mates import MatesInLanes
 from adagen.executor.state import State
 from adagen.graph import Expression, cross, dot, matrix_times, total
-from adagen.plan.alike import ClosureSteps, closures_in, is_rigid, side_by_side
+from adagen.plan.alike import side_by_side
 from adagen.plan.arms import Mates, arms_among
+from adagen.plan.closure_steps import ClosureSteps, closures_in, is_rigid
+from adagen.plan.hung import PLACES
+from adagen.plan.robot import PlanLoop
 from adagen.plan.steps import (
     AccelerateHeld,
     CarryRows,
@@ -64,6 +68,10 @@ class Closures:
         self.together = side_by_side(state.plan, steps, state.limbs) if closed else {}
         self.arms = arms_among(state.plan, self.alone.values(), state.limbs)
         self.mates = MatesInLanes(state.rows, list(chain.from_iterable(self.arms.values())))
+        leads = {lane.number: lanes[0].number for lanes in self.together.values() for lane in lanes}
+        own = [one for number, one in self.alone.items() if leads.get(number, number) == number]
+        in_arms = {j for arms in self.arms.values() for one in arms for j in one.limbs.members()}
+        self.hung = HungLinks(state, motion, own, in_arms, self._plan_loops)
         self.memory: dict[Any, Any] = state.memory
         self.fronts: dict[int, Front] = {}
         # Where loops are solved for at the end, each kept row has a right-hand side.
@@ -87,13 +95,15 @@ class Closures:
                 self._carry(step, front)
             case Eliminate():
                 front.end_waiting()
-                lanes = [lane.eliminate for lane in self.lanes(step.closure)]
                 self._look_at_rates(front)
+                lanes = [lane.eliminate for lane in self.lanes(step.closure)]
+                lanes = self.hung.without(lanes, step.closure)
                 Elimination(self.state, lanes, front).run()
             case Release():
                 self._release(step, front)
             case AccelerateHeld():
-                self._accelerate(step, front)
+                front.outwards.append(step)
+                self._accelerate_known(front)
 
     # -- lanes ------------------------------------------------------------------------------------
 
@@ -115,6 +125,14 @@ class Closures:
             return [step.loop]
         place = self.together[step.closure][0].loops.index(step)
         return [lane.loops[place].loop for lane in self.lanes(step.closure)]
+
+    def _plan_loops(self, step: CloseLoop) -> list[PlanLoop]:
+        """The same, their links in the order in which they are taken."""
+        plan, numbers = self.state.plan, self._loops(step)
+        if step.closure not in self.together:
+            return [plan.loops[number] for number in numbers]
+        lanes = zip(self.lanes(step.closure), numbers, strict=True)
+        return [one.loop(plan, number) for one, number in lanes]
 
     def _couplings(self, step: CloseCoupling) -> list[int]:
         """Couplings likewise."""
@@ -138,29 +156,34 @@ class Closures:
 
     def _close_loop(self, step: CloseLoop, front: Front) -> None:
         numbers = self._loops(step)
-        loops = [self.state.plan.loops[number] for number in numbers]
+        loops = self._plan_loops(step)
         loop = loops[0]
         frames = LoopFrames(self.state, loops)
         place = self._named(numbers, len(self.state.plan.joints))
         joints = (*frames.one.joints, *frames.two.joints)
         tolerance = self._packed([one.tolerance for one in loops])
         fastest = self._refuse_open(place, frames.gap(), joints, tolerance)
+        hung = self.hung.by(step)
+        count = len(step.rows) if hung is None else PLACES
+        if hung is not None:
+            hung.look_at(place)
         if self._moves_by_rows(step):
-            forces = tuple(self.mates.forces(step, row) for row in range(len(step.rows)))
-            front.opening.append(Opening(place, fastest, forces))
+            forces = tuple(self.mates.forces(step, row) for row in range(count))
+            turning = () if hung is None else tuple(hung.turning_apart())
+            front.opening.append(Opening(place, fastest, forces, turning))
         else:
             self._refuse_torn(place, frames.rate(), fastest)
         ends_of = ([one.link1 for one in loops], [one.link2 for one in loops])
         fields = [self.motion.field_of_all(links) for links in ends_of]
         front.lanes[place] = tuple(dict.fromkeys(numbers))
         front.loops[step.loop] = []
-        count = len(front.lanes[place])
+        lanes = len(front.lanes[place])
         held = [
-            End(tuple(getattr(one, link) for one in loops), count, {})
+            End(tuple(getattr(one, link) for one in loops), lanes, {})
             for link in ("link1", "link2")
         ]
         front.ends += [end for end in held if any(end.links)]
-        for row, number in enumerate(step.rows):
+        for row, number in enumerate(step.rows[:count]):
             unknown, mates = step.first + row, self.mates.forces(step, row)
             linear, *directions = frames.row(number)
             bias = frames.turned(number, fields[0].omega, fields[1].omega)
@@ -283,6 +306,10 @@ class Closures:
             p = p + matrix_times(inertia, drift)
             for mates, column in columns:
                 self.mates.add_bias(front, mates, matrix_times(column[None, :], drift)[0])
+        if self.hung.at(j):
+            front.first[j] = step.first
+            self._pass(step, front, inertia, p, columns)
+            return
         pull, (_, speeds) = self.state.torques(j), self.state.configuration(j)
         rotor = self.state.rotor(j)
         held = self.alone[step.closure].held
@@ -343,7 +370,7 @@ class Closures:
         """Check that loops do not open: J v, of all rows that are any."""
         zero = self.state.graph.constant(0)
         for opening in front.opening:
-            rates = []
+            rates = list(opening.turning)
             mates_of = self.mates.freedoms(front, len(opening.rows[0]) if opening.rows else 1)
             for forces in opening.rows:
                 terms = []
@@ -427,6 +454,20 @@ class Closures:
         """The acceleration of the top, shape (6, columns)."""
         tops = [lane.eliminate.link for lane in self.lanes(step.closure)]
         return self.state.rows.of_links("a", tops, self.state.zeros(6, self.state.columns))
+
+    def _accelerate_known(self, front: Front) -> None:
+        """Accelerate joints that wait for it; balls do for what they join."""
+        waiting: list[AccelerateHeld] = []
+        for step in front.outwards:
+            hung = self.hung.at(step.joint)
+            if hung is None or hung.find(front):
+                self._accelerate(step, front)
+            else:
+                waiting.append(step)
+        again = len(waiting) < len(front.outwards) and bool(waiting)
+        front.outwards = waiting
+        if again:
+            self._accelerate_known(front)
 
     def _accelerate(self, step: AccelerateHeld, front: Front) -> None:
         j, free, x = (

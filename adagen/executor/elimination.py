@@ -61,6 +61,11 @@ MOST_LOST = 0.1
 """Digits that the size of G may cost, as a part of half of all."""
 
 
+def failure_of(step: Eliminate) -> str:
+    """Return how an evaluation fails where what follows is found poorly."""
+    return SINGULAR if step.recovers else "kLoopSingular"
+
+
 class Elimination:
     """Eliminates the unknowns of one closure.
 
@@ -75,7 +80,7 @@ class Elimination:
         self.step = step = lanes[0]
         self.epsilon = EPSILON[state.plan.scalar]
         self.columns = front.columns.pop(step.link, {}) if step.link else {}
-        self.fails = SINGULAR if step.recovers else "kLoopSingular"
+        self.fails = failure_of(step)
 
     def run(self) -> None:
         """Do it, in the way that the rows allow and the step says."""

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from adagen.graph import Expression, Factors
 from adagen.plan.arms import Arms, Mates
+from adagen.plan.steps import AccelerateHeld
 
 Array = NDArray[Any]
 
@@ -88,11 +89,13 @@ class Opening:
         place: what is blamed.
         fastest: the square of how fast it may open.
         rows: numbers of its rows' forces, those of alike arms together.
+        turning: how fast its links turn against each other, of one that hangs on a ball.
     """
 
     place: int
     fastest: Expression
     rows: tuple[Mates, ...]
+    turning: tuple[Expression, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -191,6 +194,7 @@ class Front:
         reduced: how its unknowns were eliminated, where answers are certified.
         gaps: how rows part by the answer, where that is weighed by itself, as in `End.columns`.
         arms: of the closure, that share lanes.
+        outwards: joints whose accelerations wait for what they join.
     """
 
     columns: dict[int, dict[int, Array]] = field(default_factory=dict)
@@ -215,6 +219,7 @@ class Front:
     reduced: Reduced | None = None
     gaps: dict[Mates, Expression] = field(default_factory=dict)
     arms: Sequence[Arms] = ()
+    outwards: list[AccelerateHeld] = field(default_factory=list)
 
     def hand(self, name: str, value: Array) -> None:
         """Add to what is passed to the top."""

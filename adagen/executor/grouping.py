@@ -9,8 +9,9 @@ from adagen.executor.lanes import Grouping, fit_for_lanes, steps_in_order
 from adagen.executor.run import Simulated, each_for_itself
 from adagen.executor.stretches import stretches
 from adagen.plan import Plan
-from adagen.plan.alike import alike_closures, closures_in, limbs_of
+from adagen.plan.alike import alike_closures, limbs_of
 from adagen.plan.arms import arms_of, without_unlike
+from adagen.plan.closure_steps import closures_in
 from adagen.plan.simd_groups import COUNTS, OFFERED, Limbs, more_alike, nearly_fewest, simd_groups
 from adagen.plan.types import Process
 from adagen.schedule import step_costs

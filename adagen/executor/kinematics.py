@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import zip_longest
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,9 @@ from adagen.executor.frames import Dense, Transform, Turn, about_z, placed, plus
 from adagen.executor.state import State
 from adagen.graph import Expression, dot, matrix_times, total
 from adagen.model.kinds import KINDS, JointKind
+
+if TYPE_CHECKING:
+    from adagen.executor.hung import HungLink
 
 Array = NDArray[Any]
 
@@ -42,6 +45,7 @@ class Motion:
 
     def __init__(self, state: State) -> None:
         self.state = state
+        self.hung: tuple[HungLink, ...] = ()
 
     def _kind(self, j: int) -> JointKind:
         """A joint's kind, whether it moves freely or as prescribed."""
@@ -175,7 +179,20 @@ class Motion:
         return None if drift is None else self.state.column(drift)
 
     def link_inertia(self, number: int) -> Array:
-        """Spatial inertia at the link's origin, shape (6, 6): constant, but for what can be set."""
+        """Spatial inertia at the link's origin, shape (6, 6): constant, but for what can be set.
+
+        That of links that hang counts to those that carry them.
+        """
+        if any(number == each.hung.link for each in self.hung):
+            return self.state.zeros(6, 6)
+        inertia = self._own_inertia(number)
+        for each in self.hung:
+            if number == each.hung.carrier:
+                inertia = inertia + each.inertia_at_carrier(self._own_inertia(each.hung.link))
+        return inertia
+
+    def _own_inertia(self, number: int) -> Array:
+        """Spatial inertia of a link alone."""
         c, mass = self.state.rows.com(number), self.state.rows.mass(number)
         zero = self.state.graph.constant(0)
         m = c * mass
@@ -225,6 +242,9 @@ class Motion:
         whole = np.concatenate([moment_of_force, np.array(force, dtype=object)])
         for push in self.pushes(number):
             whole = whole - push
+        for each in self.hung:
+            if number in (each.hung.link, each.hung.carrier):
+                whole = whole - each.push_on(number)
         return whole
 
     def pushes(self, number: int) -> Iterator[Array]:

@@ -12,8 +12,9 @@ from itertools import groupby
 
 from adagen.executor.closed_sweeps import closed_sweep
 from adagen.plan import Plan
-from adagen.plan.alike import closures_in, nature, side_by_side
+from adagen.plan.alike import side_by_side
 from adagen.plan.arms import arms_among
+from adagen.plan.closure_steps import closures_in, nature
 from adagen.plan.order import ends_of, inward_order, outward_order
 from adagen.plan.simd_groups import Limbs, sweep_of
 from adagen.plan.steps import (

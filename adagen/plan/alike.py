@@ -7,97 +7,13 @@ chosen alike. Numbers may differ.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
 
-from adagen.plan.robot import PlanJoint
+from adagen.plan.closure_steps import ClosureSteps, closures_in
+from adagen.plan.matching import matching, relabelled
 from adagen.plan.simd_groups import KINDS, Limbs
-from adagen.plan.steps import CarryRows, CloseCoupling, CloseLoop, Eliminate, HoldBack, Step
+from adagen.plan.steps import Step
 from adagen.plan.types import Plan
-
-
-@dataclass(frozen=True)
-class ClosureSteps:
-    """What a process does inwards for one of its closures.
-
-    Attributes:
-        number: of the closure.
-        loops: states their rows.
-        couplings: likewise.
-        path: its joints, ascending.
-        held: those of them whose accelerations are held back, with their first unknowns.
-        eliminate: how its unknowns are eliminated.
-    """
-
-    number: int
-    loops: tuple[CloseLoop, ...]
-    couplings: tuple[CloseCoupling, ...]
-    path: tuple[int, ...]
-    held: dict[int, int]
-    eliminate: Eliminate
-
-
-def closures_in(steps: Iterable[Step]) -> dict[int, ClosureSteps]:
-    """Return the closures that steps eliminate, by number."""
-    by_number: dict[int, list[Step]] = {}
-    for step in steps:
-        if isinstance(step, CloseLoop | CloseCoupling | HoldBack | CarryRows | Eliminate):
-            by_number.setdefault(step.closure, []).append(step)
-    found = {}
-    for number, own in by_number.items():
-        held = {s.joint: s.first for s in own if isinstance(s, HoldBack)}
-        carried = {s.joint for s in own if isinstance(s, CarryRows)}
-        for eliminate in own:
-            if isinstance(eliminate, Eliminate):
-                found[number] = ClosureSteps(
-                    number,
-                    tuple(s for s in own if isinstance(s, CloseLoop)),
-                    tuple(s for s in own if isinstance(s, CloseCoupling)),
-                    tuple(sorted(carried.union(held))),
-                    held,
-                    eliminate,
-                )
-    return found
-
-
-def is_rigid(plan: Plan, j: int, held: Collection[int]) -> bool:
-    """Return whether all beyond a joint is held back, and so is passed as if it were rigid."""
-    return all(c in held and is_rigid(plan, c, held) for c in plan.children[j + 1])
-
-
-def nature(joint: PlanJoint) -> tuple[object, ...]:
-    """Return what joints of a row have in common, whatever the numbers are."""
-    effects = (joint.damping, joint.friction, joint.stiffness, joint.rotor_inertia + joint.lent)
-    return (joint.kind, joint.prescribed, *map(bool, effects))
-
-
-def structure(plan: Plan, one: ClosureSteps) -> tuple[object, ...]:
-    """Return what closures have in common that can be computed side by side."""
-    joints, top = plan.joints, one.eliminate.link
-    place = {j: k for k, j in enumerate(one.path)}
-
-    def link(number: int) -> tuple[str, int]:
-        if number - 1 in place:
-            return "own", place[number - 1]
-        # What the ground holds is seen from it: by way of all that is inwards from the top.
-        return ("top", 0) if number == top and not one.eliminate.grounded else ("other", number)
-
-    loops = []
-    for closing in one.loops:
-        loop = plan.loops[closing.loop]
-        ends = link(loop.link1), link(loop.link2)
-        loops.append((loop.kind, ends, closing.rows, closing.first, bool(loop.turn2)))
-    couplings = [
-        (tuple(place[j] for j, _ in plan.couplings[c.coupling].terms), c.unknown)
-        for c in one.couplings
-    ]
-    how = one.eliminate
-    return (
-        tuple((nature(joints[j]), link(joints[j].parent), one.held.get(j)) for j in one.path),
-        tuple(loops),
-        tuple(couplings),
-        (how.moved, how.rows, how.followers, how.singles, how.limit, how.recovers, how.grounded),
-    )
 
 
 def alike_closures(
@@ -111,17 +27,22 @@ def alike_closures(
         counts: how many may go together.
     """
     found: list[tuple[ClosureSteps, ...]] = []
-    pools: dict[object, list[ClosureSteps]] = {}
+    pools: list[list[ClosureSteps]] = []
     for one in closures_in(steps).values():
         if _fits(plan, one):
-            pools.setdefault(structure(plan, one), []).append(one)
-    for pool in pools.values():
+            matched = ((pool, matching(plan, pool[0], one)) for pool in pools)
+            pool, own = next((each for each in matched if each[1] is not None), (None, None))
+            if pool is None or own is None:
+                pools.append([one])
+            else:
+                pool.append(own)
+    for pool in pools:
         while pool:
             apart: list[ClosureSteps] = []
             for one in pool:
                 if not any(_beyond(plan, one, other) for other in apart):
                     apart.append(one)
-            apart.sort(key=lambda one: one.path)
+            apart.sort(key=lambda one: sorted(one.path))
             taken = apart[: max((n for n in counts if n <= len(apart)), default=1)]
             if len(taken) > 1:
                 found.append(tuple(taken))
@@ -176,15 +97,17 @@ def side_by_side(
     rows = {row[0]: row for limbs in all_limbs for row in limbs.rows}
     found = {}
     for one in closures.values():
-        row = rows.get(one.path[0], ())
-        lanes = tuple(of_joint[j] for j in row if j in of_joint)
-        paths = list(zip(*(lane.path for lane in lanes), strict=False))
-        whole = len(lanes) == len(row) and len({len(lane.path) for lane in lanes}) == 1
-        if (
-            len(row) > 1
-            and whole
-            and all(rows.get(path[0]) == path for path in paths)
-            and len({structure(plan, lane) for lane in lanes}) == 1
-        ):
-            found[one.number] = lanes
+        own = [rows.get(j, ()) for j in one.path]
+        count = len(own[0])
+        if count < 2 or any(len(row) != count for row in own):
+            continue
+        lanes = []
+        for k in range(count):
+            other = of_joint.get(own[0][k])
+            joints = dict(zip(one.path, (row[k] for row in own), strict=True))
+            lane = None if other is None else relabelled(plan, one, other, joints)
+            if lane is not None:
+                lanes.append(lane)
+        if len(lanes) == count:
+            found[one.number] = tuple(lanes)
     return found

@@ -12,7 +12,8 @@ from dataclasses import dataclass
 from itertools import chain
 
 from adagen.model.kinds import KINDS as FREEDOMS
-from adagen.plan.alike import ClosureSteps, closures_in, nature, side_by_side
+from adagen.plan.alike import side_by_side
+from adagen.plan.closure_steps import ClosureSteps, closures_in, nature
 from adagen.plan.simd_groups import KINDS, Limbs
 from adagen.plan.steps import CloseLoop, Step
 from adagen.plan.types import Plan

@@ -34,8 +34,8 @@ APART = 1e-2
 """Rows that are so far from following from each other, brought to a size of one, are good."""
 LARGE = 200.0
 """Size of G up to which a choice loses hardly any digits, and nothing else is tried."""
-
-
+AS_GOOD = 0.25
+"""Digits, on the average, that choices may differ by and be as good."""
 COVERED = 1e3
 """How much larger than its pivots the inertia of what is left free may be, where that can be had:
 so much of a light link's inertia is rounded away beside that of a heavy one."""
@@ -127,15 +127,19 @@ def _apart(rows: Numbers, matrix: Array) -> float:
     return 0.0 if float(np.abs(rest).max(initial=0.0)) > 1e-6 else float(sizes[-1])
 
 
-def expected(offer: tuple[Numbers, Numbers], pattern: Array, sizes: Array) -> tuple[float, float]:
+def expected(
+    offer: tuple[Numbers, Numbers], pattern: Array, sizes: Array
+) -> tuple[float, int, Numbers]:
     """Return what a choice takes on the average, in products, about; then the digits that it costs.
 
-    Where G is large, it is computed in vain, and an orthogonal basis after it.
+    Where G is large, it is computed in vain, and an orthogonal basis after it. Of choices that are
+    as good, the last columns follow: legs that are alike choose alike, and can share lanes.
     """
     count = len(offer[0])
     again = float((sizes > LARGE).mean()) * _OF_BASIS * count**2 * (pattern.shape[1] - count + 1)
     digits = np.log10(np.clip(sizes, 1.0, 1e12)).mean()
-    return _work(offer, pattern) + again, round(float(digits), 6)
+    columns = tuple(-column for column in reversed(offer[0]))
+    return _work(offer, pattern) + again, int(digits / AS_GOOD), columns
 
 
 def _work(offer: tuple[Numbers, Numbers], pattern: Array) -> int:

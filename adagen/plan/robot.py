@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from adagen.model import OUTPUT_SIZES
 
@@ -143,6 +143,18 @@ class PlanLoop:
     translation2: tuple[float, ...]
     tolerance: float
     turn2: tuple[tuple[float, ...], ...] = field(default=(), metadata=OPTIONAL)
+
+    def exchanged(self) -> PlanLoop:
+        """Return the loop with its links in the other order; of a weld that is the same one."""
+        return replace(
+            self,
+            link1=self.link2,
+            rotation1=self.rotation2,
+            translation1=self.translation2,
+            link2=self.link1,
+            rotation2=self.rotation1,
+            translation2=self.translation1,
+        )
 
 
 @dataclass(frozen=True)

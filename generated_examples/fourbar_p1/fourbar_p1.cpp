@@ -5,7 +5,7 @@
 // input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
 // options   form segment (articulated-body algorithm), shape unrolled (spatial vectors [angular; linear] in link frames whose joint axes are z), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes fourbar_p1.h
-// program   1 process; 0.0535 us predicted (default profile)
+// program   1 process; 0.0532 us predicted (default profile)
 //           process 0: crank_pin .. rocker_pin
 //
 // Closed loops: accelerations of their joints and constraint forces stay unknown until the last link that
@@ -72,7 +72,7 @@ namespace {
 // with all joint accelerations zero.
 
 // =================================================================================================
-// Process 0: 94 products, 60 sums, 2 quotients
+// Process 0: 82 products, 57 sums, 2 quotients
 // =================================================================================================
 
 ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
@@ -95,15 +95,13 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x137 = cosine[0] * cosine[1] - sine[0] * sine[1];
   const Real x140 = sine[0] * cosine[1] + cosine[0] * sine[1];
   const Real x157 = 9.81 * sine[2] + x47 * 0.4;
-  const Real x143 = cosine[2] * x137 + sine[2] * x140;
   const Real x147 = cosine[2] * x140 - sine[2] * x137;
-  const Real x163 = 0.4 * x143;
-  const Real x178 = 0.4 * x147;
+  const Real x143 = cosine[2] * x137 + sine[2] * x140;
   const Real x106 = sine[1] * 0.5;
-  const Real x165 = x44 * x143 - x147 * x157 - x27;
   const Real x109 = 0.2 + cosine[1] * 0.5;
+  const Real x178 = 0.4 * x147;
+  const Real x163 = 0.4 * x143;
   const Real x176 = x44 * x147 + x143 * x157;
-  const Real x180 = x32 + x36 * 0.5 - x176;
   const Real x121 = cosine[0] * x106 + sine[0] * x109 - sine[2] * 0.4;
   const Real x119 = cosine[0] * x109 - sine[0] * x106;
   const Real x120 = 0.45 + cosine[2] * 0.4 - x119;
@@ -112,59 +110,51 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x187 = cosine[1] * 0.25;
   const Real x197 = 0.5 + cosine[1] * 0.2;
   const Real x193 = 0.0834083 + 0.2 * x187;
+  const Real x234 = 0.0834083 + 0.2 * (0.2 + x187 + x187) + 0.00536333;
   const Real x222 = cosine[1] * x27 + sine[1] * (x32 + x36 * 0.25);
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x262 = x178 * x197 - x163 * x198;
-  const Real x263 = 1 / x262;
+  const Real x259 = 1 / x178;
+  const Real x311 = x234 * 1.7763568394002505e-15;
+  const Real x260 = x198 * x259;
+  const Real x262 = (x32 + x36 * 0.5 - x176) * x259;
   const Real x249 = v[1] * 0.5 + v[0] * x197 - v[2] * x163;
   const Real x253 = v[2] * x178 - v[0] * x198;
+  const Real x265 = x178 * x178 * 16.0;
+  require_more(w, x265, 9.999999999999998e-15, kSingularPose, 3);
   // directions in which a loop holds its two links
   const Real x129 = 1e-08 - (x120 * x120 + x121 * x121);
   require_more(w, x129, 0.0, kLoopOpen, 3);
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x264 = x178 * x263;
-  const Real x266 = x198 * x263;
-  const Real x268 = 0.5 * x264;
-  const Real x272 = 0.5 * x266;
-  const Real x279 = x197 * x197 + x163 * x163;
-  const Real x283 = x198 * x198 + x178 * x178;
-  // joint 1 "coupler_pin": inertia and bias force of what is beyond, its own motion left open
-  const Real x234 = 0.0834083 + 0.2 * (0.2 + x187 + x187) + 0.00536333;
+  const Real x286 = 0.042726700000000006 * x260;
+  // directions in which a loop holds its two links
+  const Real x165 = x44 * x143 - x147 * x157 - x27;
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x304 = 0.042726700000000006 * x272;
-  const Real x271 = x165 * x264 + x180 * (x163 * x263);
-  // joint 0 "crank_pin": inertia and bias force of what is beyond, its own motion left open
-  const Real x242 = x76 + 0.2 * x222 + x8 * 0.04000000000000001 + tau[0];
-  // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
-  const Real x275 = x165 * x266 + x180 * (x197 * x263);
-  const Real x306 = x193 - x234 * x268;
+  const Real x272 = 2.0 * (x197 - x163 * x260);
+  const Real x273 = 2.0 * (x165 + x163 * x262);
   // directions in which a loop holds its two links
   const Real x133 = (x11 + v[1] * v[1] + x47 + 1.0) * 1.0000000000000002e-06;
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x257 = x133 - (x249 * x249 + x253 * x253);
   require_more(w, x257, 0.0, kLoopTorn, 3);
-  const Real x284 = 4.0 * x279;
-  require_more(w, x284, 9.999999999999998e-15, kSingularPose, 3);
-  const Real x320 = x242 * x268 + (x44 * 0.16000000000000003 + tau[2]) * x272;
-  const Real x286 = x283 * 16.0;
-  require_more(w, x286, 9.999999999999998e-15, kSingularPose, 3);
-  const Real x288 = x262 * x262;
-  const Real x290 = x279 * x283 * 9.999999999999998e-15;
-  require_more(w, x288, x290, kSingularPose, 3);
-  const Real x301 = 40000.0 - (x268 * x268 + x272 * x272);
-  require_more(w, x301, 0.0, kSingularPose, 3);
-  const Real x325 = x275 * x304 - x271 * x306;
-  const Real x314 = x272 * x304 - x268 * x306 + 0.0834083;
-  const Real x315 = x314 - x193 * x268;
-  require_more(w, x315, 1.4816290416774792e-16, kLoopFree, 1);
-  const Real x331 = (x320 - (x76 + tau[1]) + x325) * (1 / x315);
-  const Real x332 = -x331;
-  w.result[1] = x332;
+  const Real x287 = x193 - 0.0834083 * x272;
+  const Real x298 = (x44 * 0.16000000000000003 + tau[2]) * x260;
+  // joint 0 "crank_pin": inertia and bias force of what is beyond, its own motion left open
+  const Real x242 = x76 + 0.2 * x222 + x8 * 0.04000000000000001 + tau[0];
+  // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
+  const Real x283 = 40000.0 - (x272 * x272 + x260 * x260);
+  require_more(w, x283, 0.0, kSingularPose, 3);
+  const Real x307 = (x76 + tau[1]) * x272 - x298 - x242;
+  const Real x294 = x260 * x286 - x272 * x287 + x234;
+  const Real x295 = x294 - x193 * x272;
+  require_more(w, x295, x311, kLoopFree, 0);
+  const Real x312 = (x307 - (x273 * x287 + x262 * x286)) * (1 / x295);
+  const Real x313 = -x312;
+  w.result[0] = x313;
   // link 0 "ground": accelerations and constraint forces of loops below it
-  const Real x337 = x268 * x331 - x271;
-  w.result[0] = x337;
-  const Real x338 = x272 * x331 - x275;
-  w.result[2] = x338;
+  const Real x318 = x272 * x312 - x273;
+  w.result[1] = x318;
+  const Real x320 = -(x262 + x260 * x312);
+  w.result[2] = x320;
 }
 
 // =================================================================================================

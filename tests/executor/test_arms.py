@@ -15,8 +15,8 @@ from adagen.executor import Grouping, chosen_grouping, grouping_of, interpret, s
 from adagen.graph import BALLS
 from adagen.model import PRISMATIC, REVOLUTE, SPHERICAL, LoopEnd, Model, NamedLoop
 from adagen.plan import Plan
-from adagen.plan.alike import closures_in
 from adagen.plan.arms import arms_among
+from adagen.plan.closure_steps import closures_in
 from tests.emitted import EXACT, Builder
 from tests.executor.test_closures import plan_of, worst
 from tests.executor.test_lane_bits import InLanes

@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from adagen.plan.choices import chosen, covered, uncovered
+from adagen.plan.choices import chosen, covered, expected, largest, uncovered
 
 ROW = np.array([[1.0, 0.9, 0.8]])
+STEEP = np.array([[1.0, 0.3, 0.25]])
 LIGHT = 1e-8
-SAMPLES = np.array([ROW, ROW, [[0.95, 1.0, 0.9]]])
+SAMPLES = np.array([STEEP, STEEP, [[0.95, 1.0, 0.9]]])
 DEPTHS = [1, 1, 1]
 
 
@@ -25,6 +26,16 @@ def test_a_heavy_link_does_not_follow_light_ones() -> None:
 def test_masses_decide_nothing_else() -> None:
     for inertia in (np.zeros((3, 3)), np.diag([3.0, 1.0, 1.0]), np.diag([0.0, 1.0, LIGHT])):
         assert chosen(SAMPLES, DEPTHS, [inertia], whole=True)[0] == ((0,), (0,))
+
+
+def test_of_choices_that_are_as_good_the_outermost_joints_follow() -> None:
+    """Legs that are alike are sampled in other states, and choose alike for all that."""
+    for samples in (np.array([ROW, ROW]), np.array([[[0.93, 0.97, 0.95]], [[1.0, 0.9, 0.98]]])):
+        offers = [((k,), (0,)) for k in range(3)]
+        pattern = np.abs(samples).max(axis=0) > 0.0
+        sizes = [np.array([largest(offer, each) for each in samples]) for offer in offers]
+        best = min(range(3), key=lambda k: expected(offers[k], pattern, sizes[k]))
+        assert offers[best] == ((2,), (0,))
 
 
 def test_what_a_choice_hides() -> None:

@@ -1,0 +1,103 @@
+"""What a process does for each of its closures, and what closures have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass
+
+from adagen.plan.hung import hung_in, places_of
+from adagen.plan.robot import PlanJoint, PlanLoop
+from adagen.plan.steps import CarryRows, CloseCoupling, CloseLoop, Eliminate, HoldBack, Step
+from adagen.plan.types import Plan
+
+
+@dataclass(frozen=True)
+class ClosureSteps:
+    """What a process does inwards for one of its closures.
+
+    Attributes:
+        number: of the closure.
+        loops: states their rows.
+        couplings: likewise.
+        path: its joints, ascending; where it goes beside another, in the order of that one's.
+        held: those of them whose accelerations are held back, with their first unknowns.
+        eliminate: how its unknowns are eliminated.
+        exchanged: loops whose links are taken in the other order.
+    """
+
+    number: int
+    loops: tuple[CloseLoop, ...]
+    couplings: tuple[CloseCoupling, ...]
+    path: tuple[int, ...]
+    held: dict[int, int]
+    eliminate: Eliminate
+    exchanged: frozenset[int] = frozenset()
+
+    def loop(self, plan: Plan, number: int) -> PlanLoop:
+        """Return a loop of the plan, its links in the order in which they are taken."""
+        loop = plan.loops[number]
+        return loop.exchanged() if number in self.exchanged else loop
+
+
+def closures_in(steps: Iterable[Step]) -> dict[int, ClosureSteps]:
+    """Return the closures that steps eliminate, by number."""
+    by_number: dict[int, list[Step]] = {}
+    for step in steps:
+        if isinstance(step, CloseLoop | CloseCoupling | HoldBack | CarryRows | Eliminate):
+            by_number.setdefault(step.closure, []).append(step)
+    found = {}
+    for number, own in by_number.items():
+        held = {s.joint: s.first for s in own if isinstance(s, HoldBack)}
+        carried = {s.joint for s in own if isinstance(s, CarryRows)}
+        for eliminate in own:
+            if isinstance(eliminate, Eliminate):
+                found[number] = ClosureSteps(
+                    number,
+                    tuple(s for s in own if isinstance(s, CloseLoop)),
+                    tuple(s for s in own if isinstance(s, CloseCoupling)),
+                    tuple(sorted(carried.union(held))),
+                    held,
+                    eliminate,
+                )
+    return found
+
+
+def is_rigid(plan: Plan, j: int, held: Collection[int]) -> bool:
+    """Return whether all beyond a joint is held back, and so is passed as if it were rigid."""
+    return all(c in held and is_rigid(plan, c, held) for c in plan.children[j + 1])
+
+
+def nature(joint: PlanJoint) -> tuple[object, ...]:
+    """Return what joints of a row have in common, whatever the numbers are."""
+    effects = (joint.damping, joint.friction, joint.stiffness, joint.rotor_inertia + joint.lent)
+    return (joint.kind, joint.prescribed, *map(bool, effects))
+
+
+def structure(plan: Plan, one: ClosureSteps) -> tuple[object, ...]:
+    """Return what closures have in common that can be computed side by side."""
+    joints, top = plan.joints, one.eliminate.link
+    place = {j: k for k, j in enumerate(one.path)}
+
+    def link(number: int) -> tuple[str, int]:
+        if number - 1 in place:
+            return "own", place[number - 1]
+        # What the ground holds is seen from it: by way of all that is inwards from the top.
+        return ("top", 0) if number == top and not one.eliminate.grounded else ("other", number)
+
+    loops = []
+    for closing in one.loops:
+        loop = one.loop(plan, closing.loop)
+        ends = link(loop.link1), link(loop.link2)
+        loops.append((loop.kind, ends, closing.rows, closing.first, bool(loop.turn2)))
+    couplings = [
+        (tuple(place[j] for j, _ in plan.couplings[c.coupling].terms), c.unknown)
+        for c in one.couplings
+    ]
+    how = one.eliminate
+    return (
+        tuple((nature(joints[j]), link(joints[j].parent), one.held.get(j)) for j in one.path),
+        tuple(loops),
+        places_of(hung_in(plan, one), one),
+        tuple(couplings),
+        (how.moved, how.rows, how.followers, how.singles, how.limit, how.recovers, how.grounded),
+    )
