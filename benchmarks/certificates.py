@@ -15,7 +15,8 @@ ones as are found, and compares with the plan in 400 bits: which rows are left o
 from others is its choice, and a state in doubles closes loops up to rounding only. Times are minima
 of runs with and without certificates by turns, of robots or, for "mechanisms", of
 benchmarks/closed_robots.py; loops are in a scene of the robot's name beside it. "predicted" lays
-the largest error of each robot of "errors" beside the one that is predicted for it. With --record,
+the largest error of each robot of "errors" beside the one that is predicted for it in hard poses,
+errors above 1 counted as 1. With --record,
 what was found of each robot is a line of JSON in a file: the command again goes on with the robots
 that are not there yet. Each table has a file of its own.
 """
@@ -141,16 +142,18 @@ def _figures(
 
 
 def measured_predictions(asked: Asked, record: Record, toolchain: Toolchain) -> list[str]:
-    """Return the table of largest errors beside those that are predicted in ordinary poses."""
-    ratios: dict[str, list[tuple[float, str]]] = {str(way): [] for way in WAYS if not way.batch}
+    """Return the table of largest errors beside those that are predicted in hard poses."""
+    ways = [way for way in WAYS if not way.batch]
+    ratios: dict[str, list[tuple[float, str]]] = {str(way): [] for way in ways}
     for k, (family, model, hard) in enumerate(hard_robots(asked)):
-        found = record.of(asked, k, partial(_figures, model, hard, WAYS, toolchain))
-        for way in (way for way in WAYS if not way.batch):
+        found = record.of(asked, k, partial(_figures, model, hard, ways, toolchain))
+        for way in ways:
             errors = found.get(str(way), {}).get("errors")
             if errors:
                 plan = certified_plan(model, way.scalar)
-                told = predicted_digits("time", model, plan, way.shape).error
-                decades = np.log10(max(max(errors), 1e-17) / max(told, 1e-17))
+                told = predicted_digits("time", model, plan, way.shape).anywhere
+                found_once = min(1.0, max(max(errors), 1e-17))  # more than 1 is as wrong as 1
+                decades = np.log10(found_once / max(told, 1e-17))
                 ratios[str(way)].append((float(decades), family))
     lines = [
         "| emitted | robots | within a decade | more than half a decade too optimistic | median, "

@@ -145,7 +145,7 @@ def run(argv: Sequence[str]) -> int:
 
 def _report(made: Compiled, written: Sequence[Path]) -> dict[str, Any]:
     """Return what was written and what is predicted of it, as plain data."""
-    digits = made.digits
+    digits, hard = made.digits, made.hard_digits
     return {
         "robot": made.model.name,
         "floating": made.model.floating,
@@ -161,6 +161,7 @@ def _report(made: Compiled, written: Sequence[Path]) -> dict[str, Any]:
         "predicted_us": made.predicted,
         "proven": made.schedule.verdict == "optimal",
         "digits": None if digits is None else round(digits, 2),
+        "hard_digits": None if hard is None else round(hard, 2),
         "source": next(str(path) for path in written if path.name == f"{made.stem}.cpp"),
         "files": [str(path) for path in written],
         "warnings": warned(),

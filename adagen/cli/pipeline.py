@@ -214,6 +214,7 @@ def _warn_of_lost_digits(
     lost = loss(plan, model, request)
     if lost is not None:
         warn(
-            f"{options.model}: warning: {lost.digits:.1f} digits are predicted; the largest loss "
-            f"is at joint {quoted([lost.joint])}" + "".join(f"; {way}" for way in lost.ways)
+            f"{options.model}: warning: {lost.digits:.1f} digits are predicted"
+            f"{' where axes are nearly parallel' * lost.hard}; the largest loss is at joint "
+            f"{quoted([lost.joint])}" + "".join(f"; {way}" for way in lost.ways)
         )

@@ -33,10 +33,11 @@ def accuracy_line(digits: Digits | None) -> str:
     if digits is None:
         return "no digits predicted: a factorization fails"
     kept = f"{-math.log10(digits.error):.1f} digits predicted"
+    hard = "" if digits.hard is None else f"; {-math.log10(digits.hard):.1f} in hard poses"
     if digits.joint is None:
         at = printable(digits.worst)
-        return f'{kept}: no loss at joins; the largest loss is in the sweep at joint "{at}"'
-    return f'{kept}: growth {digits.growth:.1e} at joint "{printable(digits.joint)}"'
+        return f'{kept}: no loss at joins; the largest loss is in the sweep at joint "{at}"{hard}'
+    return f'{kept}: growth {digits.growth:.1e} at joint "{printable(digits.joint)}"{hard}'
 
 
 def with_accuracy(text: str, digits: Digits | None) -> str:
@@ -55,6 +56,9 @@ def with_accuracy(text: str, digits: Digits | None) -> str:
             "growth": digits.growth if math.isfinite(digits.growth) else None,
             "joint": digits.joint,
             "worst": digits.worst,
+            "hard_digits": None if digits.hard is None else round(-math.log10(digits.hard), 2),
+            "hard_error": digits.hard,
+            "hardest": digits.hardest,
         }
     head = text.rstrip().removesuffix("}")
     return f'{head}, "accuracy": {json.dumps(found)}}}'

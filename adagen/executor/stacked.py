@@ -24,16 +24,6 @@ def skew(c: Array) -> Array:
     return found - found.transpose(0, 2, 1)
 
 
-def spatial_body(mass: Any, com: Array, tensor: Array) -> Array:
-    """Spatial inertia about a link's origin, shape (states, 6, 6), [angular; linear]."""
-    found = np.zeros((len(com), 6, 6), com.dtype)
-    moments = skew(mass * com)
-    found[:, :3, :3] = tensor - moments @ skew(com)
-    found[:, :3, 3:], found[:, 3:, :3] = moments, moments.transpose(0, 2, 1)
-    found[:, 3:, 3:] = mass * np.eye(3, dtype=com.dtype)
-    return found
-
-
 def is_turn(rotation: Array) -> bool:
     """Whether a rotation turns about a coordinate axis, but for a permutation, to the bit."""
     lone = np.abs(rotation) == 1
@@ -106,4 +96,14 @@ def solved(d: Array, right: Array) -> Array:
     for k in reversed(range(n)):
         found[:, k] -= np.einsum("si,sic->sc", lower[:, k + 1 :, k], found[:, k + 1 :])
         found[:, k] /= lower[:, k, k][:, None]
+    return found
+
+
+def pivots(d: Array) -> Array:
+    """Return the pivots of symmetric matrices, shape (S, n), as L D L^T has them."""
+    left, found = d.copy(), np.empty(d.shape[:2], d.dtype)
+    for k in range(d.shape[1]):
+        found[:, k] = left[:, k, k]
+        column = left[:, :, k]
+        left = left - column[:, :, None] * (column / found[:, k : k + 1])[:, None, :]
     return found

@@ -47,11 +47,13 @@ class Loss:
         digits: right decimal digits, 0 or more.
         joint: where the largest loss is.
         ways: what keeps more, in words of the command line.
+        hard: whether that is so in hard poses only.
     """
 
     digits: float
     joint: str
     ways: tuple[str, ...]
+    hard: bool
 
 
 def assessed(model: Model, schedule: Schedule, request: Request) -> Assessed:
@@ -96,14 +98,16 @@ def loss(plan: Plan, model: Model, request: Request) -> Loss | None:
     except FloatingPointError as error:
         raise InputError(_why_it_fails(plan, model, request, str(error))) from None
     few = TOLERANCE[plan.scalar] if plan.form == "ada" else FEW[plan.scalar]
-    if digits.error <= few:
+    hard = digits.error <= few
+    lost, joint = (digits.anywhere, digits.hardest) if hard else (digits.error, digits.worst)
+    if lost <= few:
         return None
     ways = ["form segment keeps more digits"] if plan.form == "ada" else []
     if plan.form != "ada" and shape == "kernels" and plan.scalar == "double":
         ways = ["--shape unrolled or --refine 1 may keep more"]
     elif plan.form != "ada" and plan.scalar == "float":
         ways = ["--scalar double keeps nine more digits"]
-    return Loss(max(0.0, -math.log10(digits.error)), digits.worst, tuple(ways))
+    return Loss(max(0.0, -math.log10(lost)), joint, tuple(ways), hard)
 
 
 def _why_it_fails(plan: Plan, model: Model, request: Request, failure: str) -> str:

@@ -24,7 +24,7 @@ from adagen.plan import Plan, make_plan
 from adagen.plan.certificate import certified
 from adagen.program import Program
 from adagen.schedule import Schedule, Topology, load_profile
-from adagen.search.objective import predicted_digits, suited_shape
+from adagen.search.objective import Digits, predicted_digits, suited_shape
 from adagen.urdf import model_stem
 from adagen.wholefile import write_files
 
@@ -95,16 +95,27 @@ class Compiled:
         """Predicted time of an evaluation, microseconds; None if there is no prediction."""
         return None if self.timeline is None else self.timeline.makespan
 
-    @cached_property
+    @property
     def digits(self) -> float | None:
         """Predicted number of right decimal digits; None if a factorisation fails."""
+        return None if self._digits is None else -math.log10(self._digits.error)
+
+    @property
+    def hard_digits(self) -> float | None:
+        """The same in hard poses, where axes are nearly parallel, as far as they are answered.
+
+        None also where that is not tried: with closed loops, and in form ada.
+        """
+        hard = None if self._digits is None else self._digits.hard
+        return None if hard is None else -math.log10(hard)
+
+    @cached_property
+    def _digits(self) -> Digits | None:
+        objective, shape = self.request.objective, self.program.shape
         try:
-            found = predicted_digits(
-                self.request.objective, self.model, self.plan, self.program.shape
-            )
+            return predicted_digits(objective, self.model, self.plan, shape)
         except FloatingPointError:
             return None
-        return -math.log10(found.error)
 
     def in_folder(self, folder: str | os.PathLike[str]) -> dict[str, str]:
         """Return the files as they are written into a folder.

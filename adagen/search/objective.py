@@ -19,7 +19,7 @@ from adagen.errors import UsageError
 from adagen.executor.closed_trial import tried_closed
 from adagen.executor.growth import Growth, predicted_growth
 from adagen.executor.refine import interpret_refined
-from adagen.executor.trial import MANY, Trial, carried_out, tried
+from adagen.executor.trial import MANY, Trial, carried_out, tried, tried_hard
 from adagen.model import Model
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan, make_plan
@@ -61,6 +61,9 @@ class Digits:
         growth: the largest growth g where chains are joined.
         joint: where that is; None where nothing is joined.
         worst: the joint at which most is lost.
+        hard: predicted relative error in hard states, where axes are nearly parallel, as far as
+            they are answered, at least ``error``, which is of ordinary ones; None: not tried.
+        hardest: the joint at which most is lost there.
     """
 
     objective: str
@@ -68,6 +71,13 @@ class Digits:
     growth: float
     joint: str | None
     worst: str
+    hard: float | None
+    hardest: str
+
+    @property
+    def anywhere(self) -> float:
+        """The largest predicted error that is known."""
+        return self.error if self.hard is None else self.hard
 
 
 def schedule_for(
@@ -134,7 +144,8 @@ def predicted_digits(objective: str, model: Model, plan: Plan, shape: str = "ker
 
     The error is what sweeping the robot loses in a trial as the shape does it; where processes
     share it also what the growth of joins predicts, or what carrying out the plan in generic states
-    is found to lose: g knows nothing of what inverting I^A costs. The largest counts.
+    is found to lose: g knows nothing of what inverting I^A costs. The largest counts. Hard states
+    are tried of form segment without closed loops; what joins lose in them is not.
 
     Args:
         objective: what the schedule was searched for.
@@ -148,7 +159,8 @@ def predicted_digits(objective: str, model: Model, plan: Plan, shape: str = "ker
     if plan.closed:
         trial = tried_closed(model, plan)
         error = min(1.0, max(trial.error, EPSILON[plan.scalar]))
-        return Digits(objective, error, 1.0, None, model.joints[trial.joint].name)
+        worst = model.joints[trial.joint].name
+        return Digits(objective, error, 1.0, None, worst, None, worst)
     growth = predicted_growth(plan)
     joined = growth.largest > 1.0
     name = model.joints[growth.joint].name if joined else None
@@ -157,11 +169,15 @@ def predicted_digits(objective: str, model: Model, plan: Plan, shape: str = "ker
     if joined or shared or plan.form != "segment":  # mobilities are joined, or hold the ground
         trial = Trial(max(trial.error, _tried(plan) * _WORSE), growth.joint)
         trial = max(trial, _carried_out(plan, shape), key=lambda each: each.error)
+    hard = None
     if plan.form == "segment":
-        swept = tried(plan, turned_joints(plan) if shape == "kernels" else None)
-        trial = max(trial, swept, key=lambda each: each.error)
-    worst = model.joints[trial.joint].name
-    return Digits(objective, min(1.0, trial.error), growth.largest, name, worst)
+        turned = turned_joints(plan) if shape == "kernels" else None
+        trial = max(trial, tried(plan, turned), key=lambda each: each.error)
+        hard = max(trial, tried_hard(plan, turned), key=lambda each: each.error)
+    worst, hardest = (model.joints[each.joint].name for each in (trial, hard or trial))
+    more = None if hard is None else min(1.0, hard.error)
+    error = min(1.0, trial.error)
+    return Digits(objective, error, growth.largest, name, worst, more, hardest)
 
 
 def _carried_out(plan: Plan, shape: str) -> Trial:

@@ -11,12 +11,13 @@ gives force (N) and moment (N m) at the link's origin in its axes, for each stat
 from __future__ import annotations
 
 from adagen.states.read import read_result, read_states, states_gravity
-from adagen.states.sampling import random_states, resting_states
+from adagen.states.sampling import hardened, random_states, resting_states
 from adagen.states.types import States
 from adagen.states.write import states_text, write_result, write_states
 
 __all__ = [
     "States",
+    "hardened",
     "random_states",
     "read_result",
     "read_states",

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
+from numpy.typing import NDArray
 
 from adagen.model import Model
 from adagen.states.slaved import follow_sources
 from adagen.states.types import States, columns
+
+Array = NDArray[np.float64]
 
 
 def random_states(model: Model, count: int, seed: int = 0) -> States:
@@ -46,3 +51,29 @@ def resting_states(model: Model, count: int) -> States:
     states = States(q, np.zeros((count, model.nv)), np.zeros((count, model.ntau)))
     follow_sources(states, model, {})
     return states
+
+
+def hardened(
+    q: Array, v: Array, tau: Array, hinges: Iterable[int], rng: np.random.Generator
+) -> tuple[Array, Array, Array]:
+    """Return states made hard to solve: what cancels there, cancels most.
+
+    Half of the angles come near multiples of a quarter turn, from 1e-9 to 1 rad, so that axes are
+    nearly parallel. Velocities and torques are multiplied by up to 100 and 1000, or as much
+    divided by 100, by orders of magnitude, one factor for each state.
+
+    Args:
+        q: configurations, shape (S, nq).
+        v: velocities, shape (S, nv).
+        tau: torques, shape (S, ntau).
+        hinges: places of angles in a configuration.
+        rng: what is drawn from.
+    """
+    q, count = q.copy(), len(q)
+    for at in hinges:
+        near = np.pi / 2 * rng.integers(-2, 3, size=count)
+        near = near + 10.0 ** rng.uniform(-9, 0, size=count) * rng.choice([-1.0, 1.0], size=count)
+        q[:, at] = np.where(rng.random(count) < 0.5, near, q[:, at])
+    fast = 10.0 ** rng.uniform(-2, 2, size=(count, 1))
+    strained = 10.0 ** rng.uniform(-2, 3, size=(count, 1))
+    return q, v * fast, tau * strained

@@ -17,6 +17,7 @@ from adagen.plan.steps import StartLink
 from adagen.urdf import read_robot
 from tests.cli.robots import BALL, LINK, Said, write_arm, write_points
 from tests.emitted import WRITTEN
+from tests.real import real_robot
 
 
 class TestGenerate:
@@ -151,6 +152,16 @@ class TestGenerate:
         (line,) = [row for row in said()[1].splitlines() if "digits are predicted" in row]
         assert re.search(r'\d\.\d digits are predicted; the largest loss is at joint "\w+"; ', line)
         assert line.endswith("--shape unrolled or --refine 1 may keep more")
+
+    def test_few_digits_of_hard_poses_are_foretold(self, tmp_path: Path, said: Said) -> None:
+        """iCub's neck near its singular pose; in ordinary ones nine digits are left."""
+        robot = str(real_robot("icub_description/robots/icub.urdf"))
+        assert main([robot, "--procs", "1", "--json", "--out", str(tmp_path)]) == 0
+        out, err = said()
+        (line,) = [row for row in err.splitlines() if "digits are predicted" in row]
+        assert "digits are predicted where axes are nearly parallel" in line
+        assert '"neck_' in line
+        assert json.loads(out)["digits"] > 8 > 4 > json.loads(out)["hard_digits"]
 
     def test_a_link_that_cannot_be_inverted_is_joined_with_its_neighbour_in_form_ada(
         self, tmp_path: Path

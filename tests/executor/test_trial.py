@@ -10,12 +10,14 @@ import pytest
 
 import adagen
 from adagen.executor import interpret
-from adagen.executor.trial import accelerations, tried
+from adagen.executor.trial import accelerations, tried, tried_hard
+from adagen.executor.trial_sweep import Sweep
+from adagen.graph import FLOAT
 from adagen.model import Model
 from adagen.plan.turned import Turned, turned_joints
 from adagen.reference import energy_norm_error, joint_space_inertia
 from adagen.states import random_states
-from adagen.studies.stability import robots
+from adagen.studies.stability import adversary, robots
 from tests.emitted import plan_of, truth_of
 from tests.models import human_figure, random_tree, serial_chain
 
@@ -80,3 +82,39 @@ def test_what_cannot_be_factorized_has_no_digits() -> None:
 
 def test_more_joints_take_fewer_states() -> None:
     assert tried(plan_of(serial_chain(300), 1), None).error < 1e-11
+
+
+@pytest.mark.parametrize("family", [1, 3, 5, 8])
+def test_what_hard_poses_lose_is_predicted(family: int) -> None:
+    """Wrists, light links, a tiny root and slides: of what is answered, the largest error."""
+    model = adversary.robots(12, seed=105)[family]
+    plan, states = plan_of(model, 1), adversary.hard_states(model, 150, seed=105)
+    given = (states.q, states.v, states.tau)
+    truth = accelerations(plan, *given)
+    found = interpret(plan, states.q.T, states.v.T, states.tau.T).T
+    energy = Sweep(plan, np.float64, None, given).energy
+    off, whole = (energy(x.astype(float)).sum(axis=1) for x in (found - truth, truth))
+    errors = np.sqrt(off / whole)
+    predicted = tried_hard(plan, None).error
+    assert predicted / 30 < max(errors) < predicted * 10**0.5
+    assert family != 1 or predicted > 1e5 * tried(plan, None).error
+
+
+def test_what_is_refused_in_hard_poses_is_known() -> None:
+    """Wrists in float, half of them near gimbal lock: they have an answer, or the same fault."""
+    model = adversary.robots(12, seed=105)[1]
+    plan, states = plan_of(model, 1, scalar="float"), adversary.hard_states(model, 200, seed=105)
+    q, v, tau = (x.astype(np.float32) for x in (states.q, states.v, states.tau))
+    sweep = Sweep(plan, np.float32, None, (q, v, tau), rounded=True)
+    with np.errstate(all="ignore"):
+        sweep.solved()
+    refused = []
+    for state in zip(q, v, tau, strict=True):
+        try:
+            interpret(plan, *state, algebra=FLOAT)
+            refused.append(False)
+        except FloatingPointError:
+            refused.append(True)
+    assert sum(refused) >= 5
+    assert np.mean(sweep.refused == refused) > 0.97
+    assert 1e-3 < tried_hard(plan, None).error < 10.0

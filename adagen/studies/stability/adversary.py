@@ -26,7 +26,7 @@ from adagen.model import (
     Link,
     Model,
 )
-from adagen.states import States
+from adagen.states import States, hardened
 from adagen.studies.drawn import drawn_states
 from adagen.studies.stability.robots import rod
 
@@ -251,14 +251,9 @@ def hard_states(model: Model, count: int, seed: int = 0) -> States:
     """
     rng = np.random.default_rng((seed, 1))
     states = drawn_states(model, count, seed)
-    q = states.q.copy()
-    for j, joint in enumerate(model.joints):
-        if joint.kind is not REVOLUTE or model.closed:
-            continue
-        at = model.q_start[j]
-        near = np.pi / 2 * rng.integers(-2, 3, size=count)
-        near = near + 10.0 ** rng.uniform(-9, 0, size=count) * rng.choice([-1.0, 1.0], size=count)
-        q[:, at] = np.where(rng.random(count) < 0.5, near, q[:, at])
-    v = states.v * 10.0 ** rng.uniform(-2, 2, size=(count, 1))
-    tau = states.tau * 10.0 ** rng.uniform(-2, 3, size=(count, 1))
-    return States(q, v, tau)
+    hinges = [
+        model.q_start[j]
+        for j, joint in enumerate(model.joints)
+        if joint.kind is REVOLUTE and not model.closed
+    ]
+    return States(*hardened(states.q, states.v, states.tau, hinges, rng))

@@ -192,7 +192,7 @@ def warned(model: Model, plan: Plan, way: Way) -> bool:
         found = predicted_digits("both", model, plan, way.shape)
     except FloatingPointError:
         return True
-    return found.error > FEW[way.scalar]
+    return found.anywhere > FEW[way.scalar]
 
 
 def audited(

@@ -85,7 +85,7 @@ class Cell:
         state: that has it.
         joint: of that state, the joint that is farthest off.
         executor: largest error of the executor of the plan likewise; None where it has none.
-        predicted: the error that is predicted; None where nothing is.
+        predicted: the error that is predicted in hard states; None where nothing is.
         why: it is not solved so at all.
         same: the way whose source it has, if it is another's.
         silent: whether some answer is wrong that neither was refused nor warned of.
@@ -276,7 +276,7 @@ class Study:
         if way.shape in BASELINES:
             return None
         try:
-            return float(predicted_digits("both", one.model, plan, way.shape).error)
+            return float(predicted_digits("both", one.model, plan, way.shape).anywhere)
         except FloatingPointError:
             return math.inf
 
