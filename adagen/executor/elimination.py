@@ -57,6 +57,10 @@ within their tolerance, it is so far."""
 LEAST = {"double": 1e-7, "float": 1e-3}
 """Pivots of rows, brought to one size, below which a pose counts as singular."""
 
+LEFT = {"double": 1e-8, "float": 1e-4}
+"""How much of an inertia has to be left when others are eliminated; how closely made-up unknowns
+have to be found again."""
+
 MOST_LOST = 0.1
 """Digits that the size of G may cost, as a part of half of all."""
 
@@ -283,10 +287,13 @@ class Elimination:
         matrix = self._block(every, every)
         across, bias = self._at_top(every), self._biases(every)
         pushed = self._block(every, step.followers)
-        right = np.concatenate([across, bias, pushed], axis=1)
+        known, sizes = self._known(matrix, len(every) - len(step.rows))
+        right = np.concatenate([across, bias, pushed, matrix_times(matrix, known)[:, None]], axis=1)
         whole, diagonal = solved_by_reflections(matrix, right)
         self._check_inverse(every, matrix, diagonal)
+        self._check_known(known, sizes, whole[:, -1])
         count = 6 + self.state.columns
+        whole = whole[:, :-1]
         self._check_pushed(pushed, whole[:, count:])
         if self.state.plan.loop_forces or self.state.plan.weighed:
             by_kept = whole[len(every) - len(step.rows) :, count:].T
@@ -447,13 +454,52 @@ class Elimination:
             least = total(_squares(matrix[:, k])) * lost
             self._check(pivot * pivot, least, unknown, self.fails)
 
+    def _known(self, matrix: Array, moving: int) -> tuple[Array, Array]:
+        """Return unknowns that are made up, and what brings their squares to a size of one.
+
+        Accelerations are 1, and forces such as make these.
+
+        Args:
+            matrix: of all unknowns.
+            moving: how many of them are accelerations; they come first.
+        """
+        graph, known = self.state.graph, self.state.constants(np.ones(len(matrix)))
+        sizes = known.copy()
+        inertias = _squares(matrix[:moving, :moving].flat)
+        pushes = _squares(matrix[:moving, moving:].flat)
+        if inertias and pushes:
+            made, pushed = total(inertias), total(pushes)
+            known[moving:] = graph.sqrt(made * graph.reciprocal(pushed))
+            sizes[moving:] = pushed * graph.reciprocal(made)
+        return known, sizes
+
+    def _check_known(self, known: Array, sizes: Array, found: Array) -> None:
+        """Unknowns that are made up have to be found again.
+
+        A pivot need not be next to nothing where digits are lost: joints of light links that come
+        near one plane, a motion without inertia among many with. What is lost is seen in numbers
+        that are known.
+        """
+        parts = zip(known, sizes, found, strict=True)
+        off = total([(x - y) * (x - y) * size for x, size, y in parts])
+        least = LEFT[self.state.plan.scalar] ** 2
+        self._check(least - off, 0.0, self.step.rows[0], self.fails)
+
     def _check_inertia(self, blamed: Sequence[int], factors: Factors, sizes: Array) -> None:
-        """No pivot of the inertia may have lost its digits, nor the sum that an entry is."""
+        """No pivot of the inertia may have lost its digits, nor the sum that an entry is.
+
+        Where some are lost and not all, as of light links near gimbal lock, another way may keep
+        them.
+        """
+        lost, most = 16 * self.epsilon, LEFT[self.state.plan.scalar]
         found = zip(blamed, factors.pivots, factors.diagonal, sizes, strict=True)
         for unknown, pivot, entry, size in found:
             parts = [*([] if pivot == entry else [entry]), *([] if entry == size else [size])]
-            least = total(parts) * (16 * self.epsilon) if parts else 0.0
-            self._check(pivot, least, unknown, "kLoopFree")
+            whole = total(parts) if parts else self.state.graph.constant(0)
+            if not self.step.recovers:
+                self._check(pivot, whole * lost, unknown, "kLoopFree")
+            if parts or self.step.recovers:
+                self._check(pivot, whole * most, unknown, self.fails)
 
 
 def _followed(each: SolvedPart) -> Followed:

@@ -302,7 +302,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x2058 = x1367 + across<2>(x1768) - across<2>(x1986);
   const Two x1787 = x1712 * x1753 - x1695 * x1761 + x1676 * x1747;
   const Two x1975 = x1775 * 370370.3703703704;
-  const Real x2091 = 1 / x2058;
+  const Real x2092 = 1 / x2058;
   const Two x1993 = x1775 * x1975;
   // joint 3 "ankle_roll": placement, velocity and reference acceleration of its link
   const Real x73 = v[3] * x71;
@@ -338,11 +338,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x2060 = across<2>(x1774) - x1242 - across<2>(x1987);
   const Two x1835 = x939 * x1676 + x974 * x1712 - x1013 * x1695;
   const Two x2010 = x1762 * x1978;
-  const Real x2092 = x2060 * x2091;
+  const Real x2093 = x2060 * x2092;
   const Two x1678 = (x605 - (x209 + x226 * Two{0.15, 0.23})) * x1672;
   const Two x2011 = x1775 * x1978;
   const Real x2061 = 0.003308333 + across<2>(x1787) - across<2>(x1993);
-  const Real x2095 = x2061 - x2060 * x2092;
+  const Real x2096 = x2061 - x2060 * x2093;
   // link 4 "foot": force that the reference field takes
   const Real x292 = x73 * 0.002999997 - x73 * 0.00826667;
   const Real x312 = 0.002 * (x94 - x90) + x292 + x60 * 0.05;
@@ -358,7 +358,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1385 = sine[4] * x1245 - cosine[4] * 0.04;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Two x1853 = x931 * x1674 + x963 * x1710 + x1001 * x1694;
-  const Real x2096 = 1 / x2095;
+  const Real x2097 = 1 / x2096;
   const Two x1692 = x501 - (x203 - x230 * Two{0.15, 0.23}) + x728 * x1678;
   const Two x1696 = x1692 * Two{6.666666666666667, 4.3478260869565215};
   const Two x1708 = x553 - (x206 - x224 * Two{0.15, 0.23}) - x761 * x1678;
@@ -373,7 +373,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x1909 = x1714 * x1750 - x1696 * x1757 + x1678 * x1741;
   const Two x1979 = (x374 - Two{tau[7], tau[11]} + x710 * x1678) * 370370.3703703704;
   const Two x2014 = x710 * x1978;
-  const Real x2131 = x2096 * (x2067 - x2064 * x2092);
+  const Real x2131 = x2097 * (x2067 - x2064 * x2093);
   const Real x1878 = across<2>(x1853) - x1390;
   const Two x1915 = x1678 * x1747 + x1714 * x1753 - x1696 * x1761;
   const Two x2016 = x1762 * x1979;
@@ -400,20 +400,20 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1610 = sine[4] * x1369 + cosine[4] * x1370;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Two x2017 = x1775 * x1979;
-  const Real x2144 = x2064 * x2091 - x2092 * x2131;
+  const Real x2144 = x2064 * x2092 - x2093 * x2131;
   const Real x1888 = cosine[4] * x1246 + across<2>(x1847);
-  const Real x2133 = x2096 * (x1889 - x1878 * x2092);
-  const Real x2132 = x2096 * (x1888 - x1877 * x2092);
+  const Real x2133 = x2097 * (x1889 - x1878 * x2093);
+  const Real x2132 = x2097 * (x1888 - x1877 * x2093);
   const Real x1919 = x88 * 0.0019583400000000003 + x77 * 0.05 - tau[3] + across<2>(x1902);
   const Real x2068 = x1354 - tau[2] + across<2>(x1896) + across<2>(x1909) - across<2>(x2016);
-  const Real x2084 = x1367 - 0.4 * (x1582 - x1390) + across<2>(x1188) - across<2>(x2014);
-  const Real x2150 = x1878 * x2091 - x2092 * x2133;
-  const Real x2306 = x2084 - (x2064 * x2144 + x2067 * x2131) + 0.18885420000000003;
+  const Real x2085 = x1367 - 0.4 * (x1582 - x1390) + across<2>(x1188) - across<2>(x2014);
+  const Real x2150 = x1878 * x2092 - x2093 * x2133;
+  const Real x2306 = x2085 - (x2064 * x2144 + x2067 * x2131) + 0.18885420000000003;
   require_more(w, x2306, 0.0, kFactorization, 1);
-  const Real x2147 = x1877 * x2091 - x2092 * x2132;
+  const Real x2147 = x1877 * x2092 - x2093 * x2132;
   const Two x1944 = x939 * x1678 + x974 * x1714 - x1013 * x1696;
   const Two x2020 = x710 * x1979;
-  const Real x2135 = x2096 * (x1919 + across<2>(x1915) - across<2>(x2017) - x2068 * x2092);
+  const Real x2135 = x2097 * (x1919 + across<2>(x1915) - across<2>(x2017) - x2068 * x2093);
   const Real x2267 = across<2>(x1153) - x1385 + (x2064 * x2147 + x2067 * x2132);
   const Real x2269 = across<2>(x1168) + x1582 - (x2064 * x2150 + x2067 * x2133);
   const Real x2307 = -0.7000000000000001 + x2269;
@@ -424,11 +424,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x410 = x177 * Two{0.15, 0.23};
   const Two x416 = -0.06 - x166 * Two{0.15, 0.23};
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Real x2156 = x2068 * x2091 - x2092 * x2135;
+  const Real x2156 = x2068 * x2092 - x2093 * x2135;
   const Two x1950 = x927 * x1678 + x960 * x1714 - x996 * x1696;
   const Two x1956 = x931 * x1678 + x963 * x1714 + x1001 * x1696;
-  const Real x2090 = x1354 - 0.4 * x1610 + across<2>(x1220) + across<2>(x1944) - across<2>(x2020);
-  const Real x2299 = x2090 - (x2064 * x2156 + x2067 * x2135);
+  const Real x2091 = x1354 - 0.4 * x1610 + across<2>(x1220) + across<2>(x1944) - across<2>(x2020);
+  const Real x2299 = x2091 - (x2064 * x2156 + x2067 * x2135);
   const Real x1970 = cosine[4] * x1369 - sine[4] * x1370 + across<2>(x1206) + across<2>(x1950);
   const Real x2287 = x1878 * x2156 + x1889 * x2135;
   const Real x2300 = x1970 - (x1877 * x2156 + x1888 * x2135);
@@ -469,12 +469,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x1731 = x1674 * x1674 + x1729 + x1710 * x1710;
   const Two x1732 = x1694 * x1694 + x1731;
   const Two x1661 = v[3] * x613 - x99 * x790 + v[2] * x1656;
-  const Real x2098 = x1367 * 1.7763568394002505e-15;
-  require_more(w, x2058, x2098, kLoopFree, 2);
+  const Real x2098 = x1367 * 1e-08;
+  require_more(w, x2058, x2098, kSingularPose, 2);
   const Two x1683 = x790 * x790 * 256.0;
   require_more(w, x1683, 9.999999999999998e-15, kSingularPose, {8, 9});
-  const Real x2100 = 1.7763568394002505e-15 * (0.003308333 + x2061);
-  require_more(w, x2095, x2100, kLoopFree, 3);
+  const Real x2100 = 1e-08 * (0.003308333 + x2061);
+  require_more(w, x2096, x2100, kSingularPose, 3);
   const Two x1666 = x1643 * x1643 + x1654 * x1654 + x1661 * x1661;
   const Two x1667 = (x144 * x144 + x445 + 1.0) * 1.0000000000000002e-06 - x1666;
   require_more(w, x1667, 0.0, kLoopTorn, {8, 9});
@@ -513,7 +513,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
 }
 
 // =================================================================================================
-// Process 0 in a singular pose: 1372 products, 986 sums, 20 quotients
+// Process 0 in a singular pose: 1375 products, 986 sums, 20 quotients
 // =================================================================================================
 
 ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
@@ -1302,13 +1302,14 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x3161 = x892 * x2682 - x1297 * x2625 + x1060 * x2766;
   const Real x3217 = x2750 * x3130 + x2817 * x3139 + x2816 * x3117;
   const Real x3789 = x1484 * x3011 + x3787 + x1538 * x3012;
-  const Real x3980 = x3771 - x3753 * x3926;
+  const Real x3985 = x3771 - x3753 * x3926;
   const Real x3802 = x1495 * x2901 + x3800 - x1845 * x2977;
   const Real x3832 = x1071 * x2798 + x1095 * x2722 + x1122 * x2799;
   const Real x3870 = x1498 * x2924 + x3868 + x1850 * x2991;
   const Real x3962 = 2.7e-06 - x3146 * x3928 - x3937 * x3940;
   const Real x3963 = x3962 - x3952 * x3954;
   require_more(w, x3963, 4.796163466380676e-21, kLoopFree, 5);
+  require_more(w, x3963, 2.7000000000000002e-14, kLoopSingular, 5);
   const Real x3026 = x2967 - x2164 * x3020;
   const Real x3180 = x892 * x2702 - x1297 * x2634 + x1060 * x2782;
   const Real x3235 = x2750 * x3133 + x2817 * x3142 + x2816 * x3122;
@@ -1322,7 +1323,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x3199 = x892 * x2722 - x1297 * x2643 + x1060 * x2798;
   const Real x3219 = x2969 * x3085 + x3217 + x2663 * x3104;
   const Real x3253 = x2750 * x3136 + x2817 * x3145 + x2816 * x3127;
-  const Real x4010 = x3789 - x3753 * x3927 - x3939 * x3980;
+  const Real x4015 = x3789 - x3753 * x3927 - x3939 * x3985;
   const Real x3804 = x532 * x2982 + x3802 + x1472 * x2983;
   const Real x3805 = x1521 * x2984 + x3804;
   const Real x3834 = x1495 * x2947 + x3832 - x1845 * x3005;
@@ -1335,109 +1336,109 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x3821 = x1521 * x2998 + x3820;
   const Real x3890 = x536 * x3010 + x3888 + x1476 * x3011;
   const Real x3891 = x3890 - x1526 * x3012;
-  const Real x3986 = x3873 - x3855 * x3926;
+  const Real x3991 = x3873 - x3855 * x3926;
   const Real x3165 = x3163 - x1832 * x2977 + x1708 * x2982;
   const Real x3201 = x893 * x2799 + x3199 + x1295 * x2947;
   const Real x3221 = x3219 - x3025 * x3033 + x3026 * x3050;
   const Real x3255 = x2969 * x3091 + x3253 + x2663 * x3112;
-  const Real x4060 = x924 - x3753 * x3928 - x3940 * x3980;
+  const Real x4065 = x924 - x3753 * x3928 - x3940 * x3985;
   const Real x3836 = x532 * x3010 + x3834 + x1472 * x3011;
   const Real x3837 = x1521 * x3012 + x3836;
-  const Real x3983 = x3821 - x3805 * x3926;
+  const Real x3988 = x3821 - x3805 * x3926;
   const Real x3184 = x3182 - x1832 * x2991 + x1708 * x2996;
   const Real x3239 = x3237 - x3025 * x3039 + x3026 * x3054;
-  const Real x4124 = x3964 * (x4060 - x3954 * x4010);
-  const Real x4022 = x3891 - x3855 * x3927 - x3939 * x3986;
+  const Real x4129 = x3964 * (x4065 - x3954 * x4015);
+  const Real x4027 = x3891 - x3855 * x3927 - x3939 * x3991;
   const Real x3203 = x3201 - x1832 * x3005 + x1708 * x3010;
   const Real x3257 = x3255 - x3025 * x3045 + x3026 * x3058;
   const Real x3167 = x1461 * x2983 + x3165 + x1296 * x2984;
   const Real x3261 = x3027 * x3066 + x3221 + x3028 * x3094 + x3167;
-  const Real x4016 = x3837 - x3805 * x3927 - x3939 * x3983;
+  const Real x4021 = x3837 - x3805 * x3927 - x3939 * x3988;
   const Real x3186 = x1461 * x2997 + x3184 + x1296 * x2998;
-  const Real x4140 = x3953 * x4010 - x3954 * x4124;
+  const Real x4145 = x3953 * x4015 - x3954 * x4129;
   const Real x3205 = x1461 * x3011 + x3203 + x1296 * x3012;
   const Real x3262 = x3027 * x3074 + x3239 + x3028 * x3097 + x3186;
-  const Real x3992 = x3262 - x3261 * x3926;
-  const Real x4080 = x3855 * x3928 + x3940 * x3986 + x3954 * x4022;
-  const Real x4127 = x3964 * x4080;
+  const Real x3997 = x3262 - x3261 * x3926;
+  const Real x4085 = x3855 * x3928 + x3940 * x3991 + x3954 * x4027;
+  const Real x4132 = x3964 * x4085;
   const Real x3263 = x3027 * x3082 + x3257 + x3028 * x3100 + x3205;
-  const Real x4170 = x3938 * x3980 - x3940 * x4124 - x3939 * x4140;
-  const Real x4070 = x3805 * x3928 + x3940 * x3983 + x3954 * x4016;
-  const Real x4125 = x3964 * x4070;
-  const Real x4034 = x3263 - x3261 * x3927 - x3939 * x3992;
-  const Real x4146 = x3953 * x4022 + x3954 * x4127;
-  const Real x4098 = x508 - tau[11] + x924 * x2816 - x3261 * x3928;
-  const Real x4220 = x3753 * x3925 - x3928 * x4124 - x3927 * x4140;
-  const Real x4221 = x4220 - x3926 * x4170;
-  const Real x4143 = x3953 * x4016 + x3954 * x4125;
-  const Real x4182 = x3938 * x3986 + x3940 * x4127 - x3939 * x4146;
-  const Real x4131 = x3964 * (x4098 - x3940 * x3992 - x3954 * x4034);
-  const Real x4382 = x3789 * x4140 + x924 * x4124 + x3771 * x4170;
-  const Real x4176 = x3938 * x3983 + x3940 * x4125 - x3939 * x4143;
+  const Real x4175 = x3938 * x3985 - x3940 * x4129 - x3939 * x4145;
+  const Real x4075 = x3805 * x3928 + x3940 * x3988 + x3954 * x4021;
+  const Real x4130 = x3964 * x4075;
+  const Real x4039 = x3263 - x3261 * x3927 - x3939 * x3997;
+  const Real x4151 = x3953 * x4027 + x3954 * x4132;
+  const Real x4103 = x508 - tau[11] + x924 * x2816 - x3261 * x3928;
+  const Real x4225 = x3753 * x3925 - x3928 * x4129 - x3927 * x4145;
+  const Real x4226 = x4225 - x3926 * x4175;
+  const Real x4148 = x3953 * x4021 + x3954 * x4130;
+  const Real x4187 = x3938 * x3991 + x3940 * x4132 - x3939 * x4151;
+  const Real x4136 = x3964 * (x4103 - x3940 * x3997 - x3954 * x4039);
+  const Real x4387 = x3789 * x4145 + x924 * x4129 + x3771 * x4175;
+  const Real x4181 = x3938 * x3988 + x3940 * x4130 - x3939 * x4148;
   // joint 2 "ankle_pitch": inertia and bias force of what is beyond, its own motion left open
   const Real x2088 = x1827 - 0.4 * (x2043 - x1850) + x1698;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Real x4238 = x3855 * x3925 + x3928 * x4127 - x3927 * x4146;
-  const Real x4239 = x4238 - x3926 * x4182;
+  const Real x4243 = x3855 * x3925 + x3928 * x4132 - x3927 * x4151;
+  const Real x4244 = x4243 - x3926 * x4187;
   const Real x3310 = x1327 * x2663 + x1110 * x2750 + x1084 * x2816;
-  const Real x4152 = x3953 * x4034 - x3954 * x4131;
-  const Real x4517 = x2088 - (x3753 * x4221 + x4382) + 0.18885420000000003;
-  require_more(w, x4517, 0.0, kFactorization, 1);
-  const Real x4229 = x3805 * x3925 + x3928 * x4125 - x3927 * x4143;
-  const Real x4230 = x4229 - x3926 * x4176;
-  const Real x4400 = x3789 * x4146 - x924 * x4127 + x3771 * x4182;
+  const Real x4157 = x3953 * x4039 - x3954 * x4136;
+  const Real x4522 = x2088 - (x3753 * x4226 + x4387) + 0.18885420000000003;
+  require_more(w, x4522, 0.0, kFactorization, 1);
+  const Real x4234 = x3805 * x3925 + x3928 * x4130 - x3927 * x4148;
+  const Real x4235 = x4234 - x3926 * x4181;
+  const Real x4405 = x3789 * x4151 - x924 * x4132 + x3771 * x4187;
   const Real x3312 = x1140 * x2817 + x3310 + x1509 * x2969;
-  const Real x4194 = x3938 * x3992 - x3940 * x4131 - x3939 * x4152;
-  const Real x4391 = x3789 * x4143 - x924 * x4125 + x3771 * x4176;
-  const Real x4460 = x1693 - x1845 + (x3753 * x4230 + x4391);
-  const Real x4462 = x1236 + x1635 + x2043 - (x3753 * x4239 + x4400);
-  const Real x4518 = -0.7000000000000001 + x4462;
+  const Real x4199 = x3938 * x3997 - x3940 * x4136 - x3939 * x4157;
+  const Real x4396 = x3789 * x4148 - x924 * x4130 + x3771 * x4181;
+  const Real x4465 = x1693 - x1845 + (x3753 * x4235 + x4396);
+  const Real x4467 = x1236 + x1635 + x2043 - (x3753 * x4244 + x4405);
+  const Real x4523 = -0.7000000000000001 + x4467;
   const Real x3314 = x1854 * x3025 + x3312 - x1867 * x3026;
   const Real x3326 = x1071 * x2816 + x1095 * x2750 + x1122 * x2817;
   const Real x3344 = x1075 * x2816 + x1098 * x2750 - x1127 * x2817;
-  const Real x4256 = x3261 * x3925 - x3928 * x4131 - x3927 * x4152;
-  const Real x4257 = x4256 - x3926 * x4194;
-  const Real x4416 = x3821 * x4176 + x3837 * x4143 + x3805 * x4230;
-  const Real x4434 = x3873 * x4182 + x3891 * x4146 + x3855 * x4239;
+  const Real x4261 = x3261 * x3925 - x3928 * x4136 - x3927 * x4157;
+  const Real x4262 = x4261 - x3926 * x4199;
+  const Real x4421 = x3821 * x4181 + x3837 * x4148 + x3805 * x4235;
+  const Real x4439 = x3873 * x4187 + x3891 * x4151 + x3855 * x4244;
   // joint 1 "knee": articulated-body inertia and bias force through it
-  const Real x4526 = 1 / x4517;
+  const Real x4531 = 1 / x4522;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Real x3328 = x1495 * x2969 + x3326 + x1845 * x3025;
   const Real x3346 = x1498 * x2969 + x3344 - x1850 * x3025;
   const Real x3316 = x1484 * x3027 + x3314 + x1538 * x3028;
-  const Real x4485 = x3789 * x4152 + x924 * x4131 + x3771 * x4194;
+  const Real x4490 = x3789 * x4157 + x924 * x4136 + x3771 * x4199;
   const Real x3363 = x1814 - 0.4 * x2071 + x1703 + x3316;
   const Real x3330 = x532 * x3026 + x3328 + x1472 * x3027;
   const Real x3348 = x536 * x3026 + x3346 + x1476 * x3027;
   // joint 2 "ankle_pitch": inertia and bias force of what is beyond, its own motion left open
   const Real x2094 = cosine[2] * x1829 - sine[2] * x1830 + x1704;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Real x4491 = x3821 * x4194 + x3837 * x4152 + x3805 * x4257;
+  const Real x4496 = x3821 * x4199 + x3837 * x4157 + x3805 * x4262;
   const Real x3365 = x1279 + x1676 + x2071 + (x3348 - x1526 * x3028);
-  const Real x4496 = x3873 * x4194 + x3891 * x4152 + x3855 * x4257;
-  const Real x4511 = x1521 * x3028 + x3330 + x2094 - x4491;
+  const Real x4501 = x3873 * x4199 + x3891 * x4157 + x3855 * x4262;
+  const Real x4516 = x1521 * x3028 + x3330 + x2094 - x4496;
   const Real x3597 = 2.7e-06 * (x2634 * x2634) + 0.00264635 * (x2702 * x2702);
   const Real x3614 = 2.7e-06 * (x2643 * x2643) + 0.00264635 * (x2722 * x2722);
   // joint 1 "knee": articulated-body inertia and bias force through it
-  const Real x4531 = x4460 * x4526;
-  const Real x4533 = x4518 * x4526;
-  const Real x4567 = 1.85 - x4416 + 3.5 - x4460 * x4531;
+  const Real x4536 = x4465 * x4531;
+  const Real x4538 = x4523 * x4531;
+  const Real x4572 = 1.85 - x4421 + 3.5 - x4465 * x4536;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Real x4422 = x3821 * x4182 + x3837 * x4146 + x3805 * x4239;
+  const Real x4427 = x3821 * x4187 + x3837 * x4151 + x3805 * x4244;
   // joint 1 "knee": articulated-body inertia and bias force through it
-  const Real x4639 = x4567 - (1.85 - x4434 + 3.5 - x4518 * x4533);
+  const Real x4644 = x4572 - (1.85 - x4439 + 3.5 - x4523 * x4538);
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Real x4522 = x3363 - (x3753 * x4257 + x4485) + x32 * 0.7000000000000001;
+  const Real x4527 = x3363 - (x3753 * x4262 + x4490) + x32 * 0.7000000000000001;
   // joint 1 "knee": articulated-body inertia and bias force through it
-  const Real x4641 = (x4460 * x4533 - x4422) * (sine[1] * 2.0);
-  const Real x4528 = x4526 * (tau[1] - x4522);
+  const Real x4646 = (x4465 * x4538 - x4427) * (sine[1] * 2.0);
+  const Real x4533 = x4531 * (tau[1] - x4527);
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
-  const Real x4523 = x27 * 3.5 + x36 * 0.7000000000000001 + x4511;
+  const Real x4528 = x27 * 3.5 + x36 * 0.7000000000000001 + x4516;
   // joint 1 "knee": articulated-body inertia and bias force through it
-  const Real x4592 = x3365 - x4496 - x32 * 3.5 + x4518 * x4528;
-  const Real x4658 = 0.4 * (x4567 - cosine[1] * (cosine[1] * x4639 - x4641));
-  const Real x4701 = 0.32735000000000003 + 0.4 * x4658;
-  require_more(w, x4701, 0.0, kFactorization, 0);
+  const Real x4597 = x3365 - x4501 - x32 * 3.5 + x4523 * x4533;
+  const Real x4663 = 0.4 * (x4572 - cosine[1] * (cosine[1] * x4644 - x4646));
+  const Real x4706 = 0.32735000000000003 + 0.4 * x4663;
+  require_more(w, x4706, 0.0, kFactorization, 0);
   // directions in which a loop holds its two links
   const Real x558 = -0.25 - (cosine[4] * x541 + sine[4] * x547);
   const Real x560 = x532 + x533 + -0.4 - x558;
@@ -1473,16 +1474,16 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x3602 = 0.003308333 * (x2996 * x2996) + x3601;
   const Real x3619 = 0.003308333 * (x3010 * x3010) + x3618;
   // joint 1 "knee": articulated-body inertia and bias force through it
-  const Real x4691 = sine[1] * (x4523 - x4460 * x4528) + cosine[1] * x4592;
+  const Real x4696 = sine[1] * (x4528 - x4465 * x4533) + cosine[1] * x4597;
   // joint 0 "hip": articulated-body inertia and bias force through it
-  const Real x4711 = tau[0] - (tau[1] - 0.4 * x4691 + x9 * 1.2000000000000002);
-  const Real x4712 = 1 / x4701 * x4711;
-  w.result[0] = x4712;
+  const Real x4716 = tau[0] - (tau[1] - 0.4 * x4696 + x9 * 1.2000000000000002);
+  const Real x4717 = 1 / x4706 * x4716;
+  w.result[0] = x4717;
   // joint 1 "knee": its acceleration, and that of the link beyond
-  const Real x4722 = 0.4 * x4712;
-  const Real x4724 = sine[1] * x4722;
-  const Real x4726 = cosine[1] * x4722;
-  const Real x4733 = x4528 - x4531 * x4724 + x4533 * x4726;
+  const Real x4727 = 0.4 * x4717;
+  const Real x4729 = sine[1] * x4727;
+  const Real x4731 = cosine[1] * x4727;
+  const Real x4738 = x4533 - x4536 * x4729 + x4538 * x4731;
   // directions in which a loop holds its two links
   const Real x580 = v[7] * v[7] + x574 + x572 + x80 + 1.0;
   const Real x567 = x561 * x561 + x562 * x562 + x560 * x560;
@@ -1498,6 +1499,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x3603 = x1455 * (x2997 * x2997) + x3602;
   const Real x3620 = x1455 * (x3011 * x3011) + x3619;
   const Real x3586 = x1455 * (x2983 * x2983) + x3585;
+  const Real x3587 = 0.00112635 * (x2984 * x2984) + x3586;
+  const Real x3969 = 0.00112635 * (x2998 * x2998) + x3603 + x3461;
+  const Real x3972 = 0.00112635 * (x3012 * x3012) + x3620 + x3537;
   const Real x2124 = x2103 * x2103 + x2113 * x2113 + x2119 * x2119;
   const Real x2125 = x580 * 1.0000000000000002e-06 - x2124;
   require_more(w, x2125, 0.0, kLoopTorn, 8);
@@ -1514,52 +1518,58 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   require_more(w, x2531, 9.999999999999998e-15, kLoopSingular, 9);
   const Real x2533 = x2488 * x2488;
   require_more(w, x2533, 9.999999999999998e-15, kLoopSingular, 9);
-  const Real x3966 = (0.00112635 * (x2984 * x2984) + x3586) * 1.7763568394002505e-15;
+  const Real x3966 = x3587 * 1.7763568394002505e-15;
   require_more(w, x3385, x3966, kLoopFree, 2);
-  const Real x3968 = 1.7763568394002505e-15 * (0.00112635 * (x2998 * x2998) + x3603 + x3461);
-  require_more(w, x3931, x3968, kLoopFree, 3);
-  const Real x3970 = 1.7763568394002505e-15 * (0.00112635 * (x3012 * x3012) + x3620 + x3537);
-  require_more(w, x3946, x3970, kLoopFree, 4);
+  const Real x3968 = x3587 * 1e-08;
+  require_more(w, x3385, x3968, kLoopSingular, 2);
+  const Real x3970 = 1.7763568394002505e-15 * x3969;
+  require_more(w, x3931, x3970, kLoopFree, 3);
+  const Real x3971 = 1e-08 * x3969;
+  require_more(w, x3931, x3971, kLoopSingular, 3);
+  const Real x3973 = 1.7763568394002505e-15 * x3972;
+  require_more(w, x3946, x3973, kLoopFree, 4);
+  const Real x3974 = 1e-08 * x3972;
+  require_more(w, x3946, x3974, kLoopSingular, 4);
   // joint 1 "knee": its acceleration, and that of the link beyond
-  const Real x4734 = x4733 - x4712;
-  w.result[1] = x4734;
+  const Real x4739 = x4738 - x4717;
+  w.result[1] = x4739;
   // link 2 "shank": accelerations and constraint forces of loops below it
-  const Real x4742 = x4230 * x4724 + x4239 * x4726 - x4221 * x4733;
-  const Real x4769 = x4742 - x4257;
-  const Real x4750 = x4176 * x4724 + x4182 * x4726 - x4170 * x4733;
-  const Real x4770 = x4750 - x4194;
-  const Real x4758 = x4143 * x4724 + x4146 * x4726 - x4140 * x4733;
-  const Real x4771 = x4758 - x4152;
-  const Real x4767 = x4125 * x4724 + x4127 * x4726 + x4124 * x4733;
-  const Real x4782 = x2977 * x4769 + x2991 * x4770 + x3005 * x4771;
-  const Real x4829 = x3025 - x4782;
-  w.result[2] = x4829;
-  const Real x4788 = x2982 * x4769 + x2996 * x4770 + x3010 * x4771;
-  const Real x4830 = x3026 + x4788;
-  w.result[3] = x4830;
-  const Real x4793 = x2983 * x4769 + x2997 * x4770 + x3011 * x4771;
-  const Real x4831 = x3027 + x4793;
-  w.result[4] = x4831;
-  const Real x4798 = x2901 * x4769 + x2924 * x4770 + x2947 * x4771;
-  const Real x4832 = x2969 + x4798;
-  w.result[5] = x4832;
-  const Real x4803 = x2984 * x4769 + x2998 * x4770 + x3012 * x4771;
-  const Real x4833 = x3028 + x4803;
-  w.result[6] = x4833;
-  const Real x4812 = x2625 * x4769 + x2634 * x4770 + x2643 * x4771;
-  const Real x4834 = x2663 - x4812;
-  w.result[7] = x4834;
-  const Real x4818 = x2766 * x4769 + x2782 * x4770 + x2798 * x4771;
-  const Real x4835 = x2816 + x4818;
-  w.result[8] = x4835;
-  const Real x4823 = x2682 * x4769 + x2702 * x4770 + x2722 * x4771;
-  const Real x4836 = x2750 + x4823;
-  w.result[9] = x4836;
-  const Real x4828 = x2767 * x4769 + x2783 * x4770 + x2799 * x4771;
-  const Real x4837 = x2817 + x4828;
-  w.result[10] = x4837;
-  const Real x4773 = -(x4131 + x4767);
-  w.result[11] = x4773;
+  const Real x4747 = x4235 * x4729 + x4244 * x4731 - x4226 * x4738;
+  const Real x4774 = x4747 - x4262;
+  const Real x4755 = x4181 * x4729 + x4187 * x4731 - x4175 * x4738;
+  const Real x4775 = x4755 - x4199;
+  const Real x4763 = x4148 * x4729 + x4151 * x4731 - x4145 * x4738;
+  const Real x4776 = x4763 - x4157;
+  const Real x4772 = x4130 * x4729 + x4132 * x4731 + x4129 * x4738;
+  const Real x4787 = x2977 * x4774 + x2991 * x4775 + x3005 * x4776;
+  const Real x4834 = x3025 - x4787;
+  w.result[2] = x4834;
+  const Real x4793 = x2982 * x4774 + x2996 * x4775 + x3010 * x4776;
+  const Real x4835 = x3026 + x4793;
+  w.result[3] = x4835;
+  const Real x4798 = x2983 * x4774 + x2997 * x4775 + x3011 * x4776;
+  const Real x4836 = x3027 + x4798;
+  w.result[4] = x4836;
+  const Real x4803 = x2901 * x4774 + x2924 * x4775 + x2947 * x4776;
+  const Real x4837 = x2969 + x4803;
+  w.result[5] = x4837;
+  const Real x4808 = x2984 * x4774 + x2998 * x4775 + x3012 * x4776;
+  const Real x4838 = x3028 + x4808;
+  w.result[6] = x4838;
+  const Real x4817 = x2625 * x4774 + x2634 * x4775 + x2643 * x4776;
+  const Real x4839 = x2663 - x4817;
+  w.result[7] = x4839;
+  const Real x4823 = x2766 * x4774 + x2782 * x4775 + x2798 * x4776;
+  const Real x4840 = x2816 + x4823;
+  w.result[8] = x4840;
+  const Real x4828 = x2682 * x4774 + x2702 * x4775 + x2722 * x4776;
+  const Real x4841 = x2750 + x4828;
+  w.result[9] = x4841;
+  const Real x4833 = x2767 * x4774 + x2783 * x4775 + x2799 * x4776;
+  const Real x4842 = x2817 + x4833;
+  w.result[10] = x4842;
+  const Real x4778 = -(x4136 + x4772);
+  w.result[11] = x4778;
 }
 
 // ---- processes ----------------------------------------------------------------------------------

@@ -114,7 +114,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x222 = cosine[1] * x27 + sine[1] * (x32 + x36 * 0.25);
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x259 = 1 / x178;
-  const Real x311 = x234 * 1.7763568394002505e-15;
+  const Real x311 = x234 * 1e-08;
   const Real x260 = x198 * x259;
   const Real x262 = (x32 + x36 * 0.5 - x176) * x259;
   const Real x249 = v[1] * 0.5 + v[0] * x197 - v[2] * x163;
@@ -146,7 +146,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x307 = (x76 + tau[1]) * x272 - x298 - x242;
   const Real x294 = x260 * x286 - x272 * x287 + x234;
   const Real x295 = x294 - x193 * x272;
-  require_more(w, x295, x311, kLoopFree, 0);
+  require_more(w, x295, x311, kSingularPose, 0);
   const Real x312 = (x307 - (x273 * x287 + x262 * x286)) * (1 / x295);
   const Real x313 = -x312;
   w.result[0] = x313;
@@ -158,7 +158,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
 }
 
 // =================================================================================================
-// Process 0 in a singular pose: 126 products, 79 sums, 5 quotients
+// Process 0 in a singular pose: 127 products, 79 sums, 5 quotients
 // =================================================================================================
 
 ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
@@ -257,18 +257,21 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x375 = x242 * x344 + (x76 + tau[1]) * x348;
   const Real x389 = x344 * x364 + x348 * x367 + x349 * x368;
   const Real x396 = x234 * (x344 * x344) + 0.0834083 * (x348 * x348);
+  const Real x397 = 0.042726700000000006 * (x349 * x349) + x396;
   const Real x383 = x359 * x364 + x360 * x367 + x361 * x368;
-  const Real x400 = (0.042726700000000006 * (x349 * x349) + x396) * 1.7763568394002505e-15;
+  const Real x400 = x397 * 1.7763568394002505e-15;
   require_more(w, x389, x400, kLoopFree, 0);
+  const Real x402 = x397 * 1e-08;
+  require_more(w, x389, x402, kLoopSingular, 0);
   const Real x384 = x383 - ((x44 * 0.16000000000000003 + tau[2]) * x349 + x375);
-  const Real x401 = x384 * (1 / x389);
+  const Real x403 = x384 * (1 / x389);
   // link 0 "ground": accelerations and constraint forces of loops below it
-  const Real x409 = x359 - x344 * x401;
-  w.result[0] = x409;
-  const Real x410 = x360 - x348 * x401;
-  w.result[1] = x410;
-  const Real x411 = x361 - x349 * x401;
-  w.result[2] = x411;
+  const Real x411 = x359 - x344 * x403;
+  w.result[0] = x411;
+  const Real x412 = x360 - x348 * x403;
+  w.result[1] = x412;
+  const Real x413 = x361 - x349 * x403;
+  w.result[2] = x413;
 }
 
 // ---- processes ----------------------------------------------------------------------------------
