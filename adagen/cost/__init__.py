@@ -1,7 +1,7 @@
 """What a program takes on a machine: the one price that is searched by, drawn and printed."""
 
 from adagen.cost.features import Features, operation_features, step_features
-from adagen.cost.lanes import programmed
+from adagen.cost.lanes import programmed, with_recovery
 from adagen.cost.play import Exchange, Interval, Timeline, timeline
 
 __all__ = [
@@ -13,4 +13,5 @@ __all__ = [
     "programmed",
     "step_features",
     "timeline",
+    "with_recovery",
 ]

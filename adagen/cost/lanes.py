@@ -44,10 +44,23 @@ def programmed(
     if shape == LOOPS:
         limbs = tuple(chosen_limbs(plan, process, costs) for process in plan.processes)
         return lower(plan, shape, limbs=limbs, costs=costs, again=again)
-    found = lower(plan, shape, limbs=chosen_grouping(plan, costs), costs=costs)
-    if any(process.recovery for process in plan.processes):
-        return replace(found, recovering=chosen_grouping(plan.recovering(), costs))
-    return found
+    return lower(plan, shape, limbs=chosen_grouping(plan, costs), costs=costs)
+
+
+@lru_cache(maxsize=4)
+def with_recovery(program: Program, profile: CostProfile | None = None) -> Program:
+    """Return a program with the limbs side by side in what is done instead, if anything is.
+
+    No price depends on these: they are chosen for what is emitted alone.
+
+    Args:
+        program: the program.
+        profile: prices limbs; the shipped one where it prices joins alone, or none is given.
+    """
+    plan = program.plan
+    if program.shape != "unrolled" or not any(process.recovery for process in plan.processes):
+        return program
+    return replace(program, recovering=chosen_grouping(plan.recovering(), step_costs(profile)))
 
 
 def chosen_limbs(plan: Plan, process: Process, costs: StepCosts) -> tuple[Limbs, ...]:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from adagen import __version__
-from adagen.cost import programmed
+from adagen.cost import programmed, with_recovery
 from adagen.emit.around import PROGRAM_FILE, options_of, program_text, standalone
 from adagen.emit.combinations import check_batch, check_certified, check_reproducible
 from adagen.emit.embedded import check_target, embedded_values
@@ -175,7 +175,9 @@ def program_of(
     plan = to_be_refined(plan, shape, refine, residual) if refine else plan
     if limbs is not None and not batch:
         return lower(plan, shape, limbs=limbs, costs=step_costs(profile))
-    return programmed(plan, shape, profile, batch=batch, again=refine > 0 and not plan.corrections)
+    again = refine > 0 and not plan.corrections
+    program = programmed(plan, shape, profile, batch=batch, again=again)
+    return program if batch else with_recovery(program, profile)
 
 
 def source(plan: Plan, stem: str, shape: str = "auto") -> str:

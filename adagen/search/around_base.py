@@ -44,9 +44,11 @@ def reproducible_schedule(
     alone = alone_schedule(model, processes, profile)
     if not _may_share(model, processes, profile):
         return alone
+    layouts, weights = _layouts(model, alone, scalar)
     return cheapest_of(
         alone,
-        _layouts(model, alone, scalar),
+        layouts,
+        weights,
         profile,
         lambda schedule: make_plan(model, schedule, scalar=scalar, reproducible=True),
     )
@@ -72,9 +74,11 @@ def certified_schedule(
     plan = certified(make_plan(model, alone, scalar=scalar))  # or it is refused for all layouts
     if plan.closed or not _may_share(model, processes, profile):
         return alone
+    layouts, weights = certified_layouts(model, plan.joints, alone, scalar)
     return cheapest_of(
         alone,
-        certified_layouts(model, plan.joints, alone, scalar),
+        layouts,
+        weights,
         profile,
         lambda schedule: certified(make_plan(model, schedule, scalar=scalar)),
         shape,
@@ -83,16 +87,20 @@ def certified_schedule(
 
 def certified_layouts(
     model: Model, joints: Sequence[PlanJoint], alone: Schedule, scalar: str = "double"
-) -> Iterator[Gathered]:
-    """Yield layouts in which process 0 adds up the links that processes share.
+) -> tuple[Iterator[Gathered], Sequence[float]]:
+    """Return layouts in which process 0 adds up the links that processes share.
 
     Args:
         model: the robot.
         joints: its plan's.
         alone: the schedule in which one process does everything.
         scalar: "double" or "float".
+
+    Returns:
+        The layouts, and the weights of joints by which they are shared out.
     """
-    return (_led(joints, gathered) for gathered in _layouts(model, alone, scalar))
+    layouts, weights = _layouts(model, alone, scalar)
+    return (_led(joints, gathered) for gathered in layouts), weights
 
 
 def alone_schedule(model: Model, processes: int, profile: CostProfile) -> Schedule:
@@ -108,14 +116,16 @@ def _may_share(model: Model, processes: int, profile: CostProfile) -> bool:
     return processes > 1 and profile.steps is not None and can_gather(model)
 
 
-def _layouts(model: Model, alone: Schedule, scalar: str) -> Iterator[Gathered]:
-    """Yield how limbs of the base are distributed among the processes of a schedule."""
+def _layouts(
+    model: Model, alone: Schedule, scalar: str
+) -> tuple[Iterator[Gathered], Sequence[float]]:
+    """Return how limbs of the base may be distributed among the processes, and joints' weights."""
     plan = make_plan(model, alone, scalar=scalar, reproducible=True)
     trees = moving_trees(plan.joints)
     roots = [0 if tree.base is None else tree.base + 1 for tree in trees]
     line = line_of(serial_plan(plan))
     weights = joint_weights(line.plan.processes[0], line.machine)
-    return layouts_at(plan.joints, roots, weights, alone.processes)
+    return layouts_at(plan.joints, roots, weights, alone.processes), weights
 
 
 def _led(joints: Sequence[PlanJoint], gathered: Gathered) -> Gathered:

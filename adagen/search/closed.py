@@ -49,16 +49,24 @@ def closed_schedule(
     if processes == 1 or profile.steps is None or not can_gather(model):
         return alone
     plan = make_plan(model, alone, scalar=scalar)
-    layouts = _layouts(model, plan, processes)
+    layouts, weights = _layouts(model, plan, processes)
     return cheapest_of(
-        alone, layouts, profile, lambda schedule: make_plan(model, schedule, scalar=scalar)
+        alone, layouts, weights, profile, lambda schedule: make_plan(model, schedule, scalar=scalar)
     )
 
 
-def _layouts(model: Model, plan: Plan, processes: int) -> Iterator[Gathered]:
-    """Yield layouts around bases, and around the middle of the heaviest tree."""
+def _layouts(
+    model: Model, plan: Plan, processes: int
+) -> tuple[Iterator[Gathered], Sequence[float]]:
+    """Return layouts around bases, and around the middle of the heaviest tree; joints' weights."""
     (simulated, *_) = simulate(plan)
     weights = joint_weights(plan.processes[0], simulated.machine)
+    return _around_roots(model, plan, processes, weights), weights
+
+
+def _around_roots(
+    model: Model, plan: Plan, processes: int, weights: Sequence[float]
+) -> Iterator[Gathered]:
     closures = early_closures_of(model) or apart_closures_of(model) or closures_of(model)
     trees = moving_trees(plan.joints)
     if any(closure.apart for closure in closures):

@@ -20,11 +20,16 @@ from adagen.schedule.tree import Gathered
 
 _OPENED = 6
 """Limbs that are opened one after the other."""
+_NUMBERS_PLAYED = 250_000
+"""Numbers that the layouts which are played compute on one process, all together."""
+_LEAST_PLAYED = 8
+"""Layouts that are played, however long they are."""
 
 
 def cheapest_of(
     alone: Schedule,
     layouts: Iterable[Gathered],
+    weights: Sequence[float],
     profile: CostProfile,
     make: Callable[[Schedule], Plan],
     shape: str = "unrolled",
@@ -34,6 +39,7 @@ def cheapest_of(
     Args:
         alone: that schedule.
         layouts: where processes gather instead; those that cannot be had are passed over.
+        weights: of joints, numbers that are computed for them (``joint_weights``).
         profile: has costs of steps.
         make: makes the plan of a schedule, or raises an AdagenError where that cannot be had.
         shape: of the code (``priced_program``).
@@ -41,7 +47,7 @@ def cheapest_of(
     costs = profile.steps
     assert costs is not None
     tried = [_played(alone, profile, make, shape)]
-    for gathered in dict.fromkeys(layouts):
+    for gathered in _promising(layouts, weights):
         found = replace(alone, meeting="gather", gathered=gathered)
         with suppress(AdagenError):  # it would divide a closure, or is not certified
             tried.append(_played(found, profile, make, shape))
@@ -55,6 +61,26 @@ def cheapest_of(
         families=("alone", "gathered"),
         candidates=len(tried),
     )
+
+
+def _promising(layouts: Iterable[Gathered], weights: Sequence[float]) -> list[Gathered]:
+    """Return the layouts that are played: the busiest process of the first computes least.
+
+    All are, but for robots whose straight lines are so long that each takes seconds.
+    """
+    most = max(_LEAST_PLAYED, int(_NUMBERS_PLAYED / sum(weights)))
+    return sorted(dict.fromkeys(layouts), key=lambda each: _busiest(each, weights))[:most]
+
+
+def _busiest(layout: Gathered, weights: Sequence[float]) -> float:
+    """The numbers that the process computes which has most, those of the core included."""
+    core, shares = 0.0, dict.fromkeys(layout.owners, 0.0)
+    for owner, weight in zip(layout.owners, weights, strict=True):
+        if owner is None:
+            core += weight
+        else:
+            shares[owner] += weight
+    return core + max(shares.values())
 
 
 def _played(

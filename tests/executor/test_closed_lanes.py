@@ -251,7 +251,8 @@ def test_lanes_of_processes_that_meet_away_from_the_base() -> None:
 
 def layouts(model: Model, processes: int) -> list[Gathered]:
     """Return where processes may gather, and who may have what."""
-    return list(_layouts(model, plan_of(model), processes))
+    found, _ = _layouts(model, plan_of(model), processes)
+    return list(found)
 
 
 def swept_back(model: Model, schedule: Schedule, layout: Gathered) -> set[Articulate]:

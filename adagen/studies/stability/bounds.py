@@ -83,7 +83,8 @@ def certified_plan(model: Model, scalar: str = "double", processes: int = 1) -> 
     plan = certified(make_plan(model, alone, scalar=scalar))
     if processes == 1:
         return plan
-    for gathered in certified_layouts(model, plan.joints, alone, scalar):
+    layouts, _ = certified_layouts(model, plan.joints, alone, scalar)
+    for gathered in layouts:
         shared = replace(alone, meeting="gather", gathered=gathered)
         with suppress(AdagenError):
             plan = certified(make_plan(model, shared, scalar=scalar, channel="threads"))
