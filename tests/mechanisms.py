@@ -71,6 +71,13 @@ def four_bar(
     return with_loops(model, (NamedLoop("pin", kind, end, pin, (0.0, 1.0, 0.0)),))
 
 
+def truss() -> Model:
+    """Return two bars pinned to each other and to the ground: nothing moves."""
+    model = planar_chain(0.5, 0.4)
+    end, pin = LoopEnd("p1_link", (0.4, 0.0, 0.0)), LoopEnd(model.links[0].name, (0.6, 0.0, 0.0))
+    return with_loops(model, (NamedLoop("pin", "revolute", end, pin, (0.0, 1.0, 0.0)),))
+
+
 def gripping(*, floating: bool = False) -> Model:
     """Return a four-bar linkage beside two fingers, one of which mimics the other."""
     finger, axis = rod(0.1, vector(0.1, 0, 0)), vector(1.0, 0.0, 2.0)

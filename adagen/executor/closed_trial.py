@@ -11,6 +11,7 @@ from adagen.executor.solve import interpret
 from adagen.executor.trial import Trial
 from adagen.graph import BALLS, DOUBLE, FLOAT
 from adagen.model import Model
+from adagen.plan.closure_steps import nothing_moves
 from adagen.plan.types import Plan
 from adagen.reference.closed import closed_states
 
@@ -21,7 +22,8 @@ BITS = (256, 1024, 4096)
 def tried_closed(model: Model, plan: Plan) -> Trial:
     """Return what a plan loses in states in which the robot's loops are closed.
 
-    It is carried out in the plan's scalar and in many bits. Singular poses are left out.
+    It is carried out in the plan's scalar and in many bits. Singular poses are left out. Where no
+    joint can move, nothing is lost.
 
     Args:
         model: the robot.
@@ -30,6 +32,8 @@ def tried_closed(model: Model, plan: Plan) -> Trial:
     Raises:
         FloatingPointError: no state can be solved; the message names what fails.
     """
+    if nothing_moves(plan):
+        return Trial(0.0, 0)
     rng = np.random.default_rng(1)
     algebra = FLOAT if plan.scalar == "float" else DOUBLE
     worst, failed = None, None

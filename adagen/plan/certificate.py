@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 from adagen.errors import UsageError
 from adagen.model.kinds import KINDS
+from adagen.plan.closure_steps import nothing_moves
 from adagen.plan.steps import (
     Accelerate,
     Articulate,
@@ -78,6 +79,8 @@ def why_not(plan: Plan) -> str | None:
     for joint in plan.joints:
         if joint.prescribed:
             return f'the motion of joint "{joint.name}" is prescribed'
+    if nothing_moves(plan):
+        return "its loops let no joint move: all accelerations are zero, and have no relative error"
     if plan.closed and (plan.wanted or plan.outputs):
         return "a scene wants other outputs than all accelerations of closed loops"
     steps = [s for each in plan.alternatives for process in each.processes for s in process.steps]

@@ -62,6 +62,13 @@ def closures_in(steps: Iterable[Step]) -> dict[int, ClosureSteps]:
     return found
 
 
+def nothing_moves(plan: Plan) -> bool:
+    """Return whether closures leave no joint any freedom, as those of a truss."""
+    steps = [step for process in plan.processes for step in process.steps]
+    rows = sum(len(one.eliminate.rows) for one in closures_in(steps).values())
+    return plan.closed and rows == plan.nv
+
+
 def is_rigid(plan: Plan, j: int, held: Collection[int]) -> bool:
     """Return whether all beyond a joint is held back, and so is passed as if it were rigid."""
     return all(c in held and is_rigid(plan, c, held) for c in plan.children[j + 1])

@@ -32,7 +32,7 @@ from tests.executor.test_arms import CASES as ARMS
 from tests.executor.test_arms import arms_of
 from tests.executor.test_closed_lanes import linkages as limbs_with_loops
 from tests.executor.test_closures import plan_of
-from tests.mechanisms import four_bar, geared, quadruped, slider_crank, states_of
+from tests.mechanisms import four_bar, geared, quadruped, slider_crank, states_of, truss
 
 Array = NDArray[np.float64]
 State = tuple[Array, Array, Array]
@@ -182,3 +182,5 @@ def test_what_is_not_certified_is_refused() -> None:
         certified(plan_of(linkages.ring(12)))
     with pytest.raises(UsageError, match="other outputs than all accelerations of closed loops"):
         certified(plan_of(replace(four_bar(), wanted=(0,))))
+    with pytest.raises(UsageError, match="its loops let no joint move"):
+        certified(plan_of(truss()))

@@ -25,6 +25,7 @@ from adagen.model import (
     NamedLoop,
 )
 from adagen.plan import Plan, closures, make_plan, plan_from_json, plan_to_json
+from adagen.plan.closure_steps import nothing_moves
 from adagen.plan.steps import CarryRows, Eliminate, HoldBack
 from adagen.program import check
 from adagen.program.lower import lower
@@ -43,6 +44,7 @@ from tests.mechanisms import (
     planar_chain,
     standing,
     states_of,
+    truss,
     with_loops,
 )
 from tests.models import Part, assemble, human_figure, rod, vector
@@ -236,6 +238,12 @@ def test_predicted_digits_are_of_states_that_are_closed() -> None:
     found = tried_closed(model, plan_of(model))
     assert 0.0 < found.error < 1e-13
     assert tried_closed(model, plan_of(model, scalar="float")).error < 1e-4
+
+
+def test_where_nothing_moves_no_digit_is_lost() -> None:
+    plan = plan_of(truss())
+    assert nothing_moves(plan) and not nothing_moves(plan_of(four_bar()))
+    assert tried_closed(truss(), plan).error == 0.0
 
 
 def test_balls_hold_what_double_finds() -> None:
