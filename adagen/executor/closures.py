@@ -24,7 +24,7 @@ from adagen.executor.hung import HungLinks
 from adagen.executor.kinematics import Motion
 from adagen.executor.loop_forces import forces_of_kept, give_forces
 from adagen.executor.loop_frames import LoopFrames
-from adagen.executor.mates import MatesInLanes
+from adagen.executor.mates import MatesInLanes, Taken
 from adagen.executor.state import State
 from adagen.graph import Expression, cross, dot, matrix_times, total
 from adagen.plan.alike import side_by_side
@@ -200,7 +200,8 @@ class Closures:
                 bias = bias + part * sign
                 if link > 0:
                     held[k].columns[mates] = column * sign
-                    self.mates.add_columns(front, held[k].links, mates, column * sign)
+                    point = arm if linear and not frames.kind.sliding else None
+                    self.mates.add_columns(front, held[k].links, mates, column * sign, point)
                     if unknown in self.column_of:
                         pushed = self.state.tied_links.setdefault(link, [])
                         pushed.append((self.column_of[unknown], column * sign))
@@ -300,11 +301,11 @@ class Closures:
         j, parent = step.joint, self.state.plan.joints[step.joint].parent
         joints, free = self.mates.holds.get(j, (j,)), list(self.state.kind(j).free)
         inertia, p = self.memory["IA", j + 1], self.memory["pA", j + 1]
-        columns = self._columns_beyond(front, joints)
+        columns = self.mates.take_columns(front, joints)
         drift = self.motion.drift(j)
         if drift is not None:
             p = p + matrix_times(inertia, drift)
-            for mates, column in columns:
+            for mates, column, _ in columns:
                 self.mates.add_bias(front, mates, matrix_times(column[None, :], drift)[0])
         if self.hung.at(j):
             front.first[j] = step.first
@@ -324,24 +325,15 @@ class Closures:
                 if m == k and rotor is not None:
                     value = value + rotor
                 self.mates.add(front, own, unknowns[m], value)
-            for mates, column in columns:
+            for mates, column, _ in columns:
                 self.mates.add(front, own, mates, column[row])
             for unknown, factor in front.ties.get(j, []):
                 front.add(own[0], unknown, factor)
             front.places.update(zip(own, joints, strict=True))
             front.speeds.update(zip(own, self.mates.each(speeds[k], len(own)), strict=True))
         if parent > 0:
-            freed = [(own, inertia[:, row]) for own, row in zip(unknowns, free, strict=True)]
+            freed = [Taken(own, inertia[:, row]) for own, row in zip(unknowns, free, strict=True)]
             self._pass(step, front, inertia, p, [*freed, *columns])
-
-    def _columns_beyond(self, front: Front, joints: Sequence[int]) -> list[tuple[Mates, Array]]:
-        """Take from a joint's far link what acts on it; of alike arms together."""
-        each = [front.columns.pop(j + 1, {}) for j in joints]
-        lanes = zip(*(own.items() for own in each), strict=True)
-        return [
-            (tuple(u for u, _ in own), self.state.rows.together([column for _, column in own]))
-            for own in lanes
-        ]
 
     def _pass(
         self,
@@ -349,14 +341,15 @@ class Closures:
         front: Front,
         inertia: Array,
         p: Array,
-        columns: Sequence[tuple[Mates, Array]],
+        columns: Sequence[Taken],
     ) -> None:
         """Hand what is beyond a joint inwards; what goes to the top waits for it."""
         j, joints = step.joint, self.mates.holds.get(step.joint, (step.joint,))
         parents = [self.state.plan.joints[each].parent for each in joints]
         x: Transform = self.memory["X", j]
-        for mates, column in columns:
-            self.mates.add_columns(front, parents, mates, x.force(column))
+        for each in columns:
+            mates, column, point = each.passed(x)
+            self.mates.add_columns(front, parents, mates, column, point)
         rigid = is_rigid(self.state.plan, j, self.alone[step.closure].held)
         passed = {"IA": (x.rigid_inertia if rigid else x.inertia)(inertia)}
         passed["pA"] = columnwise(x.force, p)
@@ -394,7 +387,7 @@ class Closures:
         free, constrained = list(kind.free), list(kind.constrained)
         x: Transform = self.memory["X", j]
         body = self.memory["articulated", j]
-        columns = front.columns.pop(j + 1, {})
+        columns, _ = front.columns.pop(j + 1, {}), front.points.pop(j + 1, {})
         front.carried[j] = {unknown: column[free] for unknown, column in columns.items()}
         halves = {
             unknown: body.factors.forward(column[free][:, None])[:, 0]

@@ -170,6 +170,7 @@ class Front:
 
     Attributes:
         columns: C by link and unknown, shape (6,) each.
+        points: where forces at links act by which columns of C are made, shape (3,), likewise.
         square: E by pairs of unknowns, the smaller one first; those that are not there are zero.
         bias: e by unknown, shape (columns,).
         waiting: what loops by themselves add to it, where that waits for what others tell.
@@ -198,6 +199,7 @@ class Front:
     """
 
     columns: dict[int, dict[int, Array]] = field(default_factory=dict)
+    points: dict[int, dict[int, Array]] = field(default_factory=dict)
     square: dict[tuple[int, int], Expression] = field(default_factory=dict)
     bias: dict[int, Array] = field(default_factory=dict)
     waiting: dict[int, Array] = field(default_factory=dict)
@@ -225,10 +227,24 @@ class Front:
         """Add to what is passed to the top."""
         self.passed[name] = self.passed[name] + value if name in self.passed else value
 
-    def add_column(self, link: int, unknown: int, column: Array) -> None:
-        """Add to what an unknown and a link's acceleration do to each other."""
-        own = self.columns.setdefault(link, {})
-        own[unknown] = own[unknown] + column if unknown in own else column
+    def add_column(
+        self, link: int, unknown: int, column: Array, point: Array | None = None
+    ) -> None:
+        """Add to what an unknown and a link's acceleration do to each other.
+
+        Args:
+            link: number of the link.
+            unknown: of the unknown.
+            column: shape (6,).
+            point: of a force, where it acts.
+        """
+        own, points = self.columns.setdefault(link, {}), self.points.setdefault(link, {})
+        if unknown in own:
+            column, point = own[unknown] + column, None
+        own[unknown] = column
+        points.pop(unknown, None)
+        if point is not None:
+            points[unknown] = point
 
     def add(self, i: int, k: int, value: Expression) -> None:
         """Add to an entry of E."""

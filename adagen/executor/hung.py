@@ -144,24 +144,30 @@ class HungLink:
         if self.known or not all(self._is_known(link) for link in (*near, *self.carriers)):
             return self.known
         back = self.fixed.rotation.transposed()
-        carrier = self.state.rows.of_links("a", self.carriers, self._still)
-        apart = back.vector(self._carrier_field.alpha) - self.motion.field_of_all(self._links).alpha
-        turning = columnwise(back.vector, carrier[:3]) + self.state.column(apart)
-        moved = self.state.rows.near_motion(self.hung.joints[0])
-        if moved is not None:
-            moved = moved[:3]
-            for j in self.hung.joints:
-                moved = columnwise(self.state.memory["X", j].rotation.transposed().vector, moved)
-            turning = turning - moved
+        turning = columnwise(back.vector, self._turns(self.carriers)) - self._seen()
         if len(self.hung.joints) > 1:
             turning = self._by_hinges(self._hinges[0], turning)
         front.found.update(zip(self.hung.freedoms, turning, strict=True))
         self.known = True
         return True
 
-    @property
-    def _still(self) -> Array:
-        return self.state.zeros(6, self.state.columns)
+    def _turns(self, links: Sequence[int]) -> Array:
+        """Angular accelerations of links, one for each lane, shape (3, columns)."""
+        moved = self.state.rows.of_links("a", links, self.state.zeros(6, self.state.columns))
+        turned: Array = moved[:3] + self.state.column(self.motion.field_of_all(links).alpha)
+        return turned
+
+    def _seen(self) -> Array:
+        """Its angular acceleration if its ball did not accelerate, shape (3, columns)."""
+        near = self.state.rows.near_links(self.hung.joints[0])
+        turns, omega = self._turns(near), self.motion.field_of_all(near).omega
+        for j in self.hung.joints:
+            back, own = self.state.memory["X", j].rotation.transposed(), self.state.zeros(6)
+            own[list(self.state.kind(j).free)] = self.state.configuration(j)[1]
+            omega = back.vector(omega)
+            turns = columnwise(back.vector, turns) + self.state.column(cross(omega, own[:3]))
+            omega = omega + own[:3]
+        return turns
 
     def _is_known(self, link: int) -> bool:
         """Whether a link's acceleration is."""

@@ -3,18 +3,41 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
+from adagen.executor.frames import Transform
 from adagen.executor.front import Front
 from adagen.executor.rows import Rows
-from adagen.graph import Expression
+from adagen.graph import Expression, cross
 from adagen.plan.arms import Arms, Mates
 from adagen.plan.steps import CloseLoop
 
 Array = NDArray[Any]
+
+
+class Taken(NamedTuple):
+    """What an unknown, or those of alike arms, and a link's acceleration do to each other."""
+
+    mates: Mates
+    column: Array
+    point: Array | None = None
+
+    def passed(self, x: Transform) -> Taken:
+        """Return the same seen from the near link.
+
+        A force at a point is turned, and the point is brought there, which gaps know already: its
+        moment follows from these by fewer products than by turning it, but for what of it is zero.
+        """
+        column = x.force(self.column)
+        if self.point is None:
+            return Taken(self.mates, column)
+        point = x.origin + x.rotation.vector(self.point)
+        if all(entry.constant is None for entry in self.column[:3]):
+            column = np.concatenate([cross(point, column[3:]), column[3:]])
+        return Taken(self.mates, column, point)
 
 
 class MatesInLanes:
@@ -60,11 +83,32 @@ class MatesInLanes:
         for unknown, each in zip(mates, self.rows.each(value, len(mates)), strict=True):
             front.add_bias(unknown, each)
 
-    def add_columns(self, front: Front, links: Sequence[int], mates: Mates, column: Array) -> None:
-        """Add to C at links, one for each lane, likewise."""
+    def add_columns(
+        self,
+        front: Front,
+        links: Sequence[int],
+        mates: Mates,
+        column: Array,
+        point: Array | None = None,
+    ) -> None:
+        """Add to C at links, one for each lane, likewise; of a force at a point, with that."""
         each = self.rows.each(column, len(mates))
-        for link, unknown, own in zip(links, mates, each, strict=False):
-            front.add_column(link, unknown, own)
+        points = [None] * len(each) if point is None else self.rows.each(point, len(mates))
+        for link, unknown, own, at in zip(links, mates, each, points, strict=False):
+            front.add_column(link, unknown, own, at)
+
+    def take_columns(self, front: Front, joints: Sequence[int]) -> list[Taken]:
+        """Take C from the far links of joints, of alike arms together."""
+        each = [front.columns.pop(j + 1, {}) for j in joints]
+        points = [front.points.pop(j + 1, {}) for j in joints]
+        found = []
+        for unknowns in zip(*each, strict=True):
+            columns = [own[u] for own, u in zip(each, unknowns, strict=True)]
+            at = [own.get(u) for own, u in zip(points, unknowns, strict=True)]
+            known = [one for one in at if one is not None]
+            point = self.rows.together(known) if len(known) == len(at) else None
+            found.append(Taken(unknowns, self.rows.together(columns), point))
+        return found
 
     @staticmethod
     def freedoms(front: Front, count: int) -> list[Mates]:

@@ -45,7 +45,27 @@ def with_points(model: Model) -> tuple[PlanLoop, ...]:
                     elsewhere = _rows_at_origin(rows, rows_of(model)[k], loop, side)
                     if all(_as_regular(model, one, rows, elsewhere) for one in ways):
                         found[k], rows = _at_origin(loop, side), elsewhere
+                        if all(_kept_whole(one, rows_of(model)[k]) for one in ways):
+                            found[k] = _along_axes(found[k], side)
     return tuple(found)
+
+
+def _kept_whole(closure: Closure, own: range) -> bool:
+    """Whether a closure keeps all rows of a weld, if any: they may be along any three axes then."""
+    kept = (set(choice.rows).intersection(own) for choice in closure.choices)
+    return own[0] not in closure.rows or all(len(rows) == len(own) for rows in kept)
+
+
+def _along_axes(loop: PlanLoop, side: int) -> PlanLoop:
+    """A weld whose rows are along the axes of its first or its second link: these turn less."""
+    turns = [exact(loop.rotation1), exact(loop.rotation2)]
+    own = exact(np.eye(3)), turns[1 - side].dot(turns[side].T)
+    one, two = (_rows(rounded(own[int(k != side)])) for k in (0, 1))
+    return replace(loop, rotation1=one, rotation2=two)
+
+
+def _rows(turn: Array) -> tuple[tuple[float, ...], ...]:
+    return tuple(tuple(row) for row in turn.tolist())
 
 
 def _rows_at_origin(samples: Array, own: range, loop: PlanLoop, side: int) -> Array:
