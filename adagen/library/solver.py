@@ -20,6 +20,7 @@ from adagen.build import Toolchain, build_executable, find_toolchain
 from adagen.emit.templates import verbatim
 from adagen.errors import EnvironmentFault, JointError, UsageError, printable
 from adagen.library.compiled import Compiled
+from adagen.library.open_by import open_by
 
 Part = Literal["q", "v", "tau"]
 
@@ -92,6 +93,18 @@ class Solver:
 
         def _set(self, first: int, numbers: ArrayLike) -> None:
             """Set numbers of what can be set at run time, from the one numbered first on."""
+
+    def _how_far(self, place: int, opens: int, q: NDArray[Any], v: NDArray[Any]) -> str:
+        """Return what follows a failure's words where a loop is open: by how much.
+
+        Args:
+            place: of the loop or coupling, numbered behind all joints.
+            opens: whether it is its velocity that opens it.
+            q: configuration, shape (nq,).
+            v: velocity, shape (nv,).
+        """
+        model = self.compiled.model
+        return open_by(model, place - len(model.joints), q, v, opens=bool(opens))
 
     @property
     def error_bound(self) -> Any:

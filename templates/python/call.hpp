@@ -106,7 +106,7 @@ PyObject* call(PyObject* self, PyObject* const* given, std::size_t flags, PyObje
     Py_END_ALLOW_THREADS
   }
   if constexpr (kCertified) held.bounds.take(bounds.release());
-  return failed.count == 0 ? out.release() : raise(failed, q, out.get());
+  return failed.count == 0 ? out.release() : raise(self, failed, q, v, out.get());
 }
 
 }  // namespace python

@@ -4,6 +4,7 @@
 #include <exception>
 #include <limits>
 #include <new>
+#include <string>
 
 namespace python {
 
@@ -93,8 +94,26 @@ Failed solve(Held& held, int threads, const Task& task) {
   return failed;
 }
 
+// By how much a loop is open in a state, or how fast it opens; nothing where it is another failure.
+// Returns null where that cannot be said, which is raised then.
+PyObject* how_far(PyObject* self, int status, const Number* q, const Number* v) {
+  const Failure kind = failure_kind(status);
+  if (kind != kLoopOpen && kind != kLoopTorn) return PyUnicode_FromString("");
+  const auto seen = [](const Number* numbers, npy_intp count) {
+    return PyArray_SimpleNewFromData(1, &count, kType, const_cast<Number*>(numbers));
+  };
+  Owned place(seen(q, kNq)), speed(seen(v, kNv));
+  if (place.get() == nullptr || speed.get() == nullptr) return nullptr;
+  return PyObject_CallMethod(self, "_how_far", "iiOO", failure_place(status),
+                             int(kind == kLoopTorn), place.get(), speed.get());
+}
+
 // Raises what adagen.errors makes of a failure.
-PyObject* raise(const Failed& failed, const Rows& q, PyObject* out) {
+PyObject* raise(PyObject* self, const Failed& failed, const Rows& q, const Rows& v, PyObject* out) {
+  Owned far(
+      how_far(self, failed.status, q.data() + failed.first * kNq, v.data() + failed.first * kNv));
+  const char* const by = far.get() == nullptr ? nullptr : PyUnicode_AsUTF8(far.get());
+  if (by == nullptr) return nullptr;
   Owned errors(PyImport_ImportModule("adagen.errors"));
   if (errors.get() == nullptr) return nullptr;
   Owned make(PyObject_GetAttrString(errors.get(), "SolveError"));
@@ -105,9 +124,9 @@ PyObject* raise(const Failed& failed, const Rows& q, PyObject* out) {
                                 : nullptr;
   Owned state(many ? PyLong_FromSsize_t(failed.first) : Py_NewRef(Py_None));
   if (state.get() == nullptr) return nullptr;
-  Owned error(PyObject_CallFunction(make.get(), "szOnO", describe(failed.status).c_str(), joint,
-                                    state.get(), static_cast<Py_ssize_t>(failed.count),
-                                    many ? out : Py_None));
+  const std::string text = std::string(describe(failed.status).c_str()) + by;
+  Owned error(PyObject_CallFunction(make.get(), "szOnO", text.c_str(), joint, state.get(),
+                                    static_cast<Py_ssize_t>(failed.count), many ? out : Py_None));
   if (error.get() != nullptr)
     PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.get())), error.get());
   return nullptr;
