@@ -133,8 +133,7 @@ class ClosedCertificate(Allowance):
             own, count = self._noise_of(noise, each.unknowns), self._lanes(step, each.unknowns)
             self._hand_over(noise, each.others, each.gained, own, len(each.unknowns[0]))
             rows = np.array([self._of_row(front, left, row) for row in each.rows], dtype=object)
-            for parts, inertia in zip(each.by_rows, each.inertia, strict=True):
-                energy = total(parts * parts * rows) * inertia
+            for energy in each.moves(rows) * each.inertia:
                 self.rounded.append(self.summed(energy, count))
             if step.link and any(x.constant != 0 for x in each.across.flat):
                 self._hand_to_top(step, each.across, own, len(each.unknowns[0]))

@@ -8,8 +8,9 @@ leave y, whose inertia is positive definite.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
+from functools import reduce
 from typing import Any
 
 import numpy as np
@@ -28,6 +29,7 @@ from adagen.executor.front import (
     alone,
 )
 from adagen.executor.left_free import LeftFree, SolvedOwn
+from adagen.executor.row_basis import RowBasis
 from adagen.executor.state import State
 from adagen.graph import (
     Expression,
@@ -36,8 +38,6 @@ from adagen.graph import (
     dot,
     factorize,
     matrix_times,
-    reflect,
-    solve_lower,
     solved_by_parts,
     solved_by_reflections,
     total,
@@ -158,7 +158,7 @@ class Elimination:
         rows: Sequence[Mates],
         moving: Sequence[Mates],
         others: Sequence[Mates],
-        inverse: Array,
+        solve: Callable[[Array], Array] | None = None,
     ) -> None:
         """Keep what forces of rows follow from: how rows push accelerations.
 
@@ -166,7 +166,7 @@ class Elimination:
             rows: numbers of the forces.
             moving: accelerations that they push, at least as many.
             others: all accelerations that these feel, themselves among them.
-            inverse: of how rows push, shape (n, n); without columns where it is not at hand.
+            solve: finds forces from what pushes accelerations; None: they are solved for anew.
         """
         step, kept = self.step, self.front.pushed
         if kept is None or kept.parts is None:
@@ -174,8 +174,7 @@ class Elimination:
         pushes = self._block(rows, moving)
         part = Push(
             tuple(rows),
-            pushes,
-            inverse,
+            solve or (lambda pull: solved_by_reflections(pushes.T.copy(), pull)[0]),
             tuple(others),
             self._block(moving, others),
             self._at_top(moving),
@@ -203,7 +202,8 @@ class Elimination:
         for each in found:
             self.front.solved.append(each.solved)
             part = each.part
-            self._keep_forces(part.rows, part.moved, (*part.others, *part.moved), each.by_rows)
+            others = (*part.others, *part.moved)
+            self._keep_forces(part.rows, part.moved, others, _solves_by(each.by_rows))
             free.take(each)
             self._move_top(each)
         free.square = _symmetric(free.square) if found else free.square
@@ -247,38 +247,33 @@ class Elimination:
     def _follow_basis(self) -> None:
         """By an orthogonal basis N of what the rows leave free, w = N y + g: J^T = Q R, N in Q."""
         step, w, count = self.step, self.step.singles, len(self.step.rows)
-        scales = self._scales()[:, None]
-        r = (self._block(step.rows, w) * scales).T.copy()
-        nothing = self.state.zeros(len(w), 0)
-        reflections = [reflect(k, r, nothing) for k in range(count)]
-        pivots = (r[k, k] for k in range(count))
-        self._check_regular([Regular(k, x * x, 1.0) for k, x in enumerate(pivots)], step.rows)
-        free = len(w) - count
-        right = np.concatenate(
-            [-(self._biases(step.rows) * scales), self._parted(scales[:, 0])], axis=1
-        )
-        basis = self.state.zeros(len(w), free + len(right.T))
-        basis[count:, :free] = self.state.constants(np.eye(free))
-        basis[:count, free:] = solve_lower(r.T, right)
-        for reflection in reversed(reflections):
-            if reflection is not None:
-                reflection.apply(basis)
-        last = free + self.state.columns
-        n, offset, by_rows = basis[:, :free], basis[:, free:last], basis[:, last:]
+        rows = RowBasis(self.state, self._block(step.rows, w).T, self._scales())
+        regular = [Regular(k, x * x, 1.0) for k, x in enumerate(rows.pivots)]
+        self._check_regular(regular, step.rows)
+        n, offset = rows.motions(self._biases(step.rows))
         left_out = self._block(step.followers, w)
         self._check_left_out(matrix_times(left_out, n) if step.followers else left_out, left_out)
-        y = tuple(-1 - k for k in range(free))
+        y = tuple(-1 - k for k in range(len(w) - count))
         self.front.solved.append(Solved(alone(w), self.state.zeros(len(w), 6), alone(y), n, offset))
         at_top, half = self._at_top(w), matrix_times(n.T, self._block(w, w))
         bias = matrix_times(n.T, self._biases(w)) + matrix_times(half, offset)
-        self._keep_forces(alone(step.rows), alone(w), alone(w), by_rows)
+        self._keep_forces(alone(step.rows), alone(w), alone(w), rows.forces)
         self._push_top(at_top, offset)
         own, left = np.diag(self._block(w, w)), _symmetric(matrix_times(half, n))
         sizes = matrix_times((n * n).T, own)
-        freed = self._solve_free(y, w[:free], sizes, left, matrix_times(n.T, at_top), bias)
-        none = self.state.zeros(len(w), 6)
-        found = Followed(alone(w), alone(y), n, none, alone(step.rows), by_rows, own)
-        self._keep_reduced([found], [freed] if y else [])
+        freed = self._solve_free(y, w[: len(y)], sizes, left, matrix_times(n.T, at_top), bias)
+        if self.state.plan.certified:
+            self._keep_reduced([self._moved(rows, y, n, own)], [freed] if y else [])
+
+    def _moved(self, rows: RowBasis, y: Sequence[int], n: Array, own: Array) -> Followed:
+        """How unknowns follow from a basis, and move where rows part.
+
+        By these they move along as many directions at right angles, none of which takes more than
+        the unknown that takes most: where Q turns them does not matter.
+        """
+        w, none = alone(self.step.singles), self.state.zeros(len(n), 6)
+        most = np.full(rows.count, reduce(self.state.graph.larger, own), dtype=object)
+        return Followed(w, alone(y), n, none, alone(self.step.rows), rows.moves, most)
 
     def _solve_all(self) -> None:
         """All unknowns at once, where rows push each other through articulated joints."""
@@ -504,11 +499,17 @@ class Elimination:
 
 def _followed(each: SolvedPart) -> Followed:
     """What a certificate needs of a part."""
-    part, solved = each.part, each.solved
-    own = np.diag(each.own)
-    return Followed(
-        part.moved, part.others, solved.more, solved.across, part.rows, each.by_rows, own
-    )
+    part, solved, own = each.part, each.solved, np.diag(each.own)
+
+    def moves(parted: Array) -> Array:
+        return np.array([total(by * by * parted) for by in each.by_rows], dtype=object)
+
+    return Followed(part.moved, part.others, solved.more, solved.across, part.rows, moves, own)
+
+
+def _solves_by(inverse: Array) -> Callable[[Array], Array] | None:
+    """What solves by the inverse of how rows push, where that is at hand."""
+    return (lambda pull: matrix_times(inverse.T, pull)) if inverse.size else None
 
 
 def _squares(values: Iterable[Expression]) -> list[Expression]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations_with_replacement
 from typing import Any
@@ -47,8 +47,7 @@ class Push:
 
     Attributes:
         kept: numbers of their forces, those of alike arms together, lane by lane.
-        rows: what they do to as many accelerations, shape (n, n).
-        inverse: of that, shape (n, n); without columns where it is not at hand.
+        solve: finds rows^-T of what they push, shape (m, 1), of as many accelerations or more.
         others: numbers w' of all accelerations likewise; single ones are the same in all lanes.
         inertia: shape (n, m).
         across: shape (n, 6).
@@ -56,8 +55,7 @@ class Push:
     """
 
     kept: tuple[Mates, ...]
-    rows: Array
-    inverse: Array
+    solve: Callable[[Array], Array]
     others: tuple[Mates, ...]
     inertia: Array
     across: Array
@@ -124,8 +122,9 @@ class Followed:
         gained: how they follow from these, shape (n, m).
         across: how they follow from the top's acceleration, shape (n, 6).
         rows: numbers of the rows' forces.
-        by_rows: how they follow from what these part by, shape (n, rows).
-        inertia: of each of them alone, shape (n,).
+        moves: finds from squares of what these part by, shape (rows,), squares of how far they
+            move, or as many directions at right angles as there are rows, shape (m,).
+        inertia: of each of these alone, or at most, shape (m,).
     """
 
     unknowns: tuple[Mates, ...]
@@ -133,7 +132,7 @@ class Followed:
     gained: Array
     across: Array
     rows: tuple[Mates, ...]
-    by_rows: Array
+    moves: Callable[[Array], Array]
     inertia: Array
 
 

@@ -165,12 +165,23 @@ class Energies:
     def __init__(self, motion: Motion, links: Sequence[int]) -> None:
         self.state, self.motion, self.links = motion.state, motion, links
 
-    def of(self, links: Mapping[int, Array], joints: Mapping[int, Array]) -> Expression:
-        """Return that of accelerations of joints, from the motions of links that they make."""
-        terms = [self.state.graph.constant(0)]
+    def of(
+        self,
+        links: Mapping[int, Array],
+        joints: Mapping[int, Array],
+        others: Mapping[int, Array] | None = None,
+    ) -> Expression:
+        """Return that of accelerations of joints, from the motions of links that they make.
+
+        Args:
+            links: accelerations of links, shape (6,).
+            joints: accelerations of joints, shape (n,).
+            others: what momenta of links are multiplied by, shape (6,), if not by ``links``.
+        """
+        terms, others = [self.state.graph.constant(0)], others or links
         for link in self.links:
             momentum = matrix_times(self.motion.link_inertia(link), links[link])
-            terms.append(self._whole(link - 1, total(momentum * links[link])))
+            terms.append(self._whole(link - 1, total(momentum * others[link])))
         for j, qdd in joints.items():
             rotor = self.state.rotor(j)
             if rotor is not None:
@@ -187,14 +198,24 @@ class Energies:
         return total(terms)
 
     def in_fall(self, links: Mapping[int, Array], joints: Mapping[int, Array]) -> Expression:
-        """Return that of the answer less free fall d: a^T I a - 2 d^T (I a) + m d^T d."""
-        terms = [self.of(links, joints)]
+        """Return that of the answer less free fall d: the sum of (a - 2 d)^T (I a) + m d^T d."""
         falls = self._falls(links)
-        for link in self.links if falls else ():
-            taken = matrix_times(self.motion.link_inertia(link), links[link])[3:]
-            fall, mass = falls[link], self.state.rows.mass(link)
-            terms.append(self._whole(link - 1, total(fall * (fall * mass - taken - taken))))
-        return total(terms)
+        if not falls:
+            return self.of(links, joints)
+        less, terms = {}, []
+        for link in self.links:
+            a, fall = links[link], falls[link]
+            less[link] = np.concatenate([a[:3], a[3:] - fall * 2])
+            terms.append(self._whole(link - 1, self._square(link) * self.state.rows.mass(link)))
+        return total([self.of(links, joints, less), *terms])
+
+    def _square(self, link: int) -> Expression:
+        """The square of a link's free fall, which turns do not change: that of its base's."""
+        joints, own = self.state.plan.joints, link
+        while joints[own - 1].parent > 0:
+            own = joints[own - 1].parent
+        base: Expression = total(x * x for x in self.state.memory["fall", own])
+        return base
 
     def without_fall(self, links: Mapping[int, Array]) -> dict[int, Array]:
         """Return accelerations of links less those of free fall, with floating bases' own."""

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from adagen.executor.front import Front
 from adagen.executor.state import State
-from adagen.graph import Expression, factorize, matrix_times, solved_by_reflections, total
+from adagen.graph import Expression, factorize, matrix_times, total
 
 Array = NDArray[Any]
 
@@ -65,11 +65,7 @@ def forces_of_kept(state: State, front: Front, near: Array | None) -> dict[int, 
         pull = part.bias[:, :1] + matrix_times(part.inertia, others)
         if near is not None:
             pull = pull + matrix_times(part.across, near[:, :1])
-        if part.inverse.size:
-            kept = -matrix_times(part.inverse.T, pull)
-        else:
-            kept = -solved_by_reflections(part.rows.T.copy(), pull)[0]
-        for mates, force in zip(part.kept, kept, strict=True):
+        for mates, force in zip(part.kept, -part.solve(pull), strict=True):
             lanes = state.rows.each(force, len(mates))
             found.update((u, own[0]) for u, own in zip(mates, lanes, strict=True))
     return {u: found[u] for u in pushed.kept}
