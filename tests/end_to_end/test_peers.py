@@ -79,7 +79,7 @@ class TestPeers:
         child = started(*words)  # takes hours
         victim = wait_for(lambda: running_ranks(human.folder / "human40_copy").get(rank))
         ranks = running_ranks(human.folder / "human40_copy").values()
-        wait_for(lambda: all(spent(pid) > _PAST_THE_START for pid in ranks))
+        wait_for(lambda: all(spent(pid) > _PAST_THE_START for pid in ranks), limit=120)
         assert child.poll() is None
         os.kill(victim, number)
         start = time.monotonic()

@@ -295,12 +295,15 @@ def test_a_body_that_loops_hold_may_have_no_inertia() -> None:
     assert worst(model, plan_of(model), states_of(model, 3)) < 1e-13
 
 
-def test_many_freedoms_that_many_rows_tie_are_all_held_back() -> None:
-    """A row of windows: 33 hinges, of which one is free; else 32 and 32 forces were solved for."""
+def test_many_freedoms_that_many_rows_tie_are_all_held_back(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """A row of windows: 17 hinges, of which one is free; else 16 and 16 forces were solved for."""
+    monkeypatch.setattr(closures, "MOST_HELD", 15)
     y, up, along = (0.0, 1.0, 0.0), vector(0.0, 0.0, 1.0), vector(1.0, 0.0, 0.0)
     parts = [Part("post0", None, REVOLUTE, rod(1.0, up), axis=vector(*y))]
     loops = []
-    for k in range(1, 17):
+    for k in range(1, 9):
         last = f"beam{k - 1}" if k > 1 else "post0"
         start = along if k > 1 else up
         parts += [
@@ -311,5 +314,5 @@ def test_many_freedoms_that_many_rows_tie_are_all_held_back() -> None:
         loops.append(NamedLoop(f"pin{k}", "revolute", foot, LoopEnd(WORLD, place), y))
     model = with_loops(assemble("windows", parts), tuple(loops))
     (closure,) = closures.closures_of(model)
-    assert len(closure.path) == 33 and closure.held == closure.path
+    assert len(closure.path) == 17 and closure.held == closure.path
     assert worst(model, plan_of(model), states_of(model, 2)) < 1e-9

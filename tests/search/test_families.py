@@ -20,6 +20,7 @@ from adagen.search import best_schedule, find_schedule, schedule_from_json
 from adagen.search.price import played
 from tests.models import binary, human_figure, random_tree, serial_chain, star
 from tests.search.test_frames import with_hands
+from tests.slow import slow
 
 DEFAULT = load_profile("default")
 
@@ -105,7 +106,7 @@ def test_the_gap_of_a_long_chain_is_small() -> None:
     assert best_schedule(serial_chain(700), 4, DEFAULT).gap < 0.15
 
 
-@pytest.mark.parametrize("model", [serial_chain(60), human_figure()])
+@pytest.mark.parametrize("model", [serial_chain(60), slow(human_figure())])
 def test_more_processes_are_not_slower(model: Model) -> None:
     """Processes that do not pay stay idle."""
     times = [best_schedule(model, processes, DEFAULT).makespan for processes in (1, 2, 4, 8)]
