@@ -158,6 +158,15 @@ def test_a_float_solver_is_predicted_to_lose_as_many_digits_of_fewer() -> None:
     assert single == 1.0
 
 
+def test_few_digits_of_hard_poses_are_foretold() -> None:
+    """Rods each 16 times as heavy as the one before: in float some answers are wrong there."""
+    model = robots.graded(8, 16.0**7)
+    plan = plan_of(model, 1, scalar="float")
+    for shape in ("kernels", "unrolled"):
+        digits = predicted_digits("both", model, plan, shape)
+        assert digits.error < 1e-2 < digits.anywhere == digits.hard
+
+
 def test_robots_at_rest_keep_their_digits() -> None:
     """What refines an answer knows that they do not move."""
     model = replace(star(4, 3), at_rest=True)
