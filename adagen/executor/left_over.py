@@ -229,15 +229,26 @@ class Energies:
         joints = self.state.plan.joints
         if not any(joint.kind == "floating" and joint.parent == 0 for joint in joints):
             return {}
-        memory, found = self.state.memory, {}
-        for link in links:
-            x, j = memory["X", link - 1], link - 1
-            if joints[j].kind == "floating" and joints[j].parent == 0:
-                fall = memory["drift", j][3:]
+        return {link: self._fall(link) for link in links}
+
+    def _fall(self, link: int) -> Array:
+        """Free fall in a link's axes, found from the ground on: the process may not have the way.
+
+        Where processes meet around a link in the middle of a tree, what is between this and the
+        base may be another's.
+        """
+        memory, rows, j = self.state.memory, self.state.rows, link - 1
+        if ("fall", link) not in memory:
+            joint = self.state.plan.joints[j]
+            if joint.kind == "floating" and joint.parent == 0:
+                memory["fall", link] = memory["drift", j][3:]
             else:
-                near = self.state.rows.of_near("fall", j, self.state.zeros(3))
-                fall = x.rotation.transposed().vector(near)
-            memory["fall", link] = found[link] = fall
+                for near in set(rows.near_links(j)) - {0}:
+                    self._fall(rows.name_of(near))
+                near_fall = rows.of_near("fall", j, self.state.zeros(3))
+                back = memory["X", j].rotation.transposed()
+                memory["fall", link] = back.vector(near_fall)
+        found: Array = memory["fall", link]
         return found
 
     def _whole(self, j: int, x: Expression) -> Expression:

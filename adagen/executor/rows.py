@@ -140,12 +140,15 @@ class Rows:
             return lead not in self._lane_of
         return lead in self.rows and [i + 1 for i in self.rows[lead].lanes] == list(links)
 
+    def name_of(self, link: int) -> int:
+        """Return the link by whose name what is kept of a link is found: the first of its row's."""
+        lead, _ = self._lane_of.get(link - 1, (link - 1, 0))
+        return lead + 1
+
     def kept(self, name: str, link: int) -> tuple[Any, int | None]:
         """Return what is kept of a link, and its lane in that; None where it is kept by itself."""
-        if link - 1 not in self._lane_of:
-            return self.state.memory[name, link], None
-        lead, k = self._lane_of[link - 1]
-        return self.state.memory[name, lead + 1], k
+        _, k = self._lane_of.get(link - 1, (link - 1, None))
+        return self.state.memory[name, self.name_of(link)], k
 
     def near_motion(self, j: int) -> Array | None:
         """Return the acceleration of the links that joint j's row hangs on; None for the ground."""

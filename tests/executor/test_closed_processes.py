@@ -13,8 +13,9 @@ from adagen.emit.predicted import predict
 from adagen.errors import InputError
 from adagen.executor import chosen_grouping, interpret
 from adagen.executor.solve import Run, SingularPoseError
-from adagen.model import Model
+from adagen.model import BASE, REVOLUTE, Model
 from adagen.plan import Plan, make_plan, plan_from_json, plan_to_json
+from adagen.plan.refine import corrected
 from adagen.plan.steps import Eliminate, HoldMobility
 from adagen.program import check
 from adagen.program.lower import lower
@@ -22,12 +23,13 @@ from adagen.reference.closed import closed_forward_dynamics
 from adagen.schedule import load_profile
 from adagen.schedule.tree import Gathered
 from adagen.search import best_schedule
+from adagen.search.closed import _layouts
 from adagen.states import States
 from tests.emitted import QUICK, Builder
 from tests.executor.plans import kinds_of
 from tests.executor.test_closures import worst
 from tests.mechanisms import four_bar, looped_tree, quadruped, standing, states_of
-from tests.models import human_figure
+from tests.models import Part, human_figure, rod, vector
 
 
 def figure() -> Model:
@@ -76,6 +78,31 @@ def test_a_chain_pinned_at_both_ends_is_shared_out_at_its_middle() -> None:
             expected = interpret(alone, q, v, tau, once=True)
             found = interpret(each, q, v, tau, once=True)
             assert np.abs(found - expected).max() < 1e-10 * np.abs(expected).max()
+
+
+def test_answers_are_corrected_wherever_processes_meet() -> None:
+    """Where that is in the middle of a floating robot, another process has the way to the base."""
+    axes = (vector(1.0, 0.0, 0.0), vector(0.0, 1.0, 0.0), vector(0.0, 0.0, 1.0))
+    spine = [
+        Part(
+            f"t{k}",
+            f"t{k - 1}" if k else BASE,
+            REVOLUTE,
+            rod(1.0, vector(0.0, 0.1, 0.2)),
+            vector(0.0, 0.05, 0.2),
+            axis=axes[k % 3],
+        )
+        for k in range(8)
+    ]
+    model = four_bar(floating=True, beside=spine)
+    states, schedule = states_of(model, 2), best_schedule(model, 2, load_profile("default"))
+    found, _ = _layouts(model, make_plan(model, schedule), 2)
+    roots = set()
+    for gathered in dict.fromkeys(found):
+        plan = make_plan(model, replace(schedule, meeting="gather", gathered=gathered))
+        assert worst(model, corrected(plan, 1), states) < 1e-12
+        roots.update(gathered.roots)
+    assert len(roots) > 1 and 1 in roots
 
 
 def test_what_divides_a_closure_is_refused() -> None:
