@@ -97,7 +97,7 @@ def test_answers_are_corrected_wherever_processes_meet() -> None:
     model = four_bar(floating=True, beside=spine)
     states, schedule = states_of(model, 2), best_schedule(model, 2, load_profile("default"))
     found, _ = _layouts(model, make_plan(model, schedule), 2)
-    roots = set()
+    roots: set[int] = set()
     for gathered in dict.fromkeys(found):
         plan = make_plan(model, replace(schedule, meeting="gather", gathered=gathered))
         assert worst(model, corrected(plan, 1), states) < 1e-12
