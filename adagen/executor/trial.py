@@ -10,6 +10,7 @@ rounding error of that way. Joining is no part of it.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -69,6 +70,7 @@ def tried(plan: Plan, turned: Turned | None) -> Trial:
     return _worst(np.vstack([shares, again]), np.hstack([errors, repeated]))
 
 
+@lru_cache(maxsize=4)  # a warning is looked for, then digits are told
 def tried_hard(plan: Plan, turned: Turned | None) -> Trial:
     """Return what sweeping loses in hard states (``hardened``), as far as they are answered.
 
