@@ -13,7 +13,7 @@ from adagen.cli.chart_options import command_parser
 from adagen.cli.console import Stages, speaking, warn, wrote
 from adagen.cli.parser import parse
 from adagen.cli.tables import table_of
-from adagen.errors import AdagenError, UsageError
+from adagen.errors import UsageError
 
 if TYPE_CHECKING:
     from adagen.model import Model
@@ -122,19 +122,12 @@ def _peers(
     model: Model, truth: Truth, folder: Path, on_progress: Callable[[str], None]
 ) -> list[Contestant]:
     """Return the peers that are installed and can treat the robot, with notes on the others."""
-    from adagen.studies.bench.peers import PEERS, contestants, missing
+    from adagen.studies.bench.peers import PEERS, entered
 
-    found: list[Contestant] = []
-    for name in PEERS:
-        reason = missing(name)
-        if reason is None:
-            on_progress(f"compiling {name}")
-            try:
-                found += contestants(name, model, truth.states, folder)
-            except AdagenError as error:
-                reason = str(error).removeprefix("error: ")
-        if reason is not None:
-            warn(f"warning: without {name}: {reason}")
+    absent: dict[str, str] = {}
+    found = entered(PEERS, model, truth.states, folder, absent, on_progress)
+    for name, reason in absent.items():
+        warn(f"warning: without {name}: {reason}")
     return found
 
 

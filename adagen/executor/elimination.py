@@ -8,7 +8,7 @@ leave y, whose inertia is positive definite.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import reduce
 from typing import Any
@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.executor.checks import SINGULAR, Check
+from adagen.executor.elimination_checks import EliminationChecks
 from adagen.executor.followed import Part, SolvedPart, by_lanes, followed, mates_of
 from adagen.executor.front import (
     Followed,
@@ -32,8 +32,6 @@ from adagen.executor.left_free import LeftFree, SolvedOwn
 from adagen.executor.row_basis import RowBasis
 from adagen.executor.state import State
 from adagen.graph import (
-    Expression,
-    Factors,
     Regular,
     dot,
     factorize,
@@ -43,31 +41,11 @@ from adagen.graph import (
     total,
 )
 from adagen.plan.arms import Mates
-from adagen.plan.digits import EPSILON
 from adagen.plan.steps import Eliminate
 
 Array = NDArray[Any]
 Unknowns = Sequence[int | Mates]
 """Unknowns by number; of alike arms together, one for each lane."""
-
-FOLLOWS = 1e-3
-"""How far a row that is left out may be from following, relative to its size: where loops are open
-within their tolerance, it is so far."""
-
-LEAST = {"double": 1e-7, "float": 1e-3}
-"""Pivots of rows, brought to one size, below which a pose counts as singular."""
-
-LEFT = {"double": 1e-8, "float": 1e-4}
-"""How much of an inertia has to be left when others are eliminated; how closely made-up unknowns
-have to be found again."""
-
-MOST_LOST = 0.1
-"""Digits that the size of G may cost, as a part of half of all."""
-
-
-def failure_of(step: Eliminate) -> str:
-    """Return how an evaluation fails where what follows is found poorly."""
-    return SINGULAR if step.recovers else "kLoopSingular"
 
 
 class Elimination:
@@ -82,9 +60,8 @@ class Elimination:
     def __init__(self, state: State, lanes: Sequence[Eliminate], front: Front) -> None:
         self.state, self.lanes, self.front = state, lanes, front
         self.step = step = lanes[0]
-        self.epsilon = EPSILON[state.plan.scalar]
+        self.checks = EliminationChecks(state, step, front)
         self.columns = front.columns.pop(step.link, {}) if step.link else {}
-        self.fails = failure_of(step)
 
     def run(self) -> None:
         """Do it, in the way that the rows allow and the step says."""
@@ -195,8 +172,8 @@ class Elimination:
         """By a choice: z = A a + G y + g by the rows, then y; a is the top's acceleration."""
         y = self.step.singles
         found = [self._solved_part(part) for part in followed(self.front, self.step)]
-        self._check_size(found)
-        self._check_left_out(*self._left_out(found))
+        self.checks.size(found)
+        self.checks.left_out(*self._left_out(found))
         square, across, bias = self._block(y, y), self._at_top(y), self._biases(y)
         free = LeftFree(self.state.rows, y, square, across, bias)
         for each in found:
@@ -217,7 +194,7 @@ class Elimination:
         """Keep y that arms have for their own; take what they give way from the top."""
         self.front.solved.append(own.solved)
         blamed = [mates[0] for mates in own.solved.unknowns]
-        self._check_inertia(blamed, own.freed.factors, own.before)
+        self.checks.inertia(blamed, own.freed.factors, own.before)
         if self.step.link:
             self.front.hand("IA", _symmetric(-own.gives[:, :6]))
             self.front.hand("pA", -own.gives[:, 6:])
@@ -232,7 +209,7 @@ class Elimination:
         count, last = 6 + len(others), len(right.T)
         right = np.concatenate([right, self._parted(np.ones(len(rows)))], axis=1)
         solved, regular = solved_by_parts(self._block(rows, z), right, np.array(scales, object))
-        self._check_regular(regular, [mates[0] for mates in rows])
+        self.checks.regular(regular, [mates[0] for mates in rows])
         gained = -solved[:, :last]
         return SolvedPart(
             part,
@@ -249,10 +226,10 @@ class Elimination:
         step, w, count = self.step, self.step.singles, len(self.step.rows)
         rows = RowBasis(self.state, self._block(step.rows, w).T, self._scales())
         regular = [Regular(k, x * x, 1.0) for k, x in enumerate(rows.pivots)]
-        self._check_regular(regular, step.rows)
+        self.checks.regular(regular, step.rows)
         n, offset = rows.motions(self._biases(step.rows))
         left_out = self._block(step.followers, w)
-        self._check_left_out(matrix_times(left_out, n) if step.followers else left_out, left_out)
+        self.checks.left_out(matrix_times(left_out, n) if step.followers else left_out, left_out)
         y = tuple(-1 - k for k in range(len(w) - count))
         self.front.solved.append(Solved(alone(w), self.state.zeros(len(w), 6), alone(y), n, offset))
         at_top, half = self._at_top(w), matrix_times(n.T, self._block(w, w))
@@ -282,14 +259,14 @@ class Elimination:
         matrix = self._block(every, every)
         across, bias = self._at_top(every), self._biases(every)
         pushed = self._block(every, step.followers)
-        known, sizes = self._known(matrix, len(every) - len(step.rows))
+        known, sizes = self.checks.known(matrix, len(every) - len(step.rows))
         right = np.concatenate([across, bias, pushed, matrix_times(matrix, known)[:, None]], axis=1)
         whole, diagonal = solved_by_reflections(matrix, right)
-        self._check_inverse(every, matrix, diagonal)
-        self._check_known(known, sizes, whole[:, -1])
+        self.checks.inverse(every, matrix, diagonal)
+        self.checks.found_again(known, sizes, whole[:, -1])
         count = 6 + self.state.columns
         whole = whole[:, :-1]
-        self._check_pushed(pushed, whole[:, count:])
+        self.checks.pushed(pushed, whole[:, count:])
         if self.state.plan.loop_forces or self.state.plan.weighed:
             by_kept = whole[len(every) - len(step.rows) :, count:].T
             self.front.pushed = Pushed(step.rows, None, step.followers, by_kept)
@@ -337,7 +314,7 @@ class Elimination:
             bias: shape (n, columns).
         """
         factors = factorize(reduced)
-        self._check_inertia(blamed, factors, sizes)
+        self.checks.inertia(blamed, factors, sizes)
         found = factors.solve(np.concatenate([across, bias], axis=1))
         self._found(y, across, found)
         weighed = self.state.plan.certified
@@ -393,109 +370,6 @@ class Elimination:
         """Hand to the top what so many arms do to it."""
         self.front.hand(name, self.state.rows.sum_of(value, count))
 
-    # -- what is looked at ------------------------------------------------------------------------
-
-    def _check(self, value: Expression, least: Expression | float, unknown: int, how: str) -> None:
-        """A value has to exceed another; what an unknown belongs to fails otherwise."""
-        limit = self.state.graph.constant(least) if isinstance(least, float) else least
-        self.state.checks.append(Check(value, limit, self.front.places[unknown], how))
-
-    def _check_regular(self, regular: Sequence[Regular], rows: Sequence[int]) -> None:
-        """What follows has to follow: the rows, brought to one size, may not be singular."""
-        least = LEAST[self.state.plan.scalar] ** 2
-        for each in regular:
-            self._check(each.square, each.beside * least, rows[each.row], self.fails)
-
-    def _check_size(self, found: Sequence[SolvedPart]) -> None:
-        """Look at A and G: where they are large, this choice of what follows is poor."""
-        squares = []
-        for each in found:
-            own = _squares(np.concatenate([each.solved.across, each.solved.more], axis=1).flat)
-            if each.part.count > 1 and own:
-                own = list(self.state.rows.sum_of(np.array([total(own)]), each.part.count))
-            squares += own
-        if squares:
-            limit = min(self.step.limit, MOST_LOST / self.epsilon**0.5)
-            self._check(limit**2 - total(squares), 0.0, self.step.rows[0], self.fails)
-
-    def _check_left_out(self, rest: Array, whole: Array) -> None:
-        """Rows that are left out have to follow from the others in this pose, too.
-
-        Args:
-            rest: what of each row the kept ones leave, for what they leave free.
-            whole: the rows.
-        """
-        for k, unknown in enumerate(self.step.followers):
-            squares = _squares(rest[k])
-            if squares:
-                left = total(_squares(whole[k])) * FOLLOWS**2 - total(squares)
-                self._check(left, 0.0, unknown, self.fails)
-
-    def _check_pushed(self, pushed: Array, found: Array) -> None:
-        """Rows that are left out have to push nothing that the kept ones do not push."""
-        for k, unknown in enumerate(self.step.followers):
-            own = self.front.entry(unknown, unknown)
-            if own is not None:
-                rest = own - dot(pushed[:, k], found[:, k])
-                left = own * own * FOLLOWS**4 - rest * rest
-                self._check(left, 0.0, unknown, self.fails)
-
-    def _check_inverse(
-        self, every: Sequence[int], matrix: Array, diagonal: Sequence[Expression]
-    ) -> None:
-        """No pivot of all unknowns may have lost its digits."""
-        lost = (16 * self.epsilon) ** 2
-        for k, (unknown, pivot) in enumerate(zip(every, diagonal, strict=True)):
-            least = total(_squares(matrix[:, k])) * lost
-            self._check(pivot * pivot, least, unknown, self.fails)
-
-    def _known(self, matrix: Array, moving: int) -> tuple[Array, Array]:
-        """Return unknowns that are made up, and what brings their squares to a size of one.
-
-        Accelerations are 1, and forces such as make these.
-
-        Args:
-            matrix: of all unknowns.
-            moving: how many of them are accelerations; they come first.
-        """
-        graph, known = self.state.graph, self.state.constants(np.ones(len(matrix)))
-        sizes = known.copy()
-        inertias = _squares(matrix[:moving, :moving].flat)
-        pushes = _squares(matrix[:moving, moving:].flat)
-        if inertias and pushes:
-            made, pushed = total(inertias), total(pushes)
-            known[moving:] = graph.sqrt(made * graph.reciprocal(pushed))
-            sizes[moving:] = pushed * graph.reciprocal(made)
-        return known, sizes
-
-    def _check_known(self, known: Array, sizes: Array, found: Array) -> None:
-        """Unknowns that are made up have to be found again.
-
-        A pivot need not be next to nothing where digits are lost: joints of light links that come
-        near one plane, a motion without inertia among many with. What is lost is seen in numbers
-        that are known.
-        """
-        parts = zip(known, sizes, found, strict=True)
-        off = total([(x - y) * (x - y) * size for x, size, y in parts])
-        least = LEFT[self.state.plan.scalar] ** 2
-        self._check(least - off, 0.0, self.step.rows[0], self.fails)
-
-    def _check_inertia(self, blamed: Sequence[int], factors: Factors, sizes: Array) -> None:
-        """No pivot of the inertia may have lost its digits, nor the sum that an entry is.
-
-        Where some are lost and not all, as of light links near gimbal lock, another way may keep
-        them.
-        """
-        lost, most = 16 * self.epsilon, LEFT[self.state.plan.scalar]
-        found = zip(blamed, factors.pivots, factors.diagonal, sizes, strict=True)
-        for unknown, pivot, entry, size in found:
-            parts = [*([] if pivot == entry else [entry]), *([] if entry == size else [size])]
-            whole = total(parts) if parts else self.state.graph.constant(0)
-            if not self.step.recovers:
-                self._check(pivot, whole * lost, unknown, "kLoopFree")
-            if parts or self.step.recovers:
-                self._check(pivot, whole * most, unknown, self.fails)
-
 
 def _followed(each: SolvedPart) -> Followed:
     """What a certificate needs of a part."""
@@ -510,11 +384,6 @@ def _followed(each: SolvedPart) -> Followed:
 def _solves_by(inverse: Array) -> Callable[[Array], Array] | None:
     """What solves by the inverse of how rows push, where that is at hand."""
     return (lambda pull: matrix_times(inverse.T, pull)) if inverse.size else None
-
-
-def _squares(values: Iterable[Expression]) -> list[Expression]:
-    """The squares of those values that are not known to be zero."""
-    return [x * x for x in values if x.constant != 0]
 
 
 def _symmetric(matrix: Array) -> Array:

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.checks import Check
-from adagen.executor.elimination import LEAST, failure_of
+from adagen.executor.elimination_checks import LEAST, failure_of
 from adagen.executor.frames import Dense, Rotation, Transform, columnwise, constant_turn
 from adagen.executor.front import Front
 from adagen.executor.kinematics import Motion

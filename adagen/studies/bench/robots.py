@@ -9,12 +9,11 @@ from pathlib import Path
 
 from adagen.errors import AdagenError, UsageError
 from adagen.library import Robot
-from adagen.model import Model
 from adagen.schedule import load_profile
 from adagen.states import States
 from adagen.studies.bench.answers import DIRECT, Errors, Judge
 from adagen.studies.bench.contest import Contestant, Progress, Rules, Times, hold
-from adagen.studies.bench.peers import contestants, missing
+from adagen.studies.bench.peers import entered
 from adagen.studies.bench.record import ModelRecord, Row
 from adagen.studies.bench.variants import Variant, built
 from adagen.studies.drawn import drawn_states
@@ -50,7 +49,7 @@ def measured(
     few = States(*(x[:judged] for x in (states.q, states.v, states.tau)))
     with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
         taking_part = built(robot, variants, gone, on_progress)
-        taking_part += _others(model, states, peers, Path(folder), gone, on_progress)
+        taking_part += entered(peers, model, states, Path(folder), gone, on_progress)
         if not taking_part:
             raise UsageError(f"nothing to time: {next(iter(gone.values()), 'no variant')}")
         times, given_up = hold(
@@ -62,29 +61,6 @@ def measured(
         rows = _judged(taking_part, times, Judge(model, few), gone)
     seconds = time.perf_counter() - start
     return ModelRecord(robot.name, len(model.joints), model.nv, rows, gone, round(seconds, 1))
-
-
-def _others(
-    model: Model,
-    states: States,
-    names: Sequence[str],
-    folder: Path,
-    absent: dict[str, str],
-    on_progress: Progress,
-) -> list[Contestant]:
-    """Return the peers' contestants, built; why others are missing goes into ``absent``."""
-    found: list[Contestant] = []
-    for name in names:
-        reason = missing(name)
-        if reason is None:
-            on_progress(f"compiling {name}")
-            try:
-                found += contestants(name, model, states, folder)
-                continue
-            except AdagenError as error:
-                reason = str(error).removeprefix("error: ")
-        absent[name] = reason
-    return found
 
 
 def _judged(

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from importlib.util import find_spec
 from pathlib import Path
 
-from adagen.errors import EnvironmentFault
+from adagen.errors import AdagenError, EnvironmentFault
 from adagen.model import Model, canonical
 from adagen.states import States
-from adagen.studies.bench.contest import Contestant
+from adagen.studies.bench.contest import Contestant, Progress
 from adagen.studies.bench.machine import package
 
 Make = Callable[[Model, States, Path], Sequence[Contestant]]
@@ -64,6 +64,38 @@ def contestants(name: str, model: Model, states: States, folder: Path) -> Sequen
     if model.closed and name not in LOOPED:
         raise EnvironmentFault("it has no rigid closed loops")
     return PEERS[name][1](canonical(model), states, folder)
+
+
+def entered(
+    names: Iterable[str],
+    model: Model,
+    states: States,
+    folder: Path,
+    absent: dict[str, str],
+    on_progress: Progress,
+) -> list[Contestant]:
+    """Return the contestants of peers, built; why others are missing goes into ``absent``.
+
+    Args:
+        names: keys of ``PEERS``.
+        model: the robot.
+        states: what is timed.
+        folder: for the peers' files.
+        absent: why a peer does not take part, by name.
+        on_progress: told what is being done.
+    """
+    found: list[Contestant] = []
+    for name in names:
+        reason = missing(name)
+        if reason is None:
+            on_progress(f"compiling {name}")
+            try:
+                found += contestants(name, model, states, folder)
+                continue
+            except AdagenError as error:
+                reason = str(error).removeprefix("error: ")
+        absent[name] = reason
+    return found
 
 
 def missing(name: str) -> str | None:
