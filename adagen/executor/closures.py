@@ -387,7 +387,8 @@ class Closures:
         free, constrained = list(kind.free), list(kind.constrained)
         x: Transform = self.memory["X", j]
         body = self.memory["articulated", j]
-        columns, _ = front.columns.pop(j + 1, {}), front.points.pop(j + 1, {})
+        columns = front.columns.pop(j + 1, {})
+        front.points.pop(j + 1, None)
         front.carried[j] = {unknown: column[free] for unknown, column in columns.items()}
         halves = {
             unknown: body.factors.forward(column[free][:, None])[:, 0]

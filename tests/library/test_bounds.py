@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
-import json
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,28 +9,9 @@ import pytest
 
 import adagen
 from adagen.errors import SolveError, UsageError
-from adagen.plan import plan_from_json
 from adagen.states import random_states
 from tests.emitted import energy_errors
 from tests.golden.make_models import MODELS
-from tests.library.solvers import ARM
-
-
-def test_scene_and_profile_are_in_head_and_plan(tmp_path: Path) -> None:
-    scene = tmp_path / "s.toml"
-    scene.write_text("gravity = [0, 0, 0]\r\n", newline="")
-    made = adagen.compile(adagen.read(ARM, scene=scene))
-    files = made.in_folder(tmp_path / "out")
-    plan, head = files["arm7_p1.plan.json"], files["arm7_p1.cpp"][:3000]
-    origin = json.loads(plan)["made"]
-    assert origin["command"][:3] == ["adagen", origin["command"][1], "--scene=../s.toml"]
-    inputs = {each["what"]: each for each in origin["inputs"]}
-    assert inputs["scene"]["text"].encode() == scene.read_bytes()
-    assert 'name = "default"' in inputs["profile default"]["text"]
-    for what, each in inputs.items():
-        digest = hashlib.sha256(each["text"].encode()).hexdigest()
-        assert f"// input     {what}, sha256 {digest}\n" in head
-    assert plan_from_json(plan).gravity == plan_from_json(made.files["arm7_p1.plan.json"]).gravity
 
 
 @pytest.mark.parametrize("asked", [{"shape": "kernels"}, {"shape": "unrolled"}, {"batch": True}])
