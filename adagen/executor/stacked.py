@@ -9,19 +9,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[Any]
+_NEXT, _LAST = np.array([1, 2, 0]), np.array([2, 0, 1])
 
 
 def cross(a: Array, b: Array) -> Array:
-    """Return a x b, shape (S, 3)."""
-    (a0, a1, a2), (b0, b1, b2) = a.T, b.T
-    return np.stack([a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0], axis=1)
+    """Return a x b, shape (..., 3)."""
+    found: Array = a.take(_NEXT, -1) * b.take(_LAST, -1)
+    found -= a.take(_LAST, -1) * b.take(_NEXT, -1)
+    return found
 
 
 def skew(c: Array) -> Array:
-    """Return the matrices that cross products are, shape (S, 3, 3)."""
-    found = np.zeros((len(c), 3, 3), c.dtype)
-    found[:, 0, 1], found[:, 0, 2], found[:, 1, 2] = -c[:, 2], c[:, 1], -c[:, 0]
-    return found - found.transpose(0, 2, 1)
+    """Return the matrices that cross products are, shape (..., 3, 3)."""
+    found = np.zeros((*c.shape, 3), c.dtype)
+    found[..., 0, 1], found[..., 0, 2], found[..., 1, 2] = -c[..., 2], c[..., 1], -c[..., 0]
+    return found - found.swapaxes(-1, -2)
 
 
 def is_turn(rotation: Array) -> bool:
@@ -32,8 +34,8 @@ def is_turn(rotation: Array) -> bool:
 
 
 def congruent(turn: Array, block: Array) -> Array:
-    """Return Q M Q^T, shape (S, 3, 3)."""
-    found: Array = turn @ block @ turn.transpose(0, 2, 1)
+    """Return Q M Q^T, shape (..., 3, 3)."""
+    found: Array = turn @ block @ turn.swapaxes(-1, -2)
     return found
 
 
@@ -42,11 +44,11 @@ def about_z(turn: Array, block: Array) -> Array:
 
     It is exact to a unit in the last place of the block, not of its entries.
     """
-    found, (p, q) = congruent(turn, block), turn[:, 0, :2].T
-    (a, b), (g, d) = block[:, 0, :2].T, block[:, 1, :2].T
+    found, p, q = congruent(turn, block), turn[..., 0, 0], turn[..., 0, 1]
+    a, b, g, d = (block[..., i, k] for i in range(2) for k in range(2))
     t = p * (a - d) + q * (b + g)
-    found[:, 0, 0], found[:, 1, 1] = d + p * t, a - p * t
-    found[:, 0, 1], found[:, 1, 0] = b - q * t, g - q * t
+    found[..., 0, 0], found[..., 1, 1] = d + p * t, a - p * t
+    found[..., 0, 1], found[..., 1, 0] = b - q * t, g - q * t
     return found
 
 
@@ -54,22 +56,27 @@ def turned_body(
     turn: Array, body: Array, force: Array, by: Callable[..., Array] = congruent
 ) -> tuple[Array, Array]:
     """Return a body and the force on it in axes turned, its blocks being turned as given."""
-    found = np.empty_like(body)
-    for i in (slice(0, 3), slice(3, 6)):
-        for k in (slice(0, 3), slice(3, 6)):
-            found[:, i, k] = by(turn, body[:, i, k])
-    return found, np.hstack(
-        [np.einsum("sik,sk->si", turn, x) for x in (force[:, :3], force[:, 3:])]
-    )
+    blocks = body.reshape(-1, 2, 3, 2, 3).swapaxes(2, 3)
+    found = by(turn[:, None, None], blocks).swapaxes(2, 3).reshape(body.shape)
+    halves = [np.einsum("sik,sk->si", turn, x) for x in (force[:, :3], force[:, 3:])]
+    return found, np.concatenate(halves, axis=1)
 
 
-def shifted_body(body: Array, force: Array, way: Array) -> tuple[Array, Array]:
-    """Return a body and the force on it about a point that is so far behind."""
-    found, arm = body.copy(), skew(way)
+def shifted_body(body: Array, force: Array, way: Array, arm: Array) -> tuple[Array, Array]:
+    """Return a body and the force on it about a point that is so far behind.
+
+    Args:
+        body: shape (S, 6, 6).
+        force: shape (S, 6).
+        way: shape (S, 3).
+        arm: the matrix that a cross product with it is, shape (S, 3, 3).
+    """
+    found, moved = body.copy(), force.copy()
     found[:, :3, 3:] += arm @ body[:, 3:, 3:]
     found[:, :3, :3] += arm @ body[:, 3:, :3] - found[:, :3, 3:] @ arm
     found[:, 3:, :3] = found[:, :3, 3:].transpose(0, 2, 1)
-    return found, np.hstack([force[:, :3] + cross(way, force[:, 3:]), force[:, 3:]])
+    moved[:, :3] += cross(way, force[:, 3:])
+    return found, moved
 
 
 def rotation(p: Array) -> Array:
@@ -86,6 +93,9 @@ def rotation(p: Array) -> Array:
 def solved(d: Array, right: Array) -> Array:
     """Return d^-1 right by Cholesky's factorization, of any number; NaN where that fails."""
     n = d.shape[1]
+    if n == 1:
+        lower = d / np.sqrt(d)
+        return right / lower / lower
     lower, found = np.zeros_like(d), right.copy()
     for k in range(n):
         column = d[:, k:, k] - np.einsum("sik,sk->si", lower[:, k:, :k], lower[:, k, :k])

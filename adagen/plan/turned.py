@@ -267,7 +267,8 @@ def _sides(
             least = float(own[:, free[0], free[0]].min()) + rotor
             usual = trace / np.maximum(d[:, 0, 0], _SMALLEST)
             found[j, backwards] = Side(float(trace.max()), least, float(np.median(usual)))
-        return inertia - u @ np.linalg.pinv(d, hermitian=True) @ u.transpose(0, 2, 1)
+        rest: Array = inertia - u @ _inverse(d) @ u.transpose(0, 2, 1)
+        return rest
 
     passed: list[Any] = [None] * len(joints)
     whole = [np.broadcast_to(inertia, (len(SEEDS), 6, 6)) for inertia in bare]
@@ -288,6 +289,13 @@ def _sides(
         own = back.transpose(0, 2, 1) @ bare[joint.parent] @ back
         whole[j + 1] = whole[j + 1] + look(j, True, seen, own)
     return found
+
+
+def _inverse(d: Array) -> NDArray[Any]:
+    """Pseudoinverses of symmetric matrices, shape (configurations, freedoms, freedoms)."""
+    if d.shape[1] == 1:
+        return np.divide(1.0, d, out=np.zeros_like(d), where=d != 0)
+    return np.linalg.pinv(d, hermitian=True)
 
 
 def _flat(joints: tuple[PlanJoint, ...]) -> list[bool]:

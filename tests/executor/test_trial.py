@@ -10,7 +10,8 @@ import pytest
 
 import adagen
 from adagen.executor import interpret
-from adagen.executor.trial import accelerations, tried, tried_hard
+from adagen.executor.program_states import program_states
+from adagen.executor.trial import States, accelerations, tried, tried_hard
 from adagen.executor.trial_sweep import Sweep
 from adagen.graph import FLOAT
 from adagen.model import Model
@@ -38,6 +39,23 @@ def test_sweeps_in_more_digits_are_right(robot: str) -> None:
     found = accelerations(plan_of(model, 1), states.q, states.v, states.tau).astype(float)
     for q, x, truth in zip(states.q, found, truth_of(model, states), strict=True):
         assert energy_norm_error(joint_space_inertia(model, q), x - truth, truth) < 1e-14
+
+
+@pytest.mark.parametrize("robot", ROBOTS)
+@pytest.mark.parametrize("shape", ["line", "loops"])
+def test_states_are_swept_alike_together_and_alone(robot: str, shape: str) -> None:
+    plan = plan_of(ROBOTS[robot](), 1)
+    turned = None if shape == "line" else turned_joints(plan).always
+    states = program_states(plan, 3, seed=7)
+    together = Sweep(plan, np.float64, turned, states).solved()
+    for s, found in enumerate(together):
+        (alone,) = Sweep(plan, np.float64, turned, _only(states, s)).solved()
+        assert np.abs(found - alone).max() < 1e-8 * np.abs(alone).max()
+
+
+def _only(states: States, s: int) -> States:
+    q, v, tau = (x[s : s + 1] for x in states)
+    return q, v, tau
 
 
 def test_what_quick_turns_lose_is_predicted() -> None:
