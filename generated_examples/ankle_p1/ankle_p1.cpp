@@ -1452,9 +1452,16 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x558 = -0.25 - (cosine[4] * x541 + sine[4] * x547);
   const Real x560 = x532 + x533 + -0.4 - x558;
   const Real x580 = v[7] * v[7] + x574 + x572 + x80 + 1.0;
+  const Real x567 = x561 * x561 + x562 * x562 + x560 * x560;
+  const Real x579 = 1e-08 - x567;
+  require_more(w, x579, 0.0, kLoopOpen, 8);
   // directions in which a loop holds its two links
   const Real x738 = -0.17 - (cosine[5] * x721 + sine[5] * x727);
   const Real x740 = x533 - x532 + -0.4 - x738;
+  const Real x762 = v[11] * v[11] + x757 + x572 + x80 + 1.0;
+  const Real x751 = x741 * x741 + x743 * x743 + x740 * x740;
+  const Real x761 = 1e-08 - x751;
+  require_more(w, x761, 0.0, kLoopOpen, 9);
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Real x3796 = 2.7e-06 * (x2841 * x2841) + 0.00264635 * (x2898 * x2898);
   const Real x3814 = x1053 * (x2998 * x2998) + x3813;
@@ -1480,39 +1487,18 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x3801 = 0.003308333 * (x3198 * x3198) + x3800;
   const Real x3819 = x1485 * (x3213 * x3213) + x3818;
   const Real x3836 = x1485 * (x3227 * x3227) + x3835;
-  // joint 1 "knee": articulated-body inertia and bias force through it
-  const Real x4912 = sine[1] * (x4744 - x4681 * x4749) + cosine[1] * x4813;
-  // joint 0 "hip": articulated-body inertia and bias force through it
-  const Real x4932 = tau[0] - (tau[1] - 0.4 * x4912 + x9 * 1.2000000000000002);
-  const Real x4933 = 1 / x4922 * x4932;
-  w.result[0] = x4933;
-  // joint 1 "knee": its acceleration, and that of the link beyond
-  const Real x4943 = 0.4 * x4933;
-  const Real x4945 = sine[1] * x4943;
-  const Real x4947 = cosine[1] * x4943;
-  const Real x4954 = x4749 - x4752 * x4945 + x4754 * x4947;
-  // directions in which a loop holds its two links
-  const Real x567 = x561 * x561 + x562 * x562 + x560 * x560;
-  const Real x579 = 1e-08 - x567;
-  require_more(w, x579, 0.0, kLoopOpen, 8);
-  // directions in which a loop holds its two links
-  const Real x762 = v[11] * v[11] + x757 + x572 + x80 + 1.0;
-  const Real x751 = x741 * x741 + x743 * x743 + x740 * x740;
-  const Real x761 = 1e-08 - x751;
-  require_more(w, x761, 0.0, kLoopOpen, 9);
-  // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Real x3802 = x1485 * (x3199 * x3199) + x3801;
   const Real x3803 = 0.00112635 * (x3200 * x3200) + x3802;
   const Real x4185 = 0.00112635 * (x3214 * x3214) + x3819 + x3677;
   const Real x4188 = 0.00112635 * (x3228 * x3228) + x3836 + x3753;
+  const Real x2741 = x2417 * x2417;
+  require_more(w, x2741, 9.999999999999998e-15, kLoopSingular, 8);
   const Real x2340 = x2319 * x2319 + x2329 * x2329 + x2335 * x2335;
   const Real x2341 = x580 * 1.0000000000000002e-06 - x2340;
   require_more(w, x2341, 0.0, kLoopTorn, 8);
   const Real x2374 = x2349 * x2349 + x2361 * x2361 + x2369 * x2369;
   const Real x2375 = 1.0000000000000002e-06 * x762 - x2374;
   require_more(w, x2375, 0.0, kLoopTorn, 9);
-  const Real x2741 = x2417 * x2417;
-  require_more(w, x2741, 9.999999999999998e-15, kLoopSingular, 8);
   const Real x2743 = x2508 * x2508;
   require_more(w, x2743, 9.999999999999998e-15, kLoopSingular, 8);
   const Real x2745 = x2601 * x2601;
@@ -1525,6 +1511,17 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   require_more(w, x3601, x4182, kLoopFree, 2);
   const Real x4184 = x3803 * 1e-08;
   require_more(w, x3601, x4184, kLoopSingular, 2);
+  // joint 1 "knee": articulated-body inertia and bias force through it
+  const Real x4912 = sine[1] * (x4744 - x4681 * x4749) + cosine[1] * x4813;
+  // joint 0 "hip": articulated-body inertia and bias force through it
+  const Real x4932 = tau[0] - (tau[1] - 0.4 * x4912 + x9 * 1.2000000000000002);
+  const Real x4933 = 1 / x4922 * x4932;
+  w.result[0] = x4933;
+  // joint 1 "knee": its acceleration, and that of the link beyond
+  const Real x4943 = 0.4 * x4933;
+  const Real x4945 = sine[1] * x4943;
+  const Real x4947 = cosine[1] * x4943;
+  // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Real x4186 = 1.7763568394002505e-15 * x4185;
   require_more(w, x4147, x4186, kLoopFree, 3);
   const Real x4187 = 1e-08 * x4185;
@@ -1534,6 +1531,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x4190 = 1e-08 * x4188;
   require_more(w, x4162, x4190, kLoopSingular, 4);
   // joint 1 "knee": its acceleration, and that of the link beyond
+  const Real x4954 = x4749 - x4752 * x4945 + x4754 * x4947;
   const Real x4955 = x4954 - x4933;
   w.result[1] = x4955;
   // link 2 "shank": accelerations and constraint forces of loops below it

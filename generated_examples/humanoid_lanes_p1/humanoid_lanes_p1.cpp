@@ -221,6 +221,10 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x1731 = Four{0.0, 0.0, 0.04, 0.04} * x1710 + Four{0.02, 0.02, 0.0, 0.0} * x1714;
   const Four x1720 = Four{0.0, 0.0, 0.04, 0.04} * x1715 + Four{0.02, 0.02, 0.0, 0.0} * x1710;
   const Four x1748 = load<Four>(sine + 20) * x1698 - Four{0.0, 0.0, 0.04, 0.04} * x1683 - Four{0.02, 0.02, 0.0, 0.0} * x1724;
+  const Four x1758 = Four{0.02, 0.02, 0.0, 0.0} * x1695 - Four{0.0, 0.0, 0.04, 0.04} * x1693;
+  const Four x1764 = Four{0.003383716859009155, 0.003383716859009155, 0.002133333, 0.002133333} + x1703 + Four{0.02, 0.02, 0.0, 0.0} * x1683 - Four{0.02, 0.02, 0.0, 0.0} * x1726;
+  const Four x1795 = Four{7.2e-05, 7.2e-05, 9e-05, 9e-05} + x1764;
+  require_more(w, x1795, 0.0, kFactorization, {5, 11, 20, 28});
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1809 = Four{tau[10], tau[16], tau[25], tau[33]};
   const Four x1915 = load<Four>(sine + 16) * 2.0;
@@ -230,8 +234,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2301 = Four{tau[8], tau[14], tau[23], tau[31]};
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2491 = Four{tau[7], tau[13], tau[22], tau[30]};
-  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Four x2739 = Four{tau[6], tau[12], tau[21], tau[29]};
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": placement, velocity and reference acceleration of their links
   const Four x597 = load<Four>(sine + 12) * Four{1.0, 1.0, 0.0, 0.0} + load<Four>(cosine + 12) * Four{0.0, 0.0, 1.0, 1.0};
   const Four x592 = load<Four>(cosine + 12) * Four{1.0, 1.0, 0.0, 0.0} - load<Four>(sine + 12) * Four{0.0, 0.0, 1.0, 1.0};
@@ -241,10 +243,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x136 = v[18] * x134;
   const Real x161 = x134 * x135;
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
-  const Four x1758 = Four{0.02, 0.02, 0.0, 0.0} * x1695 - Four{0.0, 0.0, 0.04, 0.04} * x1693;
-  const Four x1764 = Four{0.003383716859009155, 0.003383716859009155, 0.002133333, 0.002133333} + x1703 + Four{0.02, 0.02, 0.0, 0.0} * x1683 - Four{0.02, 0.02, 0.0, 0.0} * x1726;
-  const Four x1795 = Four{7.2e-05, 7.2e-05, 9e-05, 9e-05} + x1764;
-  require_more(w, x1795, 0.0, kFactorization, {5, 11, 20, 28});
   const Four x1694 = Four{0.009679561966971832, 0.009679561966971832, 0.0, 0.0} + x1691;
   const Four x1737 = Four{0.00416667, 0.00416667, 0.000296667, 0.000296667} - x1703 + Four{0.0, 0.0, 0.04, 0.04} * x1688 + Four{0.0, 0.0, 0.04, 0.04} * x1724;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
@@ -282,14 +280,14 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x1945 = load<Four>(sine + 16) * x1852 + load<Four>(cosine + 16) * x1857;
   const Four x1891 = x1826 + x1889;
   const Four x1885 = load<Four>(sine + 16) * x1884;
+  const Four x1940 = load<Four>(sine + 16) * x1857 - load<Four>(cosine + 16) * x1852;
+  const Four x1954 = load<Four>(sine + 16) * x1951 - x1848;
+  const Four x1923 = load<Four>(cosine + 16) * x1919;
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2206 = 2.0 * x597;
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2389 = load<Four>(sine + 8) * 2.0;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Four x1940 = load<Four>(sine + 16) * x1857 - load<Four>(cosine + 16) * x1852;
-  const Four x1954 = load<Four>(sine + 16) * x1951 - x1848;
-  const Four x1923 = load<Four>(cosine + 16) * x1919;
   const Four x1888 = x1839 + x1885;
   const Four x1956 = x1856 + x1955;
   const Four x1925 = x1820 - x1923;
@@ -329,10 +327,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2044 = Four{1.0, 1.0, 0.0, 0.0} * x1928 - Four{0.3, 0.3, -0.01, -0.01} * x1910 - Four{0.0, 0.0, 0.16, 0.16} * x1982;
   const Four x2045 = x2044 - Four{0.3, 0.3, -0.01, -0.01} * x1993;
   const Four x2103 = Four{-0.018000000000000002, -0.018000000000000002, -0.049, -0.049} + x1988;
+  const Four x2104 = Four{-0.234, -0.234, 0.013999999999999999, 0.013999999999999999} - x2000;
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2119 = 1 / x2102;
+  // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
+  const Real x137 = v[18] * x130;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Four x2104 = Four{-0.234, -0.234, 0.013999999999999999, 0.013999999999999999} - x2000;
   const Four x2015 = x1836 + x1923 + Four{0.0, 0.0, 0.16, 0.16} * x1901 + Four{0.0, 0.0, 0.16, 0.16} * x2003;
   const Four x2036 = x1925 - x1933 - Four{0.3, 0.3, -0.01, -0.01} * x1906 + Four{0.3, 0.3, -0.01, -0.01} * x2006;
   const Four x2010 = x1910 + x1978 + x1991;
@@ -377,6 +377,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2235 = Four{0.24, 0.24, 0.11, 0.11} * x2223;
   const Four x2258 = x2133 + x597 * x2210 + Four{0.24, 0.24, 0.11, 0.11} * x2187;
   const Four x2238 = Four{0.24, 0.24, 0.11, 0.11} * x2234;
+  const Four x2237 = x2136 - x2201 + x2235;
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2302 = 1 / x2287;
   // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
@@ -396,8 +397,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x243 = x177 + v[20];
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": placement, velocity and reference acceleration of their links
   const Four x312 = Four{v[5], v[5], x243, x243};
+  const Four x319 = x310 * x310;
+  const Four x320 = x311 * x311;
+  const Four x321 = x312 * x312;
+  const Four x324 = x310 * x311;
   // joint 13 "waist_yaw": placement, velocity and reference acceleration of its link
-  const Real x137 = v[18] * x130;
   const Real x162 = x161 - x136;
   const Real x164 = x130 * x130 + x134 * x134;
   const Real x149 = cosine[24] * x140 - sine[24] * x139;
@@ -416,8 +420,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x193 = x145 + x168 * 0.05;
   const Real x208 = sine[25] * x195 + cosine[25] * x198;
   const Real x218 = x217 - x136;
+  const Real x203 = cosine[25] * x195 - sine[25] * x198;
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Four x2237 = x2136 - x2201 + x2235;
   const Four x2253 = x2130 - x2214 + (Four{0.24, 0.24, 0.11, 0.11} * x2190 + Four{0.24, 0.24, 0.11, 0.11} * x2242);
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2308 = x2199 * x2302;
@@ -441,10 +445,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2393 = load<Four>(cosine + 8) * (x2313 - x2328) - x2316 * x2389;
   const Four x2417 = x2340 - x2415;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": placement, velocity and reference acceleration of their links
-  const Four x319 = x310 * x310;
-  const Four x320 = x311 * x311;
-  const Four x321 = x312 * x312;
-  const Four x324 = x310 * x311;
   const Four x315 = Four{0.0, 0.0, x188, x188};
   const Four x334 = x310 * x312;
   // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
@@ -457,8 +457,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x252 = x191 * cosine[26] + x136 * sine[26] + v[20] * x242;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": placement, velocity and reference acceleration of their links
   const Four x313 = Four{0.0, 0.0, x252, x252};
-  // joint 14 "waist_roll": placement, velocity and reference acceleration of its link
-  const Real x203 = cosine[25] * x195 - sine[25] * x198;
   // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
   const Real x257 = x203 + x218 * 0.04;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": placement, velocity and reference acceleration of their links
@@ -472,6 +470,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x350 = load<Four>(cosine + 0) * x310 - load<Four>(sine + 0) * x343;
   const Four x385 = Four{0.0, 0.0, 0.29, 0.29} * (x315 + x324) - Four{0.09, -0.09, 0.0, 0.0} * (x319 + x321);
   const Four x392 = Four{0.0, 0.0, x257, x257} + (x319 + x320) * Four{0.05, 0.05, -0.15, 0.15};
+  const Four x387 = Four{0.0, 0.0, x271, x271} + x385 - (x329 - x313) * Four{0.05, 0.05, -0.15, 0.15};
+  const Four x393 = Four{0.0, 0.0, 0.29, 0.29} * (x334 - x314) + x392;
+  const Four x394 = Four{0.09, -0.09, 0.0, 0.0} * (x313 + x329) + x393;
   // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
   const Real x267 = sine[26] * x263 - cosine[26] * x260;
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
@@ -487,10 +488,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2352 = x2220 - x2187 * x2310;
   const Four x2325 = x2148 + x2197 + Four{0.24, 0.24, 0.11, 0.11} * x2220 - x2258 * x2310;
   const Four x2337 = x2261 * x2310 - Four{0.24, 0.24, 0.11, 0.11} * x2231;
+  const Four x2384 = load<Four>(cosine + 8) * x2379;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": placement, velocity and reference acceleration of their links
-  const Four x387 = Four{0.0, 0.0, x271, x271} + x385 - (x329 - x313) * Four{0.05, 0.05, -0.15, 0.15};
-  const Four x393 = Four{0.0, 0.0, 0.29, 0.29} * (x334 - x314) + x392;
-  const Four x394 = Four{0.09, -0.09, 0.0, 0.0} * (x313 + x329) + x393;
   const Four x351 = Four{1.0, 1.0, 0.0, 0.0} * x311 + Four{0.0, 0.0, 1.0, 1.0} * x312 + x296;
   const Four x367 = load<Four>(cosine + 0) * x358 + load<Four>(sine + 0) * x313 + x296 * x350;
   const Four x370 = load<Four>(cosine + 0) * x313 - load<Four>(sine + 0) * x358 - x296 * x346;
@@ -514,7 +513,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x473 = x404 + x429 * Four{0.04, -0.04, 0.05, -0.05};
   const Four x475 = x408 + x423 * Four{0.04, -0.04, 0.05, -0.05};
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Four x2384 = load<Four>(cosine + 8) * x2379;
   const Four x2414 = x2343 + load<Four>(sine + 8) * x2411;
   const Four x2451 = x2328 + x2397 + Four{0.12, 0.12, 0.1, 0.1} * x2382 + Four{0.12, 0.12, 0.1, 0.1} * x2423;
   const Four x2475 = Four{0.00342, 0.00342, 0.0014, 0.0014} + x2451;
@@ -536,6 +534,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2492 = 1 / x2475;
   const Four x2497 = x2476 * x2492;
   const Four x2498 = x2477 * x2492;
+  const Four x2495 = x2445 * x2492;
+  const Four x2496 = Four{0.00096, 0.00096, 0.0, 0.0} * x2492;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": placement, velocity and reference acceleration of their links
   const Four x397 = Four{1.0, 1.0, 0.0, 0.0} * x387 + Four{0.0, 0.0, 1.0, 1.0} * x394;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": placement, velocity and reference acceleration of their links
@@ -569,8 +569,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2433 = x2385 + x2418;
   const Four x2426 = load<Four>(sine + 8) * x2325 + load<Four>(cosine + 8) * x2337 - Four{0.12, 0.12, 0.1, 0.1} * x2403;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Four x2495 = x2445 * x2492;
-  const Four x2496 = Four{0.00096, 0.00096, 0.0, 0.0} * x2492;
   const Four x2528 = Four{1.2, 1.2, 0.7, 0.7} + x2417 - x2476 * x2497;
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2479 = x2166 + x2232 + Four{2.6, 2.6, 0.8, 0.8} - x2202 * x2310 + Four{1.2, 1.2, 0.7, 0.7};
@@ -587,6 +585,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2520 = Four{0.024, 0.024, 0.0, 0.0} - Four{0.00096, 0.00096, 0.0, 0.0} * x2497;
   const Four x2521 = Four{0.00096, 0.00096, 0.0, 0.0} * x2498;
   const Four x2627 = load<Four>(cosine + 4) * (x2528 - x2537) - x2531 * x2596;
+  const Four x2600 = load<Four>(cosine + 4) * (x2502 - x2517) - x2505 * x2596;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": placement, velocity and reference acceleration of their links
   const Four x492 = load<Four>(cosine + 4) * x481 - load<Four>(sine + 4) * x478;
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": placement, velocity and reference acceleration of their links
@@ -621,7 +620,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x684 = Four{1.0, 1.0, 0.0, 0.0} * x618 + Four{0.0, 0.0, 1.0, 1.0} * x542;
   const Four x676 = load<Four>(cosine + 16) * x601 + load<Four>(sine + 16) * x669;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Four x2600 = load<Four>(cosine + 4) * (x2502 - x2517) - x2505 * x2596;
   const Four x2534 = x2414 - x2476 * x2499;
   const Four x2540 = x2403 - x2477 * x2499;
   const Four x2631 = load<Four>(cosine + 4) * x2627;
@@ -734,6 +732,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2744 = x2687 * x2740;
   const Four x2747 = x2572 * x2740;
   const Four x2880 = load<Four>(cosine + 0) * (x2777 - x2786) - x2780 * x2847;
+  const Four x2750 = Four{0.00308, 0.00308, 0.001366667, 0.001366667} + x2673 - x2681 * x2743;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": placement, velocity and reference acceleration of their links
   const Four x732 = load<Four>(cosine + 16) * x721 - load<Four>(sine + 16) * x706;
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": placement, velocity and reference acceleration of their links
@@ -754,10 +753,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x3319 = cosine[28] * 1.574105621805792 - 0.3679727427597956 * x3301;
   const Real x3329 = x3300 + -0.144;
   const Real x3323 = cosine[28] * x3319;
+  const Real x3325 = 2.318228279386712 - x3323;
+  const Real x3340 = -0.00432 + sine[28] * x3308 - 0.06 * x3296;
   // joint 22 "neck_yaw": articulated-body inertia and bias force through it
   const Real x3380 = x3296 * x3376;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Four x2750 = Four{0.00308, 0.00308, 0.001366667, 0.001366667} + x2673 - x2681 * x2743;
   const Four x2762 = Four{1.0, 1.0, 0.0, 0.0} * x2570 - Four{0.04, -0.04, 0.05, -0.05} * x2640 - x2681 * x2747;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2723 = x2613 + Four{0.04, -0.04, 0.05, -0.05} * x2590 + Four{0.04, -0.04, 0.05, -0.05} * x2658 + Four{0.00308, 0.00308, 0.001366667, 0.001366667};
@@ -784,6 +784,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2818 = x2759 + x2816;
   const Four x2851 = load<Four>(cosine + 0) * (x2750 - x2765) - x2753 * x2847;
   const Four x2886 = x2777 - x2884;
+  const Four x2825 = Four{1.0, 1.0, 0.0, 0.0} * x2818;
   // links 7 "left_foot", 13 "right_foot", 22 "left_hand", 30 "right_hand": force that the reference field takes
   const Four x1327 = Four{0.0007199999999999999, 0.0007199999999999999, 0.0, 0.0} * (x826 - x821) - x823 * Four{0.002606663, 0.002606663, 0.00013000000000000002, 0.00013000000000000002};
   const Four x1336 = x828 * Four{0.002960003, 0.002960003, -0.001706666, -0.001706666} - x819 * Four{0.0007199999999999999, 0.0007199999999999999, 0.0, 0.0} + x782 * Four{0.00381333, 0.00381333, 0.002133333, 0.002133333};
@@ -795,8 +796,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x1388 = x1387 - (x828 - x782) * Four{0.0, 0.0, 0.024, 0.024};
   const Four x1389 = x1388 - (x779 + x823) * Four{0.024, 0.024, 0.0, 0.0};
   // joint 23 "neck_pitch": articulated-body inertia and bias force through it
-  const Real x3325 = 2.318228279386712 - x3323;
-  const Real x3340 = -0.00432 + sine[28] * x3308 - 0.06 * x3296;
   const Real x3326 = 0.06 * x3325;
   const Real x3366 = 0.4 + x3325;
   const Real x3337 = 0.008736 - x3312 - (0.06 * x3300 + 0.06 * x3329);
@@ -824,8 +823,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x1379 = (x823 - x779) * Four{0.024, 0.024, 0.0, 0.0} + x1377 + x810 * Four{0.8, 0.8, 0.4, 0.4};
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1678 = x1379 - Four{0.0, 0.0, 0.024, 0.024} * x1656;
+  const Four x1778 = load<Four>(sine + 20) * x1675 + load<Four>(cosine + 20) * x1678;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Four x2825 = Four{1.0, 1.0, 0.0, 0.0} * x2818;
   const Four x2837 = Four{0.0, 0.0, 1.0, 1.0} * x2821 - Four{1.0, 1.0, 0.0, 0.0} * x2806;
   const Four x2855 = load<Four>(cosine + 0) * x2851;
   const Four x2890 = Four{1.0, 1.0, 0.0, 0.0} * x2875 - Four{0.0, 0.0, 1.0, 1.0} * x2883;
@@ -841,58 +840,24 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2823 = Four{0.0, 0.0, 1.0, 1.0} * x2818;
   const Four x2893 = Four{0.0, 0.0, 1.0, 1.0} * x2875 + Four{1.0, 1.0, 0.0, 0.0} * x2883;
   const Four x3021 = Four{0.0, 0.0, 0.29, 0.29} * x2838 + Four{0.09, -0.09, 0.0, 0.0} * x2825 + Four{0.09, -0.09, 0.0, 0.0} * x2924;
+  const Four x2907 = Four{0.09, -0.09, 0.0, 0.0} * x2893;
   // joint 22 "neck_yaw": articulated-body inertia and bias force through it
   const Real x3403 = x3364 - x3400;
   const Real x3412 = cosine[27] * x3407;
   const Real x3435 = x3403 + 0.38 * x3422;
   const Real x3419 = sine[27] * x3418;
-  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
-  const Four x1778 = load<Four>(sine + 20) * x1675 + load<Four>(cosine + 20) * x1678;
-  const Four x1775 = load<Four>(cosine + 20) * x1675 - load<Four>(sine + 20) * x1678;
-  const Four x1790 = load<Four>(cosine + 20) * x1351 - load<Four>(sine + 20) * x1673 - Four{0.02, 0.02, 0.0, 0.0} * x1389;
-  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
-  const Four x1812 = x1810 * (x1809 - (x688 * Four{7.2e-05, 7.2e-05, 9e-05, 9e-05} + x1790));
-  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Four x2809 = load<Four>(sine + 0) * x2762 + load<Four>(cosine + 0) * x2774;
-  const Four x2819 = x2768 + x2816;
-  const Four x2907 = Four{0.09, -0.09, 0.0, 0.0} * x2893;
-  const Four x3024 = x2856 - x2866 - x3021 + Four{0.0, 0.0, 0.29, 0.29} * x2939;
-  const Four x2842 = Four{0.0, 0.0, 1.0, 1.0} * x2837;
-  const Four x2854 = x2753 + load<Four>(sine + 0) * x2851;
-  const Four x2902 = Four{1.0, 1.0, 0.0, 0.0} * x2898 - x2872;
-  const Four x2906 = x2885 + x2903;
-  const Four x2908 = Four{0.05, 0.05, -0.15, 0.15} * x2890;
-  const Four x2918 = x2823 + Four{0.05, 0.05, -0.15, 0.15} * x2886 + Four{0.0, 0.0, 0.29, 0.29} * x2893;
-  const Four x2829 = Four{1.0, 1.0, 0.0, 0.0} * x2809 - Four{0.0, 0.0, 1.0, 1.0} * x2819;
-  const Four x2832 = Four{0.0, 0.0, 1.0, 1.0} * x2809 + Four{1.0, 1.0, 0.0, 0.0} * x2819;
-  const Four x2840 = x2806 + x2838;
-  const Four x2844 = x2821 - x2842;
-  const Four x2911 = x2756 - x2820 + x2907 + x2908;
-  const Four x2930 = Four{0.0, 0.0, 0.29, 0.29} * x2902;
-  const Four x2933 = x2842 - x2908 - x2930;
-  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
-  const Real x3322 = 0.3679727427597956 + sine[28] * x3319;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
   const Real x3404 = cosine[27] * x3398;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x3024 = x2856 - x2866 - x3021 + Four{0.0, 0.0, 0.29, 0.29} * x2939;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
   const Real x3454 = x3383 - x3412 + 0.38 * x3403 + 0.38 * x3435;
   const Real x3480 = x3024[2] + x3024[3] + 0.38728300000000004 + x3454;
   require_more(w, x3480, 0.0, kFactorization, 15);
   const Real x3423 = x3366 - x3421;
   const Real x3432 = x3404 + 0.38 * x3419;
-  const Real x3402 = x3386 - x3400;
-  const Real x3438 = x3402 - 0.38 * x3423;
-  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Four x3009 = Four{0.09, -0.09, 0.0, 0.0} * x2918 - (Four{1.0, 1.0, 0.0, 0.0} * x2862 + Four{0.05, 0.05, -0.15, 0.15} * x2825);
-  const Four x3011 = x3009 - Four{0.0, 0.0, 0.29, 0.29} * x2844 + Four{0.0, 0.0, 0.29, 0.29} * x2933;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x3450 = sine[27] * x3407 - 0.38 * x3404 - 0.38 * x3432;
-  const Real x3475 = x3011[2] + x3011[3] + x3450;
-  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Four x2955 = x2844 - x2907 + x2930;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x3483 = x2955[2] + x2955[3] + x3432;
-  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
-  const Real x3497 = 1 / x3480;
+  // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
+  const Four x1775 = load<Four>(cosine + 20) * x1675 - load<Four>(sine + 20) * x1678;
+  const Four x1790 = load<Four>(cosine + 20) * x1351 - load<Four>(sine + 20) * x1673 - Four{0.02, 0.02, 0.0, 0.0} * x1389;
   // links 6 "left_ankle", 12 "right_ankle", 21 "left_wrist", 29 "right_wrist": force that the reference field takes
   const Four x1276 = x697 * Four{7.2e-05, 7.2e-05, 0.00010666669999999999, 0.00010666669999999999} - x746 * Four{0.0, 0.0, 1.666669999999999e-05, 1.666669999999999e-05} + x732 * Four{0.0, 0.0, 0.002, 0.002};
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
@@ -900,6 +865,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // links 6 "left_ankle", 12 "right_ankle", 21 "left_wrist", 29 "right_wrist": force that the reference field takes
   const Four x1279 = x700 * Four{7.2e-05, 7.2e-05, 0.00010666669999999999, 0.00010666669999999999} + x751 * Four{0.0, 0.0, 1.666669999999999e-05, 1.666669999999999e-05} - x728 * Four{0.0, 0.0, 0.002, 0.002};
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x1812 = x1810 * (x1809 - (x688 * Four{7.2e-05, 7.2e-05, 9e-05, 9e-05} + x1790));
   const Four x1863 = x1276 + x1781 + x1748 * x1812;
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1800 = x1653 - Four{0.0, 0.0, 0.04, 0.04} * x1778 + Four{0.02, 0.02, 0.0, 0.0} * x1775 + x1279;
@@ -913,143 +879,79 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x1803 = x732 * 0.2 - x747 * Four{0.0, 0.0, 0.002, 0.002} + x1389;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1869 = x1803 + x1726 * x1812;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2842 = Four{0.0, 0.0, 1.0, 1.0} * x2837;
+  const Four x2902 = Four{1.0, 1.0, 0.0, 0.0} * x2898 - x2872;
+  const Four x2906 = x2885 + x2903;
+  const Four x2908 = Four{0.05, 0.05, -0.15, 0.15} * x2890;
+  const Four x2918 = x2823 + Four{0.05, 0.05, -0.15, 0.15} * x2886 + Four{0.0, 0.0, 0.29, 0.29} * x2893;
+  const Four x2840 = x2806 + x2838;
+  const Four x2844 = x2821 - x2842;
+  const Four x2930 = Four{0.0, 0.0, 0.29, 0.29} * x2902;
+  const Four x2933 = x2842 - x2908 - x2930;
+  const Four x2951 = x2840 + Four{0.05, 0.05, -0.15, 0.15} * x2893 + Four{0.0, 0.0, 0.29, 0.29} * x2906;
+  const Four x3009 = Four{0.09, -0.09, 0.0, 0.0} * x2918 - (Four{1.0, 1.0, 0.0, 0.0} * x2862 + Four{0.05, 0.05, -0.15, 0.15} * x2825);
+  const Four x2955 = x2844 - x2907 + x2930;
+  const Four x2997 = x2866 + Four{0.05, 0.05, -0.15, 0.15} * x2823 + Four{0.05, 0.05, -0.15, 0.15} * x2918;
+  const Four x3011 = x3009 - Four{0.0, 0.0, 0.29, 0.29} * x2844 + Four{0.0, 0.0, 0.29, 0.29} * x2933;
+  // links 5 "left_shank", 11 "right_shank", 20 "left_forearm", 28 "right_forearm": force that the reference field takes
+  const Four x1217 = x643 * Four{0.0410888, 0.0410888, -0.004428960000000001, -0.004428960000000001} + Four{0.00234, 0.00234, -0.00098, -0.00098} * (x646 - x641);
+  const Four x1228 = x542 * Four{0.043271300000000006, 0.043271300000000006, 0.005417710000000001, 0.005417710000000001} + x1217 - x635 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999};
+  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
+  const Real x3322 = 0.3679727427597956 + sine[28] * x3319;
+  const Real x3330 = 0.06 * x3322;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3402 = x3386 - x3400;
+  const Real x3438 = x3402 - 0.38 * x3423;
+  const Real x3450 = sine[27] * x3407 - 0.38 * x3404 - 0.38 * x3432;
+  const Real x3475 = x3011[2] + x3011[3] + x3450;
+  const Real x3483 = x2955[2] + x2955[3] + x3432;
+  const Real x3415 = cosine[27] * x3322;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2999 = Four{0.0, 0.0, 0.29, 0.29} * x2840 + x2997 + Four{0.0, 0.0, 0.29, 0.29} * x2951;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3444 = x3363 + x3412 - 0.38 * x3402 - 0.38 * x3438;
+  const Real x3416 = sine[27] * x3322;
+  const Real x3429 = cosine[27] * x3330 + 0.38 * x3415;
+  const Real x3481 = x2924[2] + x2924[3] + -0.095 + x3429;
+  const Real x3482 = x2939[2] + x2939[3] + 1.6150000000000002 + x3435;
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1804 = x725 * 0.2 + x749 * Four{0.0, 0.0, 0.002, 0.002} + x1775;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1871 = x1804 + x1695 * x1812;
   const Four x2064 = load<Four>(sine + 16) * x1863 + load<Four>(cosine + 16) * x1865;
   const Four x2078 = load<Four>(sine + 16) * x1867 + load<Four>(cosine + 16) * x1869;
-  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Four x2929 = x2829 + Four{0.09, -0.09, 0.0, 0.0} * x2902 + Four{0.05, 0.05, -0.15, 0.15} * x2905;
-  const Four x2944 = x2832 + Four{0.09, -0.09, 0.0, 0.0} * x2906 + Four{0.05, 0.05, -0.15, 0.15} * x2902;
-  const Four x2951 = x2840 + Four{0.05, 0.05, -0.15, 0.15} * x2893 + Four{0.0, 0.0, 0.29, 0.29} * x2906;
-  const Four x2985 = Four{1.0, 1.0, 0.0, 0.0} * x2854 - Four{0.05, 0.05, -0.15, 0.15} * x2838 - Four{0.09, -0.09, 0.0, 0.0} * x2911;
-  const Four x2997 = x2866 + Four{0.05, 0.05, -0.15, 0.15} * x2823 + Four{0.05, 0.05, -0.15, 0.15} * x2918;
-  const Four x2963 = x2750 - x2855 + Four{0.09, -0.09, 0.0, 0.0} * x2832 + Four{0.05, 0.05, -0.15, 0.15} * x2829;
-  const Four x2987 = Four{0.09, -0.09, 0.0, 0.0} * x2844 + x2985 + Four{0.0, 0.0, 0.29, 0.29} * x2929;
-  const Four x2999 = Four{0.0, 0.0, 0.29, 0.29} * x2840 + x2997 + Four{0.0, 0.0, 0.29, 0.29} * x2951;
-  const Four x2965 = Four{0.09, -0.09, 0.0, 0.0} * x2944 + x2963 + Four{0.05, 0.05, -0.15, 0.15} * x2929;
-  const Four x2975 = Four{0.05, 0.05, -0.15, 0.15} * x2842 - Four{0.0, 0.0, 1.0, 1.0} * x2854 - Four{0.05, 0.05, -0.15, 0.15} * x2911;
-  const Real x3194 = x2987[2] + x2987[3];
-  // links 5 "left_shank", 11 "right_shank", 20 "left_forearm", 28 "right_forearm": force that the reference field takes
-  const Four x1217 = x643 * Four{0.0410888, 0.0410888, -0.004428960000000001, -0.004428960000000001} + Four{0.00234, 0.00234, -0.00098, -0.00098} * (x646 - x641);
-  const Four x1228 = x542 * Four{0.043271300000000006, 0.043271300000000006, 0.005417710000000001, 0.005417710000000001} + x1217 - x635 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999};
-  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
-  const Real x3330 = 0.06 * x3322;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x3415 = cosine[27] * x3322;
-  const Real x3444 = x3363 + x3412 - 0.38 * x3402 - 0.38 * x3438;
-  const Real x3416 = sine[27] * x3322;
-  const Real x3429 = cosine[27] * x3330 + 0.38 * x3415;
-  const Real x3481 = x2924[2] + x2924[3] + -0.095 + x3429;
-  const Real x3482 = x2939[2] + x2939[3] + 1.6150000000000002 + x3435;
-  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
-  const Real x3500 = x3194 * x3497;
-  const Real x3501 = x3475 * x3497;
-  const Real x3504 = x3483 * x3497;
-  const Real x3507 = x2965[2] + x2965[3] + 0.0832833 - x3194 * x3500;
-  const Real x3519 = x2944[2] + x2944[3] + 0.095 - x3194 * x3504;
-  const Real x3522 = x2999[2] + x2999[3] + 0.42813300000000004 + x3444 - x3475 * x3501;
-  const Real x3532 = -1.6150000000000002 - (x2951[2] + x2951[3]) + x3438 - x3475 * x3504;
-  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Four x2977 = x2975 - Four{0.09, -0.09, 0.0, 0.0} * x2840 - Four{0.0, 0.0, 0.29, 0.29} * x2944;
-  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
-  const Real x3510 = x2977[2] + x2977[3] + -0.01615 - x3194 * x3501;
-  const Real x3550 = x2906[2] + x2906[3] + 9.5 + x3423 - x3483 * x3504;
-  const Real x3583 = 2.0 * sine[26];
-  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x2075 = load<Four>(cosine + 16) * x1867 - load<Four>(sine + 16) * x1869;
   const Four x2082 = Four{1.0, 1.0, 0.0, 0.0} * x2078 - Four{0.0, 0.0, 1.0, 1.0} * x1871;
   const Four x2095 = Four{0.0, 0.0, 1.0, 1.0} * x2064 + Four{1.0, 1.0, 0.0, 0.0} * x1809 - Four{0.0, 0.0, 0.16, 0.16} * x2075;
-  const Four x2085 = Four{0.0, 0.0, 1.0, 1.0} * x2078 + Four{1.0, 1.0, 0.0, 0.0} * x1871;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": placement, velocity and reference acceleration of their links
+  const Four x497 = x451 * x451;
+  const Four x499 = x497 + x498;
   // links 5 "left_shank", 11 "right_shank", 20 "left_forearm", 28 "right_forearm": force that the reference field takes
   const Four x1202 = x615 * Four{0.0020025, 0.0020025, 0.00513771, 0.00513771} + x648 * Four{0.00018, 0.00018, 0.004708960000000001, 0.004708960000000001} - x654 * Four{0.00234, 0.00234, -0.00098, -0.00098};
   const Four x1211 = x618 * Four{0.043091300000000006, 0.043091300000000006, 0.00070875, 0.00070875} - x653 * Four{0.0412688, 0.0412688, 0.00028, 0.00028} + x650 * Four{0.00234, 0.00234, -0.00098, -0.00098};
-  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
-  const Real x3502 = x3481 * x3497;
-  const Real x3503 = x3482 * x3497;
-  const Real x3567 = sine[26] * x3519 + cosine[26] * x3532;
-  const Real x3587 = cosine[26] * (x3507 - x3522) - x3510 * x3583;
-  const Real x3615 = x3567 - 0.04 * x3550;
-  const Real x3513 = x2911[2] + x2911[3] - x3194 * x3502;
-  const Real x3516 = x2929[2] + x2929[3] - x3194 * x3503;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x3476 = x2918[2] + x2918[3] + (sine[27] * x3330 + 0.38 * x3416);
-  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
-  const Real x3525 = x3476 + x3475 * x3502;
-  const Real x3529 = x2933[2] + x2933[3] - x3432 - x3475 * x3503;
-  const Real x3591 = cosine[26] * x3587;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x3484 = x2886[2] + x2886[3] + 9.5 + (0.74412265758092 + x3323 + 0.4);
-  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
-  const Real x3535 = x3484 - x3481 * x3502;
-  const Real x3544 = x2905[2] + x2905[3] + 9.5 + x3422 - x3482 * x3503;
-  const Real x3538 = x2890[2] + x2890[3] + x3415 - x3481 * x3503;
-  const Real x3541 = x2893[2] + x2893[3] + x3416 - x3481 * x3504;
-  const Real x3547 = x2902[2] + x2902[3] + x3419 - x3482 * x3504;
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
+  const Four x2085 = Four{0.0, 0.0, 1.0, 1.0} * x2078 + Four{1.0, 1.0, 0.0, 0.0} * x1871;
   const Four x2087 = load<Four>(cosine + 16) * x1863 - load<Four>(sine + 16) * x1865 + Four{0.0, 0.0, 0.16, 0.16} * x2085;
   const Four x2090 = Four{1.0, 1.0, 0.0, 0.0} * x2064 - Four{0.0, 0.0, 1.0, 1.0} * x1809 + Four{0.3, 0.3, -0.01, -0.01} * x2085;
+  // links 5 "left_shank", 11 "right_shank", 20 "left_forearm", 28 "right_forearm": force that the reference field takes
+  const Four x1235 = x641 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x644 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049} + x631 * Four{1.8, 1.8, 0.7, 0.7};
+  const Four x1243 = x635 * Four{1.8, 1.8, 0.7, 0.7} - (x645 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x646 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049});
+  const Four x1249 = x625 * Four{1.8, 1.8, 0.7, 0.7} - x654 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x650 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049};
+  // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x2110 = x1228 - x631 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049} + (x2095 - Four{0.3, 0.3, -0.01, -0.01} * x2082);
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2121 = x2119 * (x2118 - x2110);
   const Four x2174 = x1202 + x625 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049} + x2087 + x2030 * x2121;
   const Four x2176 = x1211 + x625 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x2090 + x2045 * x2121;
-  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": placement, velocity and reference acceleration of their links
-  const Four x497 = x451 * x451;
-  const Four x499 = x497 + x498;
-  const Four x511 = x447 * x452;
-  const Four x513 = x471 + x511;
-  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
-  const Real x3573 = cosine[26] * (x3513 - x3529) - sine[26] * (x3516 - x3525);
-  const Real x3638 = x3507 - x3591 - (0.04 * x3567 + 0.04 * x3615);
-  const Real x3661 = 0.0014025 + x3638;
-  require_more(w, x3661, 0.0, kFactorization, 14);
-  const Real x3578 = cosine[26] * x3573;
-  const Real x3600 = sine[26] * x3541 + cosine[26] * x3547;
-  const Real x3605 = cosine[26] * (x3535 - x3544) - x3538 * x3583;
-  const Real x3564 = cosine[26] * x3519 - sine[26] * x3532;
-  const Real x3580 = x3513 - x3578;
-  const Real x3609 = cosine[26] * x3605;
-  const Real x3612 = 0.04 * x3600;
-  const Real x3611 = x3535 - x3609;
-  const Real x3620 = 0.04 * x3611;
-  const Real x3628 = 0.04 * x3580 - 0.04 * x3612;
-  const Real x3631 = x3510 + sine[26] * x3587 - 0.04 * x3564;
-  const Real x3574 = sine[26] * x3573;
-  const Real x3576 = x3516 + x3574;
-  // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x3673 = 1 / x3661;
-  const Real x3676 = x3628 * x3673;
-  const Real x3677 = x3631 * x3673;
-  // links 5 "left_shank", 11 "right_shank", 20 "left_forearm", 28 "right_forearm": force that the reference field takes
-  const Four x1235 = x641 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x644 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049} + x631 * Four{1.8, 1.8, 0.7, 0.7};
-  const Four x1243 = x635 * Four{1.8, 1.8, 0.7, 0.7} - (x645 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x646 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049});
-  const Four x1249 = x625 * Four{1.8, 1.8, 0.7, 0.7} - x654 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x650 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049};
-  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2178 = x1235 + x2075 + x2103 * x2121;
   const Four x2180 = x1243 + x2082 + x2104 * x2121;
   const Four x2183 = x1249 + x2085 - x2010 * x2121;
   const Four x2276 = x597 * x2178 + x592 * x2180;
-  // links 4 "left_thigh", 10 "right_thigh", 19 "left_upper_arm", 27 "right_upper_arm": force that the reference field takes
-  const Four x1154 = x539 * Four{0.0429867, 0.0429867, 0.0036266700000000002, 0.0036266700000000002} - x572 * Four{0.038306700000000006, 0.038306700000000006, 0.0029866700000000003, 0.0029866700000000003} + x559 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
-  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Four x2279 = x597 * x2174 + x592 * x2176 + Four{0.24, 0.24, 0.11, 0.11} * x2183;
-  // links 4 "left_thigh", 10 "right_thigh", 19 "left_upper_arm", 27 "right_upper_arm": force that the reference field takes
-  const Four x1157 = x542 * Four{0.0429867, 0.0429867, 0.0036266700000000002, 0.0036266700000000002} + x577 * Four{0.038306700000000006, 0.038306700000000006, 0.0029866700000000003, 0.0029866700000000003} - x555 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
-  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2293 = x592 * x2174 - x597 * x2176 + x471 * Four{0.00468, 0.00468, 0.00064, 0.00064};
-  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Four x2304 = x2302 * (x2301 - x2293);
-  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Four x2294 = x555 * Four{2.6, 2.6, 0.8, 0.8} - x579 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001} + x2276;
-  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Four x2362 = x2294 + x2199 * x2304;
-  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Four x2295 = x559 * Four{2.6, 2.6, 0.8, 0.8} - x573 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001} + x2183;
-  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Four x2364 = x2295 + x2187 * x2304;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": placement, velocity and reference acceleration of their links
+  const Four x511 = x447 * x452;
+  const Four x513 = x471 + x511;
   const Four x509 = x496 + x497;
   const Four x512 = x511 - x471;
   // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
@@ -1063,40 +965,41 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x839 = x242 * cosine[27] + x243 * sine[27];
   const Real x843 = x243 * cosine[27] - x242 * sine[27];
   const Real x844 = x238 + v[27];
-  // links 3 "left_groin", 9 "right_groin", 18 "left_shoulder_cap", 26 "right_shoulder_cap": force that the reference field takes
-  const Four x1081 = x459 * Four{0.00342, 0.00342, 0.0014, 0.0014} - x501 * Four{0.00192, 0.00192, 0.00056, 0.00056};
-  const Four x1083 = Four{0.0, 0.0, 0.00020999999999999998, -0.00020999999999999998} * (x504 - x499) + x1081 + x513 * Four{0.00096, 0.00096, 0.0, 0.0};
-  const Four x1060 = x506 * Four{0.0015500000000000002, 0.0015500000000000002, 0.0006299999999999999, 0.0006299999999999999} + Four{0.00096, 0.00096, 0.0, 0.0} * (x509 - x504);
-  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
-  const Real x3597 = cosine[26] * x3541 - sine[26] * x3547;
-  const Real x3619 = x3574 - x3525 - 0.04 * x3597;
-  const Real x3662 = -0.018000000000000002 + x3615;
-  const Real x3608 = x3538 + sine[26] * x3605;
-  const Real x3622 = x3580 - x3612;
-  // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x3683 = 0.0014025 + 0.04 * x3620 - x3628 * x3676;
-  const Real x3698 = x3522 + x3591 + 0.001125 - x3631 * x3677;
-  const Real x3686 = 0.04 * x3576 - x3628 * x3677;
-  const Real x3758 = 2.0 * sine[25];
-  const Real x3678 = x3662 * x3673;
-  const Real x3679 = x3619 * x3673;
-  const Real x3762 = cosine[25] * (x3683 - x3698) - x3686 * x3758;
-  const Real x3766 = cosine[25] * x3762;
-  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Four x2357 = x1154 + x2279 + x2258 * x2304;
-  const Four x2360 = x2118 - Four{0.24, 0.24, 0.11, 0.11} * x2276 + x1157 - x2261 * x2304;
-  const Four x2465 = load<Four>(sine + 8) * x2362 + load<Four>(cosine + 8) * x2364;
-  const Four x2471 = load<Four>(cosine + 8) * x2357 - load<Four>(sine + 8) * x2360 + Four{0.12, 0.12, 0.1, 0.1} * x2465;
-  // joint 22 "neck_yaw": placement, velocity and reference acceleration of its link
   const Real x856 = x188 * cosine[27] - x255 * sine[27] - v[27] * x839;
   const Real x861 = x271 + x281 * 0.38;
   const Real x863 = x257 + x290 * 0.38;
   const Real x888 = x839 * x844;
+  // links 3 "left_groin", 9 "right_groin", 18 "left_shoulder_cap", 26 "right_shoulder_cap": force that the reference field takes
+  const Four x1081 = x459 * Four{0.00342, 0.00342, 0.0014, 0.0014} - x501 * Four{0.00192, 0.00192, 0.00056, 0.00056};
+  const Four x1083 = Four{0.0, 0.0, 0.00020999999999999998, -0.00020999999999999998} * (x504 - x499) + x1081 + x513 * Four{0.00096, 0.00096, 0.0, 0.0};
+  const Four x1060 = x506 * Four{0.0015500000000000002, 0.0015500000000000002, 0.0006299999999999999, 0.0006299999999999999} + Four{0.00096, 0.00096, 0.0, 0.0} * (x509 - x504);
+  // links 4 "left_thigh", 10 "right_thigh", 19 "left_upper_arm", 27 "right_upper_arm": force that the reference field takes
+  const Four x1154 = x539 * Four{0.0429867, 0.0429867, 0.0036266700000000002, 0.0036266700000000002} - x572 * Four{0.038306700000000006, 0.038306700000000006, 0.0029866700000000003, 0.0029866700000000003} + x559 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2279 = x597 * x2174 + x592 * x2176 + Four{0.24, 0.24, 0.11, 0.11} * x2183;
+  // links 4 "left_thigh", 10 "right_thigh", 19 "left_upper_arm", 27 "right_upper_arm": force that the reference field takes
+  const Four x1157 = x542 * Four{0.0429867, 0.0429867, 0.0036266700000000002, 0.0036266700000000002} + x577 * Four{0.038306700000000006, 0.038306700000000006, 0.0029866700000000003, 0.0029866700000000003} - x555 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2304 = x2302 * (x2301 - x2293);
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2294 = x555 * Four{2.6, 2.6, 0.8, 0.8} - x579 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001} + x2276;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2362 = x2294 + x2199 * x2304;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2295 = x559 * Four{2.6, 2.6, 0.8, 0.8} - x573 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001} + x2183;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2364 = x2295 + x2187 * x2304;
+  const Four x2357 = x1154 + x2279 + x2258 * x2304;
+  const Four x2465 = load<Four>(sine + 8) * x2362 + load<Four>(cosine + 8) * x2364;
+  // joint 22 "neck_yaw": placement, velocity and reference acceleration of its link
   const Real x886 = x839 * x839 + x843 * x843;
   const Real x890 = x856 + x888;
   const Real x853 = x255 * cosine[27] + x188 * sine[27] + v[27] * x843;
   const Real x859 = x267 - x277 * 0.38;
   const Real x866 = cosine[27] * x861 + sine[27] * x863;
+  const Real x883 = x843 * x844;
+  const Real x884 = x883 - x853;
+  const Real x870 = cosine[27] * x863 - sine[27] * x861;
   // joint 23 "neck_pitch": placement, velocity and reference acceleration of its link
   const Real x899 = x844 * cosine[28] + x839 * sine[28];
   const Real x903 = x839 * cosine[28] - x844 * sine[28];
@@ -1104,44 +1007,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x935 = x904 * x904;
   const Real x918 = x866 + x890 * 0.06;
   const Real x923 = x859 - x886 * 0.06;
-  // links 3 "left_groin", 9 "right_groin", 18 "left_shoulder_cap", 26 "right_shoulder_cap": force that the reference field takes
-  const Four x1071 = x511 * Four{0.00036999999999999994, 0.00036999999999999994, -7e-05, -7e-05} - x502 * Four{0.00096, 0.00096, 0.0, 0.0} + x471 * Four{0.00187, 0.00187, 0.00077, 0.00077};
-  const Four x1115 = (x459 + x501) * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999} + x504 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998};
-  const Four x1062 = x468 * Four{0.00379, 0.00379, 0.0013299999999999998, 0.0013299999999999998} + x1060 - x512 * Four{0.0, 0.0, 0.00020999999999999998, -0.00020999999999999998};
-  const Four x1108 = x513 * Four{0.024, 0.024, 0.0, 0.0} - (x499 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999} + x502 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998});
-  const Four x1093 = x508 * Four{0.0, 0.0, 0.00020999999999999998, -0.00020999999999999998} + x1071 - x485 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999};
-  // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x3680 = x3622 * x3673;
-  const Real x3689 = x3612 - x3628 * x3678;
-  const Real x3692 = 0.04 * x3608 - x3628 * x3679;
-  const Real x3701 = x3564 - x3631 * x3678;
-  const Real x3704 = x3529 + x3578 - x3631 * x3679;
-  const Real x3710 = 0.9 + x3550 - x3662 * x3678;
-  const Real x3719 = x3544 + x3609 + 0.9 - x3619 * x3679;
-  const Real x3837 = x3683 - x3766 + 0.001;
-  require_more(w, x3837, 0.0, kFactorization, 13);
-  const Real x3695 = 0.018000000000000002 + x3620 - x3628 * x3680;
-  const Real x3707 = x3576 - x3631 * x3680;
-  const Real x3713 = x3597 - x3662 * x3679;
-  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
-  const Real x3847 = 1 / x3837;
-  // links 4 "left_thigh", 10 "right_thigh", 19 "left_upper_arm", 27 "right_upper_arm": force that the reference field takes
-  const Four x1169 = x549 * Four{2.6, 2.6, 0.8, 0.8} + x575 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
-  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Four x2462 = load<Four>(cosine + 8) * x2362 - load<Four>(sine + 8) * x2364;
-  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
-  const Four x2296 = x592 * x2178 - x597 * x2180 + x1169;
-  // links 3 "left_groin", 9 "right_groin", 18 "left_shoulder_cap", 26 "right_shoulder_cap": force that the reference field takes
-  const Four x1117 = (x506 - x468) * Four{0.024, 0.024, 0.0, 0.0} + x1115 + x492 * Four{1.2, 1.2, 0.7, 0.7};
-  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
-  const Four x2483 = x1083 + x492 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999} + x488 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998} + x2471;
-  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Four x2494 = x2492 * (x2491 - x2483);
-  // joint 22 "neck_yaw": placement, velocity and reference acceleration of its link
-  const Real x883 = x843 * x844;
-  const Real x884 = x883 - x853;
-  const Real x870 = cosine[27] * x863 - sine[27] * x861;
-  // joint 23 "neck_pitch": placement, velocity and reference acceleration of its link
   const Real x936 = x903 * x903 + x935;
   const Real x938 = x899 * x903;
   const Real x941 = x899 * x899 + x935;
@@ -1155,30 +1020,199 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x949 = x948 - x916;
   const Real x920 = x870 + x884 * 0.06;
   // links 3 "left_groin", 9 "right_groin", 18 "left_shoulder_cap", 26 "right_shoulder_cap": force that the reference field takes
+  const Four x1071 = x511 * Four{0.00036999999999999994, 0.00036999999999999994, -7e-05, -7e-05} - x502 * Four{0.00096, 0.00096, 0.0, 0.0} + x471 * Four{0.00187, 0.00187, 0.00077, 0.00077};
+  const Four x1115 = (x459 + x501) * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999} + x504 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998};
+  const Four x1062 = x468 * Four{0.00379, 0.00379, 0.0013299999999999998, 0.0013299999999999998} + x1060 - x512 * Four{0.0, 0.0, 0.00020999999999999998, -0.00020999999999999998};
+  const Four x1108 = x513 * Four{0.024, 0.024, 0.0, 0.0} - (x499 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999} + x502 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998});
+  const Four x1093 = x508 * Four{0.0, 0.0, 0.00020999999999999998, -0.00020999999999999998} + x1071 - x485 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999};
   const Four x1125 = x485 * Four{1.2, 1.2, 0.7, 0.7} - x509 * Four{0.024, 0.024, 0.0, 0.0} + x512 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999};
   // link 24 "head": force that the reference field takes
   const Real x1605 = x856 * 0.028175999999999996 + x938 * 0.018479999999999996;
+  // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
+  const Real x282 = x238 * x238 + x276;
+  const Real x284 = x242 * x243;
+  const Real x286 = x252 + x284;
+  // link 16 "torso": force that the reference field takes
+  const Real x1506 = x188 * 0.38728300000000004 + x279 * 0.34484970000000004;
+  // link 24 "head": force that the reference field takes
+  const Real x1615 = x1605 - 0.00432 * (x941 - x936) + x930 * 0.216;
+  const Real x1589 = x913 * 0.008736 + x943 * 0.00096 + x949 * 0.00432;
+  const Real x1608 = x1589 + x920 * 0.048;
+  const Real x1598 = x916 * 0.027215999999999997 - x948 * 0.01944 - x945 * 0.00432;
+  const Real x1611 = x1598 - x920 * 0.216;
+  const Real x1621 = (x938 - x856) * 0.048 - x936 * 0.216;
+  const Real x1627 = (x856 + x938) * 0.216 - x941 * 0.048;
+  const Real x1633 = x920 * 2.4 + x949 * 0.216 + x945 * 0.048;
+  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
+  const Real x3277 = 35.49119818285065 * (tau[28] - (x1615 - x926 * 0.048));
+  const Real x3290 = x926 * 2.4 + x1621 - 0.048 * x3277;
+  const Real x3292 = x930 * 2.4 + x1627 + 0.216 * x3277;
+  const Real x3355 = sine[28] * x3290 + cosine[28] * x3292;
+  const Real x3372 = x866 * 0.4 + x890 * 0.008 + x3355;
+  // link 23 "neck": force that the reference field takes
+  const Real x1556 = x853 * 0.00037000000000000005 - x883 * 0.00019 - x870 * 0.008;
+  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
+  const Real x3358 = sine[28] * x1608 + cosine[28] * x1611 - 0.06 * x1633;
+  // link 23 "neck": force that the reference field takes
+  const Real x1558 = x856 * 0.00037000000000000005 + x888 * 0.00019 + x866 * 0.008;
+  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
+  const Real x3370 = tau[28] + 0.06 * x3355 + x1558;
+  const Real x3371 = cosine[28] * x1608 - sine[28] * x1611 + x252 * 0.00018;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3378 = x3376 * (tau[27] - x3371);
+  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
+  const Real x3373 = x870 * 0.4 + x884 * 0.008 + x1633;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3393 = x3373 + x3296 * x3378;
+  const Real x3391 = x1556 + x3358 + x3340 * x3378;
+  // joint 0 "__base__": placement, velocity and reference acceleration of its link
+  const Real x66 = 1 / x63 * 2.0;
+  const Real x67 = q[3] * x66;
+  const Real x68 = q[4] * x66;
+  // link 16 "torso": force that the reference field takes
+  const Real x1516 = x1506 - 0.01615 * (x282 - x277) + x271 * 1.6150000000000002;
+  const Real x1489 = x252 * 0.0832833 - x284 * 0.040850000000000004 + x290 * 0.01615;
+  const Real x1499 = x255 * 0.42813300000000004 - x289 * 0.30399970000000004 - x286 * 0.01615;
+  const Real x1522 = (x279 - x188) * 0.095 - x277 * 1.6150000000000002;
+  // link 23 "neck": force that the reference field takes
+  const Real x1568 = x859 * 0.4 - x886 * 0.008;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3465 = cosine[27] * x3372 - sine[27] * x3393;
+  const Real x3468 = sine[27] * x3372 + cosine[27] * x3393;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2360 = x2118 - Four{0.24, 0.24, 0.11, 0.11} * x2276 + x1157 - x2261 * x2304;
+  // joint 0 "__base__": placement, velocity and reference acceleration of its link
+  const Real x92 = (q[5] * x67 - q[6] * x68) * 9.81;
+  const Real x93 = (q[5] * x68 + q[6] * x67) * 9.81;
+  const Real x94 = (1.0 - (q[4] * x68 + q[3] * x67)) * 9.81;
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
+  const Real x3497 = 1 / x3480;
+  const Real x3583 = 2.0 * sine[26];
+  const Real x3501 = x3475 * x3497;
+  const Real x3504 = x3483 * x3497;
+  const Real x3502 = x3481 * x3497;
+  const Real x3503 = x3482 * x3497;
+  const Real x3522 = x2999[2] + x2999[3] + 0.42813300000000004 + x3444 - x3475 * x3501;
   // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3758 = 2.0 * sine[25];
+  // links 4 "left_thigh", 10 "right_thigh", 19 "left_upper_arm", 27 "right_upper_arm": force that the reference field takes
+  const Four x1169 = x549 * Four{2.6, 2.6, 0.8, 0.8} + x575 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2471 = load<Four>(cosine + 8) * x2357 - load<Four>(sine + 8) * x2360 + Four{0.12, 0.12, 0.1, 0.1} * x2465;
+  const Four x2483 = x1083 + x492 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999} + x488 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998} + x2471;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2739 = Four{tau[6], tau[12], tau[21], tau[29]};
+  const Four x2819 = x2768 + x2816;
+  const Four x2809 = load<Four>(sine + 0) * x2762 + load<Four>(cosine + 0) * x2774;
+  const Four x2854 = x2753 + load<Four>(sine + 0) * x2851;
+  const Four x2911 = x2756 - x2820 + x2907 + x2908;
+  const Four x2829 = Four{1.0, 1.0, 0.0, 0.0} * x2809 - Four{0.0, 0.0, 1.0, 1.0} * x2819;
+  const Four x2832 = Four{0.0, 0.0, 1.0, 1.0} * x2809 + Four{1.0, 1.0, 0.0, 0.0} * x2819;
+  const Four x2929 = x2829 + Four{0.09, -0.09, 0.0, 0.0} * x2902 + Four{0.05, 0.05, -0.15, 0.15} * x2905;
+  const Four x2944 = x2832 + Four{0.09, -0.09, 0.0, 0.0} * x2906 + Four{0.05, 0.05, -0.15, 0.15} * x2902;
+  const Four x2985 = Four{1.0, 1.0, 0.0, 0.0} * x2854 - Four{0.05, 0.05, -0.15, 0.15} * x2838 - Four{0.09, -0.09, 0.0, 0.0} * x2911;
+  const Four x2975 = Four{0.05, 0.05, -0.15, 0.15} * x2842 - Four{0.0, 0.0, 1.0, 1.0} * x2854 - Four{0.05, 0.05, -0.15, 0.15} * x2911;
+  const Four x2987 = Four{0.09, -0.09, 0.0, 0.0} * x2844 + x2985 + Four{0.0, 0.0, 0.29, 0.29} * x2929;
+  const Four x2963 = x2750 - x2855 + Four{0.09, -0.09, 0.0, 0.0} * x2832 + Four{0.05, 0.05, -0.15, 0.15} * x2829;
+  const Four x2977 = x2975 - Four{0.09, -0.09, 0.0, 0.0} * x2840 - Four{0.0, 0.0, 0.29, 0.29} * x2944;
+  const Four x2965 = Four{0.09, -0.09, 0.0, 0.0} * x2944 + x2963 + Four{0.05, 0.05, -0.15, 0.15} * x2929;
+  const Real x3194 = x2987[2] + x2987[3];
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
+  const Real x3532 = -1.6150000000000002 - (x2951[2] + x2951[3]) + x3438 - x3475 * x3504;
+  const Real x3500 = x3194 * x3497;
+  const Real x3550 = x2906[2] + x2906[3] + 9.5 + x3423 - x3483 * x3504;
+  const Real x3519 = x2944[2] + x2944[3] + 0.095 - x3194 * x3504;
+  const Real x3510 = x2977[2] + x2977[3] + -0.01615 - x3194 * x3501;
+  const Real x3507 = x2965[2] + x2965[3] + 0.0832833 - x3194 * x3500;
+  const Real x3513 = x2911[2] + x2911[3] - x3194 * x3502;
+  const Real x3516 = x2929[2] + x2929[3] - x3194 * x3503;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3476 = x2918[2] + x2918[3] + (sine[27] * x3330 + 0.38 * x3416);
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
+  const Real x3525 = x3476 + x3475 * x3502;
+  const Real x3567 = sine[26] * x3519 + cosine[26] * x3532;
+  const Real x3529 = x2933[2] + x2933[3] - x3432 - x3475 * x3503;
+  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
+  const Real x3484 = x2886[2] + x2886[3] + 9.5 + (0.74412265758092 + x3323 + 0.4);
+  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
+  const Real x3535 = x3484 - x3481 * x3502;
+  const Real x3615 = x3567 - 0.04 * x3550;
+  const Real x3544 = x2905[2] + x2905[3] + 9.5 + x3422 - x3482 * x3503;
+  const Real x3538 = x2890[2] + x2890[3] + x3415 - x3481 * x3503;
+  const Real x3541 = x2893[2] + x2893[3] + x3416 - x3481 * x3504;
+  const Real x3587 = cosine[26] * (x3507 - x3522) - x3510 * x3583;
+  const Real x3547 = x2902[2] + x2902[3] + x3419 - x3482 * x3504;
+  const Real x3591 = cosine[26] * x3587;
+  const Real x3573 = cosine[26] * (x3513 - x3529) - sine[26] * (x3516 - x3525);
+  const Real x3600 = sine[26] * x3541 + cosine[26] * x3547;
+  const Real x3605 = cosine[26] * (x3535 - x3544) - x3538 * x3583;
+  const Real x3578 = cosine[26] * x3573;
+  const Real x3564 = cosine[26] * x3519 - sine[26] * x3532;
+  const Real x3574 = sine[26] * x3573;
+  const Real x3612 = 0.04 * x3600;
+  const Real x3609 = cosine[26] * x3605;
+  const Real x3580 = x3513 - x3578;
+  const Real x3576 = x3516 + x3574;
+  const Real x3638 = x3507 - x3591 - (0.04 * x3567 + 0.04 * x3615);
+  const Real x3661 = 0.0014025 + x3638;
+  require_more(w, x3661, 0.0, kFactorization, 14);
+  const Real x3611 = x3535 - x3609;
+  const Real x3597 = cosine[26] * x3541 - sine[26] * x3547;
+  const Real x3631 = x3510 + sine[26] * x3587 - 0.04 * x3564;
+  const Real x3620 = 0.04 * x3611;
+  const Real x3628 = 0.04 * x3580 - 0.04 * x3612;
+  const Real x3662 = -0.018000000000000002 + x3615;
+  const Real x3622 = x3580 - x3612;
+  const Real x3608 = x3538 + sine[26] * x3605;
+  const Real x3619 = x3574 - x3525 - 0.04 * x3597;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3673 = 1 / x3661;
+  // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
+  const Four x2462 = load<Four>(cosine + 8) * x2362 - load<Four>(sine + 8) * x2364;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3676 = x3628 * x3673;
+  const Real x3677 = x3631 * x3673;
+  const Real x3678 = x3662 * x3673;
+  const Real x3679 = x3619 * x3673;
+  const Real x3680 = x3622 * x3673;
+  const Real x3683 = 0.0014025 + 0.04 * x3620 - x3628 * x3676;
+  const Real x3698 = x3522 + x3591 + 0.001125 - x3631 * x3677;
+  const Real x3686 = 0.04 * x3576 - x3628 * x3677;
+  const Real x3689 = x3612 - x3628 * x3678;
+  const Real x3692 = 0.04 * x3608 - x3628 * x3679;
+  const Real x3701 = x3564 - x3631 * x3678;
+  const Real x3704 = x3529 + x3578 - x3631 * x3679;
+  const Real x3710 = 0.9 + x3550 - x3662 * x3678;
+  const Real x3719 = x3544 + x3609 + 0.9 - x3619 * x3679;
+  const Real x3695 = 0.018000000000000002 + x3620 - x3628 * x3680;
+  const Real x3707 = x3576 - x3631 * x3680;
+  const Real x3713 = x3597 - x3662 * x3679;
+  const Real x3762 = cosine[25] * (x3683 - x3698) - x3686 * x3758;
   const Real x3725 = 0.9 + x3611 - x3622 * x3680;
   const Real x3748 = cosine[25] * (x3689 - x3704) - sine[25] * (x3692 + x3701);
+  const Real x3766 = cosine[25] * x3762;
   const Real x3716 = x3600 - x3662 * x3680;
   const Real x3722 = x3608 - x3619 * x3680;
   const Real x3739 = cosine[25] * x3695 - sine[25] * x3707;
   const Real x3749 = sine[25] * x3748;
   const Real x3780 = cosine[25] * (x3710 - x3719) - x3713 * x3758;
+  const Real x3837 = x3683 - x3766 + 0.001;
+  require_more(w, x3837, 0.0, kFactorization, 13);
   const Real x3742 = sine[25] * x3695 + cosine[25] * x3707;
   const Real x3752 = x3701 + x3749;
   const Real x3784 = cosine[25] * x3780;
   const Real x3790 = x3739 + 0.05 * x3725;
   const Real x3753 = cosine[25] * x3748;
-  const Real x3772 = cosine[25] * x3716 - sine[25] * x3722;
-  const Real x3785 = x3719 + x3784;
   // joint 13 "waist_yaw": articulated-body inertia and bias force through it
-  const Real x3853 = x3742 * x3847;
-  const Real x3854 = x3752 * x3847;
+  const Real x3847 = 1 / x3837;
+  // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
+  const Four x2296 = x592 * x2178 - x597 * x2180 + x1169;
+  // links 3 "left_groin", 9 "right_groin", 18 "left_shoulder_cap", 26 "right_shoulder_cap": force that the reference field takes
+  const Four x1117 = (x506 - x468) * Four{0.024, 0.024, 0.0, 0.0} + x1115 + x492 * Four{1.2, 1.2, 0.7, 0.7};
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2468 = load<Four>(sine + 8) * x2357 + load<Four>(cosine + 8) * x2360 - Four{0.12, 0.12, 0.1, 0.1} * x2462;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2494 = x2492 * (x2491 - x2483);
   const Four x2549 = x488 * Four{1.2, 1.2, 0.7, 0.7} + x1108 + x2465 + x2476 * x2494;
   const Four x2551 = x2296 + x2202 * x2304 + x1117 + x2477 * x2494;
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
@@ -1188,16 +1222,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2547 = x488 * Four{0.024, 0.024, 0.0, 0.0} + x1093 + x2301 + Four{0.00096, 0.00096, 0.0, 0.0} * x2494;
   const Four x2553 = x1125 - x508 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998} + x2462 + x2433 * x2494;
   const Four x2708 = load<Four>(sine + 4) * x2549 + load<Four>(cosine + 4) * x2551;
-  const Four x2694 = load<Four>(sine + 4) * x2545 + load<Four>(cosine + 4) * x2547;
-  // link 24 "head": force that the reference field takes
-  const Real x1615 = x1605 - 0.00432 * (x941 - x936) + x930 * 0.216;
-  const Real x1589 = x913 * 0.008736 + x943 * 0.00096 + x949 * 0.00432;
-  const Real x1608 = x1589 + x920 * 0.048;
-  const Real x1598 = x916 * 0.027215999999999997 - x948 * 0.01944 - x945 * 0.00432;
-  const Real x1611 = x1598 - x920 * 0.216;
-  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
-  const Real x3277 = 35.49119818285065 * (tau[28] - (x1615 - x926 * 0.048));
   // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3772 = cosine[25] * x3716 - sine[25] * x3722;
+  const Real x3785 = x3719 + x3784;
   const Real x3754 = x3704 + x3753;
   const Real x3787 = 0.05 * x3772;
   const Real x3791 = 0.05 * x3785;
@@ -1205,6 +1232,8 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x3813 = x3686 + sine[25] * x3762 + 0.05 * x3742;
   const Real x3811 = x3698 + x3766 + (0.05 * x3739 + 0.05 * x3790);
   // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x3853 = x3742 * x3847;
+  const Real x3854 = x3752 * x3847;
   const Real x3850 = x3806 * x3847;
   const Real x3852 = x3813 * x3847;
   const Real x3885 = 0.8 + x3725 - x3742 * x3853;
@@ -1217,36 +1246,14 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x3934 = 2.0 * sine[24];
   const Real x3858 = 0.00106 + 0.05 * x3791 - x3806 * x3850;
   const Real x3873 = 0.00106 + x3811 - x3813 * x3852;
-  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
-  const Four x2712 = Four{1.0, 1.0, 0.0, 0.0} * x2708 - Four{0.0, 0.0, 1.0, 1.0} * x2553;
-  const Four x2715 = Four{0.0, 0.0, 1.0, 1.0} * x2708 + Four{1.0, 1.0, 0.0, 0.0} * x2553;
-  const Four x2731 = load<Four>(cosine + 4) * x2545 - load<Four>(sine + 4) * x2547 + x354 * Four{0.00175, 0.00175, 0.00064, 0.00064};
-  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Four x2742 = x2740 * (x2739 - x2731);
-  // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
-  const Real x282 = x238 * x238 + x276;
-  // link 24 "head": force that the reference field takes
-  const Real x1621 = (x938 - x856) * 0.048 - x936 * 0.216;
-  const Real x1627 = (x856 + x938) * 0.216 - x941 * 0.048;
-  const Real x1633 = x920 * 2.4 + x949 * 0.216 + x945 * 0.048;
-  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
-  const Real x3290 = x926 * 2.4 + x1621 - 0.048 * x3277;
-  const Real x3292 = x930 * 2.4 + x1627 + 0.216 * x3277;
-  const Real x3355 = sine[28] * x3290 + cosine[28] * x3292;
-  const Real x3371 = cosine[28] * x1608 - sine[28] * x1611 + x252 * 0.00018;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x3378 = x3376 * (tau[27] - x3371);
-  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
   const Real x3861 = x3806 * x3852 - (0.05 * x3754 + 0.05 * x3787);
   const Real x3956 = cosine[24] * (x3885 - x3894) - x3888 * x3934;
   const Real x3924 = cosine[24] * (x3864 - x3879) - sine[24] * (x3867 + x3876);
   const Real x3960 = cosine[24] * x3956;
-  const Real x3925 = sine[24] * x3924;
-  const Real x3938 = cosine[24] * (x3858 - x3873) - x3861 * x3934;
-  const Real x3962 = x3885 - x3960;
-  const Real x3927 = x3867 + x3925;
-  const Real x3942 = cosine[24] * x3938;
-  const Real x3970 = x3927 - 0.09 * x3962;
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2694 = load<Four>(sine + 4) * x2545 + load<Four>(cosine + 4) * x2547;
+  const Four x2712 = Four{1.0, 1.0, 0.0, 0.0} * x2708 - Four{0.0, 0.0, 1.0, 1.0} * x2553;
+  const Four x2715 = Four{0.0, 0.0, 1.0, 1.0} * x2708 + Four{1.0, 1.0, 0.0, 0.0} * x2553;
   // links 2 "left_hip", 8 "right_hip", 17 "left_shoulder", 25 "right_shoulder": force that the reference field takes
   const Four x1009 = x367 * Four{0.00308, 0.00308, 0.001366667, 0.001366667} - x422 * Four{0.0013299999999999998, 0.0013299999999999998, 0.0007266669999999999, 0.0007266669999999999} - x408 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024};
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
@@ -1257,7 +1264,10 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2720 = Four{0.0, 0.0, 1.0, 1.0} * x2694 + Four{1.0, 1.0, 0.0, 0.0} * x2491 + Four{0.04, -0.04, 0.05, -0.05} * x2712;
   // links 2 "left_hip", 8 "right_hip", 17 "left_shoulder", 25 "right_shoulder": force that the reference field takes
   const Four x1021 = x397 * Four{1.4, 1.4, 0.8, 0.8} - x425 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024};
+  // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
+  const Four x2731 = load<Four>(cosine + 4) * x2545 - load<Four>(sine + 4) * x2547 + x354 * Four{0.00175, 0.00175, 0.00064, 0.00064};
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x2742 = x2740 * (x2739 - x2731);
   const Four x2794 = x1009 + x2718 + x2681 * x2742;
   const Four x2796 = x1011 + x2720 + x2687 * x2742;
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
@@ -1272,37 +1282,22 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2734 = load<Four>(cosine + 4) * x2549 - load<Four>(sine + 4) * x2551 + x1021;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x2802 = x2734 + x2572 * x2742;
-  const Four x3028 = load<Four>(cosine + 0) * x2794 - load<Four>(sine + 0) * x2796;
   const Four x3042 = load<Four>(cosine + 0) * x2798 - load<Four>(sine + 0) * x2800;
-  const Four x3045 = load<Four>(sine + 0) * x2798 + load<Four>(cosine + 0) * x2800;
   const Four x3049 = Four{1.0, 1.0, 0.0, 0.0} * x2802 - Four{0.0, 0.0, 1.0, 1.0} * x3042;
-  // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
-  const Real x284 = x242 * x243;
-  const Real x286 = x252 + x284;
-  // link 16 "torso": force that the reference field takes
-  const Real x1506 = x188 * 0.38728300000000004 + x279 * 0.34484970000000004;
-  const Real x1516 = x1506 - 0.01615 * (x282 - x277) + x271 * 1.6150000000000002;
-  // link 23 "neck": force that the reference field takes
-  const Real x1556 = x853 * 0.00037000000000000005 - x883 * 0.00019 - x870 * 0.008;
-  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
-  const Real x3358 = sine[28] * x1608 + cosine[28] * x1611 - 0.06 * x1633;
-  const Real x3372 = x866 * 0.4 + x890 * 0.008 + x3355;
-  // link 23 "neck": force that the reference field takes
-  const Real x1558 = x856 * 0.00037000000000000005 + x888 * 0.00019 + x866 * 0.008;
-  // joint 23 "neck_pitch": articulated-body inertia and bias force through it
-  const Real x3370 = tau[28] + 0.06 * x3355 + x1558;
-  const Real x3373 = x870 * 0.4 + x884 * 0.008 + x1633;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x3393 = x3373 + x3296 * x3378;
-  const Real x3391 = x1556 + x3358 + x3340 * x3378;
-  const Real x3465 = cosine[27] * x3372 - sine[27] * x3393;
-  const Real x3468 = sine[27] * x3372 + cosine[27] * x3393;
-  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Four x3028 = load<Four>(cosine + 0) * x2794 - load<Four>(sine + 0) * x2796;
+  const Four x3045 = load<Four>(sine + 0) * x2798 + load<Four>(cosine + 0) * x2800;
   const Four x3067 = Four{0.0, 0.0, 1.0, 1.0} * x2739 + Four{1.0, 1.0, 0.0, 0.0} * x3028 - Four{0.09, -0.09, 0.0, 0.0} * x3045;
   const Four x3068 = Four{0.0, 0.0, 0.29, 0.29} * x3049 + x3067;
   // joint 22 "neck_yaw": articulated-body inertia and bias force through it
   const Real x3473 = sine[27] * x3391 + cosine[27] * x3370 + 0.38 * x3465;
+  const Real x3492 = x1516 - x267 * 0.095 + (x3068[2] + x3068[3]) + x3473;
   // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x3925 = sine[24] * x3924;
+  const Real x3938 = cosine[24] * (x3858 - x3873) - x3861 * x3934;
+  const Real x3962 = x3885 - x3960;
+  const Real x3927 = x3867 + x3925;
+  const Real x3942 = cosine[24] * x3938;
+  const Real x3970 = x3927 - 0.09 * x3962;
   const Real x3929 = cosine[24] * x3924;
   const Real x3959 = x3888 + sine[24] * x3956;
   const Real x3931 = x3864 - x3929;
@@ -1315,6 +1310,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x3928 = x3876 + x3925;
   const Real x3967 = x3928 + 0.09 * x3961;
   const Real x3986 = x3861 + sine[24] * x3938 - 0.09 * x3931;
+  const Real x4012 = x2977[0] + x2977[1] + (0.09 * x3965 + x3986);
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Four x3052 = Four{0.0, 0.0, 1.0, 1.0} * x2802 + Four{1.0, 1.0, 0.0, 0.0} * x3042;
   const Four x3056 = load<Four>(sine + 0) * x2794 + load<Four>(cosine + 0) * x2796 + Four{0.09, -0.09, 0.0, 0.0} * x3052;
@@ -1323,12 +1319,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x3063 = x3062 - Four{0.0, 0.0, 0.29, 0.29} * x3052;
   // link 1 "pelvis": acceleration from its articulated-body inertia
   const Real x4032 = 1 / x4011;
-  // link 16 "torso": force that the reference field takes
-  const Real x1489 = x252 * 0.0832833 - x284 * 0.040850000000000004 + x290 * 0.01615;
-  const Real x1499 = x255 * 0.42813300000000004 - x289 * 0.30399970000000004 - x286 * 0.01615;
-  const Real x1522 = (x279 - x188) * 0.095 - x277 * 1.6150000000000002;
-  // link 23 "neck": force that the reference field takes
-  const Real x1568 = x859 * 0.4 - x886 * 0.008;
+  const Real x4033 = x4012 * x4032;
   // joint 22 "neck_yaw": articulated-body inertia and bias force through it
   const Real x3471 = cosine[27] * x3391 - sine[27] * x3370 - 0.38 * x3468;
   // link 16 "torso": force that the reference field takes
@@ -1337,8 +1328,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x3271 = x267 * 9.5 + x1522 + (x3045[2] + x3045[3]);
   // link 16 "torso": force that the reference field takes
   const Real x1529 = x281 * 1.6150000000000002 - x282 * 0.095 + x271 * 9.5;
-  // joint 22 "neck_yaw": articulated-body inertia and bias force through it
-  const Real x3492 = x1516 - x267 * 0.095 + (x3068[2] + x3068[3]) + x3473;
   // joint 15 "waist_pitch": articulated-body inertia and bias force through it
   const Real x3499 = x3497 * (tau[20] - x3492);
   // joint 22 "neck_yaw": articulated-body inertia and bias force through it
@@ -1355,19 +1344,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joint 15 "waist_pitch": articulated-body inertia and bias force through it
   const Real x3556 = x3493 + x3481 * x3499;
   const Real x3558 = x3049[2] + x3049[3] + x1529 + x3465 + x3482 * x3499;
-  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
-  const Real x4012 = x2977[0] + x2977[1] + (0.09 * x3965 + x3986);
-  const Real x3991 = x3858 - x3942 + 0.09 * x3928 + 0.09 * x3967;
-  const Real x4016 = x2999[0] + x2999[1] + 0.0200467 + x3991;
-  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Real x3117 = x2987[0] + x2987[1];
-  // link 1 "pelvis": acceleration from its articulated-body inertia
-  const Real x4033 = x4012 * x4032;
-  const Real x4040 = x4016 - x4012 * x4033;
-  const Real x4053 = 1 / x4040;
-  const Real x4034 = x3117 * x4032;
-  const Real x4043 = x3011[0] + x3011[1] - x3117 * x4033;
-  // joint 15 "waist_pitch": articulated-body inertia and bias force through it
   const Real x3652 = sine[26] * x3556 + cosine[26] * x3558;
   // link 15 "abdomen": force that the reference field takes
   const Real x1450 = x136 * 0.0014025 - x217 * 0.00027750000000000013 - x203 * 0.018000000000000002;
@@ -1375,12 +1351,30 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x3657 = sine[26] * x3552 + cosine[26] * x3554 - 0.04 * x3560;
   // link 15 "abdomen": force that the reference field takes
   const Real x1447 = x188 * 0.0014025 + x222 * 0.00027750000000000013 + x193 * 0.018000000000000002;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3755 = x3689 - x3753;
+  const Real x3675 = x3673 * (tau[19] - (x1450 + x3657));
+  const Real x3775 = sine[25] * x3716 + cosine[25] * x3722;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x3991 = x3858 - x3942 + 0.09 * x3928 + 0.09 * x3967;
+  const Real x4016 = x2999[0] + x2999[1] + 0.0200467 + x3991;
+  const Real x4013 = x2911[0] + x2911[1] + x3965;
+  const Real x3855 = x3755 * x3847;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Real x3117 = x2987[0] + x2987[1];
+  const Real x3142 = x3024[0] + x3024[1] + 0.0351333;
+  // link 1 "pelvis": acceleration from its articulated-body inertia
+  const Real x4040 = x4016 - x4012 * x4033;
+  const Real x4053 = 1 / x4040;
+  const Real x4034 = x3117 * x4032;
+  const Real x4043 = x3011[0] + x3011[1] - x3117 * x4033;
+  const Real x4054 = x4043 * x4053;
+  const Real x4063 = x3142 - x3117 * x4034 - x4043 * x4054;
+  const Real x4082 = 1 / x4063;
+  const Real x4046 = 0.12400000000000001 - (x2918[0] + x2918[1]) + x3967 - x4013 * x4033;
   // joint 15 "waist_pitch": articulated-body inertia and bias force through it
   const Real x3649 = cosine[26] * x3556 - sine[26] * x3558;
   // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x3675 = x3673 * (tau[19] - (x1450 + x3657));
-  const Real x3755 = x3689 - x3753;
-  const Real x3775 = sine[25] * x3716 + cosine[25] * x3722;
   const Real x3727 = tau[20] + 0.04 * x3652 + x1447 + x3628 * x3675;
   // joint 15 "waist_pitch": articulated-body inertia and bias force through it
   const Real x3667 = cosine[26] * x3552 - sine[26] * x3554 + x191 * 0.001125;
@@ -1395,40 +1389,35 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x3670 = x3649 - (x208 * 0.9 + x220 * 0.018000000000000002);
   // joint 14 "waist_roll": articulated-body inertia and bias force through it
   const Real x3733 = x3670 + x3619 * x3675;
-  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
-  const Real x4013 = x2911[0] + x2911[1] + x3965;
-  const Real x3855 = x3755 * x3847;
-  const Real x3891 = x3775 - x3742 * x3855;
-  const Real x3897 = x3783 - x3752 * x3855;
-  const Real x4020 = x2886[0] + x2886[1] + 6.2 + x3961;
-  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Real x3142 = x3024[0] + x3024[1] + 0.0351333;
-  // link 1 "pelvis": acceleration from its articulated-body inertia
-  const Real x4054 = x4043 * x4053;
-  const Real x4063 = x3142 - x3117 * x4034 - x4043 * x4054;
-  const Real x4082 = 1 / x4063;
-  const Real x4046 = 0.12400000000000001 - (x2918[0] + x2918[1]) + x3967 - x4013 * x4033;
-  const Real x4035 = x4013 * x4032;
-  const Real x4055 = x4046 * x4053;
-  const Real x4069 = x2924[0] + x2924[1] - x4013 * x4034 - x4046 * x4054;
   // joint 15 "waist_pitch": articulated-body inertia and bias force through it
   const Real x3671 = x193 * 0.9 + x224 * 0.018000000000000002 + x3652;
   // joint 14 "waist_roll": articulated-body inertia and bias force through it
   const Real x3735 = x3671 + x3622 * x3675;
   const Real x3824 = cosine[25] * x3731 - sine[25] * x3733;
-  // link 14 "waist_link": force that the reference field takes
-  const Real x1411 = x136 * 0.00106 - x161 * 6e-05 - x149 * 0.016;
-  const Real x1413 = x166 * 6e-05 - x137 * 0.00106 + x145 * 0.016;
-  // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x3832 = cosine[25] * x3727 - sine[25] * x3729 + 0.05 * x3735;
   // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x3891 = x3775 - x3742 * x3855;
+  const Real x3897 = x3783 - x3752 * x3855;
+  const Real x4020 = x2886[0] + x2886[1] + 6.2 + x3961;
   const Real x4014 = x2929[0] + x2929[1] + -0.12400000000000001 + x3970;
   const Real x3870 = x3806 * x3855 - 0.05 * x3783;
   const Real x3882 = x3692 + x3749 + 0.05 * x3775 - x3813 * x3855;
   const Real x3951 = sine[24] * x3891 + cosine[24] * x3897;
   const Real x3849 = x3847 * (tau[18] - (sine[25] * x3727 + cosine[25] * x3729));
   const Real x3948 = cosine[24] * x3891 - sine[24] * x3897;
+  // link 1 "pelvis": acceleration from its articulated-body inertia
+  const Real x4035 = x4013 * x4032;
+  const Real x4055 = x4046 * x4053;
+  const Real x4069 = x2924[0] + x2924[1] - x4013 * x4034 - x4046 * x4054;
+  const Real x4083 = x4069 * x4082;
+  const Real x4049 = x2933[0] + x2933[1] + (x3931 + x3963) - x4014 * x4033;
+  const Real x4093 = x4020 - x4013 * x4035 - x4046 * x4055;
+  const Real x4094 = x4093 - x4069 * x4083;
+  const Real x4113 = 1 / x4094;
+  // link 14 "waist_link": force that the reference field takes
+  const Real x1411 = x136 * 0.00106 - x161 * 6e-05 - x149 * 0.016;
+  const Real x1413 = x166 * 6e-05 - x137 * 0.00106 + x145 * 0.016;
   // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3832 = cosine[25] * x3727 - sine[25] * x3729 + 0.05 * x3735;
   const Real x3843 = x145 * 0.8 + x168 * 0.016 + x3735;
   // joint 13 "waist_yaw": articulated-body inertia and bias force through it
   const Real x3907 = x3843 + x3742 * x3849;
@@ -1441,27 +1430,15 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x3903 = tau[19] - 0.05 * x3824 + x1411 - x3806 * x3849;
   const Real x3905 = x1413 + x3832 + x3813 * x3849;
   const Real x4023 = x2905[0] + x2905[1] + 6.2 + x3962;
-  // link 1 "pelvis": acceleration from its articulated-body inertia
-  const Real x4083 = x4069 * x4082;
-  const Real x4049 = x2933[0] + x2933[1] + (x3931 + x3963) - x4014 * x4033;
-  const Real x4093 = x4020 - x4013 * x4035 - x4046 * x4055;
-  const Real x4094 = x4093 - x4069 * x4083;
-  const Real x4113 = 1 / x4094;
-  const Real x4036 = x4014 * x4032;
-  const Real x4075 = x2939[0] + x2939[1] - x4014 * x4034 - x4049 * x4054;
-  const Real x4056 = x4049 * x4053;
-  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
   const Real x3976 = sine[24] * x3870 + cosine[24] * x3882 + 0.09 * x3948;
   const Real x4005 = sine[24] * x3907 + cosine[24] * x3909;
   const Real x4002 = cosine[24] * x3907 - sine[24] * x3909;
   const Real x4008 = cosine[24] * x3903 - sine[24] * x3905 - 0.09 * x4005;
   const Real x4026 = x118 * 0.015086599999999999 - tau[3] + (x3057[0] + x3057[1]) + x4008;
-  const Real x4010 = sine[24] * x3903 + cosine[24] * x3905 + 0.09 * x4002;
-  const Real x3900 = x3710 - x3784 + 0.8 - x3755 * x3855;
-  const Real x4025 = x2906[0] + x2906[1] + 6.2 + x3900;
-  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Real x3246 = x3068[0] + x3068[1] - (v[3] * v[4] * 0.01488 + tau[5]);
   // link 1 "pelvis": acceleration from its articulated-body inertia
+  const Real x4036 = x4014 * x4032;
+  const Real x4075 = x2939[0] + x2939[1] - x4014 * x4034 - x4049 * x4054;
+  const Real x4056 = x4049 * x4053;
   const Real x4101 = x2890[0] + x2890[1] + x3959 - x4014 * x4035;
   const Real x4084 = x4075 * x4082;
   const Real x4103 = x4101 - x4049 * x4055 - x4075 * x4083;
@@ -1472,6 +1449,19 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x4127 = x4125 - x4075 * x4084 - x4103 * x4114;
   const Real x4037 = x4015 * x4032;
   const Real x4110 = x2893[0] + x2893[1] + x3948 - x4015 * x4035;
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3827 = sine[25] * x3731 + cosine[25] * x3733;
+  // joint 13 "waist_yaw": articulated-body inertia and bias force through it
+  const Real x4010 = sine[24] * x3903 + cosine[24] * x3905 + 0.09 * x4002;
+  const Real x3900 = x3710 - x3784 + 0.8 - x3755 * x3855;
+  const Real x4025 = x2906[0] + x2906[1] + 6.2 + x3900;
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Real x3246 = x3068[0] + x3068[1] - (v[3] * v[4] * 0.01488 + tau[5]);
+  // joint 14 "waist_roll": articulated-body inertia and bias force through it
+  const Real x3845 = x3827 - (x141 * 0.8 + x164 * 0.016);
+  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
+  const Real x3249 = x3052[0] + x3052[1] - (x119 * 0.12400000000000001 + tau[2]);
+  // link 1 "pelvis": acceleration from its articulated-body inertia
   const Real x4140 = 1 / x4127;
   const Real x4057 = x4052 * x4053;
   const Real x4112 = x4110 - x4052 * x4055 - x4081 * x4083;
@@ -1480,19 +1470,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x4027 = x3063[0] + x3063[1] - (x121 * 0.00020659999999999716 + tau[4]) + x4010;
   // link 1 "pelvis": acceleration from its articulated-body inertia
   const Real x4172 = x4026 * x4033 - x4027;
-  // joint 0 "__base__": placement, velocity and reference acceleration of its link
-  const Real x66 = 1 / x63 * 2.0;
-  const Real x67 = q[3] * x66;
-  const Real x68 = q[4] * x66;
-  const Real x92 = (q[5] * x67 - q[6] * x68) * 9.81;
-  const Real x93 = (q[5] * x68 + q[6] * x67) * 9.81;
-  const Real x94 = (1.0 - (q[4] * x68 + q[3] * x67)) * 9.81;
-  // joint 14 "waist_roll": articulated-body inertia and bias force through it
-  const Real x3827 = sine[25] * x3731 + cosine[25] * x3733;
-  const Real x3845 = x3827 - (x141 * 0.8 + x164 * 0.016);
-  // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
-  const Real x3249 = x3052[0] + x3052[1] - (x119 * 0.12400000000000001 + tau[2]);
-  // link 1 "pelvis": acceleration from its articulated-body inertia
   const Real x4085 = x4081 * x4082;
   const Real x4115 = x4112 * x4113;
   const Real x4138 = x4136 - x4052 * x4056 - x4081 * x4084;
@@ -1510,22 +1487,26 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x4187 = x4186 - x4083 * x4178;
   const Real x4155 = x4153 - x4081 * x4085 - x4112 * x4115;
   const Real x4156 = x4155 - x4139 * x4141;
-  const Real x4197 = x4026 * x4036 - x4030 - x4056 * x4172;
-  const Real x4210 = x4026 * x4037 - (x3845 + x3755 * x3849 + x3249);
   const Real x4159 = x4016 * 1.7763568394002505e-15;
   require_more(w, x4040, x4159, kFactorization, 0);
-  const Real x4199 = x4197 - x4084 * x4178 - x4114 * x4187;
+  const Real x4197 = x4026 * x4036 - x4030 - x4056 * x4172;
+  const Real x4210 = x4026 * x4037 - (x3845 + x3755 * x3849 + x3249);
   const Real x4160 = x3142 * 1.7763568394002505e-15;
   require_more(w, x4063, x4160, kFactorization, 0);
   const Real x4161 = x4020 * 1.7763568394002505e-15;
   require_more(w, x4094, x4161, kFactorization, 0);
   const Real x4162 = x4023 * 1.7763568394002505e-15;
   require_more(w, x4127, x4162, kFactorization, 0);
+  const Real x4199 = x4197 - x4084 * x4178 - x4114 * x4187;
   const Real x4163 = x4025 * 1.7763568394002505e-15;
   require_more(w, x4156, x4163, kFactorization, 0);
   const Real x4212 = x4210 - x4057 * x4172 - x4085 * x4178;
   const Real x4221 = 1 / x4156 * (x4212 - x4115 * x4187 - x4141 * x4199);
   const Real x4224 = x4140 * x4199 - x4141 * x4221;
+  // joint 0 "__base__": acceleration of the base
+  const Real x4744 = x4221 - (v[1] * v[3] - v[0] * v[4] + x94);
+  w.result[2] = x4744;
+  // link 1 "pelvis": acceleration from its articulated-body inertia
   const Real x4230 = x4113 * x4187 - x4115 * x4221 - x4114 * x4224;
   const Real x4238 = x4082 * x4178 - x4085 * x4221 - x4084 * x4224;
   const Real x4239 = x4238 - x4083 * x4230;
@@ -1586,8 +1567,6 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joint 0 "__base__": acceleration of the base
   const Real x4743 = x4224 - (v[0] * v[5] - v[2] * v[3] + x93);
   w.result[1] = x4743;
-  const Real x4744 = x4221 - (v[1] * v[3] - v[0] * v[4] + x94);
-  w.result[2] = x4744;
   const Real x4742 = x4230 - (v[2] * v[4] - v[1] * v[5] + x92);
   w.result[0] = x4742;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": their accelerations, and those of the links beyond

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from adagen.emit.unrolled.order import Pace, in_order
+from adagen.emit.unrolled.order import AHEAD, Pace, by_step, by_waits, in_functions
 from adagen.executor import simulate
 from adagen.graph import Graph, live_nodes
 from adagen.plan import make_plan
@@ -46,8 +46,9 @@ def test_everything_is_computed_once_and_after_what_it_uses(
         graph = one.machine.graph
         live = live_nodes(graph, one.machine.roots())
         values = {k for k in live if graph.nodes[k].op not in ("constant", "input")}
-        pace = None if batch else Pace.of(one.operations, len(values), COSTS)
-        order = in_order(graph, process, values, pace)
+        order = by_step(graph, process, values)
+        if not batch:
+            order = by_waits(graph, order, Pace.of(one.operations, len(values), COSTS))
         assert sorted(order) == sorted(values)
         turn = {k: n for n, k in enumerate(order)}
         assert all(turn[a] < turn[k] for k in order for a in graph.nodes[k].args if a in turn)
@@ -60,7 +61,7 @@ def test_what_a_link_takes_is_computed_while_its_motion_is_at_hand(joints: int) 
     graph = one.machine.graph
     live = live_nodes(graph, one.machine.roots())
     values = {k for k in live if graph.nodes[k].op not in ("constant", "input")}
-    order = in_order(graph, plan.processes[0], values)
+    order = by_step(graph, plan.processes[0], values)
     assert most_alive(graph, order) < 0.8 * most_alive(graph, sorted(values))
 
 
@@ -72,10 +73,57 @@ def test_of_a_single_state_what_most_waits_for_comes_first() -> None:
     for _ in range(40):
         power.append(power[-1] * x)
     values = {value.index for value in (*short, *power)}
+    steps = by_step(graph, Process(steps=(Kinematics(0),), reads=(0,), owns=(0,)), values)
+    assert steps == sorted(values)
+    order = by_waits(graph, steps, Pace(value=1.0, cycle=2.0))
+    assert order[0] == power[0].index
+    assert set(order[-3:]) == {value.index for value in power[-3:]}
+    # Waiting that takes no time: the chain is not begun late all the same.
+    busy = by_waits(graph, steps, Pace(value=1.0, cycle=0.0))
+    assert busy[:40] == [value.index for value in power[:40]]
+
+
+def test_nothing_far_ahead_is_begun_early() -> None:
+    """What is alive at once stays bounded, however long the stretch."""
+    graph = Graph()
+    x = graph.input("x")
+    ends = []
+    for k in range(4 * AHEAD // 10):  # the later, the more waits for its first value
+        value = x + k
+        for _ in range(9):
+            value = value * x
+        ends.append(value)
+    total = ends[0]
+    for value in ends[1:]:
+        total = total + value
+    values = set(live_nodes(graph, [total])) - {x.index}
+    values = {k for k in values if graph.nodes[k].op != "constant"}
     process = Process(steps=(Kinematics(0),), reads=(0,), owns=(0,))
-    alone = in_order(graph, process, values, Pace(value=1.0, cycle=2.0, margin=0.03))
-    assert alone[0] == power[0].index
-    assert set(alone[-3:]) == {value.index for value in power[-3:]}
-    assert in_order(graph, process, values) == sorted(values)
-    busy = Pace(value=1.0, cycle=0.1, margin=0.03)  # 121 values take 121, and waiting 17
-    assert in_order(graph, process, values, busy) == sorted(values)
+    order = by_waits(graph, by_step(graph, process, values), Pace(value=1.0, cycle=1.0))
+    assert sorted(order) == sorted(values)
+    late = max(turn - n for n, turn in enumerate(order_of(order, sorted(values))))
+    assert late <= AHEAD + 100
+
+
+@pytest.mark.parametrize(("cycle", "waits"), [(1.0, False), (20.0, True)])
+def test_in_several_functions_waiting_has_to_count(cycle: float, waits: bool) -> None:
+    plan = plan_of(serial_chain(12), 1)
+    one = simulate(plan)[0]
+    graph, process = one.machine.graph, plan.processes[0]
+    live = live_nodes(graph, one.machine.roots())
+    values = {k for k in live if graph.nodes[k].op not in ("constant", "input")}
+    pace = Pace(value=2.0, cycle=cycle)
+    steps = in_functions(graph, process, values, 1000, None)
+    assert [k for cut in steps for k in cut] == by_step(graph, process, values)
+    cuts = in_functions(graph, process, values, 1000, pace)
+    assert len(cuts) > 1
+    assert list(map(sorted, cuts)) == list(map(sorted, steps))
+    assert (cuts != steps) == waits
+    (alone,) = in_functions(graph, process, values, len(values), pace)
+    assert alone == by_waits(graph, by_step(graph, process, values), pace)
+
+
+def order_of(order: Sequence[int], by_turn: Sequence[int]) -> list[int]:
+    """Return the turn in one order of each value of another."""
+    turn = {k: n for n, k in enumerate(by_turn)}
+    return [turn[k] for k in order]

@@ -10,7 +10,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from adagen.emit.unrolled.order import Pace, in_order
+from adagen.emit.unrolled.order import Pace, in_functions
 from adagen.executor import RECEIVED, SINGULAR, Check, Machine, Simulated
 from adagen.graph import Node, live_nodes
 from adagen.plan.stages import Stage, stages
@@ -76,7 +76,7 @@ def laid_out(
     pending: list[int] = []
     done = 0
     last_work: int | None = None
-    orders: dict[int, tuple[int | None, list[int]]] = {}
+    stretches: dict[int, Stretch] = {}
     nodes = machine.graph.nodes
     alive = [
         k
@@ -95,16 +95,9 @@ def laid_out(
             done += 1
         now = _needed(machine, pending, stage)
         pending = [k for k in pending if k not in now]
-        # In several functions, what is computed long before it is used goes through memory.
-        whole = len(now) <= longest
-        orders[place] = last_work, in_order(machine.graph, process, now, pace if whole else None)
+        cuts = in_functions(machine.graph, process, now, longest, pace)
+        stretches[place] = Stretch(last_work, tuple(map(Chunk, cuts)))
         last_work = None
-    stretches = {
-        place: Stretch(
-            work, tuple(Chunk(order[k : k + longest]) for k in range(0, len(order), longest))
-        )
-        for place, (work, order) in orders.items()
-    }
     chunks = [chunk for stretch in stretches.values() for chunk in stretch.chunks]
     computed = (index for chunk in chunks for index in chunk.values)
     turns = {index: turn for turn, index in enumerate(computed)}

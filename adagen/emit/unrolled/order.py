@@ -1,28 +1,31 @@
-"""In which order the values of a stretch are computed.
+"""In which order the values of a function are computed.
 
-Either by step, so that a value is used soon and registers and the first-level cache hold what is
-alive: what a link takes of the reference field is computed as soon as the link has it. Or by what
-still follows, where the evaluation of a single state is predicted to last longer for its longest
-chain of values that wait for each other: then nothing on that is to be begun late. A processor
-looks some hundred statements ahead, so that what belongs to one step may still stand together as
-long as it is near. Over several functions values would go through memory, so that only a stretch
-that is one function has this order.
+By step, where many states are solved at once: a value is used soon, and registers and the
+first-level cache hold what is alive; what a link takes of the reference field is computed as soon
+as the link has it. Functions are cut in that order, too. For a single state a function's values are
+then ordered by what still follows, so that nothing on the longest chain of values that wait for
+each other is begun late. A processor looks some hundred statements ahead, so that what belongs to
+one step may still stand together as long as it is near.
 """
 
 from __future__ import annotations
 
 import heapq
 from collections import defaultdict
-from collections.abc import Callable, Set
+from collections.abc import Callable, Sequence, Set
 from dataclasses import dataclass
 
-from adagen.executor import at_once, work_of
+from adagen.executor import work_of
 from adagen.graph import Graph, Operations
 from adagen.plan.steps import Kinematics, LinkBias, StartLink
 from adagen.plan.types import Process
 from adagen.schedule.costs import StepCosts
 
 _TOGETHER = 100  # values among which those of one step stand together
+AHEAD = 2000
+"""Values that are looked at: with fewer, chains of few links wait; with more, too much is alive."""
+_MOST = 8000  # values of several functions, beyond which their instructions fit no near cache
+_WORTH = 0.5  # waiting, of their work: what is alive for long costs instructions, which they lack
 
 
 @dataclass(frozen=True)
@@ -32,49 +35,73 @@ class Pace:
     Attributes:
         value: what one takes, on average, where none waits for another.
         cycle: a cycle of the longest chain of values that do.
-        margin: the share of a time by which predictions are off.
     """
 
     value: float
     cycle: float
-    margin: float
 
     @staticmethod
     def of(operations: Operations, values: int, costs: StepCosts) -> Pace:
         """Return the pace of a process with so many values."""
         work = costs.total(work_of(operations, costs["unrolled.held"]))
-        return Pace(work / max(1, values), costs["unrolled.cycle"], costs["process.margin"])
-
-    def waits(self, values: int, longest: int) -> bool:
-        """Whether so many values are predicted to take longer for a chain of so many cycles."""
-        work = self.value * values
-        return at_once(work, self.cycle * longest) > (1 + self.margin) * work
+        return Pace(work / max(1, values), costs["unrolled.cycle"])
 
 
-def in_order(
-    graph: Graph, process: Process, values: Set[int], pace: Pace | None = None
-) -> list[int]:
-    """Return the values of a stretch in the order in which they are computed.
+def in_functions(
+    graph: Graph, process: Process, values: Set[int], longest: int, pace: Pace | None
+) -> list[list[int]]:
+    """Return values in the order in which they are computed, function by function.
 
     Args:
         graph: what they belong to.
         process: whose steps the marks of the nodes number.
         values: indices of what is to be computed; the rest of the graph is there before.
-        pace: of a single state in one function; None for the order by step in any case. Many
-            states at once keep a processor busy, whatever waits for what.
+        longest: values of one function.
+        pace: of a single state; None where many are solved at once, which keeps a processor busy
+            whatever waits for what.
     """
-    if pace is not None:
-        waits = _waits(graph, values)
-        if pace.waits(len(values), waits.longest):
-            turns = {k: turn for turn, k in enumerate(_played(waits, pace))}
-            place = {k: (turn // _TOGETHER, graph.nodes[k].mark, turn) for k, turn in turns.items()}
-            return _operands_first(graph, values, place.__getitem__)
+    order = by_step(graph, process, values)
+    # Functions are cut by step: what one computes long before it is used goes through memory.
+    cuts = [order[k : k + longest] for k in range(0, len(order), longest)]
+    if pace is None or (len(cuts) > 1 and not _waiting_counts(graph, values, pace)):
+        return cuts
+    return [by_waits(graph, cut, pace) for cut in cuts]
+
+
+def _waiting_counts(graph: Graph, values: Set[int], pace: Pace) -> bool:
+    """Whether what waits decides in several functions, too."""
+    waiting = pace.cycle * _waits(graph, values).longest
+    return len(values) <= _MOST and waiting >= _WORTH * pace.value * len(values)
+
+
+def by_step(graph: Graph, process: Process, values: Set[int]) -> list[int]:
+    """Return values by the steps that they belong to.
+
+    Args:
+        graph: what they belong to.
+        process: whose steps the marks of the nodes number.
+        values: indices of what is to be computed; the rest of the graph is there before.
+    """
     moved = {s.joint + 1: k for k, s in enumerate(process.steps) if isinstance(s, Kinematics)}
     ranks = [
         moved.get(step.link, k) if isinstance(step, StartLink | LinkBias) else k
         for k, step in enumerate(process.steps)
     ]
     return _operands_first(graph, values, lambda k: (ranks[graph.nodes[k].mark], k))
+
+
+def by_waits(graph: Graph, order: Sequence[int], pace: Pace) -> list[int]:
+    """Return values by what still follows, those of one step together as long as they are near.
+
+    Args:
+        graph: what they belong to.
+        order: indices of what is to be computed, by step; the rest of the graph is there before.
+        pace: how fast they are computed.
+    """
+    waits = _waits(graph, set(order))
+    turns = {k: turn for turn, k in enumerate(_played(waits, order, pace))}
+    place = {k: (turn // _TOGETHER, graph.nodes[k].mark, turn) for k, turn in turns.items()}
+    return _operands_first(graph, turns.keys(), place.__getitem__)
 
 
 def _operands_first(
@@ -134,15 +161,33 @@ def _waits(graph: Graph, values: Set[int]) -> _Waits:
     return waits
 
 
-def _played(waits: _Waits, pace: Pace) -> list[int]:
-    """The values as a processor would begin them that always takes what most waits for."""
+def _played(waits: _Waits, by_step: Sequence[int], pace: Pace) -> list[int]:
+    """The values as a processor would begin them that always takes what most waits for.
+
+    It looks no further ahead than ``AHEAD`` values by step: the more is begun early, the more is
+    alive, and goes through memory.
+    """
     start: dict[int, float] = dict(waits.start)
     missing = {k: len(operands) for k, operands in waits.operands.items()}
-    later = [(start[k], k) for k, count in missing.items() if count == 0]
-    heapq.heapify(later)
+    turn = {k: n for n, k in enumerate(by_step)}
+    later: list[tuple[float, int]] = []  # by when they can begin
+    beyond: list[tuple[int, int]] = []  # by their turn: too far ahead yet
     ready: list[tuple[int, int]] = []
     order: list[int] = []
+    begun: set[int] = set()
+    first = 0  # turn of the first value that is not begun
+    step = pace.value / max(pace.cycle, 1e-9)  # cycles; not 0, or no chain would lengthen anything
     now = 0.0
+
+    def free(k: int) -> None:
+        if turn[k] < first + AHEAD:
+            heapq.heappush(later, (start[k], k))
+        else:
+            heapq.heappush(beyond, (turn[k], k))
+
+    for k, count in missing.items():
+        if count == 0:
+            free(k)
     while later or ready:
         now = now if ready else max(now, later[0][0])
         while later and later[0][0] <= now:
@@ -150,10 +195,15 @@ def _played(waits: _Waits, pace: Pace) -> list[int]:
             heapq.heappush(ready, (-waits.follows[k], k))
         k = heapq.heappop(ready)[1]
         order.append(k)
+        begun.add(k)
+        while first < len(by_step) and by_step[first] in begun:
+            first += 1
+        while beyond and beyond[0][0] < first + AHEAD:
+            free(heapq.heappop(beyond)[1])
         for user in waits.users[k]:
             missing[user] -= 1
             start[user] = max(start[user], now + waits.lasts[k])
             if missing[user] == 0:
-                heapq.heappush(later, (start[user], user))
-        now += pace.value / pace.cycle  # not 0, or no chain would lengthen anything
+                free(user)
+        now += step
     return order
