@@ -12,7 +12,9 @@ derivation):
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Hashable, Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -26,6 +28,53 @@ from adagen.graph import Expression, Factors, total
 Array = NDArray[Any]
 
 
+class Sums:
+    """A sum of many terms, which come in the order in which joints are swept.
+
+    Each serial run of joints has a sum of its own, so that no term is kept until the end and runs
+    do not wait for each other. Wide terms are added up across their lanes once.
+    """
+
+    def __init__(self, state: State) -> None:
+        self.state = state
+        self._parts: dict[tuple[Hashable, int], Expression] = {}
+
+    def add(self, run: Hashable, count: int, term: Expression) -> None:
+        """Add what the first lanes, ``count`` of them, of a term hold."""
+        key = run, count
+        self._parts[key] = self._parts[key] + term if key in self._parts else term
+
+    def total(self) -> Expression:
+        """Return the sum, zero of nothing."""
+        rows, by_count = self.state.rows, dict[int, list[Expression]]()
+        for (_, count), part in self._parts.items():
+            by_count.setdefault(count, []).append(part)
+        each = [
+            rows.sum_of(np.array(total(parts), object), count).item()
+            for count, parts in by_count.items()
+        ]
+        return total([self.state.graph.constant(0), *each])
+
+
+@dataclass(frozen=True)
+class _Reached:
+    """A link whose acceleration is there.
+
+    Attributes:
+        joint: the joint before it.
+        inertia: the trace of its inertia about its origin, and its mass, shape (2,).
+        arm: the square of the way to it from the joint's near link.
+        turning: the square of what its angular acceleration is added up from.
+        own: of its linear one, what does not come from that near link's.
+    """
+
+    joint: int
+    inertia: Array
+    arm: Expression
+    turning: Expression
+    own: Expression
+
+
 class Allowance:
     """Sums what rounding may add to the square of an answer's error.
 
@@ -35,7 +84,7 @@ class Allowance:
     (4,).
 
     Attributes:
-        rounded: the parts, in units of the square of a certificate's unit.
+        rounded: what it may add, in units of the square of a certificate's unit.
     """
 
     def __init__(self, state: State, motion: Motion) -> None:
@@ -46,7 +95,10 @@ class Allowance:
             for j, joint in enumerate(state.plan.joints)
             if joint.kind == "floating" and joint.parent == 0
         ]
-        self.rounded: list[Expression] = []
+        self.rounded = Sums(state)
+        self._reached: list[_Reached] = []  # outwards
+        self._marks: dict[int, int] = {}
+        self._runs: dict[int, int] = {}
 
     def square(self, numbers: Iterable[Expression]) -> Expression:
         """The sum of squares."""
@@ -55,6 +107,15 @@ class Allowance:
     def count(self, j: int) -> int:
         """How many joints are treated as a joint."""
         return len(self.state.rows.own(j))
+
+    def run(self, j: int) -> int:
+        """The first joint of the serial run that a joint is in."""
+        if j not in self._runs:
+            plan = self.state.plan
+            near = plan.joints[j].parent
+            serial = near > 0 and len(plan.children[near]) == 1
+            self._runs[j] = self.run(near - 1) if serial else j
+        return self._runs[j]
 
     def summed(self, x: Expression, count: int) -> Expression:
         """The sum of the first numbers of a row; of a single joint its own."""
@@ -71,31 +132,72 @@ class Allowance:
         """The square of a link's angular acceleration."""
         return self.square(self.memory["a", link][:3, 0])
 
-    def size(self, j: int) -> None:
-        """What a joint's child link's accelerations are added up from, no less than before."""
-        if j in self.bases:
-            size = [self.turning(j + 1), self.square(self.memory["a", j + 1][3:, 0])]
-            self.memory["size", j + 1] = np.array(size, dtype=object)
-            return
-        ground = np.array([self.state.graph.constant(0), self.square(self.state.upwards())])
-        turning, sliding = self.state.rows.of_near("size", j, ground)
-        x: Transform = self.memory["X", j]
-        terms = [sliding, turning * self.square(x.origin)]
-        linear = [k for k, place in enumerate(self.state.kind(j).free) if place >= 3]
-        if linear:
-            _, v = self.state.configuration(j)
-            spin = self.square(self.memory["field", j + 1].omega)
-            terms.append(self.square(self.memory["accelerated", j][linear]))
-            terms.append(spin * self.square(v[k] for k in linear) * 4)
-        turning = self.state.graph.larger(turning, self.turning(j + 1))
-        self.memory["size", j + 1] = np.array([turning, total(terms)], dtype=object)
+    def size(self, j: int, inertia: Array) -> None:
+        """What a joint's child link's accelerations are added up from, no less than before.
 
-    def uncertain_motion(self, link: int, inertia: Array) -> None:
-        """Add the energy of what is uncertain of a link's acceleration."""
-        turning, sliding = self.memory["size", link]
-        trace = total(inertia[k, k] for k in range(3))
-        energy = total([trace * turning, inertia[3, 3] * sliding])
-        self.rounded.append(self.whole(link - 1, energy))
+        Args:
+            j: the joint.
+            inertia: the link's, shape (6, 6); zeros where another process counts it.
+        """
+        state, rows = self.state, self.state.rows
+        self._marks[j] = state.graph.mark
+        nothing, trace = state.graph.constant(0), total(inertia[k, k] for k in range(3))
+        whole = np.array([trace, inertia[3, 3]], dtype=object)
+        if j in self.bases:
+            turning, own = self.turning(j + 1), self.square(self.memory["a", j + 1][3:, 0])
+            self.memory["size", j + 1] = np.array([turning, own], dtype=object)
+            self._reached.append(_Reached(j, whole, nothing, turning, own))
+            return
+        upwards = self.square(state.upwards())
+        turning, sliding = rows.of_near("size", j, np.array([nothing, upwards]))
+        x: Transform = self.memory["X", j]
+        arm = self.square(x.origin)
+        grounded = [np.array(nothing if near else upwards, object) for near in rows.near_links(j)]
+        slides: list[Expression] = []
+        linear = [k for k, place in enumerate(state.kind(j).free) if place >= 3]
+        if linear:
+            _, v = state.configuration(j)
+            spin = self.square(self.memory["field", j + 1].omega)
+            slides.append(self.square(self.memory["accelerated", j][linear]))
+            slides.append(spin * self.square(v[k] for k in linear) * 4)
+        sliding = total([sliding, turning * arm, *slides])
+        turning = state.graph.larger(turning, self.turning(j + 1))
+        self.memory["size", j + 1] = np.array([turning, sliding], dtype=object)
+        own = total([rows.packed(grounded).item(), *slides])
+        self._reached.append(_Reached(j, whole, arm, turning, own))
+
+    def uncertain_motions(self) -> None:
+        """Add the energy of what is uncertain of all links' accelerations.
+
+        Of a link that is tr(I) times the square of the angular one and m times that of the linear
+        one. The latter is that of the link before and an arm's square times the angular one, so
+        that squares of angular accelerations come together with factors that mostly are constants.
+        Each is added where its link is reached.
+        """
+        for each in self._reached:
+            self.memory["weighs", each.joint + 1] = each.inertia
+        for each in reversed(self._reached):
+            if any(self.state.rows.near_links(each.joint)):
+                mass = self.memory["weighs", each.joint + 1][1]
+                handed = np.array([mass * each.arm, mass], dtype=object)
+                self.state.rows.hand_on("weighs", each.joint, handed)
+        for each in self._reached:
+            turns, slides = self.memory["weighs", each.joint + 1]
+            run, count = self.run(each.joint), self.count(each.joint)
+            with self.when_reached(each.joint):
+                self.rounded.add(("motion", run), count, turns * each.turning)
+                self.rounded.add(("motion", run), count, slides * each.own)
+
+    @contextmanager
+    def when_reached(self, j: int) -> Iterator[None]:
+        """Have what is computed count for the step that reached a joint's link.
+
+        Straight lines compute it there, where its operands are at hand.
+        """
+        graph = self.state.graph
+        now, graph.mark = graph.mark, self._marks.get(j, graph.mark)
+        yield
+        graph.mark = now
 
     # -- what is passed on ------------------------------------------------------------------------
 
@@ -123,10 +225,11 @@ class Allowance:
         levers = [self.square(arm) * noise[3] for arm in arms]
         return np.array([*(turned + np.array(levers, dtype=object)), noise[3]], dtype=object)
 
-    def weigh_noise(self, count: int, factors: Factors, noise: Array) -> Array:
+    def weigh_noise(self, run: Hashable, count: int, factors: Factors, noise: Array) -> Array:
         """Add what rounding may add to the energy of what has these factors, squares of it given.
 
         Args:
+            run: what they belong to.
             count: how many lanes they have.
             factors: of an inertia.
             noise: shape (n,).
@@ -138,5 +241,5 @@ class Allowance:
         for k, inverse in enumerate(factors.inverses):
             row = factors.lower[k]
             rest.append(total([noise[k], *(row[i] * row[i] * rest[i] for i in range(k))]))
-            self.rounded.append(self.summed(rest[k] * inverse, count))
+            self.rounded.add(run, count, rest[k] * inverse)
         return np.array(rest, dtype=object)

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.executor.allowance import Allowance
+from adagen.executor.allowance import Allowance, Sums
 from adagen.executor.frames import Transform
 from adagen.executor.kinematics import Motion
 from adagen.executor.segments import Articulated
@@ -36,19 +36,26 @@ class Certificate(Allowance):
     force that the reference field takes of the link and all beyond (3), and their mass, shape (4,).
 
     Attributes:
-        seen: parts of the square of the error that shows.
+        seen: the square of the error that shows.
+        answer: the energy of the answer.
         own: links that the process looks at.
     """
 
     def __init__(self, state: State, motion: Motion, steps: Iterable[Step]) -> None:
         super().__init__(state, motion)
-        self.seen: list[Expression] = []
+        self.seen, self.answer = Sums(state), Sums(state)
         self.own = {step.link for step in steps if isinstance(step, StartLink)}
 
     def reach(self, j: int) -> None:
         """Look at the link beyond a joint, whose acceleration is there: while it is at hand."""
-        self.size(j)
-        self._start(j + 1)
+        link, known = j + 1, j + 1 in self.own
+        inertia = self.motion.link_inertia(link) if known else self.state.zeros(6, 6)
+        self.size(j, inertia)
+        if known:
+            self._start(link, inertia)
+        else:  # another process adds it
+            self.memory["left", link], self.memory["noise", link] = map(self.state.zeros, (6, 4))
+            self.memory["bare", link] = self.state.zeros(4)
 
     def carry_out(self, step: Certify) -> None:
         """Find the squares of the energy norms of the error, as bounded, and of the answer.
@@ -56,48 +63,45 @@ class Certificate(Allowance):
         Where several processes share the robot, each finds its share; process 0 finishes it.
         """
         shares = [Heard(self, share) for share in step.hears]
-        energies = [*self._swept(step), *(each.energy for each in shares)]
-        self.seen += [each.seen for each in shares]
+        self.uncertain_motions()
+        self._sweep(step)
+        energy = total([self.answer.total(), *(each.energy for each in shares)])
+        seen = total([self.seen.total(), *(each.seen for each in shares)])
         unit = ROUNDING * EPSILON[self.state.plan.scalar]
-        rounded = total([total(self.rounded) * unit**2, *(each.rounded for each in shares)])
+        rounded = total([self.rounded.total() * unit**2, *(each.rounded for each in shares)])
         if step.tells is not None:
-            own = [total(self.seen), rounded, total(energies)]
+            own = [seen, rounded, energy]
             self.memory["share", step.tells.process] = told(self, step, own)
             return
         parted = [x for each in shares for x in each.parted]
-        error = seen_with(total(self.seen), parted) if parted else total(self.seen)
-        self.state.certificate = (error + rounded, total(energies))
+        error = seen_with(seen, parted) if parted else seen
+        self.state.certificate = (error + rounded, energy)
 
-    def _swept(self, step: Certify) -> list[Expression]:
-        """Sweep what is left over inwards; return parts of the energy of the answer."""
+    def _sweep(self, step: Certify) -> None:
+        """Sweep what is left over inwards."""
         inwards = [name[1] for name in list(self.memory) if _is(name, "articulated")]
-        energies: list[Expression] = []
         for j in inwards:
             if step.joints and j not in step.joints:
                 continue
             self._inwards(j)
             body: Articulated = self.memory["articulated", j]
-            energies += [self.whole(j, x) for x in body.u[:, 0] * body.moved[:, 0]]
+            with self.when_reached(j):
+                for energy in body.u[:, 0] * body.moved[:, 0]:
+                    self.answer.add(self.run(j), self.count(j), energy)
         for base in self.bases:
             if not step.joints or base in step.joints:
                 self._error_of_base(base)
-                energies.append(self._energy_of_base(base))
-        return energies
+                self.answer.add(base, 1, self._energy_of_base(base))
 
     # -- the sweep --------------------------------------------------------------------------------
 
-    def _start(self, link: int) -> None:
-        """What a link by itself takes, and what is uncertain of its acceleration."""
-        if link not in self.own:  # another process adds it
-            self.memory["left", link], self.memory["noise", link] = map(self.state.zeros, (6, 4))
-            self.memory["bare", link] = self.state.zeros(4)
-            return
-        inertia, own = self.motion.link_inertia(link), self.motion.link_force(link)
+    def _start(self, link: int, inertia: Array) -> None:
+        """What a link by itself takes."""
+        own = self.motion.link_force(link)
         self.memory["left", link] = matrix_times(inertia, self.memory["a", link][:, 0]) + own
         self.memory["noise", link] = self.pushed(link)
         if self.bases:
             self.memory["bare", link] = np.array([*own[3:], inertia[3, 3]], dtype=object)
-        self.uncertain_motion(link, inertia)
 
     def _inwards(self, j: int) -> None:
         """Hand on what a joint's far link takes; what that says of the error, squared."""
@@ -129,8 +133,8 @@ class Certificate(Allowance):
         """Add u^T M^-1 u to what is seen of the error, and what rounding may add to it."""
         y = factors.forward(u.reshape(-1, 1))[:, 0]
         for k, inverse in enumerate(factors.inverses):
-            self.seen.append(self.whole(j, y[k] * y[k] * inverse))
-        self.weigh_noise(self.count(j), factors, noise)
+            self.seen.add(self.run(j), self.count(j), y[k] * y[k] * inverse)
+        self.weigh_noise(self.run(j), self.count(j), factors, noise)
 
     # -- floating bases ---------------------------------------------------------------------------
 
@@ -142,7 +146,7 @@ class Certificate(Allowance):
         factors = factorize(self.memory["IA", link])
         self._weigh(j, factors, left, noise[[0, 1, 2, 3, 3, 3]])
         fall = self.square([*self._fall(j), *self.memory["a", link][3:, 0]])
-        self.rounded.append(self.memory["bare", link][3] * fall)
+        self.rounded.add(j, 1, self.memory["bare", link][3] * fall)
 
     def _energy_of_base(self, j: int) -> Expression:
         """What a floating base adds to the energy of the answer, that of free fall among it.

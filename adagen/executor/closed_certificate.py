@@ -12,13 +12,13 @@ way.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.executor.allowance import Allowance
+from adagen.executor.allowance import Allowance, Sums
 from adagen.executor.front import Front
 from adagen.executor.segments import Articulated
 from adagen.graph import Expression, factorize, total
@@ -38,14 +38,13 @@ class ClosedCertificate(Allowance):
 
     def __init__(self, machine: Machine) -> None:
         super().__init__(machine, machine.motion)
-        self.machine = machine
+        self.machine, self.seen = machine, Sums(machine)
         self.held: dict[int, dict[int, Expression]] = {}
         self.unit = ROUNDING * EPSILON[machine.plan.scalar]
 
     def reach(self, j: int) -> None:
         """Look at the link beyond a joint, whose acceleration is there."""
-        self.size(j)
-        self.uncertain_motion(j + 1, self.motion.link_inertia(j + 1))
+        self.size(j, self.motion.link_inertia(j + 1))
 
     def carry_out(self, _: Certify) -> None:
         """Find the squares of the energy norms of the error, as bounded, and of the answer."""
@@ -53,12 +52,14 @@ class ClosedCertificate(Allowance):
         for link in corrections.links():
             taken = corrections.current.memory["pA", link]
             self.memory["left", link] = taken[:, 0]
-        seen = [x for step in corrections.in_order() for x in self._inwards(step)]
-        error = total(seen) + total(self.rounded) * self.unit**2
+        self.uncertain_motions()
+        for step in corrections.in_order():
+            self._inwards(step)
+        error = self.seen.total() + self.rounded.total() * self.unit**2
         self.state.certificate = (error, corrections.size_of_answer())
 
-    def _inwards(self, step: Step) -> Iterator[Expression]:
-        """What a step sees of the error, squared; what it may round is kept."""
+    def _inwards(self, step: Step) -> None:
+        """Add what a step sees of the error, squared, and what it may round."""
         residual = self.machine.corrections.current
         match step:
             case StartLink(link):
@@ -67,7 +68,8 @@ class ClosedCertificate(Allowance):
             case Articulate(j):
                 self._pass_articulated(j)
                 body: Articulated = residual.memory["articulated", j]
-                yield from (self.whole(j, x) for x in body.u[:, 0] * body.moved[:, 0])
+                for energy in body.u[:, 0] * body.moved[:, 0]:
+                    self.seen.add(self.run(j), self.count(j), energy)
             case HoldBack():
                 self._pass_held(step)
             case Eliminate():
@@ -76,11 +78,16 @@ class ClosedCertificate(Allowance):
                     self._eliminate(step, front, left)
                     assert left.reduced is not None  # others are not certified
                     for freed in left.reduced.freed:
-                        yield self.summed(freed.energy, self._lanes(step, freed.unknowns))
+                        count = self._lanes(step, freed.unknowns)
+                        self.seen.add(self._closure(step), count, freed.energy)
             case SolveRoot(link):
                 self._at_root(link)
                 a, p = residual.memory["a", link], residual.memory["pA", link]
-                yield -total(p[:, 0] * a[:, 0])
+                self.seen.add(self.run(link - 1), 1, -total(p[:, 0] * a[:, 0]))
+
+    def _closure(self, step: Eliminate) -> tuple[str, int]:
+        """What the sums of a closure's elimination are called."""
+        return ("closure", step.closure)
 
     def _of_wrench(self, wrench: Array) -> Array:
         """Squares of moments and force, shape (4,)."""
@@ -92,7 +99,8 @@ class ClosedCertificate(Allowance):
     def _pass_articulated(self, j: int) -> None:
         body: Articulated = self.memory["articulated", j]
         noise, free = self.noise_at(j + 1), list(self.state.kind(j).free)
-        self.weigh_noise(self.count(j), body.factors, noise[[min(k, 3) for k in free]])
+        noise_along = noise[[min(k, 3) for k in free]]
+        self.weigh_noise(self.run(j), self.count(j), body.factors, noise_along)
         given = self.state.torques(j)[:, 0]
         self._hand_on(j, free, given, noise)
 
@@ -134,12 +142,12 @@ class ClosedCertificate(Allowance):
             self._hand_over(noise, each.others, each.gained, own, len(each.unknowns[0]))
             rows = np.array([self._of_row(front, left, row) for row in each.rows], dtype=object)
             for energy in each.moves(rows) * each.inertia:
-                self.rounded.append(self.summed(energy, count))
+                self.rounded.add(self._closure(step), count, energy)
             if step.link and any(x.constant != 0 for x in each.across.flat):
                 self._hand_to_top(step, each.across, own, len(each.unknowns[0]))
         for freed in reduced.freed:
             own, count = self._noise_of(noise, freed.unknowns), self._lanes(step, freed.unknowns)
-            rest = self.weigh_noise(count, freed.factors, own)
+            rest = self.weigh_noise(self._closure(step), count, freed.factors, own)
             self._hand_over(noise, freed.others, freed.gained, rest, len(freed.unknowns[0]))
 
     def _lanes(self, step: Eliminate, unknowns: Sequence[Mates]) -> int:
@@ -213,11 +221,11 @@ class ClosedCertificate(Allowance):
         """What comes together at a floating base, and what its acceleration of free fall rounds."""
         noise = self.noise_at(link)
         factors = factorize(self.memory["IA", link])
-        self.weigh_noise(self.count(link - 1), factors, noise[[0, 1, 2, 3, 3, 3]])
+        self.weigh_noise(link - 1, self.count(link - 1), factors, noise[[0, 1, 2, 3, 3, 3]])
         drift = self.motion.drift(link - 1)
         if drift is None:
             return
         links = self.machine.corrections.links()
         masses = [self.whole(each - 1, self.state.rows.mass(each)) for each in links]
         fall = self.square([*drift[3:, 0], *self.memory["a", link][3:, 0]])
-        self.rounded.append(total(masses) * fall)
+        self.rounded.add(link - 1, 1, total(masses) * fall)
