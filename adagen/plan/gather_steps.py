@@ -146,17 +146,25 @@ class ProcessSteps:
         """
         apart = [tree for tree in self.trees if self.tells_of(tree)]
         alone = [tree for tree in self.trees if not self.tells_of(tree)]
-        steps = [step for tree in apart for step in self._inwards(tree)]
+        steps = self._all_inwards(apart)
         steps += map(Send, sends)
-        steps += [step for tree in alone for step in self._inwards(tree)]
+        steps += self._all_inwards(alone)
         steps += map(Receive, receives)
         for tree in self.trees:
             steps += self._solve(tree)
             steps += self._outwards_again(tree)
         return steps
 
-    def _inwards(self, tree: Tree) -> Iterator[Step]:
-        """What is swept to the core, and what the process knows of the core by itself."""
+    def _all_inwards(self, trees: Sequence[Tree]) -> list[Step]:
+        """What is swept of some trees, one sweep after the other, so that they can be side by side.
+
+        For that all links are started first.
+        """
+        steps = [step for tree in trees for step in self._started(tree)]
+        return steps + [step for tree in trees for step in self._inwards(tree)]
+
+    def _started(self, tree: Tree) -> Iterator[Step]:
+        """The links that a process sweeps, and those of the core with what it has of them."""
         own, shared = tree.branches(self.process), len(tree.participants) > 1
         yield from (StartLink(edge.far) for edge in own if edge.far > 0)
         for link in sorted(tree.core_links - {0}):
@@ -164,9 +172,12 @@ class ProcessSteps:
                 yield StartLink(link)
             elif shared:
                 yield StartEmpty(link)
-        grounded = tree.grounded == self.process
-        if grounded:
+        if tree.grounded == self.process:
             yield from (StartLink(e.far) for e in tree.ground_side if e.far > 0)
+
+    def _inwards(self, tree: Tree) -> Iterator[Step]:
+        """What is swept to the core, and what the process knows of the core by itself."""
+        own, grounded = tree.branches(self.process), tree.grounded == self.process
         if tree.base is not None and self._has_base(tree):
             yield FreeBase(tree.base)
         if grounded and tree.hold:

@@ -8,7 +8,7 @@ less than the longest limb.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from math import inf
 
@@ -65,6 +65,7 @@ class Bounds:
         self.outwards = min(floor.outwards for floor in floors.row)
         self.side_by_side = SideBySide(floors)
         self._shared: dict[int, float] = {}
+        self._once: dict[int, float] = {}
 
     def around(self, core: Core) -> Around:
         """Return what a core takes besides limbs."""
@@ -75,10 +76,15 @@ class Bounds:
         solve = self.costs["root.mobility" if shown else "root.solve"]
         return Around(self.floors.way(core.root), pose, whole.both - pose + solve)
 
-    def frame(self, cores: Sequence[Core], limbs: Sequence[Limb]) -> float:
+    def frame(self, cores: Sequence[Core], limbs: Sequence[Limb], enough: float = inf) -> float:
         """Return the least that a layout takes whose cores hold these at least.
 
         More trees may be shared, and cores may grow, as `adagen.search.frames` lets them.
+
+        Args:
+            cores: the cores.
+            limbs: what is left.
+            enough: a bound that is not to be improved.
         """
         arounds = {core.tree: self.around(core) for core in cores}
         grown = any(core.joints for core in cores)
@@ -88,7 +94,68 @@ class Bounds:
             most = min(self.processes, sum(self._ends(limb) for limb in limbs))
             return max(least, self.shared(arounds[0], limbs, max(most, 2), 2))
         work = sum(self.floors.work(limb).both for limb in limbs)
-        return max(least, self.start + work / self.processes / self.fastest)
+        beside = self._beside(arounds, limbs)
+        least = max(least, self.start + (work + beside) / self.processes / self.fastest)
+        if least >= enough:
+            return least
+        return max(least, self.start + self._busiest(arounds, limbs, whole) / self.fastest)
+
+    def _busiest(self, arounds: dict[int, Around], limbs: Sequence[Limb], whole: int) -> float:
+        """What the busiest process takes, on a core of speed 1; cores may grow.
+
+        Args:
+            arounds: what cores take besides, by their trees.
+            limbs: the limbs.
+            whole: trees of lower numbers that have no core will have none.
+        """
+        of = self.side_by_side.of
+        known = [limb for limb in limbs if limb.tree in arounds or limb.tree < whole]
+        may_be = [limb for limb in limbs if not (limb.tree in arounds or limb.tree < whole)]
+        main = max(may_be, key=len, default=None)
+        found = self.side_by_side.busiest(
+            [of(limb) for limb in (*known, *([] if main is None else [main]))],
+            self.processes,
+            self._of_all(arounds, limbs),
+            beside=[of(limb) for limb in may_be if limb is not main],
+            split=True,
+        )
+        return found if main is None else min(found, self._once_opened(main))
+
+    def _of_all(self, arounds: dict[int, Around], limbs: Sequence[Limb]) -> Callable[[int], float]:
+        """What processes take besides limbs, as ``SideBySide.busiest`` asks for it.
+
+        Nothing is known of those that do not take part.
+        """
+        total = self._beside(arounds, limbs)
+        return lambda count: total if count == self.processes else 0.0
+
+    def _once_opened(self, limb: Limb) -> float:
+        """The least that the busiest process takes where a tree is shared, wherever that is."""
+        if limb.tree not in self._once:
+            least = inf
+            of, tree = self.side_by_side.of, limb.tree
+            others = [of(other) for other in self.robot.limbs(()) if other.tree != tree]
+            for link in self.robot.trees[tree].links:
+                core = Core(tree, link)
+                own = [other for other in self.robot.limbs([core]) if other.tree == tree]
+                found = self.side_by_side.busiest(
+                    [of(other) for other in own],
+                    self.processes,
+                    self._of_all({tree: self.around(core)}, own),
+                    beside=others,
+                    split=True,
+                )
+                least = min(least, found)
+            self._once[tree] = least
+        return self._once[limb.tree]
+
+    def _beside(self, arounds: dict[int, Around], limbs: Sequence[Limb]) -> float:
+        """What all processes take besides limbs: two of them at least share each core."""
+        total = 2 * len(arounds) * (self.sending_one + self.receiving_one) * self.fastest
+        up = {limb.tree for limb in limbs if limb.up}
+        for tree, around in arounds.items():
+            total += 2 * (around.before + around.after) + (2 - (tree in up)) * around.way
+        return total
 
     def _ends(self, limb: Limb) -> int:
         """How many processes can share a limb at most, once the core has grown into it."""

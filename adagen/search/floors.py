@@ -8,6 +8,7 @@ many joints as there can be in it is the least that a joint adds to the work of 
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import astuple, dataclass
 from itertools import accumulate
@@ -62,8 +63,9 @@ class Floors:
         costs: the machine's coefficients.
         whole: whether processes have limbs as a whole, as where they gather: then no chain of
             limbs side by side is longer than the longest way from the ground to an end through its
-            joints, and kinematics are passed in runs that are no longer either. Else chains may be
-            as long as the robot has joints, and kinematics may be passed joint by joint.
+            joints, or than the ways beyond as many joints as go together, and kinematics are passed
+            in runs that are no longer either. Else chains may be as long as the robot has joints,
+            and kinematics may be passed joint by joint.
 
     Attributes:
         single: of each joint of a core: passed by itself or with its run, no link beside it, since
@@ -101,7 +103,7 @@ class Floors:
             for j, joint in enumerate(joints)
         ]
         self.by_itself = [costs.joint(joint.kind) for joint in joints]
-        self._chains = ways if self.whole else [len(joints)] * len(joints)
+        self._chains = self._lengths_of_chains(ways)
         self._alone = [
             self._ways(joint, self.pose[j], ways[j] if j in in_run else 1, j in in_columns)
             for j, joint in enumerate(joints)
@@ -224,6 +226,26 @@ class Floors:
             beyond[joints[j].parent] = max(beyond[joints[j].parent], beyond[j + 1] + 1)
         return [before[j + 1] + beyond[j + 1] for j in range(len(joints))]
 
+    def _lengths_of_chains(self, ways: Sequence[int]) -> dict[int, list[int]]:
+        """How many joints chains have at most that go side by side, by their number and each joint.
+
+        Of n such chains none hangs on another, and the joints at their near ends all bear as many
+        others, one after another, as the shortest of the chains has. So there are n joints at least
+        that bear exactly as many.
+        """
+        joints = self.robot.joints
+        if not self.whole:
+            return dict.fromkeys(_ROWS, [len(joints)] * len(joints))
+        heights = [1] * (len(joints) + 1)
+        for j in reversed(range(len(joints))):
+            heights[joints[j].parent] = max(heights[joints[j].parent], heights[j + 1] + 1)
+        many = Counter(heights[1:])
+        found = {}
+        for count in _ROWS:
+            most = max((height for height, there in many.items() if there >= count), default=1)
+            found[count] = [min(way, most) for way in ways]
+        return found
+
     def _ways(
         self, joint: PlanJoint, pose: float, length: int, in_columns: bool
     ) -> list[tuple[float, float]]:
@@ -251,7 +273,8 @@ class Floors:
     def _in_row(self, joint: int, count: int) -> tuple[float, float]:
         """The price of a row that a joint is in, with its share of what limbs cost besides."""
         (name, _), costs, kind = _ROWS[count], self.costs, self.robot.joints[joint].kind
-        sweep = costs[f"articulate_{name}.{kind}"] + costs[f"limbs.{name}"] / self._chains[joint]
+        length = self._chains[count][joint]
+        sweep = costs[f"articulate_{name}.{kind}"] + costs[f"limbs.{name}"] / length
         if self.robot.joints[joint].parent == 0:
             sweep = min(sweep, costs["articulate.ground"])
         return costs[f"kinematics_{name}.{kind}"] + sweep, costs[f"accelerate_{name}.{kind}"]

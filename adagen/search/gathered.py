@@ -124,7 +124,7 @@ class GatheredSearch:
         left = found.best
         while True:
             for frame in waiting:
-                bound = self.bounds.frame(frame.cores, frame.limbs)
+                bound = self.bounds.frame(frame.cores, frame.limbs, found.best)
                 if bound < found.best:
                     heapq.heappush(heap, (bound, order, frame))
                     order += 1

@@ -212,6 +212,19 @@ class HandOut:
         messages = shared * (bounds.sending_one + bounds.receiving_one)
         return total / processes, messages / processes
 
+    def _busiest(self, limbs: Sequence[int], processes: int) -> float:
+        """What the busiest of some processes takes that share limbs, on a core of speed 1."""
+        bounds, alone = self.found.bounds, self.around is not None
+
+        def besides(count: int) -> float:
+            """What so many of them take for cores; where there are several trees, they may not."""
+            if not alone and count < processes:
+                return 0.0
+            return count * sum(self._beside(limbs, count))
+
+        floors = [self.floors[k] for k in limbs]
+        return bounds.side_by_side.busiest(floors, processes, besides)
+
     def _leads(self, c: int, lead: int) -> bool:
         """Whether limbs of a class are distributed before those of another."""
         return (-self.weights[c], c) < (-self.weights[lead], lead)

@@ -1,21 +1,33 @@
-"""The least that one process takes for some limbs: rows are no wider than what lies side by side.
+"""The least that processes take for some limbs: rows are no wider than what lies side by side.
 
 A row holds joints of one kind none of which hangs on another. Where a process has two chains of
 revolute joints and nothing else, no row has more than two; the floors of the whole robot
-(adagen.search.floors) would share the price of a row of four.
+(adagen.search.floors) would share the price of a row of four. And the first rows of a process hold
+joints that are next to the base alone (adagen.search.first_rows).
 """
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Iterable
+from collections import Counter, defaultdict
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from math import inf
+from typing import Literal, get_args
 
+import numpy as np
+
+from adagen.plan.robot import PlanJoint
+from adagen.search.first_rows import FirstRows, Levels
 from adagen.search.floors import NOTHING, Floor, Floors
 from adagen.search.limbs import Limb
 
 _MOST = 4
 """Joints in a row."""
+_LEVELS = 64
+"""First rows that are looked at."""
+
+Part = Literal["inwards", "both"]
+"""Which of a floor's times is asked for."""
 
 
 @dataclass(frozen=True)
@@ -23,13 +35,19 @@ class _Alike:
     """The joints of a limb that are of one kind.
 
     Attributes:
+        count: how many there are.
         width: how many of them none of which hangs on another.
         shares: the least that they take where 0, 1, 2 and 3 joints of other limbs lie beside them
             at most.
+        full: the least that they take in rows as wide as the robot has them.
+        levels: how deep they are.
     """
 
+    count: int
     width: int
     shares: tuple[Floor, ...]
+    full: Floor
+    levels: Levels
 
 
 @dataclass(frozen=True)
@@ -39,10 +57,27 @@ class LimbFloor:
     Attributes:
         fixed: what no row shares: joints passed towards the ground's side, the root.
         kinds: the other joints, by their kinds.
+        full: all of it, in rows as wide as the robot has them.
     """
 
     fixed: Floor
     kinds: dict[str, _Alike]
+    full: Floor
+
+
+@dataclass(frozen=True)
+class _InCore:
+    """What joints of a kind take at least, microseconds.
+
+    Attributes:
+        alone: by itself, as each process that takes part passes it.
+        above: the same above its share of a full row.
+        share: of a full row.
+    """
+
+    alone: float
+    above: float
+    share: float
 
 
 class SideBySide:
@@ -55,6 +90,12 @@ class SideBySide:
     def __init__(self, floors: Floors) -> None:
         self.floors = floors
         self._known: dict[Limb, LimbFloor] = {}
+        self._first: dict[tuple[str, Part, bool], FirstRows] = {}
+        self._cores: dict[str, _InCore] = {}
+        depths = [0] * (len(floors.robot.joints) + 1)
+        for j, joint in enumerate(floors.robot.joints):
+            depths[j + 1] = depths[joint.parent] + 1
+        self._depth = min(max(depths), _LEVELS)
 
     def of(self, limb: Limb) -> LimbFloor:
         """Return what a limb takes at least."""
@@ -71,17 +112,131 @@ class SideBySide:
                 others.
         """
         own = list(limbs)
-        widths: defaultdict[str, int] = defaultdict(int)
-        for limb in own if beside is None else beside:
+        there = own if beside is None else list(beside)
+        widths, counts = Counter[str](), Counter[str]()
+        for limb in there:
             for kind, alike in limb.kinds.items():
                 widths[kind] += alike.width
+                counts[kind] += alike.count
+        of_kind: defaultdict[str, list[_Alike]] = defaultdict(list)
         total = NOTHING
         for limb in own:
             total = total.plus(limb.fixed)
             for kind, alike in limb.kinds.items():
-                others = min(widths[kind] - alike.width, _MOST - 1)
-                total = total.plus(alike.shares[others])
+                of_kind[kind].append(alike)
+        for kind, found in of_kind.items():
+            shared = full = NOTHING
+            for alike in found:
+                shared = shared.plus(alike.shares[min(widths[kind] - alike.width, _MOST - 1)])
+                full = full.plus(alike.full)
+            others = counts[kind] - sum(alike.count for alike in found)
+            levels = [alike.levels for alike in found]
+            inwards, both = (
+                max(
+                    getattr(shared, part),
+                    getattr(full, part) + self._first_rows(kind, part).least(levels, others),
+                )
+                for part in get_args(Part)
+            )
+            total = total.plus(Floor(inwards, shared.outwards, both))
         return total
+
+    def busiest(
+        self,
+        limbs: Sequence[LimbFloor],
+        processes: int,
+        besides: Callable[[int], float],
+        *,
+        beside: Sequence[LimbFloor] = (),
+        split: bool = False,
+    ) -> float:
+        """Return the least that the busiest of some processes takes for limbs.
+
+        Either few of them have the limbs that reach deep, and much to do; or many have, each with
+        first rows of its own that are narrow.
+
+        Args:
+            limbs: the limbs.
+            processes: that share them.
+            besides: what so many of the processes take besides at least, all together.
+            beside: further limbs that they share, of which nothing is said but that their joints
+                may be in any rows.
+            split: whether a core may grow into limbs: those that take part in it pass its joints
+                one by one, and each has parts of the limbs.
+        """
+        every = [*limbs, *beside]
+        rest, whole = besides(processes), sum(limb.full.both for limb in every)
+        even = (whole + rest) / processes
+        if not split and not beside:
+            even = max(even, (self.least(limbs).both + rest) / processes)
+        counts = Counter[str]()
+        for limb in limbs:
+            for kind, alike in limb.kinds.items():
+                counts[kind] += alike.count
+        if processes == 1 or not counts:
+            return even
+        kind = counts.most_common(1)[0][0]
+        levels = [limb.kinds[kind].levels for limb in limbs if kind in limb.kinds]
+        own = np.array([limb.full.both for limb in limbs if kind in limb.kinds])
+        reach = np.array([each.depth for each in levels])
+        if not (deepest := int(reach.max())):
+            return even
+        fillings = sum(each.filling for each in levels)
+        fillings += sum(limb.kinds[kind].count for limb in beside if kind in limb.kinds)
+        depths = np.arange(1, deepest + 1)[:, None]
+        several = np.arange(1, processes + 1)
+        within = np.sum([each.within[:deepest] for each in levels], axis=0)
+        first = self._first_rows(kind, "both", split=split)
+        narrow = first.of((depths * several).ravel(), np.repeat(within, processes), fillings)
+        narrow = narrow.reshape(deepest, processes)
+        if split:  # of those limbs they have no more for certain than what is as deep
+            before = np.concatenate([[0], within[:-1]])
+            deep = (within[-1] - before) * self._of_core(kind).share
+            can = np.ones_like(narrow, dtype=np.bool_)
+        else:
+            deep = (reach >= depths) @ own
+            can = several <= (reach >= depths).sum(axis=1)[:, None]
+        theirs = deep[:, None] + narrow + [besides(int(n)) for n in several]
+        busiest = np.maximum((whole + narrow + rest) / processes, theirs / several)
+        return max(even, float(np.where(can, busiest, inf).min(axis=1).max()))
+
+    def _first_rows(self, kind: str, part: Part, *, split: bool = False) -> FirstRows:
+        key = kind, part, split
+        if key not in self._first:
+            above, core = self._above(kind, part), self._of_core(kind)
+            if split:
+                above[0] = min(above[0], core.above)
+            self._first[key] = FirstRows(above, core.alone if split else None)
+        return self._first[key]
+
+    def _of_core(self, kind: str) -> _InCore:
+        """What joints of a kind take at least once a core has grown to them."""
+        if kind not in self._cores:
+            floors, most = self.floors, self.floors.most.get(kind, 1)
+            own = [
+                (floors.single[j].both, floors.of_row(j, most).both)
+                for j, joint in enumerate(floors.robot.joints)
+                if joint.kind == kind and not _fills(joint)
+            ]
+            self._cores[kind] = _InCore(
+                min((alone for alone, _ in own), default=0.0),
+                max(0.0, min((alone - share for alone, share in own), default=0.0)),
+                min((share for _, share in own), default=0.0),
+            )
+        return self._cores[kind]
+
+    def _above(self, kind: str, part: Part) -> list[float]:
+        """What a joint takes above its share of a full row, in a row of 1, 2, ... joints."""
+        floors = self.floors
+        most = floors.most.get(kind, 1)
+        own = [j for j, joint in enumerate(floors.robot.joints) if joint.kind == kind]
+        shares = [
+            [getattr(floors.of_row(j, n), part) for n in range(1, most + 1)]
+            for j in own
+            if not _fills(floors.robot.joints[j])
+        ]
+        above = [[share - row[-1] for share in row] for row in shares]
+        return [min(of, default=0.0) for of in zip(*above, strict=True)] or [0.0]
 
     def _limb(self, limb: Limb) -> LimbFloor:
         joints = self.floors.robot.joints
@@ -97,9 +252,26 @@ class SideBySide:
         for j in limb.joints:
             if j not in way:
                 own[joints[j].kind].append(j)
-        return LimbFloor(fixed, {kind: self._alike(of) for kind, of in own.items()})
+        level = self._levels(own)
+        kinds = {kind: self._alike(of, level) for kind, of in own.items()}
+        full = fixed
+        for alike in kinds.values():
+            full = full.plus(alike.full)
+        return LimbFloor(fixed, kinds, full)
 
-    def _alike(self, own: list[int]) -> _Alike:
+    def _levels(self, own: dict[str, list[int]]) -> dict[int, int]:
+        """The levels of joints that are on one: 1, 2, ..., by the joints of their kind before."""
+        joints, found = self.floors.robot.joints, dict[int, int]()
+        for of_kind in own.values():
+            before: dict[int, int] = {}  # of each joint of the limb
+            for j in sorted(j for each in own.values() for j in each):
+                before[j] = before.get(joints[j].parent - 1, 0)
+                if joints[j].kind == joints[of_kind[0]].kind and not _fills(joints[j]):
+                    before[j] += 1
+                    found[j] = before[j]
+        return found
+
+    def _alike(self, own: list[int], level: dict[int, int]) -> _Alike:
         """Joints of one kind, by what can lie beside each of them in the limb and beyond it."""
         floors, (width, beside) = self.floors, self._widths(own)
         most = floors.most.get(floors.robot.joints[own[0]].kind, 1)
@@ -109,7 +281,19 @@ class SideBySide:
             for j in own:
                 total = total.plus(floors.of_row(j, min(1 + beside[j] + others, most)))
             shares.append(total)
-        return _Alike(width, tuple(shares))
+        full = NOTHING
+        for j in own:
+            full = full.plus(floors.of_row(j, most))
+        deep = np.bincount(
+            [level[j] for j in own if level.get(j, inf) <= self._depth], minlength=self._depth + 1
+        )
+
+        levels = Levels(
+            np.cumsum(deep)[1:],
+            int(deep.nonzero()[0].max(initial=0)),
+            sum(j not in level for j in own),
+        )
+        return _Alike(len(own), width, tuple(shares), full, levels)
 
     def _widths(self, own: list[int]) -> tuple[int, dict[int, int]]:
         """How many joints there are none of which hangs on another: of all, and beside each one."""
@@ -125,3 +309,8 @@ class SideBySide:
         for j in sorted(beyond):
             beside[j] = beside[parents[j] - 1] + widest[parents[j]] - beyond[j]
         return widest[0], {j: beside[j] for j in own}
+
+
+def _fills(joint: PlanJoint) -> bool:
+    """Whether a joint may be in any row: it takes hardly less there than in one of its own."""
+    return joint.parent == 0 or joint.prescribed

@@ -89,9 +89,9 @@ def test_what_lies_beside_a_joint_is_counted_joint_by_joint() -> None:
 def test_limbs_pay_for_being_passed_together_and_the_more_the_shorter_they_are() -> None:
     steps = PROFILES["default"].steps
     assert steps is not None
-    robot = Robot(joints_of(hand((3, 1, 1, 3))))
+    robot = Robot(joints_of(hand((5, 1, 1, 5))))
     whole, parted = Floors(robot, steps, whole=True), Floors(robot, steps)
-    last = {name: j for j, name in enumerate(joint.name for joint in hand((3, 1, 1, 3)).joints)}
+    last = {name: j for j, name in enumerate(joint.name for joint in hand((5, 1, 1, 5)).joints)}
     more = {
         name: whole.of_row(last[name], 4).inwards - parted.of_row(last[name], 4).inwards
         for name in ("f00", "f10")
