@@ -139,95 +139,18 @@ ADAGEN_INLINE auto* row_at(Memory& w, int row, Entry entry) {
   return w.blocks[static_cast<std::size_t>(Run::kPlace + row)].entries[entry];
 }
 
-// Orientations relative to each segment's start; those of the last links are returned.
+// How the last link of each segment lies and moves relative to the segment's start.
 template <class Run>
-ADAGEN_INLINE Matrix<Lanes> orient_segments(Workspace& w) {
-  Matrix<Lanes> R = matrix_at<Lanes>(row_at<Run>(w, 0, kTurn));
-  put_at(row_at<Run>(w, 0, kAxes), R);
-  for (int row = 1; row < Run::kRows; ++row) {
-    R = R * matrix_at<Lanes>(row_at<Run>(w, row, kTurn));
-    put_at(row_at<Run>(w, row, kAxes), R);
-  }
-  return R;
-}
-
-// Orientations, r in the place of accelerations, and angular velocities relative to each segment's
-// start: what a joint adds is left in the place of angular accelerations, all added up returned.
-template <class Run>
-ADAGEN_INLINE Vector<Lanes> spin_segments(Workspace& w, int beyond, const Matrix<Lanes>& start) {
-  Matrix<Lanes> R = start;
-  Vector<Lanes> omega{};
-  for (int row = 0; row < Run::kRows; ++row) {
-    const Vector<Lanes> r = R * origins_of(Run::row(row, beyond));
-    put_at(row_at<Run>(w, row, kAcceleration), r);
-    R = start * matrix_at<Lanes>(row_at<Run>(w, row, kAxes));
-    put_at(row_at<Run>(w, row, kAxes), R);
-    const Vector<Lanes> spin = spins<Run>(w, row, beyond, R);
-    put_at(row_at<Run>(w, row, kAlpha), spin);
-    omega += spin;
-    put_at(row_at<Run>(w, row, kOmega), omega);
-    keep_levers<Run>(w, row, beyond, {R.x.z, R.y.z, R.z.z}, r);
-  }
-  return omega;
-}
-
-// Angular velocities, and angular accelerations relative to each segment's start.
-template <class Run>
-ADAGEN_INLINE Vector<Lanes> accelerate_spins(Workspace& w, const Vector<Lanes>& start) {
-  Vector<Lanes> omega = start, alpha{};
-  for (int row = 0; row < Run::kRows; ++row) {
-    alpha += cross(omega, vector_at<Lanes>(row_at<Run>(w, row, kAlpha)));
-    omega = start + vector_at<Lanes>(row_at<Run>(w, row, kOmega));
-    put_at(row_at<Run>(w, row, kOmega), omega);
-    put_at(row_at<Run>(w, row, kAlpha), alpha);
-  }
-  return alpha;
-}
-
-// Angular accelerations, and accelerations relative to each segment's start.
-template <class Run>
-ADAGEN_INLINE Vector<Lanes> accelerate_origins(Workspace& w, const Vector<Lanes>& omega_start,
-                                               const Vector<Lanes>& alpha_start) {
-  Vector<Lanes> omega = omega_start, alpha = alpha_start, a{};
-  for (int row = 0; row < Run::kRows; ++row) {
-    const Vector<Lanes> r = vector_at<Lanes>(row_at<Run>(w, row, kAcceleration));
-    a += cross(omega, cross(omega, r)) + cross(alpha, r);
-    put_at(row_at<Run>(w, row, kAcceleration), a);
-    omega = vector_at<Lanes>(row_at<Run>(w, row, kOmega));
-    alpha = alpha_start + vector_at<Lanes>(row_at<Run>(w, row, kAlpha));
-    put_at(row_at<Run>(w, row, kAlpha), alpha);
-  }
-  return a;
-}
-
-// What the links' frames need, left in their blocks.
-template <class Run>
-ADAGEN_INLINE void along_segments(Workspace& w, int beyond, Frame<Value> at) {
-  const Matrix<Lanes> R = products_before(orient_segments<Run>(w), at.R);
-  const Vector<Lanes> omega = sums_before(spin_segments<Run>(w, beyond, R), at.omega);
-  const Vector<Lanes> alpha = sums_before(accelerate_spins<Run>(w, omega), at.alpha);
-  const Vector<Lanes> a = sums_before(accelerate_origins<Run>(w, omega, alpha), at.a);
-  for (int row = 0; row < Run::kRows; ++row) {
-    Value* const to = row_at<Run>(w, row, kAcceleration);
-    put_at(to, a + vector_at<Lanes>(to));
-  }
-}
-
-// How the last link of each segment lies and moves relative to the segment's start. kept:
-// orientations relative to that are left in the links' blocks.
-template <class Run, bool kept>
 ADAGEN_INLINE Passage<Lanes> through_segments(Workspace& w, int beyond) {
   const Vector<Lanes> first = origins_of(Run::row(0, beyond));
   Passage<Lanes> at{matrix_at<Lanes>(row_at<Run>(w, 0, kTurn)), {}, {}, first, {}, {}};
   at.omega = spins<Run>(w, 0, beyond, at.R);
-  if constexpr (kept) put_at(row_at<Run>(w, 0, kAxes), at.R);
   for (int row = 1; row < Run::kRows; ++row) {
     const Vector<Lanes> r = at.R * origins_of(Run::row(row, beyond)), v = cross(at.omega, r);
     at.p += r;
     at.v += v;
     at.a += cross(at.omega, v) + cross(at.alpha, r);
     at.R = at.R * matrix_at<Lanes>(row_at<Run>(w, row, kTurn));
-    if constexpr (kept) put_at(row_at<Run>(w, row, kAxes), at.R);
     const Vector<Lanes> spin = spins<Run>(w, row, beyond, at.R);
     at.alpha += cross(at.omega, spin);
     at.omega += spin;
@@ -243,9 +166,9 @@ struct Passages {
 
 // Places and velocities are as seen from the run's start. Seen from a start that turns, what moves
 // there has the acceleration of Coriolis besides, 2 omega x v, and its spin omega x its own.
-template <class Run, bool kept = false>
+template <class Run>
 ADAGEN_INLINE Passages passages_of_segments(Workspace& w, int beyond, const Frame<Value>& at) {
-  const Passage<Lanes> own = through_segments<Run, kept>(w, beyond);
+  const Passage<Lanes> own = through_segments<Run>(w, beyond);
   Passages found{{}, {at.R, at.omega, at.alpha, {}, {}, at.a}};
   auto& [starts, all] = found;
   starts.R = products_before(own.R, all.R);
@@ -261,50 +184,60 @@ ADAGEN_INLINE Passages passages_of_segments(Workspace& w, int beyond, const Fram
   return found;
 }
 
+// How the segments' starts lie and move; what `at` says of the run's start becomes that of its end.
 template <class Run>
-ADAGEN_INLINE Frame<Value> past_segments(Workspace& w, int beyond, const Frame<Value>& at) {
-  const Passage<Value> all = passages_of_segments<Run>(w, beyond, at).all;
-  return {all.R, all.omega, all.alpha, all.a};
+ADAGEN_INLINE Frame<Lanes> starts_of_segments(Workspace& w, int beyond, Frame<Value>& at) {
+  const auto [starts, all] = passages_of_segments<Run>(w, beyond, at);
+  at = {all.R, all.omega, all.alpha, all.a};
+  return {starts.R, starts.omega, starts.alpha, starts.a};
 }
 
-// What the links' frames need, left in their blocks, where orientations relative to each segment's
-// start were left before, and the segments' starts are known as seen from the run's.
+// What the links' frames need, left in their blocks, from how the segments' starts lie and move.
+template <class Run>
+ADAGEN_INLINE void along_segments(Workspace& w, int beyond, const Frame<Lanes>& starts) {
+  auto [R, omega, alpha, a] = starts;
+  for (int row = 0; row < Run::kRows; ++row) {
+    const Vector<Lanes> r = R * origins_of(Run::row(row, beyond));
+    a += cross(omega, cross(omega, r)) + cross(alpha, r);
+    put_at(row_at<Run>(w, row, kAcceleration), a);
+    R = R * matrix_at<Lanes>(row_at<Run>(w, row, kTurn));
+    put_at(row_at<Run>(w, row, kAxes), R);
+    const Vector<Lanes> relative = spins<Run>(w, row, beyond, R);
+    alpha += cross(omega, relative);
+    put_at(row_at<Run>(w, row, kAlpha), alpha);
+    omega += relative;
+    put_at(row_at<Run>(w, row, kOmega), omega);
+    keep_levers<Run>(w, row, beyond, {R.x.z, R.y.z, R.z.z}, r);
+  }
+}
+
+// The same, where the segments' starts are known as seen from the run's.
 template <class Run>
 ADAGEN_INLINE void along_traversed(Workspace& w, const Passage<Lanes>& starts,
                                    const Frame<Value>& at) {
   const Matrix<Lanes> base{in_all_lanes(at.R.x), in_all_lanes(at.R.y), in_all_lanes(at.R.z)};
   const Vector<Lanes> turning = in_all_lanes(at.omega), spin = base * starts.omega;
   const Vector<Lanes> p = base * starts.p, v = base * starts.v;
-  const Matrix<Lanes> start = base * starts.R;
-  Vector<Lanes> omega = turning + spin;
-  Vector<Lanes> alpha = in_all_lanes(at.alpha) + base * starts.alpha + cross(turning, spin);
-  Vector<Lanes> a = in_all_lanes(at.a) + base * starts.a + cross(in_all_lanes(at.alpha), p) +
-                    cross(turning, cross(turning, p) + (v + v));
-  Matrix<Lanes> R = start;
-  for (int row = 0; row < Run::kRows; ++row) {
-    const Vector<Lanes> r = R * origins_of(Run::row(row, 0));
-    a += cross(omega, cross(omega, r)) + cross(alpha, r);
-    put_at(row_at<Run>(w, row, kAcceleration), a);
-    R = start * matrix_at<Lanes>(row_at<Run>(w, row, kAxes));
-    put_at(row_at<Run>(w, row, kAxes), R);
-    const Vector<Lanes> relative = spins<Run>(w, row, 0, R);
-    alpha += cross(omega, relative);
-    put_at(row_at<Run>(w, row, kAlpha), alpha);
-    omega += relative;
-    put_at(row_at<Run>(w, row, kOmega), omega);
-    keep_levers<Run>(w, row, 0, {R.x.z, R.y.z, R.z.z}, r);
-  }
+  along_segments<Run>(w, 0,
+                      {base * starts.R, turning + spin,
+                       in_all_lanes(at.alpha) + base * starts.alpha + cross(turning, spin),
+                       in_all_lanes(at.a) + base * starts.a + cross(in_all_lanes(at.alpha), p) +
+                           cross(turning, cross(turning, p) + (v + v))});
 }
 
 // See outward and pass_outward in outward.hpp, and take_angles in links.hpp. Functions of their
 // own: as part of a large one, gcc 12 spills what is carried along.
 template <int first, int last>
 ADAGEN_NOINLINE void outward_in_segments(Workspace& w) {
-  along_segments<Segments<first, last>>(w, 0, frame_near<first>(w));
+  using Run = Segments<first, last>;
+  Frame<Value> at = frame_near<first>(w);
+  along_segments<Run>(w, 0, starts_of_segments<Run>(w, 0, at));
 }
 template <int first, int last>
 ADAGEN_NOINLINE void pass_outward_in_segments(Workspace& w) {
-  keep(w, slot_of(last), past_segments<Segments<first, last>>(w, 0, frame_near<first>(w)));
+  Frame<Value> at = frame_near<first>(w);
+  starts_of_segments<Segments<first, last>>(w, 0, at);
+  keep(w, slot_of(last), at);
 }
 // The same as seen from the link that they hang on, were that at rest, and then for the links
 // themselves as that moves.
@@ -312,7 +245,7 @@ template <int first, int last>
 ADAGEN_NOINLINE Passage<Lanes> traverse_in_segments(Workspace& w, Passage<Value>& own) {
   const Value one = Value{} + 1, none{};
   const Frame<Value> still{{{one, none, none}, {none, one, none}, {none, none, one}}, {}, {}, {}};
-  const Passages found = passages_of_segments<Segments<first, last>, true>(w, 0, still);
+  const Passages found = passages_of_segments<Segments<first, last>>(w, 0, still);
   own = found.all;
   return found.starts;
 }

@@ -22,8 +22,9 @@
 namespace {
 
 // A run that is longer than what the second-level cache holds, tile by tile: the first pass finds
-// where each tile starts from and keeps nothing else, the second one, from the last tile on, passes
-// a tile outwards and sweeps it inwards. All tiles take the same blocks of memory in turn.
+// where the segments of each tile start from and keeps nothing else, the second one, from the last
+// tile on, passes a tile outwards and sweeps it inwards. All tiles take the same blocks of memory
+// in turn.
 
 // Joints first .. last, the last tile being shorter.
 template <int first, int last>
@@ -50,29 +51,29 @@ ADAGEN_NOINLINE void turn_tile(Workspace& w, int beyond) {
   turn<Run::kPlace, Run::kPlace + Run::kRows>(w, Run::kBlock - Run::kPlace + beyond / kPerBlock);
 }
 
-// How the links move that tiles start from.
+// How the links move that the segments of each tile start from.
 template <int first, int last>
-using Starts = std::array<Frame<Value>, Tiles<first, last>::kCount>;
+using Starts = std::array<Frame<Lanes>, Tiles<first, last>::kCount>;
 
 template <int first, int last>
 ADAGEN_NOINLINE void pass_tiles(Workspace& w, Starts<first, last>& starts) {
   using All = Tiles<first, last>;
-  starts[0] = frame_near<first>(w);
-  for (int tile = 0; tile + 1 < All::kCount; ++tile) {
-    const int beyond = tile * kTile;
-    turn_tile<first, All::kEnd>(w, beyond);
-    starts[static_cast<std::size_t>(tile) + 1] = past_segments<Segments<first, All::kEnd>>(
-        w, beyond, starts[static_cast<std::size_t>(tile)]);
-  }
+  Frame<Value> at = frame_near<first>(w);
+  for (int tile = 0; tile < All::kCount; ++tile)
+    All::at(tile, [&](auto begin, auto end, int beyond) ADAGEN_ALWAYS {
+      turn_tile<begin, end>(w, beyond);
+      starts[static_cast<std::size_t>(tile)] =
+          starts_of_segments<Segments<begin, end>>(w, beyond, at);
+    });
 }
 
 // Outwards along a tile, and its links.
 template <int first, int last>
-ADAGEN_NOINLINE void outward_tile(Workspace& w, int beyond, const Frame<Value>& start) {
+ADAGEN_NOINLINE void outward_tile(Workspace& w, int beyond, const Frame<Lanes>& starts) {
   using Run = Segments<first, last>;
   constexpr int begin = Run::kPlace, end = begin + Run::kRows;
   const int before = Run::kBlock - Run::kPlace + beyond / kPerBlock;
-  along_segments<Run>(w, beyond, start);
+  along_segments<Run>(w, beyond, starts);
   set_up_links<begin, end>(w, before);
   if constexpr (kInColumns) set_up_columns<begin, end>(w, before);
 }
