@@ -23,7 +23,8 @@ class Interval:
 
     Attributes:
         process: which process.
-        what: kinematics, assembly, disassembly, slaved, send, receive or wait.
+        what: kinematics, assembly, disassembly, slaved, send, receive or wait; call where a
+            process has not begun its steps (``Timeline.calls``).
         joint: the joint that the work ends with (disassembly: begins with), for people.
         message: number of the message that is sent, received or waited for.
         start: when it begins.
@@ -66,10 +67,22 @@ class Timeline:
     makespan: float
     source: str
 
+    @property
+    def calls(self) -> tuple[Interval, ...]:
+        """What each process takes before its first step: the call, and its arguments."""
+        first: dict[int, float] = {}
+        for i in self.intervals:
+            first[i.process] = min(i.start, first.get(i.process, i.start))
+        return tuple(
+            Interval(p, "call", None, None, 0.0, start) for p, start in first.items() if start > 0
+        )
+
     def busy(self, process: int) -> float:
-        """Return for how long a process works."""
+        """Return for how long a process works, from when it is called."""
         return sum(
-            i.end - i.start for i in self.intervals if i.process == process and i.what != "wait"
+            i.end - i.start
+            for i in (*self.calls, *self.intervals)
+            if i.process == process and i.what != "wait"
         )
 
     def waiting(self, process: int) -> float:

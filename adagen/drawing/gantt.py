@@ -13,6 +13,7 @@ SIZE = 11.0
 MOST_ROWS = 64
 WAIT = "#e4e4e4"
 _LEGEND = (
+    ("call", 50.0),
     ("kinematics", 90.0),
     ("assembly", 80.0),
     ("disassembly", 100.0),
@@ -49,6 +50,9 @@ def bar(
     if what in ("wait", "waiting"):
         canvas.rect(x, y, width, height, WAIT, note=note)
         return
+    if what == "call":
+        canvas.rect(x, y, width, height, "#ffffff", stroke=colour(process)[0], note=note)
+        return
     if what in ("send", "receive"):
         canvas.rect(x, y, width, height, INK, note=note)
         return
@@ -84,7 +88,7 @@ def process_rows(
         canvas.text(left + 18, place[p] + 16, f"process {p}", SIZE)
         share = f"{100 * line.busy(p) / line.makespan:.0f} % busy"
         canvas.text(start + line.makespan * scale + 8, place[p] + 16, share, 10, fill=MUTED)
-    for interval in line.intervals:
+    for interval in (*line.calls, *line.intervals):
         if interval.process in place:
             _interval(canvas, interval, names, start, place[interval.process], scale)
     for e in line.exchanges:

@@ -57,7 +57,7 @@ def _chart(
         canvas.text(MARGIN, place[p] + 15, label, SIZE)
         share = f"{100 * line.busy(p) / line.makespan:.0f} % busy"
         canvas.text(left + longest * scale + 8, place[p] + 15, share, 10, fill=MUTED)
-    for i in line.intervals:
+    for i in (*line.calls, *line.intervals):
         if i.process in place:
             x, y = left + i.start * scale, place[i.process] + 2
             width = (i.end - i.start) * scale

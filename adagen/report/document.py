@@ -123,7 +123,7 @@ Phase = tuple[int, str, int]
 def _numbered(line: Timeline) -> Iterator[tuple[Phase, Interval]]:
     """Yield the intervals of a timeline, each with the phase that it belongs to."""
     before: Counter[int] = Counter()
-    for each in line.intervals:
+    for each in (*line.calls, *line.intervals):
         yield (each.process, each.what, before[each.process]), each
         before[each.process] += each.what in ("send", "receive")
 

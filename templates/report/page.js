@@ -110,7 +110,7 @@ function showTree() {
 function showProgram() {
   const { program } = data, processes = program.colours.length;
   byId("program-summary").textContent = `${program.title}; form ${program.form}, shape ${program.shape}, ${program.scalar}`;
-  const legend = [["kinematics", "kinematics"], ["assembly", "assembly: inwards"], ["disassembly", "disassembly: outwards"], ["send", "message"], ["wait", "waiting"]];
+  const legend = [["call", "call"], ["kinematics", "kinematics"], ["assembly", "assembly: inwards"], ["disassembly", "disassembly: outwards"], ["send", "message"], ["wait", "waiting"]];
   legend.forEach(([what, words]) => {
     const sample = shape("svg", { viewBox: "0 0 28 16", "aria-hidden": "true" });
     bars(sample, { what, name: "", lanes: [], start: 0, end: 0 }, 0, 28, 0, 16, program.colours[0]);

@@ -29,7 +29,7 @@ function bars(svg, each, x, width, y, height, [fill, ink]) {
   const shown = `${each.name || each.what}: ${each.start.toFixed(3)} to ${each.end.toFixed(3)} µs`;
   lanes.forEach((name, k) => {
     const top = y + (k * height) / lanes.length, tall = height / lanes.length;
-    const kind = each.what === "wait" ? "wait" : ["send", "receive"].includes(each.what) ? "message" : "bar";
+    const kind = ["call", "wait"].includes(each.what) ? each.what : ["send", "receive"].includes(each.what) ? "message" : "bar";
     const box = shape("rect", { class: kind, x, y: top, width, height: tall, ...(kind === "bar" ? { fill } : {}) });
     box.append(shape("title", {}, lanes.length > 1 ? `${shown}; lane ${k}: ${name}` : shown));
     svg.append(box);

@@ -51,7 +51,9 @@ def test_the_document_is_what_was_compiled(tmp_path: Path) -> None:
     (line,) = program["timelines"]
     assert made.timeline is not None
     assert line["source"] == "predicted" and line["makespan"] == made.predicted
-    assert len(line["intervals"]) == len(made.timeline.intervals)
+    calls, steps = made.timeline.calls, made.timeline.intervals
+    assert [each["what"] for each in line["intervals"]][:3] == ["call", "call", steps[0].what]
+    assert len(line["intervals"]) == len(calls) + len(steps)
     assert len(program["colours"]) == 2 and len(line["busy"]) == 2
     side_by_side = [each["lanes"] for each in line["intervals"] if each["lanes"]]
     assert any("left_shoulder" in lane for lanes in side_by_side for lane in lanes)
@@ -74,7 +76,7 @@ def test_measured_phases_show_the_limbs_of_their_lanes(procs: int, tmp_path: Pat
     seen = tuple(replace(each, operation=None) for each in phases)  # as a trace has them
     run = Measured(0.5, 0.4, "clock", 1e-15, 14.5, True, replace(made.timeline, intervals=seen))
     predicted, measured = document(made, {}, measured=run)["program"]["timelines"]
-    assert len(measured["intervals"]) == len(seen) < len(predicted["intervals"])
+    assert len(measured["intervals"]) == procs + len(seen) < len(predicted["intervals"])
     for sort in ("kinematics", "assembly", "disassembly"):
         limbs = [
             {limb for each in line["intervals"] if each["what"] == sort for limb in each["lanes"]}
