@@ -87,6 +87,7 @@ class Graph:
         self.mark = 0
         self._known: dict[tuple[Any, ...], int] = {}
         self._numbers: dict[float, int] = {}  # nodes of plain numbers
+        self._opposite: dict[int, int] = {}  # nodes of constants, by those of their negatives
         # Of each node: its value if it is a constant, and what it is the negative of, or -1.
         self._constants: list[Any] = []
         self._negated: list[int] = []
@@ -236,7 +237,11 @@ class Graph:
         """Return -a."""
         x = self._constants[a.index]
         if x is not None:
-            return self.constant(tuple(-one for one in x) if isinstance(x, tuple) else -x)
+            index = self._opposite.get(a.index)
+            if index is None:
+                found = self.constant(tuple(-one for one in x) if isinstance(x, tuple) else -x)
+                index = self._opposite[a.index] = found.index
+            return Expression(self, index)
         if self._negated[a.index] >= 0:
             return Expression(self, self._negated[a.index])
         return self._node("neg", (a.index,))

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from heapq import heappop, heappush
 
 from adagen.plan.robot import PlanJoint
@@ -39,28 +40,30 @@ def inward_order(sweep: Mapping[int, Ends], limbs: Iterable[Limbs]) -> list[Unit
         sweep: the joints, in their plan's order.
         limbs: those to be computed side by side; ones that are not in the sweep are left out.
     """
-    given = Counter(ends.near for ends in sweep.values())
-    return _ordered(sweep, limbs, given, {j: (e.far, e.near) for j, e in sweep.items()})
+    links = tuple([(ends.far, ends.near) for ends in sweep.values()])
+    return list(_ordered(tuple(sweep), links, tuple(limbs)))
 
 
 def outward_order(sweep: Mapping[int, Ends], limbs: Iterable[Limbs]) -> list[Unit]:
     """Return joints swept outwards as units likewise."""
-    given = Counter(ends.far for ends in sweep.values())
-    return _ordered(sweep, limbs, given, {j: (e.near, e.far) for j, e in sweep.items()})
+    links = tuple([(ends.near, ends.far) for ends in sweep.values()])
+    return list(_ordered(tuple(sweep), links, tuple(limbs)))
 
 
+@lru_cache(maxsize=64)  # a sweep's order is asked for several times where its program is priced
 def _ordered(
-    sweep: Mapping[int, Ends],
-    limbs: Iterable[Limbs],
-    open_: Mapping[int, int],
-    links: Mapping[int, tuple[int, int]],
-) -> list[Unit]:
+    sweep: tuple[int, ...], ends: tuple[tuple[int, int], ...], limbs: tuple[Limbs, ...]
+) -> tuple[Unit, ...]:
     """Units whose links are complete, the earliest in the sweep first.
 
-    ``links`` tells of each joint the link that must be complete before and the one that it adds to;
-    ``open_`` how many joints add to a link.
+    Args:
+        sweep: the joints.
+        ends: of each joint the link that must be complete before, and the one that it adds to.
+        limbs: those to be computed side by side, if they are in the sweep.
     """
-    units, members = _units(sweep, [each for each in limbs if each.rows[0][0] in sweep])
+    links = dict(zip(sweep, ends, strict=True))
+    open_ = Counter([link for _, link in ends])  # how many joints add to a link
+    units, members = _units(sweep, [each for each in limbs if each.rows[0][0] in links])
     needing: dict[int, list[int]] = {}  # by link, the places of the units that wait for it
     waiting: list[int] = []  # for how many joints of other units each unit waits
     for place, joints in enumerate(members):
@@ -81,7 +84,7 @@ def _ordered(
                 if not waiting[place]:
                     heappush(ready, place)
     assert len(found) == len(units), "limbs that wait for each other"
-    return found
+    return tuple(found)
 
 
 def _units(sweep: Iterable[int], limbs: Sequence[Limbs]) -> tuple[list[Unit], list[Sequence[int]]]:
