@@ -36,7 +36,7 @@ def influential(model: Model, wanted: Collection[int], kept: Collection[int]) ->
         stay |= more
         grown = bool(more)
     result = {j for j, first in limb.items() if first in stay}
-    for j in [*stay, *(link - 1 for link in kept if link > 0)]:
+    for j in [*stay, *wanted, *(link - 1 for link in kept if link > 0)]:
         while j >= 0:  # prescribed joints on the way to the ground
             result.add(j)
             j = model.joints[j].parent - 1

@@ -29,12 +29,15 @@ SOURCE = Source("s.toml", "")
 @settings(max_examples=25, deadline=None)
 @given(st.integers(0, 10**6), st.integers(2, 14))
 def test_what_is_left_out_has_no_influence(seed: int, n: int) -> None:
-    """Wanted accelerations are the same to the bit whatever happens in the limbs left out."""
+    """Wanted accelerations are the same to the bit whatever happens in the limbs left out.
+
+    Those of joints whose motion is prescribed may be wanted, too.
+    """
     rng = np.random.default_rng(seed)
     model = random_tree(rng, n, ALL_KINDS)
     known = [j for j in range(n) if rng.random() < 0.4]
-    wanted = [j for j in range(n) if j not in known and rng.random() < 0.3]
-    if not wanted:
+    wanted = [j for j in range(n) if rng.random() < 0.3]
+    if set(wanted) <= set(known):
         return
     scene = Scene(
         SOURCE,
@@ -74,6 +77,15 @@ def test_a_kept_link_keeps_its_limb(tmp_path: Path) -> None:
     model = binary(2)
     text = f'accelerations = ["bll"]\nkeep = ["{model.links[-1].name}"]\n'
     assert reduced(model, tmp_path, text).dropped == ()
+
+
+def test_a_prescribed_joint_alone_leaves_nothing_to_solve(tmp_path: Path) -> None:
+    text = 'accelerations = ["bl"]\n[joints.bl]\nprescribed = true\n'
+    with pytest.raises(InputError, match="every joint's acceleration is prescribed"):
+        reduced(binary(2), tmp_path, text)
+    both = text.replace('"bl"', '"bl", "brl"', 1)
+    left = reduced(binary(2), tmp_path, both).model
+    assert [joint.name for joint in left.joints] == ["bl", "br", "brl", "brr"]
 
 
 def test_a_force_that_cannot_matter_is_refused(tmp_path: Path) -> None:
