@@ -1,7 +1,7 @@
 """Long chains: what they take to generate, to compile and to run, on one process and on several.
 
-    python -m benchmarks.chains [--joints N ...] [--processes P ...] [--rounds R] [--priority N]
-                                [--peer] [--resume | --again] [--write PAGE]
+    python -m benchmarks.chains [--joints N ...] [--processes P ...] [--profile NAME] [--rounds R]
+                                [--priority N] [--peer] [--resume | --again] [--write PAGE]
 
 Chains of hinges about x, y and z by turns, measured as ``adagen bench --scale`` does. The record so
 far is kept after each chain (build/chains/scale.json): --resume goes on from it, and --again times
@@ -38,6 +38,7 @@ def main(words: Sequence[str] | None = None) -> int:
     )
     parser.add_argument("--joints", type=int, nargs="+", default=JOINTS)
     parser.add_argument("--processes", type=int, nargs="+", default=PROCESSES)
+    parser.add_argument("--profile", default="default", help="what solvers are made with")
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--repeat", type=int, default=10, help="evaluations of a state in a turn")
     parser.add_argument("--priority", type=int, default=0, help="real-time, of what is timed")
@@ -50,7 +51,7 @@ def main(words: Sequence[str] | None = None) -> int:
         (joints, options.processes if joints <= MOST_SHARED else (1,)) for joints in options.joints
     ]
     rules = Rules(rounds=options.rounds, repeat=options.repeat)
-    wanted = Wanted(chains, rules, peer=options.peer, priority=options.priority)
+    wanted = Wanted(chains, rules, options.profile, options.peer, options.priority)
     RECORD.parent.mkdir(parents=True, exist_ok=True)
     try:
         known = (options.resume or options.again) and RECORD.is_file()

@@ -27,6 +27,7 @@ QUICK = (32, 64), (1, 2)
 OF_BATCHES = 16
 """Joints of the chain whose batches are timed where no robot is named."""
 PEER = "pinocchio"
+RECORD = "scale.json"
 
 
 def add_scale(parser: Parser) -> None:
@@ -64,14 +65,19 @@ def add_scale(parser: Parser) -> None:
         help="with --scale: real-time priority of what is timed, for a machine that is not idle "
         "(needs the right to it)",
     )
-    parser.rare |= {"--joints", "--processes", "--hosts", "--priority"}
+    parser.add_argument(
+        "--resume",
+        action="store_true",
+        help="with --scale --out DIR: go on from DIR/scale.json, which is written after each chain",
+    )
+    parser.rare |= {"--joints", "--processes", "--hosts", "--priority", "--resume"}
 
 
 def check_scale(parser: Parser, options: argparse.Namespace) -> None:
     """Refuse options that do not go together."""
     if not options.scale:
-        for name in ("joints", "processes", "hosts", "priority"):
-            if getattr(options, name) is not None:
+        for name in ("joints", "processes", "hosts", "priority", "resume"):
+            if getattr(options, name) not in (None, False):
                 parser.error(f"--{name} is for --scale")
         if not options.models:
             parser.error("the following arguments are required: MODEL")
@@ -79,6 +85,8 @@ def check_scale(parser: Parser, options: argparse.Namespace) -> None:
     for name in ("floating", "scene", "variant"):
         if getattr(options, name):
             parser.error(f"--scale takes no --{name}: leave it out")
+    if options.resume and options.out is None:
+        parser.error("--resume goes on from a record: --out DIR says where it is")
     if len(options.models) > 1:
         parser.error("--scale times the batches of one MODEL at most")
     if set(options.peers or ()) - {PEER}:
@@ -99,8 +107,9 @@ def run_scale(options: argparse.Namespace) -> int:
         raise UsageError(f"--scale needs a profile with costs of steps; {profile.name} has none")
     fabric = shipped_fabric() if options.hosts is None else read_fabric(options.hosts)
     wanted = _wanted(options)
+    before, done = _record(options, profile.name)
     with speaking("scale") as on_progress:
-        scale = measure_chains(wanted, on_progress)
+        scale = measure_chains(wanted, on_progress, done, before)
         scale = _with_batches(scale, options, wanted, on_progress, fabric, profile.steps)
     for name, why in scale.absent.items():
         note(f"without {name}: {why}")
@@ -111,6 +120,27 @@ def run_scale(options: argparse.Namespace) -> int:
     if options.out is not None:
         publish(scale, options.out)
     return 0
+
+
+def _record(
+    options: argparse.Namespace, profile: str
+) -> tuple[Scale | None, Callable[[Scale], None]]:
+    """Return the record to go on from, and what keeps the record so far.
+
+    Raises:
+        AdagenError: there is one that cannot be gone on from.
+    """
+    from adagen.studies.bench.scale_record import read_scale, write_scale
+
+    if options.out is None:
+        return None, lambda _: None
+    file, before = options.out / RECORD, None
+    if options.resume and file.is_file():
+        before = read_scale(file)
+        if before.profile != profile:
+            raise UsageError(f"{file} was measured with the profile {before.profile}")
+    options.out.mkdir(parents=True, exist_ok=True)
+    return before, lambda scale: write_scale(scale, file)
 
 
 def _wanted(options: argparse.Namespace) -> Wanted:
@@ -181,7 +211,7 @@ def publish(scale: Scale, folder: Path) -> None:
     from adagen.wholefile import write_files
 
     write_files(folder, {"scale.md": markdown(scale)})
-    write_scale(scale, folder / "scale.json")
+    write_scale(scale, folder / RECORD)
     draw(scale, folder)
 
 

@@ -114,6 +114,7 @@ def test_a_robot_that_cannot_be_measured_may_be_left_out(
         (["--scale", "--floating"], 2, "--scale takes no --floating"),
         (["--scale", "--joints", "8,x"], 2, "must be a whole number from 2"),
         (["--scale", "--processes", "65"], 2, "must be a whole number from 1 to 64"),
+        (["--scale", "--resume"], 2, "--out DIR says where"),
         (["--scale", "--peers", "mujoco"], 2, "compares with pinocchio alone"),
         (["--scale", "--profile", "paper"], 2, "needs a profile with costs of steps"),
         (["--scale", "--hosts", "none.toml"], 1, "cannot read the levels"),
@@ -145,6 +146,13 @@ def test_how_far_chains_scale(
     assert (scale.joints, scale.processes, scale.robot) == ((8, 16), (1, 2), "arm")
     assert {row.source for row in scale.batches} == {"clock", "predicted"}
     assert "Batches of arm" in (out / "scale.md").read_text()
+    more = ("--joints", "8,12,16", *words[2:], "--out", str(out), "--resume")
+    assert main(["bench", "--scale", str(arm), *more]) == 0
+    again = read_scale(out / "scale.json")
+    assert again.joints == (8, 12, 16)
+    assert [row for row in again.rows if row.joints != 12] == list(scale.rows)
+    assert main(["bench", "--scale", str(arm), *more, "--profile", "xeon"]) == 2
+    assert "was measured with the profile default" in capsys.readouterr().err
 
 
 def test_a_robot_or_chains_must_be_named(capsys: pytest.CaptureFixture[str]) -> None:
