@@ -257,8 +257,9 @@ def straight_programs(profile: CostProfile) -> list[Program]:
     """Return the programs that are straight lines of statements.
 
     Their operations for each degree of freedom differ, and so does what waits for what; some are so
-    long that their instructions are fetched anew in each evaluation, and some have limbs in lanes.
-    Those of ``TOGETHER`` come last.
+    long that their instructions are fetched anew in each evaluation, and some have limbs in lanes;
+    the longest, with and without lanes, are taken in one grouping each. Those of ``TOGETHER`` come
+    last.
     """
     robots = [
         robot("pair", chain(2), ["revolute"], 1),
@@ -272,13 +273,22 @@ def straight_programs(profile: CostProfile) -> list[Program]:
         squared(robot("beast", star(4, 3), ["floating", *["revolute"] * 12], 29)),
         squared(robot("figure", crew((2, 6), (2, 7)), ["floating", *["revolute"] * 26], 30)),
     ]
+    long = [
+        squared(robot("cord", chain(64), ["revolute"], 2)),
+        squared(robot("swarm", crew((4, 20), (2, 30)), ["floating", *["revolute"] * 140], 37)),
+    ]
+    robots += long
     by_name = {model.name: model for model in robots}
     plans = [_plan(model, "segment", 1, 1, "", profile) for model in robots]
     plans += [_plan(by_name[name], "segment", 2, 1, how, profile) for name, how in TOGETHER]
     found = []
     for plan in plans:
         offers = groupings(plan)
-        for limbs in offers if len(plan.processes) == 1 else offers[-1:]:
+        if len(plan.processes) > 1:
+            offers = offers[-1:]
+        elif plan.name in {model.name for model in long}:
+            offers = offers[1:2] or offers
+        for limbs in offers:
             counts = [each.count for own in limbs for each in own]
             side = f", {' + '.join(map(str, counts))} side by side" if counts else ""
             label = f"straight {plan.name} P={len(plan.processes)}{side}"

@@ -21,7 +21,7 @@ HELD = range(1000, 6001, 500)
 _WORK = ("unrolled.operation", "unrolled.move", "unrolled.fetched")
 _NAMES = (*_WORK, WAITS, SINES, "unrolled.evaluation")
 _TURNS = 60
-_BEYOND = 5
+_BEYOND = 2
 
 
 @dataclass(frozen=True)

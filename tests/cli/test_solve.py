@@ -63,4 +63,5 @@ def test_a_quiet_command_says_why_it_fails(
     for words in ([], ["--quiet"]):
         assert main(["solve", str(path), "--procs", "1", "--states", str(states), *words]) == 1
         said.append(capsys.readouterr().err)
-    assert 'state 1: joint "j0": factorization failed' in said[1] and said[1] in said[0]
+    assert 'state 1: joint "j0": factorization failed' in said[1]
+    assert set(said[1].splitlines()) <= set(said[0].splitlines())

@@ -24,8 +24,9 @@ from adagen.plan.stages import stages
 from adagen.plan.steps import LinkBias, StartLink
 from adagen.plan.types import Process
 
-CHUNK = 4000
-"""Values that one function computes, by default."""
+CHUNK, CHUNK_OF_BATCHES = 4000, 2000
+"""Values that one function computes, by default; of batches, wide ones, which take the nearest
+cache longer to hold."""
 
 _NAMES = re.compile(r"\bx(\d+)")
 _NAMED = ("reciprocal", "pack", "lane", "across")
@@ -37,9 +38,10 @@ def values(words: Words, chunk: int = 0) -> dict[str, object]:
 
     Args:
         words: the plan's names.
-        chunk: values that one function computes at most; by default what the words say, or CHUNK.
+        chunk: values that one function computes at most; by default what the words say, or as
+            many as are best for one state or many.
     """
-    chunk = chunk or words.chunk or CHUNK
+    chunk = chunk or words.chunk or (CHUNK_OF_BATCHES if words.batch else CHUNK)
     plan = words.plan
     plans = plan.alternatives
     groupings = [words.program.slots.limbs, *_recovering(words, plans[1:])]
