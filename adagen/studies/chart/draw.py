@@ -24,6 +24,7 @@ COLOURS = {
 }
 _PEER_COLOURS = ("#7b3294", "#a6611a", "#1b7837", "#e69f00")
 _MARKERS = ("o", "^", "D", "v", "P")  # by steps of refinement
+_CERTIFIED = "s"
 _FACES = {"float": ("white", "hollow")}
 _STEPS = ((1.8, (1.0, 2.0, 5.0)), (3.2, (1.0, 3.0)))  # decades of an axis, and where labels are
 _LEAST = 1e-17  # errors below are drawn here
@@ -147,12 +148,17 @@ def _line(axes: Any, points: Sequence[Point], colour: str) -> None:
         [p.time_ns for p in best], [_height(p) for p in best], color=colour, lw=1.4, alpha=0.7
     )
     for point in points:
-        marker = _MARKERS[min(point.refine, len(_MARKERS) - 1)]
+        marker = _CERTIFIED if point.certify else _refined(point.refine)
         face = _FACES[point.scalar][0] if point.scalar in _FACES else colour
         x, y = point.time_ns, _height(point)
         axes.plot(x, y, marker, color=colour, mfc=face, ms=7 if point.front else 5.5, alpha=0.9)
         if point.source == "stretches":
             axes.plot(x, y, "o", color=colour, mfc="none", ms=11, mew=0.8, alpha=0.7)
+
+
+def _refined(steps: int) -> str:
+    """Return the marker of so many steps of refinement."""
+    return _MARKERS[min(steps, len(_MARKERS) - 1)]
 
 
 def label_steps(axes: Any) -> None:
@@ -291,9 +297,9 @@ def _handles(chart: Chart, colours: dict[str, str]) -> list[Any]:
             rows.append(handle("o", "black", face, f"{scalar} ({look})"))
     for n in sorted({p.refine for p in shown if p.refine}):
         times = {1: "once", 2: "twice"}.get(n, f"{n} times")
-        rows.append(
-            handle(_MARKERS[min(n, len(_MARKERS) - 1)], "black", "black", f"refined {times}")
-        )
+        rows.append(handle(_refined(n), "black", "black", f"refined {times}"))
+    if any(p.certify for p in shown):
+        rows.append(handle(_CERTIFIED, "black", "black", "certified"))
     if any(p.source == "stretches" for p in shown):
         ring = handle(
             "o", "black", "none", "ringed: time from measured stretches (more processes than cores)"

@@ -77,6 +77,8 @@ def some_chart() -> Chart:
                 time_ns=6e3, ratio=6.6, error=2e-16, residual=1e-15),
         replace(segment, label="four", processes=4, time_ns=500.0, ratio=0.6, source="stretches",
                 error=2e-16, residual=1e-15),
+        replace(segment, label="certified", certify=True, time_ns=1200.0, ratio=1.3, error=4e-16,
+                residual=5e-16),
         replace(segment, label="gone", processes=2, error=4e-16, residual=1e-15, why="no answer"),
         replace(segment, label="broken", algorithm="ada", why='joint "a": no inverse'),
     )  # fmt: skip
@@ -127,7 +129,8 @@ class TestPictures:
         for words in (
             "Front of what adagen emits", "ringed: time from measured stretches",
             "default: 900 ns, 1.00x", "No answer:", "Not timed:", "loops",
-            "joint by joint (the paper's form)", "rounding of"
+            "joint by joint (the paper's form)", "rounding of",
+            "refined once", "-- certified"
         ):  # fmt: skip
             assert f"<!-- {words}" in text or words in text
 
