@@ -36,12 +36,16 @@ def exact(values: Any) -> Exact:
 
 
 def rounded(values: Exact) -> Matrix:
-    """Return exact values rounded to the nearest double; negative zero becomes zero."""
+    """Return exact values rounded to the nearest double; negative zero becomes zero.
+
+    So does what is zero as far as is known: of turns about parallel axes that are no coordinate
+    axes, cancelled entries of 1e-61 would otherwise take part in all arithmetic.
+    """
     array = np.asarray(values, dtype=object)
     result = np.empty(array.shape, dtype=np.float64)
     flat = result.reshape(-1)
     for i, value in enumerate(array.reshape(-1)):
-        flat[i] = float(value) + 0.0
+        flat[i] = 0.0 if value.contains(0) else float(value)
     return result
 
 

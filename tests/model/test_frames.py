@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from adagen.executor import simulate
 from adagen.model import PLANAR, PRISMATIC, REVOLUTE, SPHERICAL, JointKind, Model, canonical
 from adagen.reference import (
     forward_dynamics,
@@ -13,7 +16,8 @@ from adagen.reference import (
     kinetic_energy,
     potential_energy,
 )
-from tests.models import human_figure, random_tree
+from tests.emitted import plan_of
+from tests.models import human_figure, random_tree, serial_chain
 
 SEEDS = range(6)
 
@@ -98,3 +102,21 @@ def test_coordinate_axes_round_nothing() -> None:
     for old, new in zip(model.links[1:], turned.links[1:], strict=True):
         assert sorted(abs(old.inertia.com)) == sorted(abs(new.inertia.com))
         assert sorted(abs(old.inertia.tensor).ravel()) == sorted(abs(new.inertia.tensor).ravel())
+
+
+def test_parallel_axes_stay_in_their_plane() -> None:
+    """Hinges about one axis that is no coordinate axis: frames differ by turns about it alone."""
+    model, axis = serial_chain(4, axes="z"), np.array([0.3, -0.5, 0.7])
+
+    def turned(off: float) -> Model:
+        """Its axes turned, each by a little more than the one before."""
+        axes = [axis + off * k * np.array([1.0, 0.0, 0.0]) for k in range(4)]
+        joints = zip(model.joints, axes, strict=True)
+        return replace(model, joints=tuple(replace(joint, axis=own) for joint, own in joints))
+
+    for joint in canonical(turned(0.0)).joints[1:]:
+        assert joint.rotation.tolist() == np.eye(3).tolist()
+    planar, spatial = (
+        simulate(plan_of(turned(off), 1))[0].operations.arithmetic for off in (0.0, 0.01)
+    )
+    assert planar < spatial / 2
