@@ -10,10 +10,11 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from adagen.build.toolchain import Toolchain
 from adagen.errors import EnvironmentFault, printable
@@ -72,15 +73,44 @@ def launch(
         EnvironmentFault: mpiexec or the program cannot be started, or the time is up.
     """
     command = [str(executable.resolve()), *arguments]
-    if processes > 1:  # one needs no launcher
-        command = [*toolchain.mpiexec, "-n", str(processes), *_options(toolchain), *command]
+    with ExitStack() as kept:
+        variables = toolchain.variables(os.environ)
+        if processes > 1:  # one needs no launcher
+            command = [*toolchain.mpiexec, "-n", str(processes), *_options(toolchain), *command]
+            variables["TMPDIR"] = kept.enter_context(_folder_of_launcher())
+        return _ended(command, variables, executable, processes, toolchain, timeout, capture)
+
+
+def _folder_of_launcher() -> TemporaryDirectory[str]:
+    """Return a folder for what mpiexec keeps of a run; it goes with the run.
+
+    Open MPI names that by the number of its process and leaves it behind where it is killed. An
+    mpiexec that later gets the same number does not start ("The PMIx server's listener thread
+    failed to start").
+    """
+    try:
+        return TemporaryDirectory(prefix="adagen-run-", ignore_cleanup_errors=True)
+    except OSError as error:
+        raise EnvironmentFault(f"cannot make a temporary folder: {error}") from None
+
+
+def _ended(
+    command: Sequence[str],
+    variables: Mapping[str, str],
+    executable: Path,
+    processes: int,
+    toolchain: Toolchain,
+    timeout: float | None,
+    capture: bool,
+) -> Completed:
+    """Run a command and return how it ended, as ``launch`` does."""
     try:
         child = subprocess.Popen(
             command,
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE if capture else None,
             stderr=subprocess.PIPE,
-            env=toolchain.variables(os.environ),
+            env=variables,
             start_new_session=True,
             preexec_fn=_die_with_parent(),
         )
@@ -99,7 +129,7 @@ def launch(
     finally:
         _end_session(child)
     done = _completed(child.returncode, stdout, stderr, executable)
-    if capture and done.status == 0 and "--json" in arguments and not done.stdout:
+    if capture and done.status == 0 and "--json" in command and not done.stdout:
         words = f"error: {executable.name} failed: {toolchain.mpiexec[0]} ended without an answer"
         return Completed(3, "", words)  # a host was lost: Open MPI's status is 0 then
     return done

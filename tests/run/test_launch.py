@@ -5,6 +5,7 @@ from __future__ import annotations
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 from dataclasses import replace
 from pathlib import Path
@@ -120,6 +121,21 @@ def test_a_run_that_never_ends_is_ended_with_all_its_processes(
         launch(program, 2, ["hang"], toolchain, 3)
     assert time.monotonic() - start < 15
     assert not running(program)
+
+
+def test_no_run_finds_what_another_one_left(
+    program: Path, toolchain: Toolchain, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An mpiexec does not start where files of a killed one with its own number are left."""
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    tells = made_up_launcher(tmp_path, toolchain, 'echo "$TMPDIR"; kill -9 $$')
+    own = [launch(Path("program"), 2, [], tells, 60).stdout.strip() for _ in range(2)]
+    assert own[0] != own[1] and {Path(folder).parent for folder in own} == {tmp_path}
+    (tmp_path / "mpiexec").unlink()
+    assert launch(program, 2, [], toolchain, 60).status == 0
+    with pytest.raises(EnvironmentFault, match="no answer within 2 s"):
+        launch(program, 2, ["hang"], toolchain, 2)
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="prctl is Linux's")
