@@ -21,7 +21,7 @@ HELD = range(1000, 6001, 500)
 _WORK = ("unrolled.operation", "unrolled.move", "unrolled.fetched")
 _NAMES = (*_WORK, WAITS, SINES, "unrolled.evaluation")
 _TURNS = 60
-_BEYOND = 2
+_BEYOND = 2  # lines at least that are longer than what the instruction cache is taken to hold
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ def fit_straight(timed: Sequence[Timed]) -> dict[str, float]:
     """Return the coefficients of straight lines of statements, microseconds.
 
     How many statements the first instruction cache holds is what explains the times best, of
-    numbers that several lines are longer than: one by itself would be explained by anything.
+    numbers that two lines or more are longer than: one by itself would be explained by anything.
     """
     lengths = sorted(each.statements for each in timed)
     most = lengths[-min(_BEYOND, len(lengths))]

@@ -116,7 +116,7 @@ class Bounds:
             [of(limb) for limb in (*known, *([] if main is None else [main]))],
             self.processes,
             self._of_all(arounds, limbs),
-            beside=[of(limb) for limb in may_be if limb is not main],
+            others=[of(limb) for limb in may_be if limb is not main],
             split=True,
         )
         return found if main is None else min(found, self._once_opened(main))
@@ -142,7 +142,7 @@ class Bounds:
                     [of(other) for other in own],
                     self.processes,
                     self._of_all({tree: self.around(core)}, own),
-                    beside=others,
+                    others=others,
                     split=True,
                 )
                 least = min(least, found)

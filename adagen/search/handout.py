@@ -220,7 +220,8 @@ class HandOut:
             """What so many of them take for cores; where there are several trees, they may not."""
             if not alone and count < processes:
                 return 0.0
-            return count * sum(self._beside(limbs, count))
+            cores, messages = self._beside(limbs, count)
+            return count * (cores + messages * bounds.fastest)
 
         floors = [self.floors[k] for k in limbs]
         return bounds.side_by_side.busiest(floors, processes, besides)

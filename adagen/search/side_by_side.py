@@ -147,7 +147,7 @@ class SideBySide:
         processes: int,
         besides: Callable[[int], float],
         *,
-        beside: Sequence[LimbFloor] = (),
+        others: Sequence[LimbFloor] = (),
         split: bool = False,
     ) -> float:
         """Return the least that the busiest of some processes takes for limbs.
@@ -159,15 +159,15 @@ class SideBySide:
             limbs: the limbs.
             processes: that share them.
             besides: what so many of the processes take besides at least, all together.
-            beside: further limbs that they share, of which nothing is said but that their joints
+            others: further limbs that they share, of which nothing is said but that their joints
                 may be in any rows.
             split: whether a core may grow into limbs: those that take part in it pass its joints
                 one by one, and each has parts of the limbs.
         """
-        every = [*limbs, *beside]
+        every = [*limbs, *others]
         rest, whole = besides(processes), sum(limb.full.both for limb in every)
         even = (whole + rest) / processes
-        if not split and not beside:
+        if not split and not others:
             even = max(even, (self.least(limbs).both + rest) / processes)
         counts = Counter[str]()
         for limb in limbs:
@@ -182,7 +182,7 @@ class SideBySide:
         if not (deepest := int(reach.max())):
             return even
         fillings = sum(each.filling for each in levels)
-        fillings += sum(limb.kinds[kind].count for limb in beside if kind in limb.kinds)
+        fillings += sum(limb.kinds[kind].count for limb in others if kind in limb.kinds)
         depths = np.arange(1, deepest + 1)[:, None]
         several = np.arange(1, processes + 1)
         within = np.sum([each.within[:deepest] for each in levels], axis=0)
@@ -214,9 +214,7 @@ class SideBySide:
         if kind not in self._cores:
             floors, most = self.floors, self.floors.most.get(kind, 1)
             own = [
-                (floors.single[j].both, floors.of_row(j, most).both)
-                for j, joint in enumerate(floors.robot.joints)
-                if joint.kind == kind and not _fills(joint)
+                (floors.single[j].both, floors.of_row(j, most).both) for j in self._on_levels(kind)
             ]
             self._cores[kind] = _InCore(
                 min((alone for alone, _ in own), default=0.0),
@@ -229,14 +227,17 @@ class SideBySide:
         """What a joint takes above its share of a full row, in a row of 1, 2, ... joints."""
         floors = self.floors
         most = floors.most.get(kind, 1)
-        own = [j for j, joint in enumerate(floors.robot.joints) if joint.kind == kind]
         shares = [
             [getattr(floors.of_row(j, n), part) for n in range(1, most + 1)]
-            for j in own
-            if not _fills(floors.robot.joints[j])
+            for j in self._on_levels(kind)
         ]
         above = [[share - row[-1] for share in row] for row in shares]
         return [min(of, default=0.0) for of in zip(*above, strict=True)] or [0.0]
+
+    def _on_levels(self, kind: str) -> list[int]:
+        """The robot's joints of a kind that are on a level, as not those that fill."""
+        joints = enumerate(self.floors.robot.joints)
+        return [j for j, joint in joints if joint.kind == kind and not _fills(joint)]
 
     def _limb(self, limb: Limb) -> LimbFloor:
         joints = self.floors.robot.joints
@@ -262,11 +263,12 @@ class SideBySide:
     def _levels(self, own: dict[str, list[int]]) -> dict[int, int]:
         """The levels of joints that are on one: 1, 2, ..., by the joints of their kind before."""
         joints, found = self.floors.robot.joints, dict[int, int]()
-        for of_kind in own.values():
+        every = sorted(j for each in own.values() for j in each)
+        for kind in own:
             before: dict[int, int] = {}  # of each joint of the limb
-            for j in sorted(j for each in own.values() for j in each):
+            for j in every:
                 before[j] = before.get(joints[j].parent - 1, 0)
-                if joints[j].kind == joints[of_kind[0]].kind and not _fills(joints[j]):
+                if joints[j].kind == kind and not _fills(joints[j]):
                     before[j] += 1
                     found[j] = before[j]
         return found
@@ -287,7 +289,6 @@ class SideBySide:
         deep = np.bincount(
             [level[j] for j in own if level.get(j, inf) <= self._depth], minlength=self._depth + 1
         )
-
         levels = Levels(
             np.cumsum(deep)[1:],
             int(deep.nonzero()[0].max(initial=0)),

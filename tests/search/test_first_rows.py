@@ -79,3 +79,10 @@ def test_several_processes_have_first_rows_each() -> None:
     above = [3.0, 1.0, 0.5, 0.0]
     rows, own = np.array([3, 6]), np.array([6, 6])
     assert FirstRows(above).of(rows, own, 0) == pytest.approx([6.0, 18.0])
+
+
+def test_a_joint_of_a_core_takes_a_row_of_each_process_that_passes_it() -> None:
+    """Six rows of three joints: one by one and passed again, or as parts of a full row."""
+    above, rows, own = [3.0, 1.0, 0.5, 0.0], np.array([6]), np.array([3])
+    assert FirstRows(above, again=4.0).of(rows, own, 0) == pytest.approx([3 * 3.0 + 3 * 4.0])
+    assert FirstRows(above, again=2.0).of(rows, own, 0) == pytest.approx([(6 - 3 / 4) * 2.0])
