@@ -45,14 +45,15 @@ def choose(model: Model, request: Request, *, left_open: bool = False) -> Chosen
         model: the robot.
         request: the request.
         left_open: whether as many processes are taken as pay, whatever the request says: as a
-            schedule in a file has, all cores of a batch, one of a solver that is certified or
-            embedded.
+            schedule in a file has, all cores of a batch, one of any other solver that is certified
+            or of an embedded one.
 
     Raises:
         InputError: the profile or the schedule file is refused.
         UsageError: there is no such profile or schedule.
     """
-    if left_open and (request.certify or request.target == "embedded"):
+    alone = request.target == "embedded" or (request.certify and not request.batch)
+    if left_open and alone:
         request, left_open = replace(request, procs=1), False
     if request.schedule not in KNOWN:
         found = given_schedule(model, request)

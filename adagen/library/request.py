@@ -118,11 +118,6 @@ class Request:
         Raises:
             UsageError: it is asked for, too.
         """
-        if self.procs > 1 and self.batch:
-            raise UsageError(
-                "batches are certified by one process: bounds are not sent between processes; "
-                "leave out --certify, or say --procs 1"
-            )
         for name, asked in (
             ("tune", self.tuned),
             ("target", self.target != "host"),

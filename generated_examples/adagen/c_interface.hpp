@@ -142,6 +142,14 @@ int ADAGEN_CALL(solve_batch_certified)(Handle* solver, int count, const Number* 
                                        const Number* tau, Number* qdd, double* bounds) {
   return solver->solve_batch(count, q, v, tau, qdd, bounds);
 }
+
+#if defined(ADAGEN_MPI)
+int ADAGEN_CALL(solve_batch_at_root_certified)(Handle* solver, int count, const Number* q,
+                                               const Number* v, const Number* tau, Number* qdd,
+                                               double* bounds) {
+  return solver->solve_batch_at_root(count, q, v, tau, qdd, bounds);
+}
+#endif
 #else
 double ADAGEN_CALL(error_bound)(const Handle* solver) { return error_bound(solver->w); }
 #endif

@@ -17,17 +17,20 @@
 
 namespace {
 
-// States of process 0, one after the other, and where their accelerations go.
+// States of process 0, one after the other, and where their accelerations go, and bounds of their
+// errors, a number for each state; null where these are not wanted.
 struct Batch {
   int count;
   const Number *q, *v, *tau;
   Number* qdd;
+  double* bounds;
 };
 
 // Process 0 hands pieces of a batch to the others as they finish earlier ones, and solves pieces in
 // between itself: faster processes get more, wherever they are. A process has two pieces, so that
 // one is on its way while the other is solved. A piece is one message, all q, then all v, then all
-// tau, then what is set at run time; an empty one is the end. The answer is the accelerations.
+// tau, then what is set at run time; an empty one is the end. The answer is the accelerations, and
+// their bounds behind them where the piece asks for these.
 class Handout {
  public:
   // At process 0. Returns whether all states could be solved; that a process is gone joins the
@@ -91,9 +94,12 @@ class Handout {
     for (std::size_t k = 0; ends < 2 && status == kFine; k ^= 1) {
       Taken& piece = taken_[k];
       int numbers = 0;
-      channel.wait(
-          piece.asked, 0, status,
-          [&](const MPI_Status& s) { MPI_Get_count(&s, kMpiNumber, &numbers); }, patient);
+      bool bounded = false;
+      const auto note = [&](const MPI_Status& s) {
+        MPI_Get_count(&s, kMpiNumber, &numbers);
+        bounded = s.MPI_TAG == kBoundedStates;
+      };
+      channel.wait(piece.asked, 0, status, note, patient);
       channel.wait(piece.answered, 0, status);
       if (numbers <= kEnd) {
         if (numbers == kEnd && ++ends == 2) Channel::fail(status, failure(kEnded, 0));
@@ -103,17 +109,21 @@ class Handout {
       const int count = (numbers - kParameterCount) / kNumbers;
       const Number* const v = piece.states.data() + count * kNq;
       take_parameters(piece.states.data() + count * kNumbers);
-      const bool good = solve(count, piece.states.data(), v, v + count * kNv, piece.qdd.data());
-      MPI_Isend(piece.qdd.data(), count * kNqdd, kMpiNumber, 0, good ? kSolved : kFailed,
-                channel.comm(), &piece.answered);
+      double* const bounds = bounded ? piece.bounds.data() : nullptr;
+      const bool good =
+          solve(count, piece.states.data(), v, v + count * kNv, piece.qdd.data(), bounds);
+      answers(piece.qdd.data(), bounds, count, [&](void* at, int length, MPI_Datatype type) {
+        MPI_Isend(at, length, type, 0, good ? kSolved : kFailed, channel.comm(), &piece.answered);
+      });
       ask(channel, piece);
     }
   }
 
  private:
-  static constexpr int kNumbers = kNq + kNv + kNtau;           // of a state
-  static constexpr int kStates = 0, kSolved = 1, kFailed = 2;  // what a message is
-  static constexpr int kEnd = 1;                               // numbers in one that ends it all
+  static constexpr int kNumbers = kNq + kNv + kNtau;  // of a state
+  // What a message is: states, whose bounds are wanted or not, or answers.
+  static constexpr int kStates = 0, kBoundedStates = 1, kSolved = 2, kFailed = 3;
+  static constexpr int kEnd = 1;  // numbers in one that ends it all
   // States of a piece, at most: about 64 kB, which is on its way for less time than it takes.
   static constexpr int kMost =
       std::max(1, (1 << 16) / (kNumbers * static_cast<int>(sizeof(Number)) * kLanes)) * kLanes;
@@ -125,6 +135,7 @@ class Handout {
   struct Taken {
     std::array<Number, static_cast<std::size_t>(kMost) * kNumbers + kParameterCount> states;
     std::array<Number, static_cast<std::size_t>(kMost) * kNqdd> qdd;
+    std::array<double, kCertified ? kMost : 0> bounds;
     MPI_Request asked = MPI_REQUEST_NULL, answered = MPI_REQUEST_NULL;
   };
 
@@ -159,31 +170,68 @@ class Handout {
   void give(Channel& channel, Given& given, int p, const Batch& batch, int first, int count,
             int& status) {
     const long row = first;
-    const std::array<const Number*, 4> from{batch.q + row * kNq, batch.v + row * kNv,
-                                            batch.tau + row * kNtau, parameters_.data()};
-    const std::array<int, 4> lengths{count * kNq, count * kNv, count * kNtau, kParameterCount};
-    std::array<MPI_Aint, 4> places;
-    for (std::size_t k = 0; k < 4; ++k) MPI_Get_address(from[k], &places[k]);
-    MPI_Datatype rows;
-    MPI_Type_create_hindexed(4, lengths.data(), places.data(), kMpiNumber, &rows);
-    MPI_Type_commit(&rows);
     channel.wait(given.sent, p, status);
-    MPI_Isend(MPI_BOTTOM, 1, rows, p, kStates, channel.comm(), &given.sent);
+    as_one<4>({{{batch.q + row * kNq, count * kNq, kMpiNumber},
+                {batch.v + row * kNv, count * kNv, kMpiNumber},
+                {batch.tau + row * kNtau, count * kNtau, kMpiNumber},
+                {parameters_.data(), kParameterCount, kMpiNumber}}},
+              [&](void* at, int length, MPI_Datatype type) {
+                const int what = batch.bounds == nullptr ? kStates : kBoundedStates;
+                MPI_Isend(at, length, type, p, what, channel.comm(), &given.sent);
+              });
+    answers(batch.qdd + row * kNqdd, bounds_from(batch, row), count,
+            [&](void* at, int length, MPI_Datatype type) {
+              MPI_Irecv(at, length, type, p, MPI_ANY_TAG, channel.comm(), &given.answered);
+            });
+  }
+
+  // Numbers of one type that are part of a message.
+  struct Part {
+    const void* at;
+    int length;
+    MPI_Datatype type;
+  };
+
+  // Posts parts that lie apart as one message.
+  template <std::size_t N, class Post>
+  static void as_one(const std::array<Part, N>& parts, Post post) {
+    std::array<int, N> lengths;
+    std::array<MPI_Aint, N> places;
+    std::array<MPI_Datatype, N> types;
+    for (std::size_t k = 0; k < N; ++k) {
+      lengths[k] = parts[k].length, types[k] = parts[k].type;
+      MPI_Get_address(parts[k].at, &places[k]);
+    }
+    MPI_Datatype rows;
+    MPI_Type_create_struct(N, lengths.data(), places.data(), types.data(), &rows);
+    MPI_Type_commit(&rows);
+    post(MPI_BOTTOM, 1, rows);
     MPI_Type_free(&rows);
-    MPI_Irecv(batch.qdd + row * kNqdd, count * kNqdd, kMpiNumber, p, MPI_ANY_TAG, channel.comm(),
-              &given.answered);
+  }
+
+  // Posts the answers to a piece, bounds among them unless they are null.
+  template <class Post>
+  static void answers(Number* qdd, double* bounds, int count, Post post) {
+    if (bounds == nullptr)
+      post(qdd, count * kNqdd, kMpiNumber);
+    else
+      as_one<2>({{{qdd, count * kNqdd, kMpiNumber}, {bounds, count, MPI_DOUBLE}}}, post);
+  }
+
+  static double* bounds_from(const Batch& batch, long row) {
+    return batch.bounds == nullptr ? nullptr : batch.bounds + row;
   }
 
   template <class Solve>
   static bool solve_in_place(const Batch& batch, int first, int count, Solve solve) {
     const long row = first;
     return solve(count, batch.q + row * kNq, batch.v + row * kNv, batch.tau + row * kNtau,
-                 batch.qdd + row * kNqdd);
+                 batch.qdd + row * kNqdd, bounds_from(batch, row));
   }
 
   static void ask(Channel& channel, Taken& piece) {
-    MPI_Irecv(piece.states.data(), static_cast<int>(piece.states.size()), kMpiNumber, 0, kStates,
-              channel.comm(), &piece.asked);
+    MPI_Irecv(piece.states.data(), static_cast<int>(piece.states.size()), kMpiNumber, 0,
+              MPI_ANY_TAG, channel.comm(), &piece.asked);
   }
 
   std::array<Number, kParameterCount> parameters_{};

@@ -90,9 +90,7 @@ class ThisSolver final : public adagen::AnySolver<Number, Comm> {
 
   int solve_batch_at_root(int count, const Number* q, const Number* v, const Number* tau,
                           Number* qdd) override {
-    if (!kCertified) return solver_.solve_batch_at_root(count, q, v, tau, qdd);
-    bounds_.resize(static_cast<std::size_t>(count));
-    return solver_.solve_batch(count, q, v, tau, qdd, bounds_.data());
+    return solver_.solve_batch_at_root(count, q, v, tau, qdd, bounds_of(count));
   }
   double error_bound(int k) const override { return bounds_[static_cast<std::size_t>(k)]; }
   int failures() const override { return solver_.failures(); }
@@ -127,12 +125,14 @@ class ThisSolver final : public adagen::AnySolver<Number, Comm> {
 #if defined(ADAGEN_BATCH)
   adagen::Elapsed time_batch(int states, int active, const Number* q, const Number* v,
                              const Number* tau, Number* qdd) override {
+    double* const bounds = bounds_of(states * active);
     const Clock::time_point start = start_together(solver_.channel);
     const int first =
-        solver_.solve_batch(solver_.channel.rank() < active ? states : 0, q, v, tau, qdd);
+        solver_.solve_batch(solver_.channel.rank() < active ? states : 0, q, v, tau, qdd, bounds);
     const double in_place_ns = since(start);
     const Clock::time_point again = start_together(solver_.channel);
-    const int second = solver_.solve_batch_at_root(states * active, q, v, tau, qdd, active - 1);
+    const int second =
+        solver_.solve_batch_at_root(states * active, q, v, tau, qdd, bounds, active - 1);
     const double at_root_ns = since(again);
     return {in_place_ns, at_root_ns, first, second};
   }
@@ -169,6 +169,15 @@ class ThisSolver final : public adagen::AnySolver<Number, Comm> {
   ADAGEN_NOINLINE int at_root(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     return solver_.solve_at_root(q, v, tau, qdd);
   }
+
+#if defined(ADAGEN_BATCH)
+  // Where bounds of errors of so many states go; null where answers are not certified.
+  double* bounds_of(int count) {
+    if (!kCertified) return nullptr;
+    bounds_.resize(static_cast<std::size_t>(count));
+    return bounds_.data();
+  }
+#endif
 
   static double since(Clock::time_point start) {
     return std::chrono::duration<double, std::nano>(Clock::now() - start).count();

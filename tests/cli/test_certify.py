@@ -36,6 +36,7 @@ def test_the_head_makes_it_again(tmp_path: Path, capsys: pytest.CaptureFixture[s
         ("--shape", "kernels"),
         ("--shape", "unrolled"),
         ("--batch",),
+        ("--batch", "--procs", "2"),
         ("--reproducible",),
         ("--reproducible", "--batch"),
     ],
@@ -99,6 +100,14 @@ def test_one_process_is_chosen_where_none_is_asked_for(tmp_path: Path) -> None:
     assert (tmp_path / "snake100_p1.cpp").is_file()
 
 
+def test_a_certified_batch_is_shared_by_as_many_cores_as_another(tmp_path: Path) -> None:
+    stems = []
+    for folder, more in (("plain", ()), ("certified", ("--certify",))):
+        assert main([ARM, "--batch", *more, "--out", str(tmp_path / folder)]) == 0
+        stems.append([path.name for path in (tmp_path / folder).glob("*.h")])
+    assert stems[0] == stems[1]
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [
@@ -108,7 +117,6 @@ def test_one_process_is_chosen_where_none_is_asked_for(tmp_path: Path) -> None:
         (("--target", "embedded"), "certified solvers are not emitted with --target"),
         (("--tune",), "certified solvers are not emitted with --tune"),
         (("--procs", "2", "--schedule", "balanced"), "otherwise than by limbs of its base"),
-        (("--batch", "--procs", "2"), "bounds are not sent between processes"),
         (("--mimic",), 'joint "right_finger_slide" is slaved to another'),
     ],
 )
@@ -121,7 +129,7 @@ def test_what_is_not_certified_is_refused(
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize("more", [(), ("--batch",)])
+@pytest.mark.parametrize("more", [(), ("--batch",), ("--batch", "--procs", "2")])
 def test_closed_loops_are_certified_as_straight_lines(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], more: tuple[str, ...]
 ) -> None:

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import adagen
 from adagen.states import random_states, write_states
 from tests.emitted import (
     QUICK,
@@ -21,8 +22,9 @@ from tests.emitted import (
     truth_of,
 )
 from tests.end_to_end.hosts import APART
+from tests.end_to_end.test_library import filled
 from tests.golden.examples import EXAMPLES, FOLDER
-from tests.slow import spread
+from tests.slow import slow, spread
 
 STEM = "arm7_batch_p2"
 ARM = next(example for example in EXAMPLES if example.stem == STEM)
@@ -30,30 +32,37 @@ SIZES = (0, 1, 7, 8, 9, 16, 17, 63, 64, 65, 1000, 5003)
 SPOILT = ((1, 0), (9, 8), (64, 0, 7, 8, 63), (1003, 5, 500, 1002), (16, *range(16)))
 
 
+def _program(builder: Builder, stem: str, folder: Path, processes: int, *more: str) -> Solver:
+    """The program around a solver whose source and header are in a folder."""
+    object_file = builder.object_file((folder / f"{stem}.cpp").read_text(), stem)
+    text = filled("batches.cpp", stem)
+    flags = (*QUICK, *more, f"-I{folder}", str(object_file))
+    return Solver(builder.compile(text, "batches", flags), processes, builder.toolchain)
+
+
+def _said(program: Solver, folder: Path) -> list[str]:
+    """What the program printed, sorted."""
+    states = random_states(ARM.model(), 37, seed=4)
+    rows = zip(states.q, states.v, states.tau, strict=True)
+    np.savetxt(folder / "states", [np.concatenate(row) for row in rows], fmt="%.17g")
+    cases = [str(n) for n in SIZES] + [" ".join(map(str, case)) for case in SPOILT]
+    done = program.run("message", folder / "states", *cases)
+    assert (done.status, done.stderr) == (0, "")
+    return sorted(done.stdout.splitlines())
+
+
 @pytest.fixture(scope="module")
 def program(builder: Builder) -> Solver:
-    source = (FOLDER / STEM / f"{STEM}.cpp").read_text()
-    object_file = builder.object_file(source, STEM)
-    text = Path(__file__).with_name("batches.cpp").read_text()
-    flags = (*QUICK, f"-I{FOLDER / STEM}", str(object_file))
-    return Solver(builder.compile(text, "batches", flags), 2, builder.toolchain)
+    return _program(builder, STEM, FOLDER / STEM, 2)
 
 
 @pytest.fixture(scope="module", params=["one host", *APART])
 def said(
     request: pytest.FixtureRequest, program: Solver, tmp_path_factory: pytest.TempPathFactory
 ) -> list[str]:
-    """What the program printed, sorted."""
-    states = random_states(ARM.model(), 37, seed=4)
-    path = tmp_path_factory.mktemp("batches") / "states"
-    rows = zip(states.q, states.v, states.tau, strict=True)
-    np.savetxt(path, [np.concatenate(row) for row in rows], fmt="%.17g")
     variables = APART.get(request.param, ())
     apart = replace(program.toolchain, environment=(*program.toolchain.environment, *variables))
-    cases = [str(n) for n in SIZES] + [" ".join(map(str, case)) for case in SPOILT]
-    done = replace(program, toolchain=apart).run("message", path, *cases)
-    assert (done.status, done.stderr) == (0, "")
-    return sorted(done.stdout.splitlines())
+    return _said(replace(program, toolchain=apart), tmp_path_factory.mktemp("batches"))
 
 
 @pytest.mark.parametrize("who", ["alone", "shared"])
@@ -68,10 +77,36 @@ def test_a_batch_of_any_size_is_solved_as_its_states_are_one_by_one(
 def test_bad_states_are_named_and_all_others_solved(who: str, said: list[str]) -> None:
     joint = ARM.model().joints[3].name
     for size, *bad in SPOILT:
-        why = f'state {bad[0] + 1}: joint "{joint}": its q, v or tau is not a finite number'
-        why += f" (and {len(bad) - 1} more states)" * (len(bad) > 1)
-        numbers = " ".join(map(str, bad))
-        assert f"{who} {size} {numbers}: failed; {why}; {numbers}; same" in said
+        assert _named(who, joint, size, bad) in said
+
+
+def _named(who: str, joint: str, size: int, bad: list[int]) -> str:
+    """What is said where some states of a batch are bad."""
+    why = f'state {bad[0] + 1}: joint "{joint}": its q, v or tau is not a finite number'
+    why += f" (and {len(bad) - 1} more states)" * (len(bad) > 1)
+    numbers = " ".join(map(str, bad))
+    return f"{who} {size} {numbers}: failed; {why}; {numbers}; same"
+
+
+@pytest.mark.parametrize(
+    ("processes", "shape"), [(2, "kernels"), slow(2, "unrolled"), (3, "unrolled")]
+)
+def test_every_state_has_the_bound_that_it_has_alone_whoever_solves_it(
+    processes: int, shape: str, builder: Builder, tmp_path: Path
+) -> None:
+    """Of batches with bounds and without by turns; bad states have none."""
+    made = adagen.compile(
+        adagen.read(ARM.urdf), procs=processes, batch=True, certify=True, shape=shape
+    )
+    for name in (f"{made.stem}.cpp", f"{made.stem}.h"):
+        (tmp_path / name).write_text(made.files[name])
+    program = _program(builder, made.stem, tmp_path, processes, "-DCERTIFIED")
+    said, joint = _said(program, tmp_path), ARM.model().joints[3].name
+    for who in ("alone", "shared"):
+        for size in SIZES:
+            assert f"{who} {size}: fine;; same" in said
+        for size, *bad in SPOILT:
+            assert _named(who, joint, size, bad) in said
 
 
 def test_the_other_processes_do_not_hear_of_bad_states(said: list[str]) -> None:

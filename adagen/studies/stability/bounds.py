@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import ctypes
+import json
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -20,9 +23,10 @@ from adagen.graph import BALLS
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.certificate import certified
+from adagen.run import launch
 from adagen.schedule import load_profile
 from adagen.search.around_base import alone_schedule, certified_layouts
-from adagen.states import States
+from adagen.states import States, write_states
 from adagen.studies.stability.audit import truths
 from adagen.studies.stability.mechanisms import BITS
 
@@ -39,7 +43,8 @@ class Certified:
         shape: "kernels" or "unrolled".
         batch: whether states are solved many at once.
         scalar: "double" or "float".
-        processes: threads that share the robot, whether that pays or not.
+        processes: threads that share the robot, whether that pays or not; of a batch, processes
+            of MPI that process 0 hands states out to.
     """
 
     shape: str
@@ -108,8 +113,8 @@ def bounded(
     known: dict[str, tuple[States, list[Array | None]]] = {}
     for way in ways:
         try:
-            plan = certified_plan(model, way.scalar, way.processes)
-            text = emit(plan, name=_NAME, shape=way.shape, batch=int(way.batch))
+            plan = certified_plan(model, way.scalar, 1 if way.batch else way.processes)
+            text = emit(plan, name=_NAME, shape=way.shape, batch=way.processes * way.batch)
         except AdagenError:
             continue
         if way.scalar not in known:
@@ -119,7 +124,12 @@ def bounded(
             every = own_truths(plan, given) if plan.closed else truths(model, given)
             known[way.scalar] = given, every
         given, truth = known[way.scalar]
-        answers, bounds = _answers(text[f"{stem_of(plan, _NAME)}.cpp"], plan, way, given, toolchain)
+        stem = stem_of(plan, _NAME, way.processes * way.batch)
+        if way.batch and way.processes > 1:
+            program = build_executable(text[f"{stem}.cpp"], stem, toolchain)
+            answers, bounds = _handed_out(program, way.processes, model, given, toolchain)
+        else:
+            answers, bounds = _answers(text[f"{stem}.cpp"], stem, plan, way, given, toolchain)
         rows = [
             (_error(plan, given.q[k], given.v[k], answers[k], true), bounds[k])
             for k, true in enumerate(truth)
@@ -150,6 +160,8 @@ def own_truths(plan: Plan, states: States) -> list[Array | None]:
 
 
 _NAME = "certified"
+_SECONDS = 300.0
+"""That processes have for their states."""
 
 
 def _error(plan: Plan, q: Array, v: Array, answer: Array, true: Array) -> float:
@@ -159,11 +171,29 @@ def _error(plan: Plan, q: Array, v: Array, answer: Array, true: Array) -> float:
     return float(np.sqrt(off / whole)) if whole > 0 else 0.0
 
 
+def _handed_out(
+    program: Path, processes: int, model: Model, states: States, toolchain: Toolchain
+) -> tuple[Array, Array]:
+    """The same of a batch solver's program, which process 0 of some hands the states out in.
+
+    Its file of results has three digits of bounds, and none of an infinite one.
+    """
+    with TemporaryDirectory() as folder:
+        given, told = Path(folder, "states.json"), Path(folder, "result.json")
+        write_states(states, model, given)
+        words = ["--states", str(given), "--result", str(told)]
+        launch(program, processes, words, toolchain, _SECONDS)
+        result = json.loads(told.read_text())
+    parts = [result["joints"][joint.name]["qdd"] for joint in model.joints]
+    rows = [np.array(part, dtype=float).reshape(states.count, -1) for part in parts]
+    bounds = np.array(result["error_bounds"], dtype=float)
+    return np.hstack(rows), np.where(np.isnan(bounds), np.inf, bounds)
+
+
 def _answers(
-    source: str, plan: Plan, way: Certified, states: States, toolchain: Toolchain
+    source: str, stem: str, plan: Plan, way: Certified, states: States, toolchain: Toolchain
 ) -> tuple[Array, Array]:
     """Accelerations, shape (S, nv), and their bounds, shape (S,); NaN where there is none."""
-    stem = stem_of(plan, _NAME)
     flags = (*toolchain.flags, "-shared", "-fPIC", "-DADAGEN_NO_MAIN")
     built = build_executable(
         f"#define ADAGEN_NO_MAIN\n{source}", f"{stem}.so", replace(toolchain, flags=flags)

@@ -45,30 +45,32 @@ class Solver {
 
   // States one after the other, as are their accelerations; nothing is sent to other processes.
   // Accelerations of a state that fails are not numbers; the others are what they should be. What
-  // bounds the errors of certified ones goes to bounds, a number for each state.
+  // bounds the errors of certified ones goes to bounds, a number for each state, unless it is null.
   int solve_batch(int count, const Number* q, const Number* v, const Number* tau, Number* qdd,
                   double* bounds = nullptr) {
     forget();
-    bounds_ = bounds;
-    return solve_rows(count, q, v, tau, qdd) ? kFine : name_failures(count, q, v, tau, qdd);
+    return solve_rows(count, q, v, tau, qdd, bounds) ? kFine : name_failures(count, q, v, tau, qdd);
   }
 
   int solve(const Number* q, const Number* v, const Number* tau, Number* qdd) {
     return solve_batch(1, q, v, tau, qdd);
   }
 
-  // Collective: process 0 has all states and gets all accelerations, and to know what failed; the
-  // others return once it has. Of them, processes 1 to helpers help.
+  // Collective: process 0 has all states and gets all accelerations and bounds, and to know what
+  // failed; the others return once it has. Of them, processes 1 to helpers help.
   int solve_batch_at_root(int count, const Number* q, const Number* v, const Number* tau,
-                          Number* qdd, int helpers = kProcesses - 1) {
-    if constexpr (kProcesses == 1) return solve_batch(count, q, v, tau, qdd);
+                          Number* qdd, double* bounds = nullptr, int helpers = kProcesses - 1) {
+    if constexpr (kProcesses == 1) return solve_batch(count, q, v, tau, qdd, bounds);
     forget();
+    if (channel.rank() == 0 && bounds != nullptr)  // none is left over where a process is gone
+      std::fill_n(bounds, std::max(0, count), std::numeric_limits<double>::quiet_NaN());
     const auto solve = [this](auto... rows) { return solve_rows(rows...); };
     int status = channel.broken() ? failure(kNoAnswer, 0) : kFine;
     if (status == kFine && channel.rank() > 0)
       handout_.help(channel, solve, take_parameters(), status, false);
-    else if (status == kFine && !handout_.hand_out(channel, helpers, {count, q, v, tau, qdd},
-                                                   workspace(0), solve, status))
+    else if (status == kFine &&
+             !handout_.hand_out(channel, helpers, {count, q, v, tau, qdd, bounds}, workspace(0),
+                                solve, status))
       return name_failures(count, q, v, tau, qdd);
     if (status != kFine) text = describe(status);
     return status;
@@ -125,7 +127,8 @@ class Solver {
   }
 
   // Returns whether all states could be solved.
-  bool solve_rows(int count, const Number* q, const Number* v, const Number* tau, Number* qdd) {
+  bool solve_rows(int count, const Number* q, const Number* v, const Number* tau, Number* qdd,
+                  double* bounds) {
     bool good = true;
     for (int first = 0; first < count; first += kGroups * kLanes) {
       const int groups = std::min(kGroups, (count - first + kLanes - 1) / kLanes);
@@ -136,7 +139,8 @@ class Solver {
       run(groups);
       for (int g = 0; g < groups; ++g) {
         const int at = first + g * kLanes;
-        good &= give(groups_[size(g)], std::min(kLanes, count - at), at, qdd);
+        good &= give(groups_[size(g)], std::min(kLanes, count - at), qdd + size(at) * kNqdd,
+                     bounds == nullptr ? nullptr : bounds + at);
       }
     }
     return good;
@@ -152,12 +156,10 @@ class Solver {
 
   // Where a group fails, each of its states is tried once more, by itself; returns whether all were
   // solved.
-  bool give(Group& group, int states, int at, Number* qdd) {
-    qdd += size(at) * kNqdd;
+  bool give(Group& group, int states, Number* qdd, double* bounds) {
     if (group.w.status == kFine) {
       to_rows(states, group.qdd, qdd);
-      for (int s = 0; s < states && bounds_ != nullptr; ++s)
-        bounds_[at + s] = bound_of_state(group, s, 0);
+      for (int s = 0; s < states && bounds != nullptr; ++s) bounds[s] = bound_of_state(group, s, 0);
       return true;
     }
     Group& alone = groups_.front();
@@ -172,9 +174,8 @@ class Solver {
         to_rows(1, alone.qdd, qdd);
       else
         std::fill_n(qdd, kNqdd, std::numeric_limits<Number>::quiet_NaN());
-      if (bounds_ != nullptr)
-        bounds_[at + s] =
-            solved ? bound_of_state(alone, 0, 0) : std::numeric_limits<double>::quiet_NaN();
+      if (bounds != nullptr)
+        bounds[s] = solved ? bound_of_state(alone, 0, 0) : std::numeric_limits<double>::quiet_NaN();
     }
     return false;
   }
@@ -228,7 +229,6 @@ class Solver {
   }
 
   std::array<Group, kGroups> groups_;
-  double* bounds_ = nullptr;  // where those of the states that are solved go, if they are wanted
   static constexpr int kKept = 256;  // what fails beyond is only counted
   std::array<FailedState, kKept> failures_;
   int count_ = 0;

@@ -12,6 +12,7 @@ struct Batch {
   int count;
   const Number *q, *v, *tau;
   Number* qdd;
+  double* bounds;
 };
 
 class Handout {

@@ -97,6 +97,23 @@ def test_bounds_of_processes_that_share_a_robot(way: Certified, k: int, quick: T
     _hold(found)
 
 
+@pytest.mark.parametrize(
+    ("way", "k"),
+    [
+        (Certified("kernels", batch=True, processes=2), 4),
+        slow(Certified("unrolled", batch=True, processes=3), 1),
+        slow(Certified("kernels", batch=True, scalar="float", processes=3), 7),
+    ],
+)
+def test_bounds_of_states_that_are_handed_out(way: Certified, k: int, quick: Toolchain) -> None:
+    model = robots(k + 1, seed=8)[k]
+    found = bounded(model, hard_states(model, 300, seed=8), [way], quick)
+    assert found[way].errors.size + found[way].refused == 300
+    assert found[way].errors.size > 200
+    assert np.isfinite(found[way].bounds).mean() > 0.5
+    _hold(found)
+
+
 def test_no_bound_is_found_with_factors_of_no_digits(quick: Toolchain) -> None:
     """Ball joints with slender links, as loops in float: see seen_by in kernels/certify.hpp."""
     model, way = robots(22, seed=104)[21], IN_FLOAT[0]
