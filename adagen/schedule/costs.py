@@ -265,12 +265,14 @@ def _table(
 def _number(table: Mapping[str, object], key: str, prefix: str, text: str, file: str) -> float:
     if key not in table:
         raise InputError(f"{prefix}.{key} is missing: add '{key} = ...' (microseconds)", file)
-    value, line = table[key], line_of(text, prefix, key)
+    value = table[key]
     if isinstance(value, bool) or not isinstance(value, int | float):
-        raise InputError(f"{prefix}.{key} must be a number of microseconds", file, line)
-    if not 0 <= value <= LIMIT:  # false for nan
-        raise InputError(f"{prefix}.{key} must be a number from 0 to {LIMIT:g}", file, line)
-    return float(value)
+        asked = "a number of microseconds"
+    elif not 0 <= value <= LIMIT:  # false for nan
+        asked = f"a number from 0 to {LIMIT:g}"
+    else:
+        return float(value)
+    raise InputError(f"{prefix}.{key} must be {asked}", file, line_of(text, prefix, key))
 
 
 def line_of(text: str, table: str, key: str) -> int | None:

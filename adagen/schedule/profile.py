@@ -162,6 +162,7 @@ def _shipped() -> StepCosts | None:
     return load_profile("default").steps
 
 
+@lru_cache(maxsize=16)  # a call of the tool asks for its profile several times
 def parse_profile(text: str, file: str) -> CostProfile:
     """Return the profile written in TOML; ``file`` is what messages call it.
 
