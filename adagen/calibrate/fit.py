@@ -121,12 +121,12 @@ def _alike() -> Array:
     """Return rows that are zero where coefficients that resemble each other are equal.
 
     Those of the joint kinds of a group do, and that of a row of joints side by side, or of a joint
-    of a run that is passed together, resembles that of one such joint. To pass a segment resembles
+    of a run that is passed together, resembles that of one such joint. To pass a strip resembles
     its kinematics. Wrenches that are carried through runs take a fraction of what a mobility does.
     """
     rows = []
     for group in PER_KIND:
-        alone = "kinematics" if group == "passing_segments" else group.split("_")[0]
+        alone = "kinematics" if group == "passing_strips" else group.split("_")[0]
         alone = group if alone == "propagate" else alone
         priced = (*KINDS, *({PRESCRIBED} & set(PER_KIND[group])))
         for kind in priced:

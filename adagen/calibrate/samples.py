@@ -194,17 +194,17 @@ def by_method(profile: CostProfile, method: str) -> CostProfile:
     Args:
         profile: the rest of it.
         method: "each" passes all runs number by number and joint by joint, "columns" takes by
-            columns and in segments what can be; "usual" runs of four hinges or more.
+            columns and in strips what can be; "usual" runs of four hinges or more.
     """
     costs = step_costs(profile)
     table = dict(costs.table)
     ends = {"each": LIMIT, "columns": 0.0, "usual": 3.5}[method]
     for kind in KINDS:
         table[f"articulate.{kind}"] = table[f"kinematics.{kind}"] = 1.0
-        table[f"articulate_columns.{kind}"] = table[f"kinematics_segments.{kind}"] = 0.0
+        table[f"articulate_columns.{kind}"] = table[f"kinematics_strips.{kind}"] = 0.0
     table["articulate_columns.spherical"] = 2.0  # so much dearer than number by number
     table["articulate.run"] = 0.0
-    table["articulate_columns.run"] = table["kinematics_segments.run"] = ends
+    table["articulate_columns.run"] = table["kinematics_strips.run"] = ends
     return replace(profile, steps=replace(costs, table=table))
 
 

@@ -179,12 +179,12 @@ _RUNS = {
     ("articulate", "tiles"): "articulate_columns.run",
     ("kinematics", "each"): "kinematics.run",
     (PASSING, "each"): "kinematics.run",
-    ("kinematics", "segments"): "kinematics_segments.run",
+    ("kinematics", "strips"): "kinematics_strips.run",
     ("kinematics", "traversed"): "kinematics_traversed.run",
-    ("kinematics", "tiles"): "kinematics_segments.run",
-    (PASSING, "segments"): "kinematics_segments.run",
+    ("kinematics", "tiles"): "kinematics_strips.run",
+    (PASSING, "strips"): "kinematics_strips.run",
     ("traverse", "each"): "kinematics.run",
-    ("traverse", "segments"): "kinematics_segments.run",
+    ("traverse", "strips"): "kinematics_strips.run",
     ("accelerate", "each"): "accelerate.run",
     ("accelerate", "along"): "accelerate.run",
 }
@@ -243,16 +243,16 @@ def _of_step(step: Step, operation: Operation, joints: Sequence[PlanJoint]) -> F
     match step, operation.method:
         case Kinematics(), "traversed":
             return {f"kinematics_traversed.{joints[step.joint].kind}": 1}
-        case Kinematics(), "segments":
-            group = "passing_segments" if operation.does == PASSING else "kinematics_segments"
+        case Kinematics(), "strips":
+            group = "passing_strips" if operation.does == PASSING else "kinematics_strips"
             return {f"{group}.{joints[step.joint].kind}": 1}
-        case Traverse(passage), "segments":
+        case Traverse(passage), "strips":
             run = range(passage.first, passage.last + 1)
-            return added({f"passing_segments.{joints[j].kind}": 1} for j in run)
+            return added({f"passing_strips.{joints[j].kind}": 1} for j in run)
         case Kinematics(), "tiles":
             return {
                 f"{group}.{joints[step.joint].kind}": 1
-                for group in ("passing_segments", "kinematics_segments")
+                for group in ("passing_strips", "kinematics_strips")
             }
         case Propagate(), "carried":
             return {f"propagate_run.{joints[step.joint].kind}": 1}

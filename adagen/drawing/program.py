@@ -136,7 +136,7 @@ def operation_name(program: Program, operation: Operation) -> str:
             about = _span(program, run.first, run.last)
             by = (
                 f", by {operation.method}"
-                if operation.method in ("columns", "turned", "segments")
+                if operation.method in ("columns", "turned", "strips")
                 else ""
             )
             return f"{does} {about}{by}"

@@ -119,7 +119,7 @@ class Bounds:
         best = 0
         for link, outside in taken.items():
             best = max(best, self._tower(link, outside, k))
-        for a, b in [(chain.top - 1, chain.top), *chains.segments(chain)]:
+        for a, b in [(chain.top - 1, chain.top), *chains.ranges(chain)]:
             towers = self._towers[a + 1 : b + 1].copy()
             for link in taken:
                 if a < link <= b:

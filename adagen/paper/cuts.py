@@ -77,7 +77,7 @@ class Cutter:
 
     def _cut(self, chain: Chain) -> Cuts:
         chains = self.chains
-        at = np.concatenate([np.arange(a, b) for a, b in chains.segments(chain)])
+        at = np.concatenate([np.arange(a, b) for a, b in chains.ranges(chain)])
         stop = self._end[at]
         cost = self._fixed[at] + chains.q[chains.boundary(chain)]
         end_work = self._below[at].copy()

@@ -211,4 +211,4 @@ class Space:
 
     def size(self, chain: Chain) -> int:
         """Return the number of joints of a chain."""
-        return sum(b - a for a, b in self.chains.segments(chain))
+        return sum(b - a for a, b in self.chains.ranges(chain))

@@ -63,7 +63,7 @@ class PathBounds:
         given = processes.bit_length() - 1 if self._halving else processes - 1
         if self._meeting(chain) <= given:
             return 0  # every branch could be given away
-        at = np.concatenate([np.arange(a, b) for a, b in chains.segments(chain)])
+        at = np.concatenate([np.arange(a, b) for a, b in chains.ranges(chain)])
         own, outside = self._own(chain)
         # Work below each position, itself and its link included, and in all.
         work = self._fixed[at] + own[at + 1]
@@ -95,7 +95,7 @@ class PathBounds:
     def _meeting(self, chain: Chain) -> int:
         """Return the largest number of joints at a link of a chain, those outside counted too."""
         most = self.chains.degree[chain.top]
-        for a, b in self.chains.segments(chain):
+        for a, b in self.chains.ranges(chain):
             most = max(most, int(self._degree[a + 1 : b + 1].max()))
         return most
 

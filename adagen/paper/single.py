@@ -34,7 +34,7 @@ class SingleProcess:
         Raises:
             TooManyBranches: see there.
         """
-        if not self.chains.segments(chain):
+        if not self.chains.ranges(chain):
             return 0
         return self.chains.linear_work(chain) + self.correction(self.chains.handles(chain))
 

@@ -198,7 +198,7 @@ class _Memory:
         """What must have been prepared for an operation of loops."""
         for step in operation.steps:
             match step, operation.method:
-                case Kinematics(), "each" | "segments" | "traversed" | "lanes" | "base":
+                case Kinematics(), "each" | "strips" | "traversed" | "lanes" | "base":
                     yield "angles", step.joint
                 case Traverse(passage), _ if self.prepared:
                     yield from (("angles", j) for j in range(passage.first, passage.last + 1))

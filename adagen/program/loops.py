@@ -41,8 +41,8 @@ from adagen.program.runs import (
     swept,
     units_of_sweep,
 )
-from adagen.program.segments import split
 from adagen.program.slots import Slots
+from adagen.program.strips import split
 from adagen.program.turned import turned_in_loops
 from adagen.program.types import Block, Links, Method, Operation
 from adagen.schedule.costs import StepCosts
@@ -89,7 +89,7 @@ class Loops:
         self.holding: set[int] = set()  # links at which an inertia has been left
         self.bare: set[int] = set()  # links whose own inertia is set up
         self.by_columns: set[int] = set()  # those of them that are set up by columns, too
-        self.traversed: set[Run] = set()  # runs whose passages were found in segments
+        self.traversed: set[Run] = set()  # runs whose passages were found in strips
         self.swept: set[Run] = set()  # runs that are swept inwards by columns
         self.along: set[Run] = set()  # those that unit wrenches are carried through meanwhile
         self.loaded: set[Run] = set()  # of these, those whose joints take a load when they move
@@ -162,8 +162,8 @@ class Loops:
                 self._add("kinematics", unit, "lanes", map(Kinematics, unit.members()))
                 continue
             what = "kinematics" if unit.treated else PASSING
-            for run, in_segments in split(unit.run, self.slots.segments):
-                method: Method = "segments" if in_segments else "each"
+            for run, in_strips in split(unit.run, self.slots.in_strips):
+                method: Method = "strips" if in_strips else "each"
                 if run in self.traversed and unit.treated:
                     method = "traversed"
                 self._add(what, run, method, map(Kinematics, range(run.first, run.last + 1)))
@@ -178,8 +178,8 @@ class Loops:
         for step in steps:
             run = Run(step.passage.first, step.passage.last)
             self._prepare_angles(run.joints())
-            method: Method = "segments" if run in self.slots.segments else "each"
-            if method == "segments":
+            method: Method = "strips" if run in self.slots.in_strips else "each"
+            if method == "strips":
                 self.traversed.add(run)
             self._add("traverse", run, method, [step])
 

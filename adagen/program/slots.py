@@ -10,7 +10,7 @@ from itertools import chain
 from adagen.plan import Plan
 from adagen.plan.simd_groups import Limbs
 from adagen.program.runs import Run
-from adagen.program.segments import LANES, segments_of, slots_of
+from adagen.program.strips import LANES, runs_in_strips, slots_of
 from adagen.program.tiles import TILE, fits_tiles, tiles_of
 from adagen.schedule.costs import StepCosts
 
@@ -23,14 +23,14 @@ class Slots:
         slots: of each joint; the joint beyond which a link lies stands for the link too.
         count: number of slots, some of which may be empty.
         limbs: those that each process takes side by side.
-        segments: runs that are passed outwards in segments, outwards from the base.
+        in_strips: runs that are passed outwards in strips, outwards from the base.
         tile: joints that share memory with others as tiles of a run; 0 where all have their own.
     """
 
     slots: tuple[int, ...]
     count: int
     limbs: tuple[tuple[Limbs, ...], ...]
-    segments: tuple[Run, ...]
+    in_strips: tuple[Run, ...]
     tile: int = 0
 
     @cached_property
@@ -99,14 +99,14 @@ class Slots:
             costs: what the methods take that runs can be passed by.
             again: whether sweeps are done again, so that all joints keep what they are swept with.
         """
-        segments, tile = tuple(segments_of(plan, limbs, costs)), 0
-        if not again and fits_tiles(plan, segments, costs):
-            segments, tile = tuple(tiles_of(segments[0], TILE)), TILE
+        in_strips, tile = tuple(runs_in_strips(plan, limbs, costs)), 0
+        if not again and fits_tiles(plan, in_strips, costs):
+            in_strips, tile = tuple(tiles_of(in_strips[0], TILE)), TILE
         count, width = len(plan.joints), LANES[plan.scalar]
-        if not segments and not any(limbs):
-            return Slots(tuple(range(count)), count, limbs, segments)
+        if not in_strips and not any(limbs):
+            return Slots(tuple(range(count)), count, limbs, in_strips)
         slots = [-1] * count
-        next_ = _lay_segments(segments, width, slots)
+        next_ = _lay_strips(in_strips, width, slots)
         for process, own in zip(plan.processes, limbs, strict=True):
             next_ = _up(next_, width)  # blocks of its own
             widest = sorted(own, key=lambda each: -each.lanes)  # so that all are aligned
@@ -121,13 +121,13 @@ class Slots:
         for j in range(count):
             if slots[j] < 0:
                 slots[j], next_ = next_, next_ + 1
-        return Slots(tuple(slots), next_, limbs, segments, tile)
+        return Slots(tuple(slots), next_, limbs, in_strips, tile)
 
 
-def _lay_segments(segments: Iterable[Run], width: int, slots: list[int]) -> int:
-    """Give the joints of runs in segments their slots, and return the first one that is left."""
+def _lay_strips(in_strips: Iterable[Run], width: int, slots: list[int]) -> int:
+    """Give the joints of runs in strips their slots, and return the first one that is left."""
     next_ = 0
-    for run in segments:
+    for run in in_strips:
         own_slots = slots_of(run, width)
         for j, slot in enumerate(own_slots, start=run.first):
             slots[j] = next_ + slot

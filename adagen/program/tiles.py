@@ -24,17 +24,17 @@ cache of 1 to 2 MB. To pass a joint twice costs less than to fetch its memory fr
 """
 
 
-def fits_tiles(plan: Plan, segments: Sequence[Run], costs: StepCosts) -> bool:
+def fits_tiles(plan: Plan, in_strips: Sequence[Run], costs: StepCosts) -> bool:
     """Whether a plan is that of a long chain of hinges on the ground, on one process.
 
     Args:
         plan: the plan.
-        segments: the runs that are passed outwards in segments.
+        in_strips: the runs that are passed outwards in strips.
         costs: by which runs are computed by columns.
     """
     joints = plan.joints
     whole = Run(0, len(joints) - 1)
-    if len(plan.processes) > 1 or list(segments) != [whole] or whole.length <= LONGEST:
+    if len(plan.processes) > 1 or list(in_strips) != [whole] or whole.length <= LONGEST:
         return False
     if plan.slaved or plan.wrenches or plan.parameters or plan.closed:
         return False

@@ -86,7 +86,7 @@ class Chains:
         """Return the range of positions below the chain's top link."""
         return (0, len(self.original)) if chain.top == 0 else (chain.top, self.end[chain.top - 1])
 
-    def segments(self, chain: Chain) -> list[tuple[int, int]]:
+    def ranges(self, chain: Chain) -> list[tuple[int, int]]:
         """Return the chain's positions as ascending ranges (first, last + 1)."""
         start, stop = self.span(chain)
         result = []
@@ -100,7 +100,7 @@ class Chains:
 
     def positions(self, chain: Chain) -> list[int]:
         """Return the positions of the chain's joints, ascending."""
-        return [p for first, last in self.segments(chain) for p in range(first, last)]
+        return [p for first, last in self.ranges(chain) for p in range(first, last)]
 
     def boundary(self, chain: Chain) -> int:
         """Return k = N_O, the number of boundary joints."""

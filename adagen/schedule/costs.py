@@ -37,9 +37,9 @@ PER_KIND: dict[str, tuple[str, ...]] = {
         for number in ("two", "four")
     },
     "articulate_columns": ("run",),
-    "kinematics_segments": ("run",),
+    "kinematics_strips": ("run",),
     "kinematics_traversed": ("run",),
-    "passing_segments": (),
+    "passing_strips": (),
     "propagate_run": ("run", "product"),
     "propagate_along": (),
 }
@@ -52,9 +52,9 @@ every run of joints, ``turned`` for every joint of what is swept in the joints' 
 or coupling. What ends on a number prices a row of as many joints, passed side by side; the limbs
 that they belong to cost something besides, once for each sweep (``limbs``; ``limbs.turned`` for
 each row that is swept in the joints' own axes). ``articulate_columns`` is for joints of runs that
-are computed by columns, ``kinematics_segments`` of runs passed outwards in segments,
-``passing_segments`` of those that are only passed on the way to others, ``kinematics_traversed`` of
-those whose segments a traversal has found before, and ``propagate_run`` of runs whose mobility is
+are computed by columns, ``kinematics_strips`` of runs passed outwards in strips,
+``passing_strips`` of those that are only passed on the way to others, ``kinematics_traversed`` of
+those whose strips a traversal has found before, and ``propagate_run`` of runs whose mobility is
 asked for at the last link only; ``product`` is a product of 6x6 matrices that they need beyond
 their joints and ``run``. ``propagate_along`` is the same where unit wrenches go along with the
 sweep inwards, by columns; ``deliver.along`` brings a force to a joint of such a run.

@@ -102,7 +102,7 @@ class ExchangedSchedules:
         inside, within = (count - 1) / count, max(0, count - 2) / count
         join = min(costs[f"join.{kind}"] + costs[f"disassemble.{kind}"] for kind in set(self.kinds))
         beside = (costs["join.block"] + costs["disassemble.coupling"]) * (levels - 1) / 2
-        run = min(costs["kinematics.run"], costs["kinematics_segments.run"])
+        run = min(costs["kinematics.run"], costs["kinematics_strips.run"])
         alike = count & (count - 1) == 0  # halves are of equal size, on all levels
         waits = levels / 2 + (1 / 4 if count > 2 else 0) if alike else levels / 3
         return (
@@ -212,7 +212,7 @@ def _sweep(costs: StepCosts, kind: str) -> float:
 def _first_sweep(costs: StepCosts, kind: str, outermost: bool) -> float:
     """What a joint takes in a part until its process can tell others of it; microseconds."""
     placing = min(costs[f"{group}.{kind}"] for group in ("kinematics", "kinematics_traversed"))
-    passing = min(costs[f"kinematics.{kind}"], costs[f"passing_segments.{kind}"])
+    passing = min(costs[f"kinematics.{kind}"], costs[f"passing_strips.{kind}"])
     own = passing + placing + costs["link.start"] + _sweep(costs, kind)
     return own if outermost else own + costs.carried(kind)
 

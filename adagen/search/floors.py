@@ -1,6 +1,6 @@
 """Lower bounds on what joints cost, whatever they are passed with: what proofs rest on.
 
-A joint is passed by itself, by columns, in segments, or in a row with one to three others. Rows
+A joint is passed by itself, by columns, in strips, or in a row with one to three others. Rows
 hold joints of limbs that do not hang on each other, so that two joints on one way outwards are
 never in the same row: a process that has both pays two rows in full. A row's price shared by as
 many joints as there can be in it is the least that a joint adds to the work of all processes.
@@ -95,11 +95,11 @@ class Floors:
         ways = self._lengths_of_ways()
         lengths = [ways[j] if j in in_run else 0 for j in range(len(joints))]
         self.pose = [
-            self._pose(joint, lengths[j], j in long, "kinematics_segments")
+            self._pose(joint, lengths[j], j in long, "kinematics_strips")
             for j, joint in enumerate(joints)
         ]
         self.passing = [
-            min(self.pose[j], self._pose(joint, lengths[j], j in long, "passing_segments"))
+            min(self.pose[j], self._pose(joint, lengths[j], j in long, "passing_strips"))
             for j, joint in enumerate(joints)
         ]
         self.by_itself = [costs.joint(joint.kind) for joint in joints]
@@ -192,14 +192,14 @@ class Floors:
             widest[joints[j].parent] += here
         return min(widest[0], max(_ROWS))
 
-    def _pose(self, joint: PlanJoint, length: int, in_long: bool, in_segment: str) -> float:
+    def _pose(self, joint: PlanJoint, length: int, in_long: bool, in_strip: str) -> float:
         """The kinematics of a joint by itself, with its share of the run that it is in.
 
         Args:
             joint: the joint.
             length: of the longest run that it may be in, at most; 0 for what floats on the ground.
-            in_long: whether that may be passed in segments.
-            in_segment: the coefficients of those.
+            in_long: whether that may be passed in strips.
+            in_strip: the coefficients of those.
         """
         costs = self.costs
         # By itself on the ground it is no run, and costs nothing besides.
@@ -208,9 +208,9 @@ class Floors:
         alone += costs["kinematics.run"] / length if shared else 0.0
         if not in_long:
             return alone
-        segment = costs[f"{in_segment}.{joint.kind}"]
-        segment += costs["kinematics_segments.run"] / length if shared else 0.0
-        return min(alone, segment)
+        strip = costs[f"{in_strip}.{joint.kind}"]
+        strip += costs["kinematics_strips.run"] / length if shared else 0.0
+        return min(alone, strip)
 
     def _lengths_of_ways(self) -> list[int]:
         """How many joints there are at most from the ground to an end, through each joint.

@@ -58,7 +58,7 @@ def least_profile(
     assert profile.steps is not None  # as the caller has made sure
     table = dict(profile.steps.table)
     for group, other in (
-        ("kinematics", "kinematics_segments"),
+        ("kinematics", "kinematics_strips"),
         ("articulate", "articulate_columns"),
         ("accelerate", None),
     ):
@@ -96,7 +96,7 @@ def least_passing(least: StepCosts) -> dict[str, float]:
         least: the costs of steps of a ``least_profile``.
     """
     return {
-        kind: min(least[f"kinematics.{kind}"], least[f"passing_segments.{kind}"])
+        kind: min(least[f"kinematics.{kind}"], least[f"passing_strips.{kind}"])
         for kind in least.kinds
     }
 

@@ -17,7 +17,7 @@ from adagen.plan.edges import Edge, edges_from, is_base, joints_at
 from adagen.plan.gather_trees import Tree, held_links, moving_trees
 from adagen.plan.robot import PlanJoint
 from adagen.program.runs import Run, runs
-from adagen.program.segments import KINDS, fits_segments
+from adagen.program.strips import KINDS, fits_strips
 
 _KEPT = 64  # roots whose edges are kept
 _COMPARED = 256
@@ -80,8 +80,8 @@ class Robot:
         at: the joints that hang on each link; length N + 1.
         held: for each link the one before it whose mobility is treated as a body; 0 for none.
         runs: what is passed in one go outwards, if nothing parts it.
-        long: parts of them that may be passed in segments.
-        prolonging: joints that go on with a run which may be passed in segments.
+        long: parts of them that may be passed in strips.
+        prolonging: joints that go on with a run which may be passed in strips.
     """
 
     def __init__(self, joints: Sequence[PlanJoint]) -> None:
@@ -109,11 +109,11 @@ class Robot:
         self._edges: dict[tuple[int, int], list[Edge]] = {}
 
     def _long(self, run: Run) -> Iterator[Run]:
-        """The parts of a run that may be passed in segments, as long as can be."""
+        """The parts of a run that may be passed in strips, as long as can be."""
         own = range(run.first, run.last + 1)
         for fit, group in groupby(own, lambda j: self.joints[j].kind in KINDS):
             part = list(group)
-            if fit and fits_segments(self.joints, Run(part[0], part[-1]), "double"):
+            if fit and fits_strips(self.joints, Run(part[0], part[-1]), "double"):
                 yield Run(part[0], part[-1])
 
     def floats(self, tree: int, link: int) -> bool:

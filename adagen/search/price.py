@@ -23,8 +23,8 @@ from adagen.plan.types import Message, Process
 from adagen.program import Operation
 from adagen.program.loops import Loops
 from adagen.program.names import PASSING
-from adagen.program.segments import segments_of
 from adagen.program.slots import Slots
+from adagen.program.strips import runs_in_strips
 from adagen.schedule import CostProfile, Schedule
 from adagen.schedule.costs import ChannelCosts, StepCosts
 
@@ -45,7 +45,7 @@ class Share:
     """What one process takes on a core of speed 1, without messages; microseconds.
 
     Attributes:
-        kinematics: of all joints that it passes, long runs in segments unless another process
+        kinematics: of all joints that it passes, long runs in strips unless another process
             parts them.
         least_kinematics: the same however others part its runs, at least.
         inwards: up to the messages that it sends.
@@ -109,7 +109,7 @@ class Pricing:
                     phase = 3 if what == "disassembly" else phase
                     phases[0 if what == "kinematics" else phase] += self._time(operation)
         moving, inwards, between, outwards = phases
-        least = self._least_kinematics(found) if slots.segments else moving
+        least = self._least_kinematics(found) if slots.in_strips else moving
         return Share(moving, least, inwards, between, outwards, process, limbs)
 
     def _operations(
@@ -147,7 +147,7 @@ class Pricing:
         return self.costs.total(operation_features(operation, self.joints))
 
     def _least_kinematics(self, operations: Sequence[Operation]) -> float:
-        """What kinematics take at least, each joint by itself or in a segment, or in its limbs."""
+        """What kinematics take at least, each joint by itself or in a strip, or in its limbs."""
         total = 0.0
         for operation in operations:
             moves = [step for step in operation.steps if isinstance(step, Kinematics)]
@@ -156,8 +156,8 @@ class Pricing:
                 continue
             for step in moves:
                 kind = self.joints[step.joint].kind
-                passing = ("passing_segments",) if operation.does == PASSING else ()
-                groups = ("kinematics", "kinematics_segments", *passing)
+                passing = ("passing_strips",) if operation.does == PASSING else ()
+                groups = ("kinematics", "kinematics_strips", *passing)
                 total += min(self.costs[f"{group}.{kind}"] for group in groups)
         return total
 
@@ -169,8 +169,8 @@ class Pricing:
         )
         limbs = tuple(share.limbs for share in shares)
         plan = replace(self._plan, processes=processes)
-        segments = tuple(segments_of(plan, limbs, self.costs))
-        slots = replace(Slots.plainly(plan), limbs=limbs, segments=segments)
+        in_strips = tuple(runs_in_strips(plan, limbs, self.costs))
+        slots = replace(Slots.plainly(plan), limbs=limbs, in_strips=in_strips)
         return [
             sum(map(self._time, self._operations(plan, process, slots, own)))
             for process, own in zip(processes, limbs, strict=True)

@@ -171,7 +171,7 @@ class SegmentBounds:
 
     def options(self, chain: Chain, processes: int) -> Options:
         """Return the allowed cuts of a chain with joints on both sides, and all divisions of P."""
-        at = np.concatenate([np.arange(a, b) for a, b in self.costs.chains.segments(chain)])
+        at = np.concatenate([np.arange(a, b) for a, b in self.costs.chains.ranges(chain)])
         at, end, root, most = self._sides(chain, at)
         rooted = chain.top > 0
         lone = self._lone(chain)

@@ -111,9 +111,9 @@ class _Joining(SegmentSearch):
     def _parts(self, chain: Chain, position: int) -> bool:
         """Whether a cut leaves joints of a chain on both of its sides."""
         chains = self.costs.chains
-        if not any(first <= position < last for first, last in chains.segments(chain)):
+        if not any(first <= position < last for first, last in chains.ranges(chain)):
             return False
-        return all(chains.segments(side) for side in chains.split(chain, position))
+        return all(chains.ranges(side) for side in chains.split(chain, position))
 
 
 def evenly_cut(

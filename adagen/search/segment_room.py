@@ -51,7 +51,7 @@ class Room:
         handles = {parent[cut] for cut in chain.cuts}
         parts: dict[int, list[int]] = {}
         count = 1
-        for first, last in reversed(chains.segments(chain)):
+        for first, last in reversed(chains.ranges(chain)):
             for p in range(last - 1, first - 1, -1):
                 link, above = p + 1, parent[p]
                 work, cut = _within(parts.pop(link, ()), room - kinematics[link])

@@ -1,7 +1,7 @@
 // Forward dynamics of "chain16" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // command   adagen ../models/chain16.urdf --procs 3 --schedule=balanced --shape=kernels
-// input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
+// input     profile default, sha256 e63b253e0edee0570f6f6fcac348ba0c29b0ed76cf735a494273406af59f0560
 // options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // needs     Eigen's headers
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes chain16_p3.h
@@ -22,9 +22,9 @@
 #define ADAGEN_CALL(word) chain16_p3_##word
 #define ADAGEN_NAMED(WORD) CHAIN16_P3_##WORD
 #define ADAGEN_MPI
-#include "adagen/kernels/plain_layout.hpp"
+#include "adagen/kernels/plain_loops.hpp"
 
-namespace { struct chain16_p3_settings : PlainLayout<16> {
+namespace { struct chain16_p3_settings : PlainLoops<16> {
   static constexpr int kVersion = 100, kJointCount = 16, kNq = 16, kNv = 16;
   [[maybe_unused]] static constexpr const char* kRobot = "chain16";
   static constexpr int kProcesses = 3;

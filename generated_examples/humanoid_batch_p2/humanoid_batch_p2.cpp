@@ -1,7 +1,7 @@
 // Forward dynamics of "humanoid" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 2 --shape=kernels --batch --name=humanoid_batch
-// input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
+// input     profile default, sha256 e63b253e0edee0570f6f6fcac348ba0c29b0ed76cf735a494273406af59f0560
 // options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes humanoid_batch_p2.h
 // program   1 process
@@ -14,9 +14,9 @@
 #define ADAGEN_NAMED(WORD) HUMANOID_BATCH_P2_##WORD
 #define ADAGEN_MPI
 #define ADAGEN_BATCH
-#include "adagen/kernels/plain_layout.hpp"
+#include "adagen/kernels/plain_loops.hpp"
 
-namespace { struct humanoid_batch_p2_settings : PlainLayout<30> {
+namespace { struct humanoid_batch_p2_settings : PlainLoops<30> {
   static constexpr int kVersion = 100, kJointCount = 30, kNq = 36, kNv = 35;
   [[maybe_unused]] static constexpr const char* kRobot = "humanoid";
   [[maybe_unused]] static constexpr bool kFloating = true;

@@ -2,7 +2,7 @@
 // robot     "humanoid", 30 joints, 35 degrees of freedom, description sha256 d573a89307ddd4ee9018ee9a0a94422a3db0c5f61f2798648f53f0e1b57ee437
 // command   adagen ../models/humanoid.urdf --floating --procs 2 --schedule=../models/humanoid_at_torso.json --shape=kernels
 // input     schedule, sha256 35c4c70f0b4c25ef442163ea2ff1fb2b75e983f3e3c7bd1a57b0eace91566f4f
-// input     profile default, sha256 b2cd3054184b2c2aeb17237ba40764c79d3d6210c1ef616ed164227e724cf326
+// input     profile default, sha256 e63b253e0edee0570f6f6fcac348ba0c29b0ed76cf735a494273406af59f0560
 // options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar double, channel auto, floating base, gravity 0.0, 0.0, -9.81
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes humanoid_p2.h
 // program   2 processes, gathered at torso; 0.52 us predicted (default profile)
@@ -20,9 +20,9 @@
 #define ADAGEN_CALL(word) humanoid_p2_##word
 #define ADAGEN_NAMED(WORD) HUMANOID_P2_##WORD
 #define ADAGEN_MPI
-#include "adagen/kernels/plain_layout.hpp"
+#include "adagen/kernels/plain_loops.hpp"
 
-namespace { struct humanoid_p2_settings : PlainLayout<30> {
+namespace { struct humanoid_p2_settings : PlainLoops<30> {
   static constexpr int kVersion = 100, kJointCount = 30, kNq = 36, kNv = 35;
   [[maybe_unused]] static constexpr const char* kRobot = "humanoid";
   [[maybe_unused]] static constexpr bool kFloating = true;

@@ -1,4 +1,4 @@
-"""Limbs side by side, columns and segments: what takes least by the profile is what runs."""
+"""Limbs side by side, columns and strips: what takes least by the profile is what runs."""
 
 from __future__ import annotations
 
@@ -82,10 +82,10 @@ def test_lanes_that_cost_too_much_are_not_used() -> None:
     assert {limbs.lanes for limbs in found.slots.limbs[0]} == {2}
 
 
-@pytest.mark.parametrize("method", ["columns", "segments"])
+@pytest.mark.parametrize("method", ["columns", "strips"])
 def test_methods_follow_their_prices(method: str) -> None:
     """A run is passed as it takes least, however long it is."""
-    group = {"columns": "articulate_columns", "segments": "kinematics_segments"}[method]
+    group = {"columns": "articulate_columns", "strips": "kinematics_strips"}[method]
     plan = plan_of(serial_chain(20))
     free = cheap(**{f"{group}__revolute": 0.0, f"{group}__run": 0.0})
     dear = cheap(**{f"{group}__run": 10.0})

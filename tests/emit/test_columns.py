@@ -70,7 +70,7 @@ def test_states_of_a_batch_keep_their_lanes() -> None:
     [
         (QUICK, "double"),
         slow(QUICK, "float"),
-        slow(OPTIMISED, "double"),  # float in test_segments.py
+        slow(OPTIMISED, "double"),  # float in test_strips.py
         slow(NARROW, "double"),
         (NARROW, "float"),
     ],

@@ -12,7 +12,7 @@ from adagen.plan import make_plan
 from adagen.schedule import Topology, load_profile
 from adagen.search import named_schedule
 from adagen.states import random_states
-from tests.emit.test_segments import balls_and_hinges
+from tests.emit.test_strips import balls_and_hinges
 from tests.emitted import ROUNDING, Builder, kernels_of
 from tests.models import human_figure, random_tree, serial_chain
 from tests.schedules import random_schedule
@@ -42,10 +42,10 @@ def test_loops_that_exchange_are_solved(
     assert solver.error(model, states, tmp_path, "--check") < 5 * ROUNDING[scalar]
 
 
-def test_long_parts_are_traversed_in_segments() -> None:
+def test_long_parts_are_traversed_in_strips() -> None:
     schedule = named_schedule("balanced", Topology.of(serial_chain(160)), 8, profile=PROFILE)
     text = kernels_of(make_plan(serial_chain(160), schedule, meeting="exchange"))
-    assert "starts_0 = traverse_in_segments<0, " in text and " traverse<" not in text
+    assert "starts_0 = traverse_in_strips<0, " in text and " traverse<" not in text
     assert " outward_traversed<0, " in text and "  pass_outward" not in text
 
 

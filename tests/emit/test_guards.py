@@ -22,7 +22,7 @@ PROGRAM = Path(__file__).with_name("spoilt_entries.cpp")
 ROBOTS = {
     "all kinds": random_tree(np.random.default_rng(3), 9, branching=0.5, floating=True),
     "limbs side by side": human_figure(),
-    "in segments": serial_chain(20),
+    "in strips": serial_chain(20),
     "one lane idle": star(3, 2, kind=SPHERICAL, floating=True),
     "without rotation": serial_chain(5, kind=PRISMATIC),
 }
@@ -44,7 +44,7 @@ def spoiler(model: Model, builder: Builder, shape: str, scalar: str) -> Solver:
         [
             *((robot, "kernels", "double") for robot in ROBOTS),
             *(("all kinds", shape, "float") for shape in SHAPES),
-            ("in segments", "kernels", "float"),
+            ("in strips", "kernels", "float"),
             ("without rotation", "unrolled", "double"),
         ],
         5,

@@ -79,7 +79,7 @@ ROBOTS: dict[str, tuple[Callable[[], Model], int, str, str]] = {
     "tree": (lambda: tree(20, False), 1, "double", "inward"),
     "tree, floating": (lambda: tree(20, True), 2, "double", "inward"),
     "lanes": (human_figure, 1, "double", "inward_group<"),
-    "segments": (lambda: serial_chain(64, axes="xyz"), 1, "double", "outward_in_segments<"),
+    "strips": (lambda: serial_chain(64, axes="xyz"), 1, "double", "outward_in_strips<"),
 }
 
 

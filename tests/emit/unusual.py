@@ -63,7 +63,7 @@ class Case:
 
 CASES = {
     "all kinds, two slaved": Case(lambda: anything(21, 10, 2), lambda m: by_chance(m, 3, 5, "ada")),
-    "the same in segments": Case(
+    "the same in strips": Case(
         lambda: anything(21, 10, 2), lambda m: by_chance(m, 3, 5, "segment")
     ),
     "meeting only in the ground": Case(forest, lambda m: by_chance(m, 4, 1, "ada"), magnified=10.0),

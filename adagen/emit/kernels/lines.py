@@ -26,8 +26,8 @@ from adagen.plan.types import Process
 from adagen.program import Links, Operation
 from adagen.program.names import PASSING, PREPARED
 from adagen.program.runs import Run, ends_of_run, links_of_run, spans
-from adagen.program.segments import split
 from adagen.program.slots import Slots
+from adagen.program.strips import split
 
 
 class KernelLines:
@@ -61,8 +61,8 @@ class KernelLines:
         self.parts: set[int] = set()  # links at which paths part outwards
         self.oriented: set[int] = set()  # joints whose quaternions are read
         self.columns: set[int] = set()  # links that are added to columns
-        self.segments = tuple(  # runs that are passed outwards in segments
-            op.block for op in operations if op.method == "segments" and isinstance(op.block, Run)
+        self.in_strips = tuple(  # runs that are passed outwards in strips
+            op.block for op in operations if op.method == "strips" and isinstance(op.block, Run)
         )
         self.traversed = {op.block for op in operations if op.method == "traversed"}
         self.along = {
@@ -157,9 +157,9 @@ class KernelLines:
         """Copy the angles of joints that turn, as many at once as lie side by side."""
         if not self.slots.plain:
             return [
-                f"take_angles{'_in_segments' * in_segments}<{run.first}, {run.last}>(w);"
+                f"take_angles{'_in_strips' * in_strips}<{run.first}, {run.last}>(w);"
                 for span in spans(joints)
-                for run, in_segments in split(Run(*span), self.slots.segments)
+                for run, in_strips in split(Run(*span), self.slots.in_strips)
             ]
         copies: list[tuple[int, int, int]] = []  # joint, place in q, count
         for j in joints:
@@ -192,8 +192,8 @@ class KernelLines:
         if operation.method == "traversed":
             call = f"outward_traversed<{block.first}, {block.last}>(w, starts_{block.first});"
             return [call + self._names(block)]
-        in_segments = "_in_segments" * (operation.method == "segments")
-        return [f"{verb}{in_segments}<{block.first}, {block.last}>(w);" + self._names(block)]
+        in_strips = "_in_strips" * (operation.method == "strips")
+        return [f"{verb}{in_strips}<{block.first}, {block.last}>(w);" + self._names(block)]
 
     _pass_kinematics = _kinematics
 
@@ -201,7 +201,7 @@ class KernelLines:
         (step,), run = operation.steps, operation.block
         assert isinstance(step, Traverse)
         assert isinstance(run, Run)
-        verb = "traverse" + "_in_segments" * (operation.method == "segments")
+        verb = "traverse" + "_in_strips" * (operation.method == "strips")
         own = self.words.passage(step.passage)
         found = f"const auto starts_{run.first} = " * (run in self.traversed)
         return [f"{found}{verb}<{run.first}, {run.last}>(w, {own});" + self._names(run)]

@@ -26,8 +26,8 @@ from adagen.plan.robot import PlanLink
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.turned import ENOUGH, Turned
 from adagen.plan.types import CERTIFICATE, Process
-from adagen.program.segments import LANES
 from adagen.program.slots import Slots
+from adagen.program.strips import LANES
 from adagen.program.turned import turned_in_loops
 
 
@@ -108,7 +108,7 @@ def values(words: Words) -> dict[str, object]:
             for j, lines in mobility.members(words).items()
         ],
         "turned": bool(turned.always or turned.if_lost),
-        "layout": _layout(words, turned, by_columns, along),
+        "loop_settings": _loop_settings(words, turned, by_columns, along),
         "inertias": [_inertia(words, link) for link in plan.links[1:]],
         "roles": [writer.roles() for writer in writers],
         "starts": [_starts(plan, process) for process in plan.processes] if plan.weighed else [],
@@ -116,14 +116,14 @@ def values(words: Words) -> dict[str, object]:
         "steps": lines[: len(plan.processes)],
         "recovery": lines[len(plan.processes) :],
         "tile": slots.tile,
-        "in_segments": bool(slots.segments),
+        "in_strips": bool(slots.in_strips),
         "quaternions": any(writer.oriented for writer in writers),
         "by_columns": by_columns,
         "limbs": [_limbs(words, slots, limbs) for limbs in slots.numbers],
     }
 
 
-def _layout(words: Words, turned: Turned, by_columns: bool, along: bool) -> list[str]:
+def _loop_settings(words: Words, turned: Turned, by_columns: bool, along: bool) -> list[str]:
     """What a solver's settings say of its loops: how they lie in memory, and what they do."""
     plan, slots = words.plan, words.program.slots
     block_kinds = _block_kinds(words)

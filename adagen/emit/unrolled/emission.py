@@ -9,8 +9,15 @@ from collections.abc import Sequence
 from adagen.emit import guards
 from adagen.emit.entries import entries_of, given_entries, ranges, read_joints
 from adagen.emit.processes import describe_message, message_size
+from adagen.emit.unrolled.arrangement import (
+    Arrangement,
+    Chunk,
+    Stretch,
+    arranged,
+    is_given,
+    looked_at,
+)
 from adagen.emit.unrolled.describe import describe_step
-from adagen.emit.unrolled.layout import Chunk, Layout, Stretch, is_given, laid_out, looked_at
 from adagen.emit.unrolled.results import Results, names_state
 from adagen.emit.unrolled.text import FUNCTIONS, TYPES, Text
 from adagen.emit.words import Words
@@ -70,7 +77,7 @@ def values(words: Words, chunk: int = 0) -> dict[str, object]:
         + ["unrolled_lane_functions.hpp"] * (functions and words.batch),
         "unrolled": texts[: len(plan.processes)],
         "recovery": texts[len(plan.processes) :],
-        "places": max((row.layout.places for row in rows), default=0),
+        "places": max((row.arrangement.places for row in rows), default=0),
         "angle_count": -(-angles // _ANGLES_AT_ONCE) * _ANGLES_AT_ONCE
         if sines_in_lanes
         else angles,
@@ -112,7 +119,7 @@ class _ProcessText:
         self.owner = p % len(words.plan.processes)  # processes come again for their recovery
         self.graph = simulated.machine.graph
         self.operations = simulated.operations
-        self.layout: Layout = laid_out(
+        self.arrangement: Arrangement = arranged(
             self.process, simulated, chunk, None if words.batch else words.costs
         )
         self.text = Text(self.graph, words.plan.scalar, self._only_users())
@@ -163,7 +170,7 @@ class _ProcessText:
                 names = f"{self.results.value(pivot.index)}, {self.text.name(least.index)}"
                 blamed = self._blamed(pivot, check.joint)
                 line = f"require_more(w, {names}, {check.failure}, {blamed});"
-                after = lines[(looked_at(check, self.layout.turns) or [pivot.index])[-1]]
+                after = lines[(looked_at(check, self.arrangement.turns) or [pivot.index])[-1]]
                 after.append(line)
                 if check.near and not self.words.batch:
                     name, near = self.text.name(pivot.index), f"Real({check.near!r})"
@@ -196,7 +203,7 @@ class _ProcessText:
         for place, stage in enumerate([*found, None]):
             if stage is not None and stage.message is None:
                 continue
-            lines += self._stretch(self.layout.stretches[place])
+            lines += self._stretch(self.arrangement.stretches[place])
             # What runs between two messages is one line: its time counts for its last stage.
             lines += [f"stamp({k + 1});" for k in range(first, place)]
             first = place + 1

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from adagen.emit.expressions import Printer
-from adagen.emit.unrolled.layout import is_given
+from adagen.emit.unrolled.arrangement import is_given
 from adagen.graph import Graph, Node
 
 _MOST = 6  # operands of one statement

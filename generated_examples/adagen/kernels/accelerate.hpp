@@ -14,7 +14,7 @@
 #include "factors.hpp"
 #include "kinds.hpp"
 #include "lanes.hpp"
-#include "layout.hpp"
+#include "loop_settings.hpp"
 #include "memory.hpp"
 #include "spherical.hpp"
 #include "weights.hpp"

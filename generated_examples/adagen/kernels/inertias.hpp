@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "blocks.hpp"
-#include "layout.hpp"
+#include "loop_settings.hpp"
 #include "tables.hpp"
 
 namespace {

@@ -7,7 +7,7 @@
 #include "../sample/robot.hpp"
 #include "../sizes.hpp"
 #include "blocks.hpp"
-#include "layout.hpp"
+#include "loop_settings.hpp"
 #include "tables.hpp"
 
 namespace {

@@ -20,7 +20,7 @@
 #include "algebra.hpp"
 #include "blocks.hpp"
 #include "lanes.hpp"
-#include "layout.hpp"
+#include "loop_settings.hpp"
 
 namespace {
 

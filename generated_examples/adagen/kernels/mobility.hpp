@@ -24,7 +24,7 @@
 #include "guards.hpp"
 #include "inward.hpp"
 #include "lanes.hpp"
-#include "layout.hpp"
+#include "loop_settings.hpp"
 #include "memory.hpp"
 #include "spherical.hpp"
 #include "turned.hpp"

@@ -4,5 +4,5 @@
 
 #include "../constants.hpp"
 #include "../far_angles.hpp"
-#include "plain_layout.hpp"
+#include "plain_loops.hpp"
 #include "tables.hpp"

@@ -9,7 +9,7 @@
 #include "../value.hpp"
 #include "algebra.hpp"
 #include "lanes.hpp"
-#include "layout.hpp"
+#include "loop_settings.hpp"
 #include "memory.hpp"
 #include "outward.hpp"
 #include "weights.hpp"

@@ -18,7 +18,7 @@
 #include "guards.hpp"
 #include "inward.hpp"
 #include "lanes.hpp"
-#include "layout.hpp"
+#include "loop_settings.hpp"
 #include "memory.hpp"
 #include "mobility.hpp"
 #include "spherical.hpp"

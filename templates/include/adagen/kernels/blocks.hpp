@@ -10,7 +10,7 @@
 #include "../value.hpp"
 #include "algebra.hpp"
 #include "lanes.hpp"
-#include "layout.hpp"
+#include "loop_settings.hpp"
 #include "tables.hpp"
 
 namespace {

@@ -11,7 +11,7 @@
 #include "groups.hpp"
 #include "kinds.hpp"
 #include "lanes.hpp"
-#include "layout.hpp"
+#include "loop_settings.hpp"
 #include "memory.hpp"
 #include "weights.hpp"
 

@@ -10,7 +10,7 @@
 #include "../status.hpp"
 #include "../value.hpp"
 #include "guards.hpp"
-#include "layout.hpp"
+#include "loop_settings.hpp"
 #include "memory.hpp"
 
 namespace {

@@ -17,7 +17,7 @@
 #include "inward.hpp"
 #include "kinds.hpp"
 #include "lanes.hpp"
-#include "layout.hpp"
+#include "loop_settings.hpp"
 #include "memory.hpp"
 #include "outward.hpp"
 #include "turned.hpp"

@@ -14,7 +14,7 @@
 #include "../value.hpp"
 #include "blocks.hpp"
 #include "lanes.hpp"
-#include "layout.hpp"
+#include "loop_settings.hpp"
 #include "memory.hpp"
 
 namespace {

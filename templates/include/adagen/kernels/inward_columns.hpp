@@ -18,7 +18,7 @@
 #include "inward.hpp"
 #include "kinds.hpp"
 #include "lanes.hpp"
-#include "layout.hpp"
+#include "loop_settings.hpp"
 #include "memory.hpp"
 #include "shuffles.hpp"
 #include "tables.hpp"

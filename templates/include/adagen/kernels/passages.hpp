@@ -14,7 +14,7 @@
 #include "algebra.hpp"
 #include "blocks.hpp"
 #include "kinds.hpp"
-#include "layout.hpp"
+#include "loop_settings.hpp"
 #include "memory.hpp"
 #include "outward.hpp"
 #include "passage.hpp"

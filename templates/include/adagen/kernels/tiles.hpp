@@ -13,16 +13,16 @@
 #include "columns.hpp"
 #include "inward.hpp"
 #include "inward_columns.hpp"
-#include "layout.hpp"
 #include "links.hpp"
+#include "loop_settings.hpp"
 #include "memory.hpp"
 #include "outward.hpp"
-#include "segments.hpp"
+#include "strips.hpp"
 
 namespace {
 
 // A run that is longer than what the second-level cache holds, tile by tile: the first pass finds
-// where the segments of each tile start from and keeps nothing else, the second one, from the last
+// where the strips of each tile start from and keeps nothing else, the second one, from the last
 // tile on, passes a tile outwards and sweeps it inwards. All tiles take the same blocks of memory
 // in turn.
 
@@ -46,12 +46,12 @@ struct Tiles {
 // Angles and turns of a tile.
 template <int first, int last>
 ADAGEN_NOINLINE void turn_tile(Workspace& w, int beyond) {
-  using Run = Segments<first, last>;
-  take_angles_in_segments<first, last>(w, beyond);
+  using Run = Strips<first, last>;
+  take_angles_in_strips<first, last>(w, beyond);
   turn<Run::kPlace, Run::kPlace + Run::kRows>(w, Run::kBlock - Run::kPlace + beyond / kPerBlock);
 }
 
-// How the links move that the segments of each tile start from.
+// How the links move that the strips of each tile start from.
 template <int first, int last>
 using Starts = std::array<Frame<Lanes>, Tiles<first, last>::kCount>;
 
@@ -62,18 +62,17 @@ ADAGEN_NOINLINE void pass_tiles(Workspace& w, Starts<first, last>& starts) {
   for (int tile = 0; tile < All::kCount; ++tile)
     All::at(tile, [&](auto begin, auto end, int beyond) ADAGEN_ALWAYS {
       turn_tile<begin, end>(w, beyond);
-      starts[static_cast<std::size_t>(tile)] =
-          starts_of_segments<Segments<begin, end>>(w, beyond, at);
+      starts[static_cast<std::size_t>(tile)] = starts_of_strips<Strips<begin, end>>(w, beyond, at);
     });
 }
 
 // Outwards along a tile, and its links.
 template <int first, int last>
 ADAGEN_NOINLINE void outward_tile(Workspace& w, int beyond, const Frame<Lanes>& starts) {
-  using Run = Segments<first, last>;
+  using Run = Strips<first, last>;
   constexpr int begin = Run::kPlace, end = begin + Run::kRows;
   const int before = Run::kBlock - Run::kPlace + beyond / kPerBlock;
-  along_segments<Run>(w, beyond, starts);
+  along_strips<Run>(w, beyond, starts);
   set_up_links<begin, end>(w, before);
   if constexpr (kInColumns) set_up_columns<begin, end>(w, before);
 }

@@ -11,8 +11,8 @@
 #include "blocks.hpp"
 #include "guards.hpp"
 #include "lanes.hpp"
-#include "layout.hpp"
 #include "links.hpp"
+#include "loop_settings.hpp"
 #include "memory.hpp"
 #include "tables.hpp"
 

@@ -8,9 +8,9 @@
 namespace {
 
 template <int joints>
-struct PlainLayout : PlainSettings {
+struct PlainLoops : PlainSettings {
   // Memory slot of each joint and its child link, where they are reordered: limbs that share lanes,
-  // and segments of long runs, are interleaved.
+  // and strips of long runs, are interleaved.
   [[maybe_unused]] static constexpr int kSlotCount = joints;
   [[maybe_unused]] static constexpr bool kReordered = false;
   [[maybe_unused]] static constexpr int kSlots[joints]{};

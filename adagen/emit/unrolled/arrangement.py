@@ -47,7 +47,7 @@ class Stretch:
 
 
 @dataclass(frozen=True)
-class Layout:
+class Arrangement:
     """A process's work: before each stage that is a message, and at the end, a stretch.
 
     Attributes:
@@ -61,10 +61,10 @@ class Layout:
     turns: dict[int, int]
 
 
-def laid_out(
+def arranged(
     process: Process, simulated: Simulated, longest: int, costs: StepCosts | None
-) -> Layout:
-    """Return the layout of a process.
+) -> Arrangement:
+    """Return the arrangement of a process.
 
     Args:
         process: the process.
@@ -101,7 +101,7 @@ def laid_out(
     chunks = [chunk for stretch in stretches.values() for chunk in stretch.chunks]
     computed = (index for chunk in chunks for index in chunk.values)
     turns = {index: turn for turn, index in enumerate(computed)}
-    return Layout(stretches, _assign_places(machine, chunks, turns), turns)
+    return Arrangement(stretches, _assign_places(machine, chunks, turns), turns)
 
 
 def is_given(node: Node) -> bool:

@@ -1,6 +1,6 @@
-"""Long runs that are passed outwards in segments, one in each lane of the widest registers.
+"""Long runs that are passed outwards in strips, one in each lane of the widest registers.
 
-See templates/include/adagen/kernels/segments.hpp.
+See templates/include/adagen/kernels/strips.hpp.
 """
 
 from __future__ import annotations
@@ -19,18 +19,18 @@ LANES = {"double": 8, "float": 16}
 """Numbers in the widest registers."""
 
 KINDS = frozenset({"revolute", "spherical"})
-"""Kinds of joints that are passed in segments."""
+"""Kinds of joints that are passed in strips."""
 
-_FEWEST_ROWS = 2  # in which segments are passed: one after the other is no segment
+_FEWEST_ROWS = 2  # in which strips are passed: one after the other is no strip
 
 
-def segments_of(plan: Plan, limbs: Sequence[Sequence[Limbs]], costs: StepCosts) -> list[Run]:
-    """Return the runs that every process that passes them outwards passes in segments.
+def runs_in_strips(plan: Plan, limbs: Sequence[Sequence[Limbs]], costs: StepCosts) -> list[Run]:
+    """Return the runs that every process that passes them outwards passes in strips.
 
     Args:
         plan: what is carried out.
         limbs: those that each process takes side by side; their joints are left out.
-        costs: what joints take in segments and one by one.
+        costs: what joints take in strips and one by one.
     """
     taken = {j for own in limbs for each in own for j in each.members()}
     passed = [run for p, own in enumerate(limbs) for run in _outward(plan, p, own)]
@@ -45,29 +45,29 @@ def segments_of(plan: Plan, limbs: Sequence[Sequence[Limbs]], costs: StepCosts) 
         (
             run
             for run in pieces
-            if pays_segments(plan.joints, run, plan.scalar, costs)
+            if pays_strips(plan.joints, run, plan.scalar, costs)
             and taken.isdisjoint(range(run.first, run.last + 1))
         ),
         key=lambda run: run.first,
     )
 
 
-def fits_segments(joints: Sequence[PlanJoint], run: Run, scalar: str) -> bool:
+def fits_strips(joints: Sequence[PlanJoint], run: Run, scalar: str) -> bool:
     """Whether a run is of kinds that all lanes can take at once, and long enough for them."""
     kinds = {joint.kind for joint in joints[run.first : run.last + 1]}
     return run.length >= _FEWEST_ROWS * LANES[scalar] and kinds <= KINDS
 
 
-def pays_segments(joints: Sequence[PlanJoint], run: Run, scalar: str, costs: StepCosts) -> bool:
-    """Whether a run takes less in segments than joint by joint."""
-    if not fits_segments(joints, run, scalar):
+def pays_strips(joints: Sequence[PlanJoint], run: Run, scalar: str, costs: StepCosts) -> bool:
+    """Whether a run takes less in strips than joint by joint."""
+    if not fits_strips(joints, run, scalar):
         return False
     kinds = [joint.kind for joint in joints[run.first : run.last + 1]]
-    alone, segments = (
+    alone, strips = (
         sum(costs[f"{group}.{kind}"] for kind in kinds) + costs[f"{group}.run"]
-        for group in ("kinematics", "kinematics_segments")
+        for group in ("kinematics", "kinematics_strips")
     )
-    return segments < alone
+    return strips < alone
 
 
 def _outward(plan: Plan, p: int, limbs: Sequence[Limbs]) -> Iterator[Run]:
@@ -88,20 +88,20 @@ def _traversed(plan: Plan) -> set[tuple[int, int]]:
 
 
 def slots_of(run: Run, lanes: int) -> list[int]:
-    """Return where the joints of a run lie, from its first slot on: rows of segments' k-th joints.
+    """Return where the joints of a run lie, from its first slot on: rows of strips' k-th joints.
 
-    The last segments may be a joint shorter than the first.
+    The last strips may be a joint shorter than the first.
     """
     rows = -(-run.length // lanes)
     longer = run.length - (rows - 1) * lanes
     return [row * lanes + lane for lane in range(lanes) for row in range(rows - (lane >= longer))]
 
 
-def split(run: Run, segments: Iterable[Run]) -> list[tuple[Run, bool]]:
-    """Part a run into those that are passed in segments, and the rest."""
+def split(run: Run, in_strips: Iterable[Run]) -> list[tuple[Run, bool]]:
+    """Part a run into those that are passed in strips, and the rest."""
     found: list[tuple[Run, bool]] = []
     next_ = run.first
-    for own in segments:
+    for own in in_strips:
         if not (next_ <= own.first and own.last <= run.last):
             continue
         if own.first > next_:

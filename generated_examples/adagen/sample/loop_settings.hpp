@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "../kernels/plain_layout.hpp"
+#include "../kernels/plain_loops.hpp"
 #include "../kernels/tables.hpp"
 #include "../sizes.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array<LinkInertia, kJointCount> kInertias{};
 
-struct Layout : PlainLayout<kJointCount> {
+struct LoopSettings : PlainLoops<kJointCount> {
   static constexpr int kTile = 16;
   static constexpr bool kInLanes = true, kByColumns = true;
   static constexpr int kBlockKindCount = 1;  // other lengths than each other, as in solvers

@@ -13,8 +13,8 @@
 #include "blocks.hpp"
 #include "columns.hpp"
 #include "lanes.hpp"
-#include "layout.hpp"
 #include "links.hpp"
+#include "loop_settings.hpp"
 #include "memory.hpp"
 #include "outward.hpp"
 #include "passage.hpp"
@@ -23,24 +23,24 @@
 
 namespace {
 
-// Outwards along a long run, cut into as many segments as a register has lanes: each lane passes
-// its own. Where a segment starts from is a product of the rotations before it, and sums of what
+// Outwards along a long run, cut into as many strips as a register has lanes: each lane passes
+// its own. Where a strip starts from is a product of the rotations before it, and sums of what
 // the joints before it add to velocities and accelerations.
 
 // Joints first .. last, or as many of a tile that lies beyond them by some joints, so many slots
-// behind (tiles.hpp). The k-th joints of all segments are a row; their slots follow each other.
-// The last segments may be a joint shorter: the slots that they leave empty do not turn.
+// behind (tiles.hpp). The k-th joints of all strips are a row; their slots follow each other.
+// The last strips may be a joint shorter: the slots that they leave empty do not turn.
 template <int first, int last>
-struct Segments {
+struct Strips {
   static constexpr int kCount = last - first + 1;
   static constexpr int kRows = (kCount + kPerBlock - 1) / kPerBlock;
-  static constexpr int kLonger = kCount - (kRows - 1) * kPerBlock;  // segments of kRows joints
+  static constexpr int kLonger = kCount - (kRows - 1) * kPerBlock;  // strips of kRows joints
   static constexpr int kBlock = slot_of(first) / kPerBlock;
   static constexpr int kPlace = kBlock % kWindow;  // in memory
   static constexpr const JointConstants& kFirst = kJoints[first];
 
   static constexpr bool filled(int lane, int row) { return row + 1 < kRows || lane < kLonger; }
-  // The joint of a segment in a row, or the segment's last where the row is not filled.
+  // The joint of a strip in a row, or the strip's last where the row is not filled.
   static constexpr int joint(int lane, int row) {
     return first + lane * kRows - (lane > kLonger ? lane - kLonger : 0) +
            (filled(lane, row) ? row : row - 1);
@@ -139,9 +139,9 @@ ADAGEN_INLINE auto* row_at(Memory& w, int row, Entry entry) {
   return w.blocks[static_cast<std::size_t>(Run::kPlace + row)].entries[entry];
 }
 
-// How the last link of each segment lies and moves relative to the segment's start.
+// How the last link of each strip lies and moves relative to the strip's start.
 template <class Run>
-ADAGEN_INLINE Passage<Lanes> through_segments(Workspace& w, int beyond) {
+ADAGEN_INLINE Passage<Lanes> through_strips(Workspace& w, int beyond) {
   const Vector<Lanes> first = origins_of(Run::row(0, beyond));
   Passage<Lanes> at{matrix_at<Lanes>(row_at<Run>(w, 0, kTurn)), {}, {}, first, {}, {}};
   at.omega = spins<Run>(w, 0, beyond, at.R);
@@ -158,7 +158,7 @@ ADAGEN_INLINE Passage<Lanes> through_segments(Workspace& w, int beyond) {
   return at;
 }
 
-// A run's passage: that of each segment's start, and of all.
+// A run's passage: that of each strip's start, and of all.
 struct Passages {
   Passage<Lanes> starts;
   Passage<Value> all;
@@ -167,8 +167,8 @@ struct Passages {
 // Places and velocities are as seen from the run's start. Seen from a start that turns, what moves
 // there has the acceleration of Coriolis besides, 2 omega x v, and its spin omega x its own.
 template <class Run>
-ADAGEN_INLINE Passages passages_of_segments(Workspace& w, int beyond, const Frame<Value>& at) {
-  const Passage<Lanes> own = through_segments<Run>(w, beyond);
+ADAGEN_INLINE Passages passages_of_strips(Workspace& w, int beyond, const Frame<Value>& at) {
+  const Passage<Lanes> own = through_strips<Run>(w, beyond);
   Passages found{{}, {at.R, at.omega, at.alpha, {}, {}, at.a}};
   auto& [starts, all] = found;
   starts.R = products_before(own.R, all.R);
@@ -184,17 +184,17 @@ ADAGEN_INLINE Passages passages_of_segments(Workspace& w, int beyond, const Fram
   return found;
 }
 
-// How the segments' starts lie and move; what `at` says of the run's start becomes that of its end.
+// How the strips' starts lie and move; what `at` says of the run's start becomes that of its end.
 template <class Run>
-ADAGEN_INLINE Frame<Lanes> starts_of_segments(Workspace& w, int beyond, Frame<Value>& at) {
-  const auto [starts, all] = passages_of_segments<Run>(w, beyond, at);
+ADAGEN_INLINE Frame<Lanes> starts_of_strips(Workspace& w, int beyond, Frame<Value>& at) {
+  const auto [starts, all] = passages_of_strips<Run>(w, beyond, at);
   at = {all.R, all.omega, all.alpha, all.a};
   return {starts.R, starts.omega, starts.alpha, starts.a};
 }
 
-// What the links' frames need, left in their blocks, from how the segments' starts lie and move.
+// What the links' frames need, left in their blocks, from how the strips' starts lie and move.
 template <class Run>
-ADAGEN_INLINE void along_segments(Workspace& w, int beyond, const Frame<Lanes>& starts) {
+ADAGEN_INLINE void along_strips(Workspace& w, int beyond, const Frame<Lanes>& starts) {
   auto [R, omega, alpha, a] = starts;
   for (int row = 0; row < Run::kRows; ++row) {
     const Vector<Lanes> r = R * origins_of(Run::row(row, beyond));
@@ -211,51 +211,51 @@ ADAGEN_INLINE void along_segments(Workspace& w, int beyond, const Frame<Lanes>& 
   }
 }
 
-// The same, where the segments' starts are known as seen from the run's.
+// The same, where the strips' starts are known as seen from the run's.
 template <class Run>
 ADAGEN_INLINE void along_traversed(Workspace& w, const Passage<Lanes>& starts,
                                    const Frame<Value>& at) {
   const Matrix<Lanes> base{in_all_lanes(at.R.x), in_all_lanes(at.R.y), in_all_lanes(at.R.z)};
   const Vector<Lanes> turning = in_all_lanes(at.omega), spin = base * starts.omega;
   const Vector<Lanes> p = base * starts.p, v = base * starts.v;
-  along_segments<Run>(w, 0,
-                      {base * starts.R, turning + spin,
-                       in_all_lanes(at.alpha) + base * starts.alpha + cross(turning, spin),
-                       in_all_lanes(at.a) + base * starts.a + cross(in_all_lanes(at.alpha), p) +
-                           cross(turning, cross(turning, p) + (v + v))});
+  along_strips<Run>(w, 0,
+                    {base * starts.R, turning + spin,
+                     in_all_lanes(at.alpha) + base * starts.alpha + cross(turning, spin),
+                     in_all_lanes(at.a) + base * starts.a + cross(in_all_lanes(at.alpha), p) +
+                         cross(turning, cross(turning, p) + (v + v))});
 }
 
 // See outward and pass_outward in outward.hpp, and take_angles in links.hpp. Functions of their
 // own: as part of a large one, gcc 12 spills what is carried along.
 template <int first, int last>
-ADAGEN_NOINLINE void outward_in_segments(Workspace& w) {
-  using Run = Segments<first, last>;
+ADAGEN_NOINLINE void outward_in_strips(Workspace& w) {
+  using Run = Strips<first, last>;
   Frame<Value> at = frame_near<first>(w);
-  along_segments<Run>(w, 0, starts_of_segments<Run>(w, 0, at));
+  along_strips<Run>(w, 0, starts_of_strips<Run>(w, 0, at));
 }
 template <int first, int last>
-ADAGEN_NOINLINE void pass_outward_in_segments(Workspace& w) {
+ADAGEN_NOINLINE void pass_outward_in_strips(Workspace& w) {
   Frame<Value> at = frame_near<first>(w);
-  starts_of_segments<Segments<first, last>>(w, 0, at);
+  starts_of_strips<Strips<first, last>>(w, 0, at);
   keep(w, slot_of(last), at);
 }
 // The same as seen from the link that they hang on, were that at rest, and then for the links
 // themselves as that moves.
 template <int first, int last>
-ADAGEN_NOINLINE Passage<Lanes> traverse_in_segments(Workspace& w, Passage<Value>& own) {
+ADAGEN_NOINLINE Passage<Lanes> traverse_in_strips(Workspace& w, Passage<Value>& own) {
   const Value one = Value{} + 1, none{};
   const Frame<Value> still{{{one, none, none}, {none, one, none}, {none, none, one}}, {}, {}, {}};
-  const Passages found = passages_of_segments<Segments<first, last>>(w, 0, still);
+  const Passages found = passages_of_strips<Strips<first, last>>(w, 0, still);
   own = found.all;
   return found.starts;
 }
 template <int first, int last>
 ADAGEN_NOINLINE void outward_traversed(Workspace& w, const Passage<Lanes>& starts) {
-  along_traversed<Segments<first, last>>(w, starts, frame_near<first>(w));
+  along_traversed<Strips<first, last>>(w, starts, frame_near<first>(w));
 }
 template <int first, int last>
-void take_angles_in_segments(Workspace& w, int beyond = 0) {
-  using Run = Segments<first, last>;
+void take_angles_in_strips(Workspace& w, int beyond = 0) {
+  using Run = Strips<first, last>;
   if constexpr (!Run::kAnglesInOrder) return take_angles<first, last>(w);
   const Value* const q = w.q + beyond;
   for (int row = 0; row < Run::kRows; ++row) {
