@@ -8,7 +8,6 @@ Robots of adagen's test environment (example-robot-data) that are not there are 
 from __future__ import annotations
 
 import argparse
-import gc
 import random
 import sys
 import sysconfig
@@ -18,9 +17,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from adagen.cli.main import ALLOCATIONS
 from adagen.emit.predicted import predict
 from adagen.emit.shapes import chosen_shape
+from adagen.garbage import seldom_collected
 from adagen.model import Model
 from adagen.paper.restricted import joined_between_processes
 from adagen.plan import make_plan
@@ -281,12 +280,12 @@ def main(words: Sequence[str]) -> int:
     names = parser.parse_args(words).tables or list(TABLES)
     if unknown := set(names) - set(TABLES):
         parser.error(f"no table {', '.join(sorted(unknown))}; there are {', '.join(TABLES)}")
-    gc.set_threshold(ALLOCATIONS)  # as the command line has it
     for name in names:
         rows = []
-        for row in TABLES[name]():
-            rows.append(row)
-            print(row, flush=True)
+        with seldom_collected():  # as the command line does it
+            for row in TABLES[name]():
+                rows.append(row)
+                print(row, flush=True)
         PAGE.write_text(page(name, rows), encoding="utf-8")
     return 0
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import difflib
-import gc
 import os
 import re
 import signal
@@ -17,6 +16,7 @@ from types import FrameType
 
 from adagen.cli.console import say, start
 from adagen.errors import AdagenError, UsageError, printable
+from adagen.garbage import seldom_collected
 
 VERBS = (
     *("info", "schedule", "solve", "verify", "calibrate", "env", "bench", "stability", "chart"),
@@ -27,10 +27,6 @@ EMITTING = ("build", "compile", "emit", "generate", "make")
 
 INTERNAL = 3
 INTERRUPTED = 130
-
-ALLOCATIONS = 200_000
-"""Objects after which Python looks for cycles: expressions have none and live until they are
-emitted, so that to look through them again and again takes a fifth of the time."""
 
 ALONE = "OPENBLAS_NUM_THREADS"
 """Matrices are small here, and numpy's threads wait longer for each other than they compute."""
@@ -47,10 +43,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     words = list(sys.argv[1:] if argv is None else argv)
     _end_by_exception()
     start(quiet=not {"-q", "--quiet"}.isdisjoint(takewhile("--".__ne__, words)))
-    gc.set_threshold(ALLOCATIONS)
     os.environ.setdefault(ALONE, "1")  # numpy, which is imported later, reads it
     try:
-        return _status(words)
+        with seldom_collected():
+            return _status(words)
     finally:
         start(quiet=False)
 

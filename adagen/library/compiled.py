@@ -14,6 +14,7 @@ from adagen.drawing import draw
 from adagen.emit import emit, program_of
 from adagen.emit.runtime import FOLDER
 from adagen.errors import InputError, UsageError
+from adagen.garbage import seldom_collected
 from adagen.library.command import command_of, refuse_another, with_command
 from adagen.library.inputs import Input, head_lines, inputs_of, with_inputs
 from adagen.library.request import Request
@@ -178,7 +179,8 @@ def compile(robot: Robot, procs: int = 1, **asked: Any) -> Compiled:  # noqa: A0
         request = Request(procs=procs, **asked)
     except TypeError as error:
         raise UsageError(f"compile: {error}".replace("Request.__init__() ", "")) from None
-    return compiled(robot, request)
+    with seldom_collected():
+        return compiled(robot, request)
 
 
 def compiled(robot: Robot, request: Request) -> Compiled:
