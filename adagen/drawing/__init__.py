@@ -24,9 +24,7 @@ def draw(
         name: the robot's name.
     """
     if profile.steps is None:
-        several = "es" if schedule.processes > 1 else ""
-        title = f"{name}, {schedule.processes} process{several}"
-        return schedule_svg(schedule, topology, title)
+        return schedule_svg(schedule, topology, name)
     line = None if program.batch else timeline(program, profile)
     return program_svg(program, line, schedule, topology, name, _said(program, profile))
 

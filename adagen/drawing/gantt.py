@@ -1,17 +1,18 @@
-"""A timeline as rows of a chart: one for each process, its operations in time, its messages."""
+"""A timeline as rows of a chart: one for each process, its work in time, its messages."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable
+from dataclasses import dataclass
 
 from adagen.cost import Interval, Timeline
-from adagen.drawing.svg import INK, MUTED, Canvas, colour, shorten, text_width, time_axis
+from adagen.drawing.svg import INK, MARGIN, MUTED, SIZE, Canvas, colour, text_width, time_axis
+from adagen.errors import printable
 
 HEIGHT = 26.0
 """Of a process's row, pixels."""
-SIZE = 11.0
 MOST_ROWS = 64
-WAIT = "#e4e4e4"
+_WAIT = "#e4e4e4"
 _LEGEND = (
     ("call", 50.0),
     ("kinematics", 90.0),
@@ -21,21 +22,37 @@ _LEGEND = (
     ("waiting", 70.0),
 )
 
-Names = Mapping[tuple[int, int], tuple[str, int]]
-"""What an operation is called, and its SIMD lanes, by its process and place there."""
+
+@dataclass(frozen=True)
+class Caption:
+    """What a bar says.
+
+    Attributes:
+        note: under a pointer, before its times.
+        short: inside, the first that fits as a whole.
+        lanes: SIMD lanes; limbs in several are drawn as stripes.
+    """
+
+    note: str
+    short: tuple[str, ...] = ()
+    lanes: int = 1
 
 
-def legend(canvas: Canvas, x: float, y: float) -> None:
-    """Draw what bars mean, from a place rightwards."""
+Captions = Callable[[Interval], Caption]
+
+
+def legend(canvas: Canvas, y: float) -> None:
+    """Draw what bars mean, from the left margin rightwards."""
+    x = MARGIN
     for what, width in _LEGEND:
-        bar(canvas, "send" if what == "message" else what, 0, x, y - 9, 16, 11)
+        _bar(canvas, "send" if what == "message" else what, 0, x, y - 9, 16, 11)
         canvas.text(x + 21, y, what, 10, fill=MUTED)
         x += 21 + width
-    bar(canvas, "assembly", 0, x, y - 9, 16, 11, lanes=4)
+    _bar(canvas, "assembly", 0, x, y - 9, 16, 11, lanes=4)
     canvas.text(x + 21, y, "limbs in SIMD lanes", 10, fill=MUTED)
 
 
-def bar(
+def _bar(
     canvas: Canvas,
     what: str,
     process: int,
@@ -48,7 +65,7 @@ def bar(
 ) -> None:
     """Draw what a process does for a while; limbs in SIMD lanes as stripes."""
     if what in ("wait", "waiting"):
-        canvas.rect(x, y, width, height, WAIT, note=note)
+        canvas.rect(x, y, width, height, _WAIT, note=note)
         return
     if what == "call":
         canvas.rect(x, y, width, height, "#ffffff", stroke=colour(process)[0], note=note)
@@ -66,31 +83,32 @@ def bar(
         canvas.path([(x, level), (x + width, level)], "#ffffff")
 
 
-def process_rows(
-    canvas: Canvas, line: Timeline, names: Names, left: float, top: float, width: float
+def chart(
+    canvas: Canvas, line: Timeline, captions: Captions, top: float, width: float, end: float = 0.0
 ) -> float:
     """Draw a timeline over the whole width; return where the next part begins.
 
     Args:
         canvas: to draw on.
-        line: the timeline; its end is the right end of the chart.
-        names: what operations are called.
-        left: margin on both sides, pixels.
-        top: where the first row begins.
+        line: the timeline.
+        captions: what its bars say.
+        top: where the first row begins, pixels.
         width: of the whole picture.
+        end: of the axis of time, microseconds, if that is later than the timeline's.
     """
+    end = max(end, line.makespan, 1e-9)
     rows = sorted({i.process for i in line.intervals})[:MOST_ROWS]
-    start = left + 100
-    scale = (width - left - start - 70) / max(line.makespan, 1e-9)
+    start = MARGIN + 100
+    scale = (width - MARGIN - start - 70) / end
     place = {p: top + k * HEIGHT for k, p in enumerate(rows)}
     for p in rows:
-        canvas.rect(left, place[p] + 6, 12, 12, colour(p)[0])
-        canvas.text(left + 18, place[p] + 16, f"process {p}", SIZE)
+        canvas.rect(MARGIN, place[p] + 6, 12, 12, colour(p)[0])
+        canvas.text(MARGIN + 18, place[p] + 16, f"process {p}", SIZE)
         share = f"{100 * line.busy(p) / line.makespan:.0f} % busy"
-        canvas.text(start + line.makespan * scale + 8, place[p] + 16, share, 10, fill=MUTED)
+        canvas.text(start + end * scale + 8, place[p] + 16, share, 10, fill=MUTED)
     for interval in (*line.calls, *line.intervals):
         if interval.process in place:
-            _interval(canvas, interval, names, start, place[interval.process], scale)
+            _interval(canvas, interval, captions, start, place[interval.process], scale)
     for e in line.exchanges:
         if e.sender in place and e.receiver in place:
             down = place[e.receiver] > place[e.sender]
@@ -98,21 +116,19 @@ def process_rows(
             canvas.path([(start + e.sent * scale, y), (start + e.used * scale, y2)], INK)
             canvas.circle(start + e.used * scale, y2, 2, INK)
     bottom = top + HEIGHT * len(rows) + 4
-    time_axis(canvas, line.makespan, start, scale, bottom)
+    time_axis(canvas, end, start, scale, bottom)
     return bottom + 56
 
 
 def _interval(
-    canvas: Canvas, i: Interval, names: Names, start: float, top: float, scale: float
+    canvas: Canvas, i: Interval, captions: Captions, start: float, top: float, scale: float
 ) -> None:
-    place = -1 if i.operation is None else i.operation
-    name, lanes = names.get((i.process, place), (i.what, 1))
-    note = f"{name}: {i.start:.3f} to {i.end:.3f} µs"
+    caption = captions(i)
+    note = f"{caption.note}: {i.start:.3f} to {i.end:.3f} µs"
     x, width = start + i.start * scale, (i.end - i.start) * scale
-    bar(canvas, i.what, i.process, x, top + 2, width, HEIGHT - 4, note, lanes)
-    if i.what not in ("assembly", "disassembly") or lanes > 1:
+    _bar(canvas, i.what, i.process, x, top + 2, width, HEIGHT - 4, note, caption.lanes)
+    if i.what not in ("assembly", "disassembly") or caption.lanes > 1:
         return
-    short = shorten(name.partition(" ")[2] or name, width - 4, 9)
-    if short and not short.endswith("…") and text_width(short, 9) <= width - 4:
-        ink = colour(i.process)[1]
-        canvas.text(x + width / 2, top + 13, short, 9, fill=ink, anchor="middle")
+    fitting = (text for text in caption.short if text_width(printable(text), 9) <= width - 4)
+    if short := next(fitting, ""):
+        canvas.text(x + width / 2, top + 13, short, 9, fill=colour(i.process)[1], anchor="middle")

@@ -2,32 +2,19 @@
 
 from __future__ import annotations
 
-from adagen.cost import Timeline
-from adagen.drawing.gantt import legend, process_rows
-from adagen.drawing.outline import Row, outline, robot_rows, schedule_rows
-from adagen.drawing.svg import MUTED, Canvas, shorten
-from adagen.drawing.tree import (
-    MARGIN,
-    NAME,
-    ROW,
-    SIZE,
-    Label,
-    captioned,
-    draw_outline,
-    outline_width,
-    robot_label,
-    tree_label,
-)
+from adagen.cost import Interval, Timeline
+from adagen.drawing.gantt import Caption, Captions
+from adagen.drawing.outline import Row, outline
+from adagen.drawing.page import NAME, Outline, page, robot_outline
+from adagen.drawing.svg import SIZE, shorten
+from adagen.drawing.tree import tree_outline
 from adagen.plan.edges import edges_from, joints_at
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Receive, Send
 from adagen.program import Operation, Program
 from adagen.program.runs import Run
 from adagen.program.summary import TREES, gathering, lanes, meeting, title
-from adagen.schedule import Schedule, Topology, preorder
-
-LEAST_WIDTH, MOST_WIDTH = 960.0, 1920.0
-_PER_OPERATION = 26.0  # pixels of the chart's width for each operation of the busiest process
+from adagen.schedule import Schedule, Topology
 
 
 def program_svg(
@@ -54,73 +41,32 @@ def program_svg(
     Returns:
         An SVG document that needs no other resource; the same bytes for the same arguments.
     """
-    canvas = Canvas()
-    joined = meeting(program) in TREES
     owner = {j: p for p, process in enumerate(program.plan.processes) for j in process.owns}
-    right = captioned(robot_rows(topology), robot_label(topology))
-    if joined:
-        nodes = {node.joint: node for node in preorder(schedule.root)}
-        left = captioned(schedule_rows(schedule, topology), tree_label(nodes, topology))
-        process_of = {joint: node.processes[0] for joint, node in nodes.items()}
-    else:
-        left = captioned(swept_rows(program), _swept_label(program, topology))
-        process_of = owner
-    middle = MARGIN + outline_width(left) + 2 * MARGIN
-    width = max(middle + outline_width(right) + MARGIN, _chart(program))
-    middle = max(middle, width / 2)
-    canvas.text(MARGIN, 34, shorten(name, width - 2 * MARGIN, 18), 18, bold=True)
-    canvas.text(MARGIN, 54, shorten(f"{title(program)}: {caption}", width - 2 * MARGIN, SIZE), SIZE)
-    bottom = 90.0
-    if line is not None:
-        canvas.text(MARGIN, 84, "Predicted time", 13, bold=True)
-        legend(canvas, MARGIN, 102)
-        bottom = process_rows(canvas, line, _names(program), MARGIN, 112, width)
-    heading, note = _headings(program)
-    canvas.text(MARGIN, bottom, heading, 13, bold=True)
-    canvas.text(middle, bottom, "Robot", 13, bold=True)
-    canvas.text(MARGIN, bottom + 15, note, 10, fill=MUTED)
-    owned = "joint under joint, in its owner's colour; joint number"
-    canvas.text(middle, bottom + 15, owned, 10, fill=MUTED)
-    bottom += 34
-    draw_outline(canvas, left, process_of, MARGIN, bottom)
-    draw_outline(canvas, right, owner, middle, bottom)
-    return canvas.document(width, bottom + ROW * max(len(left), len(right)) + MARGIN, name)
+    joined = meeting(program) in TREES
+    left = tree_outline(schedule, topology) if joined else _swept(program, topology, owner)
+    return page(
+        name,
+        f"{title(program)}: {caption}",
+        line,
+        _captions(program),
+        max(len(process.operations) for process in program.processes),
+        left,
+        robot_outline(topology, owner, "its owner's colour"),
+    )
 
 
-def _headings(program: Program) -> tuple[str, str]:
-    """The heading of the left outline, and what its rows say."""
-    match meeting(program):
-        case "joined" | "exchanged":
-            return (
-                "Schedule tree",
-                "assembled from below, in the circle: process; then joint number, boundary joints "
-                "k, cost",
-            )
-        case "gathered":
-            links = [program.plan.links[k].name or "the ground" for k in gathering(program).roots]
-            where = f"from {', '.join(links)} outwards"
-        case "alone":
-            where = "from the ground outwards"
-    return "How it is swept", f"{where}; in the circle: owner; then joint number, method"
+def _captions(program: Program) -> Captions:
+    """What the bars of operations say: what each does, and to which joints or links."""
 
+    def caption(i: Interval) -> Caption:
+        if i.operation is None:
+            return Caption(i.what)
+        operation = program.processes[i.process].operations[i.operation]
+        name = operation_name(program, operation)
+        lanes = operation.block.lanes if isinstance(operation.block, Limbs) else 1
+        return Caption(name, (name.partition(" ")[2] or name,), lanes)
 
-def _chart(program: Program) -> float:
-    """The width at which most bars of the busiest process can be distinguished."""
-    busiest = max(len(process.operations) for process in program.processes)
-    return min(max(LEAST_WIDTH, 240 + busiest * _PER_OPERATION), MOST_WIDTH)
-
-
-def _names(program: Program) -> dict[tuple[int, int], tuple[str, int]]:
-    """What each operation is called, and its SIMD lanes, by its process and place there."""
-    return {
-        (p, place): (operation_name(program, operation), _lanes(operation))
-        for p, process in enumerate(program.processes)
-        for place, operation in enumerate(process.operations)
-    }
-
-
-def _lanes(operation: Operation) -> int:
-    return operation.block.lanes if isinstance(operation.block, Limbs) else 1
+    return caption
 
 
 def operation_name(program: Program, operation: Operation) -> str:
@@ -190,17 +136,21 @@ def swept_rows(program: Program) -> list[Row]:
     return outline(first, lambda joint: below.get(joint, []), lambda _: False, sizes)
 
 
-def _swept_label(program: Program, topology: Topology) -> Label:
-    how = _methods(program)
-    core = set(gathering(program).core)
-
-    def label(row: Row) -> tuple[str, str]:
+def _swept(program: Program, topology: Topology, owner: dict[int, int]) -> Outline:
+    """The robot as it is swept: names, and joint number and method."""
+    where = "from the ground outwards"
+    if meeting(program) == "gathered":
+        links = [program.plan.links[k].name or "the ground" for k in gathering(program).roots]
+        where = f"from {', '.join(links)} outwards"
+    how, core = _methods(program), set(gathering(program).core)
+    rows = []
+    for row in swept_rows(program):
         parts = ["core, swept by every process"] if row.joint in core else []
         parts += [how[row.joint]] if row.joint in how else []
         note = f"{row.joint}: {', '.join(parts)}" if parts else f"{row.joint}"
-        return shorten(topology.names[row.joint], NAME, SIZE), note
-
-    return label
+        rows.append((row, shorten(topology.names[row.joint], NAME, SIZE), note))
+    about = f"{where}; in the circle: owner; then joint number, method"
+    return Outline("How it is swept", about, rows, owner)
 
 
 def _methods(program: Program) -> dict[int, str]:

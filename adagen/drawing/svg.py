@@ -8,6 +8,10 @@ from xml.sax.saxutils import escape, quoteattr
 from adagen.errors import printable
 
 FONT = "sans-serif"
+MARGIN = 24.0
+"""Around a picture, pixels."""
+SIZE = 11.0
+"""Of text, pixels."""
 INK, MUTED, RULE, PAPER = "#1a1a1a", "#5c5c5c", "#b8b8b8", "#ffffff"
 
 # Okabe and Ito's colours, distinct for people of any colour vision. More processes than colours

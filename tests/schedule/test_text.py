@@ -14,7 +14,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from adagen.drawing.tree import schedule_svg
+from adagen.drawing.tree import played_tree, schedule_svg
 from adagen.errors import InputError
 from adagen.schedule import (
     InvalidSchedule,
@@ -27,7 +27,6 @@ from adagen.schedule import (
     schedule_tree,
     validate,
 )
-from adagen.schedule.timeline import predict
 from adagen.search import find_schedule, schedule_from_json
 
 PAPER = load_profile("paper")
@@ -162,13 +161,13 @@ def test_line_is_safe_in_a_comment() -> None:
 def test_timeline_is_a_schedule(p: int) -> None:
     topology = Topology.bare((0, 1, 2, 1, 2, 4, 3, 5, 5, 7, 7))
     schedule = find_schedule(topology, p, profile=PAPER)
-    timeline = predict(schedule)
-    assert timeline.end == schedule.makespan
-    assert len(timeline.bars) == 2 * len(topology)
+    line = played_tree(schedule)
+    assert line.makespan == schedule.makespan
+    assert sum(i.what != "wait" for i in line.intervals) == 2 * len(topology)
     for process in range(p):
-        bars = sorted((b.start, b.end) for b in timeline.bars if b.process == process)
-        assert all(a[1] <= b[0] for a, b in pairwise(bars))
-    assert all(m.sent <= m.used and m.sender != m.receiver for m in timeline.messages)
+        own = sorted((i.start, i.end) for i in line.intervals if i.process == process)
+        assert all(a[1] == b[0] for a, b in pairwise(own)) and not (own and own[0][0])
+    assert all(e.sent <= e.used and e.sender != e.receiver for e in line.exchanges)
 
 
 def test_drawing_is_well_formed_repeatable_and_complete() -> None:
