@@ -30,7 +30,7 @@ from adagen.model import (
 )
 from adagen.scene.crosses import with_crosses
 from adagen.scene.lock import lock
-from adagen.scene.source import read_text
+from adagen.tomlfile import read_text
 
 _KEYS = ("closed_loop", "type", "joint_name", "joint_type", "name_mot")
 _KINDS = {"6d": "weld", "3d": "point"}

@@ -11,8 +11,8 @@ from typing import Any
 from adagen.errors import InputError
 from adagen.jsonfile import nearest
 from adagen.model import LOOP_WORDS, LoopEnd, NamedCoupling, NamedLoop
-from adagen.scene.source import Source, read_toml
 from adagen.scene.types import EFFECTS, OUTPUTS, URDF, Base, JointScene, PointMass, Scene
+from adagen.tomlfile import Source, parse_toml, read_text
 
 LARGEST = 1e40
 """SI units; products of numbers up to this stay far below overflow, as in a URDF."""
@@ -35,7 +35,8 @@ def read_scene(path: Path | str) -> Scene:
         InputError: it cannot be read, is not TOML, has an unknown key or a value that is none;
             the message gives file and line, and the nearest name that would be known.
     """
-    source, document = read_toml(path)
+    text = read_text(path, "a scene file (TOML)")
+    source, document = parse_toml(text, str(path), "a scene")
     reader = _Reader(source)
     reader.known(document, _FIELDS, "key")
     given = {key: _FIELDS[key](reader, value, (key,)) for key, value in document.items()}

@@ -13,7 +13,7 @@ from adagen.model import (
     NamedCoupling,
     NamedLoop,
 )
-from adagen.scene.source import Source
+from adagen.tomlfile import Source
 
 EFFECTS = ("damping", "friction", "friction_speed", "stiffness", "rest", "rotor_inertia")
 """Members of ``adagen.model.Passive``, as the scene file names them."""

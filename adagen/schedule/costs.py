@@ -9,13 +9,12 @@ file.
 from __future__ import annotations
 
 import math
-import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from adagen.errors import InputError
 from adagen.model.kinds import KINDS
+from adagen.tomlfile import Source
 
 PRESCRIBED = "prescribed"
 """What a joint of known acceleration is priced as, whatever its kind: to forces it is rigid."""
@@ -197,95 +196,61 @@ def check(name: str, value: float) -> None:
         raise ValueError(f"{name} must be a number from 0 to {LIMIT:g}")
 
 
-def read_steps(table: Mapping[str, object], text: str, file: str) -> StepCosts | None:
+def read_steps(source: Source, document: Mapping[str, object]) -> StepCosts | None:
     """Return what the tables [steps.*], [channel.*] and the list cores of a profile say, if any.
 
     Raises:
         InputError: a table or key is missing, unknown, of the wrong type or out of range.
     """
-    if "steps" not in table:
+    if "steps" not in document:
         for key in ("channel", "cores"):
-            if key in table:
-                raise InputError(
-                    f"{key} without the tables [steps.*]", file, line_of(text, "", key)
-                )
+            if key in document:
+                raise source.error(f"{key} without the tables [steps.*]", key)
         return None
     groups = {**{group: (*KINDS, *more) for group, more in PER_KIND.items()}, **OTHERS}
     found: dict[str, float] = {}
-    steps = _table(table, "steps", tuple(groups), text, file)
+    steps = _table(source, document, "steps", groups)
     for group, keys in groups.items():
-        row = _table(steps, group, keys, text, file, "steps.")
-        for key in keys:
-            found[f"{group}.{key}"] = _number(row, key, f"steps.{group}", text, file)
-    channels = _table(table, "channel", (*CHANNELS, NETWORK), text, file)
+        row = _table(source, steps, group, keys, "steps")
+        found |= {f"{group}.{key}": _time(source, row, key, "steps", group) for key in keys}
+    channels = _table(source, document, "channel", (*CHANNELS, NETWORK))
     costs = {}
     for channel in (*CHANNELS, *([NETWORK] if NETWORK in channels else [])):
-        row = _table(channels, channel, CHANNEL_KEYS, text, file, "channel.")
-        values = [_number(row, key, f"channel.{channel}", text, file) for key in CHANNEL_KEYS]
-        costs[channel] = ChannelCosts(*values)
-    return StepCosts(
-        found, costs["window"], costs["message"], _cores(table, text, file), costs.get(NETWORK)
-    )
+        row = _table(source, channels, channel, CHANNEL_KEYS, "channel")
+        times = (_time(source, row, key, "channel", channel) for key in CHANNEL_KEYS)
+        costs[channel] = ChannelCosts(*times)
+    cores = _cores(source, document)
+    return StepCosts(found, costs["window"], costs["message"], cores, costs.get(NETWORK))
 
 
-def _cores(table: Mapping[str, object], text: str, file: str) -> tuple[float, ...]:
-    cores = table.get("cores", [])
+def _cores(source: Source, document: Mapping[str, object]) -> tuple[float, ...]:
+    cores = document.get("cores", [])
     if not isinstance(cores, list) or len(cores) > 4096:
-        raise InputError("cores must be a list of speeds", file, line_of(text, "", "cores"))
+        raise source.error("cores must be a list of speeds", "cores")
     for speed in cores:
         number = isinstance(speed, int | float) and not isinstance(speed, bool)
         if not number or not 0.01 <= speed <= 100:
-            raise InputError(
+            raise source.error(
                 "cores must be a list of speeds from 0.01 to 100; 1 is the core that was measured",
-                file,
-                line_of(text, "", "cores"),
+                "cores",
             )
     return tuple(float(speed) for speed in cores)
 
 
 def _table(
-    parent: Mapping[str, object],
-    name: str,
-    keys: tuple[str, ...],
-    text: str,
-    file: str,
-    prefix: str = "",
+    source: Source, parent: Mapping[str, object], name: str, keys: Collection[str], *path: str
 ) -> Mapping[str, object]:
     table = parent.get(name)
     if not isinstance(table, dict):
-        raise InputError(f"the table [{prefix}{name}] is missing: it holds {', '.join(keys)}", file)
-    for key in table:
-        if key not in keys:
-            line = line_of(text, f"{prefix}{name}", key)
-            known = ", ".join(keys)
-            raise InputError(f"unknown key '{prefix}{name}.{key}': expected {known}", file, line)
+        whole = ".".join((*path, name))
+        raise source.error(f"the table [{whole}] is missing: it holds {', '.join(keys)}")
+    source.known(table, keys, *path, name)
     return table
 
 
-def _number(table: Mapping[str, object], key: str, prefix: str, text: str, file: str) -> float:
-    if key not in table:
-        raise InputError(f"{prefix}.{key} is missing: add '{key} = ...' (microseconds)", file)
-    value = table[key]
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        asked = "a number of microseconds"
-    elif not 0 <= value <= LIMIT:  # false for nan
-        asked = f"a number from 0 to {LIMIT:g}"
-    else:
-        return float(value)
-    raise InputError(f"{prefix}.{key} must be {asked}", file, line_of(text, prefix, key))
-
-
-def line_of(text: str, table: str, key: str) -> int | None:
-    """Return the line on which a key of a table (or a table of it) is, where that is plain."""
-    here, headers = "", re.compile(r"\s*\[\s*([^\[\]]+?)\s*\]")
-    assigns = re.compile(rf"\s*[\"']?{re.escape(key)}[\"']?\s*[=.]")
-    for number, line in enumerate(text.splitlines(), 1):
-        header = headers.match(line)
-        if header:
-            here = re.sub(r"\s|[\"']", "", header[1])
-            whole = f"{table}.{key}" if table else key
-            if here == whole or here.startswith(f"{whole}."):
-                return number
-        elif here == table and assigns.match(line):
-            return number
-    return None
+def _time(source: Source, table: Mapping[str, object], key: str, *path: str) -> float:
+    value = source.number(table, key, *path)
+    if not 0 <= value <= LIMIT:  # nor is nan
+        name = ".".join((*path, key))
+        raise source.error(f"{name} must be a number from 0 to {LIMIT:g}", *path, key)
+    return value

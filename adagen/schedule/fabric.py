@@ -6,7 +6,6 @@ decided by the lowest level that holds both ends.
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib import resources
@@ -14,8 +13,9 @@ from math import prod
 from pathlib import Path
 
 from adagen.errors import InputError
-from adagen.schedule.costs import CHANNEL_KEYS, LIMIT, ChannelCosts, line_of
+from adagen.schedule.costs import CHANNEL_KEYS, LIMIT, ChannelCosts
 from adagen.schedule.hosts import Host
+from adagen.tomlfile import parse_toml
 
 Links = Callable[[int, int], ChannelCosts | None]
 """What a message costs from one process to another; None where they share memory."""
@@ -120,14 +120,9 @@ def parse_fabric(text: str, file: str) -> Fabric:
     Raises:
         InputError: as ``read_fabric``.
     """
-    try:
-        table = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise InputError(f"not TOML: {error}", file) from None
-    if other := next((key for key in table if key != "level"), None):
-        line = line_of(text, "", other)
-        raise InputError(f"unknown key '{other}': expected tables [[level]]", file, line)
-    rows = table.get("level")
+    source, document = parse_toml(text, file, "a file of levels")
+    source.known(document, ("level",), expected="tables [[level]]")
+    rows = document.get("level")
     if not isinstance(rows, list) or not rows or not all(isinstance(row, dict) for row in rows):
         raise InputError("give the levels in tables [[level]], the cores of a node first", file)
     levels = tuple(_level(row, k, file) for k, row in enumerate(rows))

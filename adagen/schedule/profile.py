@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 import os
 import re
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -19,6 +18,7 @@ from pathlib import Path
 
 from adagen.errors import InputError, UsageError
 from adagen.schedule.costs import StepCosts, read_steps
+from adagen.tomlfile import parse_toml
 
 TICKS = 1_000_000
 """Ticks in a microsecond."""
@@ -170,55 +170,23 @@ def parse_profile(text: str, file: str) -> CostProfile:
         InputError: not TOML, a key is missing, unknown or of the wrong type, or a value is out of
             range; the message names the line where it can.
     """
-    try:
-        table = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        found = re.search(r"line (\d+)", str(error))
-        raise InputError(f"not TOML: {error}", file, int(found[1]) if found else None) from None
-    _known(table, ("name", "join", "steps", "channel", "cores"), "", text, file)
-    name = table.get("name")
+    source, document = parse_toml(text, file, "a cost profile")
+    source.known(document, ("name", "join", "steps", "channel", "cores"))
+    name = document.get("name")
     if not isinstance(name, str) or not re.fullmatch(r"[A-Za-z0-9._-]{1,64}", name):
-        raise InputError(
+        raise source.error(
             'give the profile a name: name = "..." of up to 64 letters, digits, dots and hyphens',
-            file,
-            _line(text, "name"),
+            "name",
         )
-    join = table.get("join")
+    join = document.get("join")
     if not isinstance(join, dict):
-        raise InputError(
-            f"give the constants of Eq. (11) in a table [join]: {', '.join(_COEFFICIENTS)}", file
+        raise source.error(
+            f"give the constants of Eq. (11) in a table [join]: {', '.join(_COEFFICIENTS)}"
         )
-    _known(join, _COEFFICIENTS, "join.", text, file)
-    values = {key: _number(join, key, text, file) for key in _COEFFICIENTS}
-    steps = read_steps(table, text, file)
+    source.known(join, _COEFFICIENTS, "join")
+    values = {key: source.number(join, key, "join") for key in _COEFFICIENTS}
+    steps = read_steps(source, document)
     try:
         return CostProfile(name, **values, steps=steps)
     except ValueError as error:
-        raise InputError(str(error), file, _line(text, str(error).split()[0])) from None
-
-
-def _known(
-    table: Mapping[str, object], keys: tuple[str, ...], prefix: str, text: str, file: str
-) -> None:
-    for key in table:
-        if key not in keys:
-            raise InputError(
-                f"unknown key '{prefix}{key}': expected {', '.join(keys)}", file, _line(text, key)
-            )
-
-
-def _number(table: Mapping[str, object], key: str, text: str, file: str) -> float:
-    if key not in table:
-        raise InputError(f"join.{key} is missing: add '{key} = ...' (microseconds) to [join]", file)
-    value = table[key]
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        raise InputError(f"join.{key} must be a number of microseconds", file, _line(text, key))
-    try:
-        return float(value)
-    except OverflowError:
-        raise InputError(f"join.{key} is too large", file, _line(text, key)) from None
-
-
-def _line(text: str, key: str) -> int | None:
-    pattern = re.compile(rf"\s*[\"']?\[?{re.escape(key)}[\"']?\s*[=\].]")
-    return next((n for n, line in enumerate(text.splitlines(), 1) if pattern.match(line)), None)
+        raise source.error(str(error), "join", str(error).split()[0]) from None

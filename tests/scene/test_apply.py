@@ -25,9 +25,9 @@ from adagen.reference import (
 )
 from adagen.scene import apply_scene
 from adagen.scene.lock import lock
-from adagen.scene.source import Source
 from adagen.scene.types import Base, JointScene, PointMass, Scene
 from adagen.states import random_states
+from adagen.tomlfile import Source
 from adagen.urdf import read_robot
 from tests.models import ALL_KINDS, random_tree, serial_chain
 from tests.scene.held import held, rows

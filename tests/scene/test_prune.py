@@ -15,9 +15,9 @@ from adagen.reference import (
     exact_forward_dynamics,
 )
 from adagen.scene import apply_scene
-from adagen.scene.source import Source
 from adagen.scene.types import JointScene, Scene
 from adagen.states import random_states
+from adagen.tomlfile import Source
 from tests.models import ALL_KINDS, binary, human_figure, random_tree
 from tests.scene.held import held, rows
 from tests.scene.texts import reduced

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from adagen.errors import InputError
 from adagen.scene import Scene, read_scene
-from adagen.scene.source import Source
 from adagen.scene.types import Base, JointScene, PointMass
+from adagen.tomlfile import Source
 
 FULL = """\
 # everything that a scene can say

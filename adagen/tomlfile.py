@@ -1,10 +1,11 @@
-"""A TOML file with its lines: ``tomllib`` tells values, not where they stand."""
+"""TOML files of people, read strictly: ``tomllib`` tells values, not where they stand."""
 
 from __future__ import annotations
 
 import re
 import stat
 import tomllib
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -32,6 +33,40 @@ class Source:
     def error(self, message: str, *path: str | int) -> InputError:
         """Return (not raise) a refusal, with the line of ``path``."""
         return InputError(message, self.file, self.line(*path) if path else None)
+
+    def known(
+        self, table: Mapping[str, object], keys: Collection[str], *path: str, expected: str = ""
+    ) -> None:
+        """Raise InputError if a table has a key that is none of some.
+
+        Args:
+            table: the table.
+            keys: those that it may have.
+            path: of the table.
+            expected: what the refusal says is expected; the keys if nothing is given.
+        """
+        for key in table:
+            if key not in keys:
+                name = ".".join((*path, key))
+                expected = expected or ", ".join(keys)
+                raise self.error(f"unknown key '{name}': expected {expected}", *path, key)
+
+    def number(self, table: Mapping[str, object], key: str, *path: str) -> float:
+        """Return a number of microseconds of the table at a path, nan among them.
+
+        Raises:
+            InputError: it is missing, no number, or too large for one.
+        """
+        name = ".".join((*path, key))
+        if key not in table:
+            raise self.error(f"{name} is missing: add '{key} = ...' (microseconds)")
+        value = table[key]
+        if isinstance(value, bool) or not isinstance(value, int | float):
+            raise self.error(f"{name} must be a number of microseconds", *path, key)
+        try:
+            return float(value)
+        except OverflowError:
+            raise self.error(f"{name} is too large", *path, key) from None
 
     def line(self, *path: str | int) -> int | None:
         """Return the line, from 1, that starts what is at ``path`` (keys and places in lists).
@@ -113,20 +148,24 @@ def read_text(path: Path | str, what: str) -> str:
         ) from None
 
 
-def read_toml(path: Path | str) -> tuple[Source, dict[str, Any]]:
-    """Return the file as text and as what it says.
+def parse_toml(text: str, file: str, what: str) -> tuple[Source, dict[str, Any]]:
+    """Return a TOML text with its lines, and what it says.
+
+    Args:
+        text: the text.
+        file: what refusals call it.
+        what: should be in it: "a scene".
 
     Raises:
-        InputError: it cannot be read or is not TOML.
+        InputError: it is not TOML.
     """
-    file, text = str(path), read_text(path, "a scene file (TOML)")
     try:
         return Source(file, text), tomllib.loads(text)
     except tomllib.TOMLDecodeError as fault:
         problem = str(fault)
         place = _AT.search(problem)
         at = text.count("\n") + 1 if place is None or place[1] is None else int(place[1])
-        what = problem if place is None else problem[: place.start()]
-        raise InputError(f"not TOML: {what[:1].lower()}{what[1:]}", file, at) from None
+        said = problem if place is None else problem[: place.start()]
+        raise InputError(f"not TOML: {said[:1].lower()}{said[1:]}", file, at) from None
     except (RecursionError, ValueError):
-        raise InputError("not a scene: nested too deeply, or a number too long", file) from None
+        raise InputError(f"not {what}: nested too deeply, or a number too long", file) from None
