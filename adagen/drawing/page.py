@@ -47,12 +47,10 @@ class Outline:
         return self.notes + max(text_width(note, 9) for _, _, note in self.rows)
 
     def draw(self, canvas: Canvas, x: float, y: float) -> None:
-        """Draw it from a place on, downwards."""
-        canvas.text(x, y, self.heading, 13, bold=True)
-        canvas.text(x, y + 15, self.about, 10, fill=MUTED)
+        """Draw its rows from a place on, downwards."""
 
         def centre(row: int) -> tuple[float, float]:
-            return x + 7 + self.rows[row][0].indent * INDENT, y + 34 + row * ROW
+            return x + 7 + self.rows[row][0].indent * INDENT, y + row * ROW
 
         for i, (row, _, _) in enumerate(self.rows):
             if row.above >= 0:
@@ -119,7 +117,12 @@ def page(
         canvas.text(MARGIN, 84, "Predicted time", 13, bold=True)
         legend(canvas, 102)
         bottom = chart(canvas, line, captions, 112, width)
-    left.draw(canvas, MARGIN, bottom)
-    right.draw(canvas, middle, bottom)
+    outlines = ((MARGIN, left), (middle, right))
+    for x, outline in outlines:
+        canvas.text(x, bottom, outline.heading, 13, bold=True)
+    for x, outline in outlines:
+        canvas.text(x, bottom + 15, outline.about, 10, fill=MUTED)
+    for x, outline in outlines:
+        outline.draw(canvas, x, bottom + 34)
     rows = max(len(left.rows), len(right.rows))
     return canvas.document(width, bottom + 34 + ROW * rows + MARGIN, name)
