@@ -32,11 +32,9 @@ from adagen.plan.steps import (
     Step,
     Traverse,
 )
+from adagen.plan.told import passable
 from adagen.plan.types import Message, Process
 from adagen.schedule import Node, Schedule, postorder
-
-_PASSED = frozenset({"revolute", "spherical"})
-"""Kinds of joints whose motion is passed on: those that are passed in registers."""
 
 
 def why_not_exchange(joints: Sequence[PlanJoint], schedule: Schedule) -> str | None:
@@ -184,7 +182,7 @@ class ExchangePlanner(SegmentPlanner):
         """What each process treats of a serial chain, inner cut first; None without motions."""
         joints = self.joints
         serial = all(joint.parent == j for j, joint in enumerate(joints))
-        if not serial or any(j.kind not in _PASSED or j.prescribed for j in joints):
+        if not serial or not passable(joints, range(len(joints))):
             return None
         cuts: list[int] = []
         last = -1

@@ -25,6 +25,7 @@ from adagen.plan.gather_trees import Tree, given_trees, laid_out_trees
 from adagen.plan.robot import PlanJoint
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.steps import Step
+from adagen.plan.told import telling, ways_told
 from adagen.plan.types import Message, Process
 from adagen.schedule import postorder
 from adagen.schedule.tree import Gathered
@@ -87,7 +88,11 @@ class GatherPlanner(SegmentPlanner):
         return Gathered(tuple(tree.root for tree in trees), tuple(owners))
 
     def plan(self) -> tuple[tuple[Process, ...], tuple[Message, ...]]:
-        """Return every process's steps, and the messages between them."""
+        """Return every process's steps, and the messages between them.
+
+        Raises:
+            InputError: as ``trees``; or nobody can be told what the schedule asks for.
+        """
         trees = self.trees()
         steps = self._evaluation(trees)
         recovery: list[list[Step]] = [[] for _ in steps]
@@ -97,7 +102,15 @@ class GatherPlanner(SegmentPlanner):
             ProcessSteps(self.joints, trees, p).process_of(own, again)
             for p, (own, again) in enumerate(zip(steps, recovery, strict=True))
         ]
-        return tuple(processes), tuple(self.messages)
+        if self.schedule.gathered is None or not self.schedule.gathered.told:
+            return tuple(processes), tuple(self.messages)
+        ways = ways_told(self.joints, trees, processes)
+        if not ways:
+            raise InputError(
+                "no process hangs on a run of joints from the ground that another one has: "
+                'leave "told" out'
+            )
+        return telling(self.joints, ways, processes, self.messages)
 
     def _evaluation(self, trees: Sequence[Tree]) -> list[list[Step]]:
         """Return the steps of every process but for kinematics; messages are added."""

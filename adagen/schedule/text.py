@@ -63,6 +63,7 @@ def _gathered_to_dict(gathered: Gathered, topology: Topology) -> dict[str, Any]:
     return {
         "roots": [topology.names[root - 1] if root else None for root in gathered.roots],
         "owners": dict(zip(topology.names, gathered.owners, strict=True)),
+        **({"told": True} if gathered.told else {}),
     }
 
 

@@ -64,10 +64,13 @@ class Gathered:
             link that all inertias are swept to; 0 is the ground.
         owners: the process of each joint; None in the core, which every process sweeps. That of a
             joint that floats on the ground follows from the others.
+        told: whether a process is told how the run of joints moves that its own hang on, where
+            another process has all of that, instead of passing it (adagen.plan.told).
     """
 
     roots: tuple[int, ...]
     owners: tuple[int | None, ...]
+    told: bool = False
 
 
 @dataclass(frozen=True, eq=False)

@@ -97,7 +97,9 @@ def best_schedule(
     families.name(cuttable)
     if gather and can_gather(model):
         alike = seen.trivial and limit is None
-        families.gather(cuttable if alike else cuttable_joints(model, scalar))
+        shown = cuttable if alike else cuttable_joints(model, scalar)
+        families.halve(shown)
+        families.gather(shown)
     families.bound_joined(cuttable)
     return families.taken()
 

@@ -64,7 +64,7 @@ class ExchangedSchedules:
         self.costs: StepCosts = profile.steps
         self.kinds = kinds
         self.inner, self.outermost = (
-            [0.0, *accumulate(_first_sweep(profile.steps, kind, last) for kind in kinds)]
+            [0.0, *accumulate(first_sweep(profile.steps, kind, last) for kind in kinds)]
             for last in (False, True)
         )
 
@@ -82,8 +82,8 @@ class ExchangedSchedules:
         for kind in set(self.kinds):
             second = costs[f"accelerate.{kind}"]
             forces = min(costs[f"deliver.{kind}"], costs["deliver.along"])
-            inner = _first_sweep(costs, kind, outermost=False) + forces
-            own[kind] = _first_sweep(costs, kind, outermost=True) + second, inner + second
+            inner = first_sweep(costs, kind, outermost=False) + forces
+            own[kind] = first_sweep(costs, kind, outermost=True) + second, inner + second
         spared = max(0.0, _sweep(costs, self.kinds[0]) - costs["articulate.ground"])
         whole = sum(own[kind][1] for kind in self.kinds) - spared
         share = min(outermost / inner for outermost, inner in own.values())
@@ -209,11 +209,15 @@ def _sweep(costs: StepCosts, kind: str) -> float:
     return min(costs[f"articulate.{kind}"], costs[f"articulate_columns.{kind}"])
 
 
-def _first_sweep(costs: StepCosts, kind: str, outermost: bool) -> float:
-    """What a joint takes in a part until its process can tell others of it; microseconds."""
+def passing(costs: StepCosts, kind: str) -> float:
+    """Return what a joint takes whose motion alone is found, at the least; microseconds."""
+    return min(costs[f"kinematics.{kind}"], costs[f"passing_strips.{kind}"])
+
+
+def first_sweep(costs: StepCosts, kind: str, outermost: bool) -> float:
+    """Return what a joint takes in a part until its process tells others of it; microseconds."""
     placing = min(costs[f"{group}.{kind}"] for group in ("kinematics", "kinematics_traversed"))
-    passing = min(costs[f"kinematics.{kind}"], costs[f"passing_strips.{kind}"])
-    own = passing + placing + costs["link.start"] + _sweep(costs, kind)
+    own = passing(costs, kind) + placing + costs["link.start"] + _sweep(costs, kind)
     return own if outermost else own + costs.carried(kind)
 
 

@@ -1,7 +1,8 @@
 """Candidates of all families, compared at the price that is played, in the shape that is emitted.
 
 * ``alone``: one process does everything.
-* ``gathered``: processes gather at a core (layouts.py), searched by branch and bound.
+* ``gathered``: processes gather at a core (layouts.py), searched by branch and bound; two of a
+  long serial chain at the link that follows from what joints take (halved.py).
 * ``joined``: processes are joined at cuts: what the search by steps finds at its own prices, and at
   those that are played (joined.py).
 * ``exchanged``: of long serial chains, with both sides of each cut joining it (exchanged.py).
@@ -35,6 +36,7 @@ from adagen.search.exchanged import ExchangedSchedules, numbers_of_processes
 from adagen.search.floors import Floors
 from adagen.search.gathered import GatheredSearch
 from adagen.search.guess import halves
+from adagen.search.halved import HalvedSchedules
 from adagen.search.incumbent import Spent
 from adagen.search.joined import LONG, JoinedFloor
 from adagen.search.layouts import Layout, LayoutPrices
@@ -162,6 +164,23 @@ class Families:
                 self.consider(found, "exchanged")
             if found is not None and self.least == before:
                 break  # fewer processes are no faster where more are not
+
+    def halve(self, cuttable: Sequence[bool]) -> None:
+        """Look at schedules of long serial chains whose two processes gather.
+
+        Args:
+            cuttable: for each joint whether mobilities may meet there.
+        """
+        assert self.best is not None  # one process comes first
+        chains = HalvedSchedules(self.topology, self.profile, cuttable, self.best)
+        if not (self.loops and self.seen.trivial and chains.fits):
+            return
+        floor = chains.least(self.processes)
+        self.bounds.append(floor)
+        for told in (True, False) if floor < self.least else (False,):
+            found = chains.best(told, self._played)
+            if found is not None:
+                self.consider(found, "gathered")
 
     def _played(self, schedule: Schedule) -> tuple[Plan, Timeline]:
         plan = make_plan(self.model, schedule)

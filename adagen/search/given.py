@@ -73,7 +73,10 @@ def _read_gathered(data: dict[str, Any], topology: Topology, profile: CostProfil
     roots = gathered.get("roots")
     if not isinstance(roots, list) or any(r is not None and r not in index for r in roots):
         raise InvalidSchedule('"roots" names the joint above each root; null: the ground')
-    gathered = Gathered(tuple(0 if r is None else index[r] for r in roots), tuple(owners))
+    told = gathered.get("told", False)
+    if not isinstance(told, bool):
+        raise InvalidSchedule('"told" is true or false')
+    gathered = Gathered(tuple(0 if r is None else index[r] for r in roots), tuple(owners), told)
     found = named_schedule("sequential", topology, processes, profile=profile)
     return replace(
         found,
