@@ -7,7 +7,7 @@ from time import monotonic
 
 from adagen.paper.budget import Budget, OutOfBudget, Task, run
 from adagen.paper.options import FOREVER, Option, Space
-from adagen.paper.ties import Builder, Slot
+from adagen.paper.ties import Builder, Choice
 from adagen.schedule.chains import WHOLE, Chain
 from adagen.schedule.draft import Draft
 
@@ -37,27 +37,16 @@ class Beam:
 
     def draft(self, processes: int) -> Draft:
         """Return the schedule found for the whole robot."""
-        builder = Builder(self.space)
-        slots: list[Slot] = [(WHOLE, processes, 0, -1, False, 0)]
-        while slots:
-            chain, p, _, above, is_end, first = slots.pop()
-            option = self._choice(chain, p)
-            if option is None:
-                self.leaf(builder, chain, above, is_end, (first, first + p))
-                continue
-            starts = builder.node(option, above, is_end, first, p)
-            joint = self.space.chains.original[option.position]
-            if option.root_work:
-                slots.append((option.root, option.first, 0, joint, False, starts[0]))
-            if option.end_work:
-                slots.append((option.end, option.second, 0, joint, True, starts[1]))
-        return builder.draft
 
-    def leaf(
-        self, builder: Builder, chain: Chain, above: int, is_end: bool, processes: tuple[int, int]
-    ) -> None:
-        """Add a chain that is not cut."""
-        builder.leaf(chain, above, is_end, processes)
+        def choose(chain: Chain, p: int, _: int) -> Choice | None:
+            option = self._choice(chain, p)
+            return None if option is None else (option, (0, 0))
+
+        return self.builder().fill(processes, 0, choose)
+
+    def builder(self) -> Builder:
+        """Return what puts a schedule together."""
+        return Builder(self.space)
 
     def key(self, chain: Chain) -> int:
         """Return a number that chains share if and only if they have the same schedules."""

@@ -69,14 +69,20 @@ class RestrictedBeam(Beam):
         """Return a number that only this very chain has."""
         return self._numbers.setdefault(chain, len(self._numbers))
 
-    def leaf(
-        self, builder: Builder, chain: Chain, above: int, is_end: bool, processes: tuple[int, int]
-    ) -> None:
-        """Add a chain that is not cut: it is left to the first process of its range."""
+    def builder(self) -> Builder:
+        """Return what puts a schedule together."""
+        return _LeavingIdle(self.space)
+
+
+class _LeavingIdle(Builder):
+    """Leaves a chain that is not cut to the first process of its range."""
+
+    def leaf(self, chain: Chain, above: int, is_end: bool, processes: tuple[int, int]) -> None:
+        """Add a chain that is not cut."""
         order = self.space.single.order(chain)
-        builder.hang(above, builder.draft.contract(self.space.topology, order), is_end)
+        self.draft.hang(above, self.draft.contract(self.space.topology, order), is_end)
         for joint in order:
-            builder.draft.ranges[joint] = processes
+            self.draft.ranges[joint] = processes
 
 
 def restricted_draft(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -13,6 +13,9 @@ from adagen.paper.options import FOREVER, Option, Options, Space
 from adagen.schedule.chains import WHOLE, Chain
 from adagen.schedule.draft import Draft
 
+Choice = tuple[Option, tuple[int, int]]
+"""How a chain is cut, and the time that is left to its root side and to its end side; ticks."""
+
 
 class Builder:
     """Puts a tree together from options, from the root down."""
@@ -21,18 +24,11 @@ class Builder:
         self.space = space
         self.draft = Draft(len(space.topology))
 
-    def hang(self, above: int, joint: int, is_end: bool) -> None:
-        """Hang a joint under another one; under -1 to make it the root."""
-        if above < 0:
-            self.draft.root = joint
-        else:
-            (self.draft.end_child if is_end else self.draft.root_child)[above] = joint
-
     def leaf(self, chain: Chain, above: int, is_end: bool, processes: tuple[int, int]) -> None:
         """Add a chain in the order of least work, its ranges as III-C has them."""
         order = self.space.single.order(chain)
         top = self.draft.contract(self.space.topology, order)
-        self.hang(above, top, is_end)
+        self.draft.hang(above, top, is_end)
         self.draft.assign(top, processes)
 
     def node(
@@ -40,18 +36,41 @@ class Builder:
     ) -> tuple[int, int]:
         """Add a node; return the first process of its root side and of its end side."""
         joint = self.space.chains.original[option.position]
-        self.hang(above, joint, is_end)
+        self.draft.hang(above, joint, is_end)
         self.draft.ranges[joint] = (first, first + processes)
         return first, first if option.shared else first + option.first
 
+    def fill(
+        self, processes: int, time: int, choose: Callable[[Chain, int, int], Choice | None]
+    ) -> Draft:
+        """Return the schedule of the whole robot, slots filled level by level, root side first.
 
-Slot = tuple[Chain, int, int, int, bool, int]  # chain, P, budget, joint above, end side, process
+        Args:
+            processes: P.
+            time: that is left to it, ticks.
+            choose: says how a chain is cut on some processes within a time; None: it is not.
+        """
+        slots = deque([(WHOLE, processes, time, -1, False, 0)])
+        while slots:
+            chain, p, limit, above, is_end, first = slots.popleft()
+            chosen = choose(chain, p, limit)
+            if chosen is None:
+                self.leaf(chain, above, is_end, (first, first + p))
+                continue
+            option, limits = chosen
+            starts = self.node(option, above, is_end, first, p)
+            joint = self.space.chains.original[option.position]
+            if option.root_work:
+                slots.append((option.root, option.first, limits[0], joint, False, starts[0]))
+            if option.end_work:
+                slots.append((option.end, option.second, limits[1], joint, True, starts[1]))
+        return self.draft
 
 
 def walk(
     space: Space, search: ExactSearch, processes: int, time: int, lexicographic: bool
 ) -> Draft:
-    """Return a schedule that takes ``time``, filling slots level by level, root side first.
+    """Return a schedule that takes ``time``.
 
     Every slot takes the first option that fits into the time left for it: in the order of joints
     (and of processes for the root side) for the paper's tie-break, else the quickest to decide.
@@ -59,24 +78,13 @@ def walk(
     Raises:
         OutOfBudget: the search cannot tell what fits.
     """
-    builder = Builder(space)
-    slots: deque[Slot] = deque([(WHOLE, processes, time, -1, False, 0)])
-    while slots:
-        chain, p, budget, above, is_end, first = slots.popleft()
-        if p == 1:
-            builder.leaf(chain, above, is_end, (first, first + 1))
-            continue
-        if not lexicographic and space.single.work(chain) <= budget:
-            builder.leaf(chain, above, is_end, (first, first + p))
-            continue
-        option, limits = _first_fit(space, search, chain, p, budget, lexicographic)
-        starts = builder.node(option, above, is_end, first, p)
-        joint = space.chains.original[option.position]
-        if option.root_work:
-            slots.append((option.root, option.first, limits[0], joint, False, starts[0]))
-        if option.end_work:
-            slots.append((option.end, option.second, limits[1], joint, True, starts[1]))
-    return builder.draft
+
+    def choose(chain: Chain, p: int, limit: int) -> Choice | None:
+        if p == 1 or (not lexicographic and space.single.work(chain) <= limit):
+            return None
+        return _first_fit(space, search, chain, p, limit, lexicographic)
+
+    return Builder(space).fill(processes, time, choose)
 
 
 def _first_fit(
@@ -125,22 +133,15 @@ class LeastWork:
             OutOfBudget: not decided.
         """
         run(self._solve(WHOLE, processes, time))
-        builder = Builder(self.space)
-        slots: list[Slot] = [(WHOLE, processes, time, -1, False, 0)]
-        while slots:
-            chain, p, limit, above, is_end, first = slots.pop()
+
+        def choose(chain: Chain, p: int, limit: int) -> Choice | None:
             if p == 1 or self.space.single.work(chain) <= limit:
-                builder.leaf(chain, above, is_end, (first, first + p))
-                continue
+                return None
             _, option, limits = self._memo[chain, p, limit]
             assert option is not None
-            starts = builder.node(option, above, is_end, first, p)
-            joint = self.space.chains.original[option.position]
-            if option.root_work:
-                slots.append((option.root, option.first, limits[0], joint, False, starts[0]))
-            if option.end_work:
-                slots.append((option.end, option.second, limits[1], joint, True, starts[1]))
-        return builder.draft
+            return option, limits
+
+        return Builder(self.space).fill(processes, time, choose)
 
     def _known(self, chain: Chain, p: int, limit: int) -> int | None:
         """Return the least work within ``limit`` if that needs no search."""

@@ -30,6 +30,13 @@ class Draft:
         """Return the descendants of a joint on its root and end side, -1 for a bare link."""
         return self.root_child[joint], self.end_child[joint]
 
+    def hang(self, above: int, joint: int, is_end: bool) -> None:
+        """Hang a joint under another one, on its end side or root side; -1 makes it the root."""
+        if above < 0:
+            self.root = joint
+        else:
+            (self.end_child if is_end else self.root_child)[above] = joint
+
     def contract(self, topology: Topology, order: Sequence[int]) -> int:
         """Hang the joints of a partial chain under each other as this order of assembly tells.
 

@@ -8,7 +8,7 @@ from adagen.schedule.draft import Draft
 from adagen.schedule.profile import TICKS, CostProfile
 from adagen.schedule.sweeps import loads_of, makespan_of
 from adagen.schedule.topology import Topology
-from adagen.schedule.tree import Schedule, Split, Strategy, Tie
+from adagen.schedule.tree import Named, Schedule, Split, Strategy, Tie
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class Found:
         processes: int,
         profile: CostProfile,
         tie: Tie,
-        strategy: Strategy = "exact",
+        strategy: Strategy | Named = "exact",
         split: Split = "always",
     ) -> Schedule:
         """Return the schedule, priced.

@@ -21,7 +21,7 @@ from adagen.program.runs import OF_ONE_FREEDOM, Run
 from adagen.schedule.costs import PRESCRIBED, StepCosts
 from adagen.search.limbs import Limb, Robot
 
-_ROWS = {2: ("two", 2), 3: ("four", 3), 4: ("four", 4)}
+ROWS = {2: ("two", 2), 3: ("four", 3), 4: ("four", 4)}
 """By joints in a row: the coefficients that price it, and how many share it."""
 
 
@@ -190,7 +190,7 @@ class Floors:
         for j in reversed(range(len(joints))):
             here = max(widest[j + 1], joints[j].kind == kind)
             widest[joints[j].parent] += here
-        return min(widest[0], max(_ROWS))
+        return min(widest[0], max(ROWS))
 
     def _pose(self, joint: PlanJoint, length: int, in_long: bool, in_strip: str) -> float:
         """The kinematics of a joint by itself, with its share of the run that it is in.
@@ -235,13 +235,13 @@ class Floors:
         """
         joints = self.robot.joints
         if not self.whole:
-            return dict.fromkeys(_ROWS, [len(joints)] * len(joints))
+            return dict.fromkeys(ROWS, [len(joints)] * len(joints))
         heights = [1] * (len(joints) + 1)
         for j in reversed(range(len(joints))):
             heights[joints[j].parent] = max(heights[joints[j].parent], heights[j + 1] + 1)
         many = Counter(heights[1:])
         found = {}
-        for count in _ROWS:
+        for count in ROWS:
             most = max((height for height, there in many.items() if there >= count), default=1)
             found[count] = [min(way, most) for way in ways]
         return found
@@ -272,7 +272,7 @@ class Floors:
 
     def _in_row(self, joint: int, count: int) -> tuple[float, float]:
         """The price of a row that a joint is in, with its share of what limbs cost besides."""
-        (name, _), costs, kind = _ROWS[count], self.costs, self.robot.joints[joint].kind
+        (name, _), costs, kind = ROWS[count], self.costs, self.robot.joints[joint].kind
         length = self._chains[count][joint]
         sweep = costs[f"articulate_{name}.{kind}"] + costs[f"limbs.{name}"] / length
         if self.robot.joints[joint].parent == 0:

@@ -31,7 +31,7 @@ from adagen.schedule.profile import TICKS
 from adagen.schedule.segments import SegmentCosts
 from adagen.schedule.sweeps import Sweeps
 from adagen.schedule.tree import Tie
-from adagen.search.floors import Floor, Floors
+from adagen.search.floors import ROWS, Floor, Floors
 from adagen.search.limbs import Robot
 from adagen.search.price import Pricing
 from adagen.search.segment_bounds import SegmentBounds
@@ -41,8 +41,6 @@ from adagen.search.segment_search import FOREVER, SegmentSearch
 
 LONG = 128
 """Joints up to which the longest ways through chains are looked at."""
-
-_ROWS = {2: ("two", 2), 3: ("four", 3), 4: ("four", 4)}
 
 
 def least_profile(
@@ -65,8 +63,8 @@ def least_profile(
         for kind in profile.steps.kinds:
             ways = [table[f"{group}.{kind}"]]
             ways += [] if other is None else [table[f"{other}.{kind}"]]
-            for count in range(2, min(rows.get(kind, 1), max(_ROWS)) + 1):
-                name, share = _ROWS[count]
+            for count in range(2, min(rows.get(kind, 1), max(ROWS)) + 1):
+                name, share = ROWS[count]
                 ways.append(table[f"{group}_{name}.{kind}"] / share)
             table[f"{group}.{kind}"] = min(ways)
         if folded:
@@ -80,7 +78,7 @@ def least_profile(
         table[f"deliver.{kind}"] = min(table[f"deliver.{kind}"], table["deliver.along"])
     table["propagate.spread"] = table["deliver.load"] = table["kinematics.step"] = 0.0
     # A row on the ground is priced once.
-    table["articulate.ground"] /= max(1, *(min(n, max(_ROWS)) for n in rows.values()))
+    table["articulate.ground"] /= max(1, *(min(n, max(ROWS)) for n in rows.values()))
     for group in ("kinematics", "articulate", "accelerate"):
         for key in (PRESCRIBED, "ground"):  # priced by their kind where they lie side by side
             if f"{group}.{key}" in table:
@@ -279,7 +277,7 @@ class JoinedFloor:
         """What a joint of the folded robot takes, the joints of a run one after the other."""
         own = self.seen.joints[joint]
         kind = self.floors.robot.joints[own[0]].kind
-        counts = range(1, max(_ROWS) + 1) if kind in KINDS else range(1, 2)
+        counts = range(1, max(ROWS) + 1) if kind in KINDS else range(1, 2)
 
         def ticks(of: Callable[[int, int], Floor], count: int) -> tuple[int, int]:
             floors = [of(j, count) for j in own]

@@ -6,6 +6,7 @@ They go to processes as Section III-C has it, so that they compare with what the
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import get_args
 
 from adagen.errors import UsageError
@@ -14,8 +15,8 @@ from adagen.paper.options import Space
 from adagen.paper.single import outward
 from adagen.schedule.chains import WHOLE, Chain, Chains
 from adagen.schedule.draft import Draft
+from adagen.schedule.found import Found
 from adagen.schedule.profile import TICKS, CostProfile
-from adagen.schedule.sweeps import loads_of, makespan_of
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Meeting, Named, Schedule, Strategy, postorder
 from adagen.schedule.validity import validate
@@ -76,35 +77,22 @@ def as_schedule(
     Raises:
         InvalidSchedule: the tree is not a schedule of this robot.
     """
-    root = draft.finish(topology, profile)
-    processes = root.processes[1]
-    makespan = makespan_of(root)
+    processes = draft.ranges[draft.root][1]
+    found = Found(draft, 0, 0).schedule(topology, processes, profile, "work", strategy)
     shares = any(
         len(node.children) == 2
         and node.processes[1] - node.processes[0] > 1
         and node.children[0].processes == node.children[1].processes
-        for node in postorder(root)
+        for node in postorder(found.root)
     )
     # Any split is the weakest rule that such a tree may follow.
     rules = Rules(halving=False, split="free" if shares else "always")
     if profile.steps is not None:
-        lower = min(makespan, segment_bound(topology, profile, processes))
+        lower = segment_bound(topology, profile, processes)
     else:
-        lower = min(makespan, Space(topology, profile, rules).bounds.whole(processes) / TICKS)
-    schedule = Schedule(
-        root=root,
-        processes=processes,
-        makespan=makespan,
-        lower_bound=lower,
-        profile=profile.name,
-        tie="work",
-        tie_proven=False,
-        strategy=strategy,
-        split=rules.split,
-        expanded=0,
-        loads=loads_of(root, processes),
-        meeting=meeting,
-    )
+        lower = Space(topology, profile, rules).bounds.whole(processes) / TICKS
+    lower = min(found.makespan, lower)
+    schedule = replace(found, lower_bound=lower, split=rules.split, meeting=meeting)
     validate(schedule, topology)
     return schedule
 
@@ -119,10 +107,7 @@ def _balanced(chains: Chains) -> Draft:
             continue
         middle = _middle(chains, positions)
         joint = chains.original[middle]
-        if above < 0:
-            draft.root = joint
-        else:
-            (draft.end_child if is_end else draft.root_child)[above] = joint
+        draft.hang(above, joint, is_end)
         root, end = chains.split(chain, middle)
         stack += [(end, joint, True), (root, joint, False)]
     return draft

@@ -9,8 +9,9 @@ whole schedule, planned and played through, gets faster.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -57,6 +58,28 @@ def played_schedule(
     return replace(best, lower_bound=lower, expanded=expanded, families=names, candidates=count)
 
 
+class _Part(NamedTuple):
+    """A part of a schedule.
+
+    Attributes:
+        place: where it is.
+        chain: its joints.
+        first: its first process.
+        processes: how many.
+        above: the joint that the range above parts at; -1 for none.
+        candidates: positions that its own range may part at; none if it does not.
+        position: the one that it parts at.
+    """
+
+    place: Place
+    chain: Chain
+    first: int
+    processes: int
+    above: int
+    candidates: list[int]
+    position: int
+
+
 @dataclass
 class _Played:
     model: Model
@@ -82,8 +105,8 @@ class _Played:
         moved = True
         while moved and self.played < self.most:
             moved = False
-            for place in [place for place, _, _ in self._partings(cuts)]:
-                here = {at: self._candidates(chain, p) for at, chain, p in self._partings(cuts)}
+            for place in [part.place for part in self._parts(cuts) if part.candidates]:
+                here = {part.place: part.candidates for part in self._parts(cuts)}
                 for position in here.get(place, []):  # a parting above may have done away with it
                     moves = {**_above(cuts, place), place: position}
                     other = self._schedule(moves)
@@ -123,68 +146,42 @@ class _Played:
 
     def _schedule(self, cuts: Mapping[Place, int]) -> Schedule:
         """The schedule that parts ranges at some joints, and elsewhere as Eq. (11) has it."""
-        chosen = tuple(sorted((place, p) for place, _, p in self._chosen(cuts)))
+        parts = list(self._parts(cuts))
+        chosen = tuple(sorted((part.place, part.position) for part in parts if part.candidates))
         if chosen not in self.known:
-            self.known[chosen] = self._timed(self._built(cuts))
+            self.known[chosen] = self._timed(self._built(parts))
         return self.known[chosen]
 
-    def _built(self, cuts: Mapping[Place, int]) -> Schedule:
+    def _built(self, parts: Iterable[_Part]) -> Schedule:
         builder = Builder(self.space)
-
-        def leaf(chain: Chain, above: int, is_end: bool, first: int, processes: int) -> None:
-            builder.leaf(chain, above, is_end, (first, first + processes))
-
-        def node(position: int, above: int, is_end: bool, first: int, processes: int) -> int:
-            joint = self.space.chains.original[position]
-            builder.hang(above, joint, is_end)
-            builder.draft.ranges[joint] = (first, first + processes)
-            return joint
-
-        self._walk(cuts, leaf, node)
+        for part in parts:
+            is_end, span = part.place[-1:] == (1,), (part.first, part.first + part.processes)
+            if not part.candidates:
+                builder.leaf(part.chain, part.above, is_end, span)
+                continue
+            joint = self.space.chains.original[part.position]
+            builder.draft.hang(part.above, joint, is_end)
+            builder.draft.ranges[joint] = span
         made = Found(builder.draft, 0, 0).schedule(
             self.fold.topology, self.found.processes, self.profile.joins_only(), self.found.tie
         )
         return self.fold.unfold(replace(made, profile=self.found.profile), self.space.profile)
 
-    def _walk(
-        self,
-        cuts: Mapping[Place, int],
-        leaf: Callable[[Chain, int, bool, int, int], None],
-        node: Callable[[int, int, bool, int, int], int],
-    ) -> None:
-        """Visit the places where ranges part, level by level, and the chains of one process."""
-        waiting: deque[tuple[Place, Chain, int, int, int, bool]] = deque()
-        waiting.append(((), WHOLE, 0, self.found.processes, -1, False))
+    def _parts(self, cuts: Mapping[Place, int]) -> Iterator[_Part]:
+        """Yield all parts of a schedule, level by level, root side first."""
+        start: tuple[Place, Chain, int, int, int] = ((), WHOLE, 0, self.found.processes, -1)
+        waiting = deque([start])
         while waiting:
-            place, chain, first, processes, above, is_end = waiting.popleft()
+            place, chain, first, processes, above = waiting.popleft()
             candidates = self._candidates(chain, processes) if processes > 1 else []
-            if not candidates:
-                leaf(chain, above, is_end, first, processes)
-                continue
-            position = cuts.get(place, candidates[0])
-            joint = node(position, above, is_end, first, processes)
-            root, end = self.space.chains.split(chain, position)
-            half = processes // 2
-            waiting.append(((*place, 0), root, first, half, joint, False))
-            waiting.append(((*place, 1), end, first + half, processes - half, joint, True))
-
-    def _chosen(self, cuts: Mapping[Place, int]) -> Iterator[tuple[Place, Chain, int]]:
-        """Yield the places where ranges part, with their chains and the positions taken."""
-        for place, chain, processes in self._partings(cuts):
-            yield place, chain, cuts.get(place, self._candidates(chain, processes)[0])
-
-    def _partings(self, cuts: Mapping[Place, int]) -> Iterator[tuple[Place, Chain, int]]:
-        """Yield the places where ranges part, with their chains and numbers of processes."""
-        waiting: deque[tuple[Place, Chain, int]] = deque([((), WHOLE, self.found.processes)])
-        while waiting:
-            place, chain, processes = waiting.popleft()
-            candidates = self._candidates(chain, processes) if processes > 1 else []
-            if not candidates:
-                continue
-            yield place, chain, processes
-            root, end = self.space.chains.split(chain, cuts.get(place, candidates[0]))
-            half = processes // 2
-            waiting += [((*place, 0), root, half), ((*place, 1), end, processes - half)]
+            position = cuts.get(place, candidates[0]) if candidates else -1
+            yield _Part(place, chain, first, processes, above, candidates, position)
+            if candidates:
+                joint = self.space.chains.original[position]
+                root, end = self.space.chains.split(chain, position)
+                half = processes // 2
+                waiting.append(((*place, 0), root, first, half, joint))
+                waiting.append(((*place, 1), end, first + half, processes - half, joint))
 
     def _candidates(self, chain: Chain, processes: int) -> list[int]:
         """Positions to part a chain at, the best by Eq. (11) first; none with two sides: none."""

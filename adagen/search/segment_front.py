@@ -99,10 +99,7 @@ def draft_of(best: Label, chains: Chains) -> Draft:
             stack.append((label.here, first, joint, not label.root_here))
             second = first + label.here.state.processes
             stack.append((label.there, second, joint, label.root_here))
-        if above < 0:
-            draft.root = joint
-        else:
-            (draft.end_child if is_end else draft.root_child)[above] = joint
+        draft.hang(above, joint, is_end)
     return draft
 
 

@@ -45,7 +45,7 @@ def every_parting(model: Model) -> list[Schedule]:
     for position in range(len(topology)):
         builder = Builder(space)
         joint = space.chains.original[position]
-        builder.hang(-1, joint, False)
+        builder.draft.hang(-1, joint, False)
         builder.draft.ranges[joint] = (0, 2)
         root, end = space.chains.split(WHOLE, position)
         if not (space.chains.positions(root) and space.chains.positions(end)):
