@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.emit import emit, source
+from adagen.emit import emit
 from adagen.emit.names import identifiers
 from adagen.emit.runtime import runtime_files
 from adagen.model import Model
@@ -85,8 +85,10 @@ def joining(text: str) -> list[str]:
 
 @pytest.mark.parametrize("form", FORMS)
 def test_of_a_name_nothing_but_its_cleaned_word_is_code(form: str) -> None:
-    wild = source(plan(hostile(), form), "same_p2")
-    tame = source(plan(hostile(identifiers(NAMES), identifiers(LINKS)), form), "same_p2")
+    wild = emit(plan(hostile(), form), name="same")["same_p2.cpp"]
+    tame = emit(plan(hostile(identifiers(NAMES), identifiers(LINKS)), form), name="same")[
+        "same_p2.cpp"
+    ]
     assert bare(wild) == bare(tame)
     assert wild.isascii() and "??" not in wild
     assert joining(wild) == joining(tame)  # a backslash joins lines, comments too

@@ -1,0 +1,254 @@
+"""The source and the header of a solver: what their templates take, from a program."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from adagen import __version__
+from adagen.emit.around import PROGRAM_FILE, options_of
+from adagen.emit.embedded import embedded_values
+from adagen.emit.head import algorithm, frames, method, program_lines
+from adagen.emit.includes import needs_eigen, umbrellas
+from adagen.emit.interface import FAILURES
+from adagen.emit.model import model_values
+from adagen.emit.names import prefix_of, quoted
+from adagen.emit.processes import describe_message, message_size, process_rows, table_sizes
+from adagen.emit.refine import refinement_messages
+from adagen.emit.runtime import version_number
+from adagen.emit.settings import description, settings
+from adagen.emit.shapes import KNOWN
+from adagen.emit.templates import render
+from adagen.emit.words import Words
+from adagen.plan import Plan
+from adagen.program import Program
+from adagen.program.summary import TREES, meeting
+from adagen.schedule import CostProfile, load_profile, step_costs
+
+# Largest backward error that an emitted self-check lets pass: what cuts may lose at most, with a
+# margin (adagen/plan/cuts.py, docs/explanation/accuracy.md).
+TOLERANCE = {"double": 1e-9, "float": 1e-3}
+
+
+@dataclass(frozen=True)
+class Solver:
+    """What is written into a solver's source and header.
+
+    Attributes:
+        program: what it runs.
+        stem: what its files are called.
+        refine: steps of iterative refinement.
+        batch: if not 0, on how many processes many states are solved at once.
+        chunk: values that one function of shape unrolled computes; 0 for its default.
+        compiler: what the MPI wrapper is to call; "" for its own choice.
+        profile: prices the program, and messages; the shipped one if not given.
+        embedded: whether it needs no operating system.
+    """
+
+    program: Program
+    stem: str
+    refine: int = 0
+    batch: int = 0
+    chunk: int = 0
+    compiler: str = ""
+    profile: CostProfile | None = None
+    embedded: bool = False
+
+    @property
+    def plan(self) -> Plan:
+        """The plan that is carried out."""
+        return self.program.plan
+
+    @property
+    def processes(self) -> int:
+        """How many processes it runs on."""
+        return self.batch or len(self.plan.processes)
+
+    @property
+    def mpi(self) -> bool:
+        """Whether these are MPI's."""
+        return self.processes > 1 and not self.plan.threads
+
+    @cached_property
+    def words(self) -> Words:
+        """What joints, links and buffers are called."""
+        in_wide_numbers = 0 if self.plan.corrections else self.refine
+        return Words(self.program, in_wide_numbers, self.chunk, step_costs(self.profile))
+
+    @cached_property
+    def costs(self) -> CostProfile:
+        """The profile that its predicted time is by."""
+        return load_profile("default") if self.profile is None else self.profile
+
+    def texts(self) -> tuple[str, str]:
+        """Return the C header and the C++ source.
+
+        Raises:
+            UsageError: an embedded solver would need Eigen.
+        """
+        of_shape = KNOWN[self.program.shape].values(self.words)
+        values = {
+            **self._of_processes(),
+            **self._of_numbers(),
+            **self._head(),
+            **model_values(self.words),
+            **of_shape,
+            "eigen": needs_eigen(of_shape),
+            **(embedded_values(self.words, of_shape) if self.embedded else {}),
+        }
+        header = render("interface.h.j2", **values)
+        return header, render("solver.cpp.j2", **self._of_source(values), **values)
+
+    def _of_numbers(self) -> dict[str, object]:
+        """What is computed in which numbers, how often, and how well."""
+        plan = self.plan
+        return {
+            "number": plan.scalar,
+            "tolerance": TOLERANCE[plan.scalar],
+            "columns": self.words.columns,
+            "slaved_count": len(plan.slaved),
+            "batch": bool(self.batch),
+            "reproducible": plan.reproducible,
+            "certified": plan.certified,
+            "refine": self.refine,
+            "own_residual": plan.corrections > 0,
+            "wide_residual": self.words.refine > 0,
+            "weighed": plan.weighed,
+            "embedded": self.embedded,
+            "failures": FAILURES,
+        }
+
+    def _of_processes(self) -> dict[str, object]:
+        """Who runs what, and what they tell each other."""
+        plan, count = self.plan, self.processes
+        idle = set() if self.batch or self.refine else _idle(plan)
+        alone = _alone(self.program) and (not self.batch or count == 1)
+        return {
+            "process_count": count,
+            "mpi": self.mpi,
+            "threads": plan.threads,
+            "alone": alone,
+            "processes": process_rows(self.words) * (self.batch or 1),
+            "idle": idle,
+            "run_list": ", ".join(
+                "refined"
+                if self.words.refine
+                else "kNothing"
+                if p in idle
+                else f"run_{0 if self.batch else p}"
+                for p in range(count)
+            ),
+            "messages": plan.messages,
+            "channel_messages": [] if alone else _channel_messages(self.words),
+            "hops": _hops(self.costs) if count > 1 else "",
+            "program_file": PROGRAM_FILE,
+            "program_options": options_of(self.mpi, plan.scalar),
+            "comm": "MPI_Comm" if self.mpi else "adagen::OneProcess",
+        }
+
+    def _of_source(self, values: Mapping[str, object]) -> dict[str, object]:
+        """What the source alone takes: which headers, and what these are told."""
+        plan, more = self.plan, description(values)
+        plain = not any(values[name] for name in ("certified", "parameters", "batch", "embedded"))
+        kind = "threads" if plan.threads else "mpi" if self.mpi else "alone"
+        plainly = plain and not (
+            more or plan.reproducible or (kind == "alone" and self.words.refine)
+        )
+        return {
+            **umbrellas(values),
+            "plain_program": not (more or self.mpi or plan.threads),
+            "plain_solver": plain and self.processes == 1,
+            "whole": f"whole_{kind}.hpp" if plainly else "",
+            "macros": _macros(plan, values),
+            "settings": settings(values, len(plan.messages)),
+            "description": more,
+        }
+
+    def _head(self) -> dict[str, object]:
+        """What the head of the file says, and how its names begin."""
+        plan, program = self.plan, self.program
+        return {
+            "stem": prefix_of(self.stem),
+            "STEM": prefix_of(self.stem).upper(),
+            "header": f"{self.stem}.h",
+            "version": __version__,
+            "version_number": version_number(),
+            "robot": quoted(plan.name),
+            "source_hash": plan.source_hash or "not given",
+            "form": plan.form,
+            "shape": program.shape,
+            "tuning": f" (functions of {self.chunk} values)" if self.chunk else "",
+            "compiler": self.compiler,
+            "scalar": plan.scalar,
+            "channel": plan.channel,
+            "base": "floating" if plan.floating else "fixed",
+            "floating": plan.floating,
+            # The paper's tree says what runs where processes are joined, and only there.
+            "tree": quoted(plan.schedule)[1:-1] if meeting(program) in TREES else "",
+            "method": method(program),
+            "frames": frames(program),
+            "algorithm": algorithm(program),
+            "program_lines": program_lines(program, self.costs),
+        }
+
+
+def _macros(plan: Plan, values: Mapping[str, object]) -> list[str]:
+    """What tells the headers what they are to do."""
+    settable = {parameter.what for parameter in plan.parameters}
+    wanted = {
+        "ADAGEN_MPI": values["mpi"],
+        "ADAGEN_THREADS": plan.threads,
+        "ADAGEN_EMBEDDED": values["embedded"],
+        "ADAGEN_BATCH": values["batch"],
+        "ADAGEN_LOOPS": plan.closed,
+        "ADAGEN_CERTIFIED": plan.certified,
+        "ADAGEN_REFINES": values["refine"],
+        "ADAGEN_RECOVERS": values.get("recovery"),
+        "ADAGEN_SETS_GRAVITY": plan.entry_of_parameter("gravity") is not None,
+        **{f"ADAGEN_SETS_{what.upper()}": what in settable for what in ("mass", "center")},
+    }
+    return [name for name, asked in wanted.items() if asked]
+
+
+def _alone(program: Program) -> bool:
+    """Whether process 0 does all: the others have nothing to do, and nothing is sent."""
+    return meeting(program) == "alone" and not any(p.owns for p in program.plan.processes[1:])
+
+
+def _idle(plan: Plan) -> set[int]:
+    """Processes that run nothing, in nearly every plan those without steps."""
+    if plan.slaved or plan.weighed or any(process.recovery for process in plan.processes):
+        return set()
+    return {p for p, process in enumerate(plan.processes) if not process.steps}
+
+
+def _hops(profile: CostProfile) -> str:
+    """What messages cost, ns: through a window, and as one of MPI."""
+    if profile.steps is None:
+        profile = load_profile("default")
+    assert profile.steps is not None  # the shipped one has them
+    hops = (profile.steps.window, profile.steps.message)
+    rows = (
+        f"{{{1e3 * hop.send:.6g}, {1e3 * hop.latency:.6g}, {1e3 * hop.number:.6g}}}" for hop in hops
+    )
+    return f"{{{', '.join(rows)}}}"
+
+
+def _channel_messages(words: Words) -> list[dict[str, object]]:
+    """The plan's messages, and behind them state and result of each process but the first."""
+    rows: list[dict[str, object]] = [
+        {
+            "source": message.source,
+            "target": message.target,
+            "size": message_size(words, message),
+            "comment": describe_message(words, message),
+        }
+        for message in words.plan.messages
+    ]
+    for p, process in enumerate(words.plan.processes[1:], start=1):
+        state, result = table_sizes(words, process)
+        state += len(words.plan.parameter_values)
+        rows.append({"source": 0, "target": p, "size": state, "comment": "state"})
+        rows.append({"source": p, "target": 0, "size": result, "comment": "accelerations"})
+    return rows + refinement_messages(words)
