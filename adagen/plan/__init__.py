@@ -88,14 +88,7 @@ def make_plan(
         UsageError: an unknown form, scalar, channel or run-time parameter, or a schedule that is
             not reproducible.
     """
-    for word, known, what in (
-        (form, tuple(FORMS), "form"),
-        (scalar, SCALARS, "scalar"),
-        (channel, CHANNELS, "channel"),
-        (meeting, MEETINGS, "meeting"),
-    ):
-        if word not in known:
-            raise UsageError(f'unknown {what} "{word}"; known: {", ".join(known)}')
+    _check_words(form, scalar, channel, meeting)
     if loop_forces:
         _check_forces(model)
     parameters = parameters_of(model, runtime)
@@ -139,6 +132,18 @@ def make_plan(
         gathered = planner.gathered() if isinstance(planner, GatherPlanner) else None
         check_reproducible(plan, gathered)
     return plan
+
+
+def _check_words(form: str, scalar: str, channel: str, meeting: str) -> None:
+    """Refuse words that are none of those known."""
+    for word, known, what in (
+        (form, tuple(FORMS), "form"),
+        (scalar, SCALARS, "scalar"),
+        (channel, CHANNELS, "channel"),
+        (meeting, MEETINGS, "meeting"),
+    ):
+        if word not in known:
+            raise UsageError(f'unknown {what} "{word}"; known: {", ".join(known)}')
 
 
 def _line(planner: AdaPlanner, schedule: Schedule, topology: Topology) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 from adagen.model import Model
@@ -64,35 +63,38 @@ def best_schedule(
     if form == "segment" and processes == 1:
         return find_schedule(topology, 1, profile=profile, **search)
     seen = fold_of(model, form)
-    if form == "ada" or not len(seen.topology):
-        best = _joined(seen, processes, profile, **search)
-        alone = not len(seen.topology)
-        if alone or costs.steps is None or any(search.get(k, v) != v for k, v in _USUAL.items()):
-            return best
-        return played_schedule(model, best, costs, scalar)
-    cuttable = cuttable_joints(model, scalar, seen.joints, limit)
-    expansions = search.pop("expansions", EXPANSIONS)
-    spend = scaled(expansions, len(topology)) if profile.steps is not None else expansions
-
-    def joined(allowed: Sequence[bool]) -> Schedule:
-        found = find_schedule(
-            seen.topology,
-            processes,
-            profile=profile,
-            cuttable=allowed,
-            expansions=spend,
-            **search,
-        )
-        return seen.unfold(found, profile)
-
-    best = joined(cuttable)
-    if profile.steps is None:
+    if form == "segment" and len(seen.topology):
+        return _by_families(model, seen, processes, profile, scalar, limit, gather, shape, **search)
+    best = _joined(seen, processes, profile, **search)
+    alone = not len(seen.topology)
+    if alone or costs.steps is None or any(search.get(k, v) != v for k, v in _USUAL.items()):
         return best
+    return played_schedule(model, best, costs, scalar)
+
+
+def _by_families(
+    model: Model,
+    seen: Fold,
+    processes: int,
+    profile: CostProfile,
+    scalar: str,
+    limit: float | None,
+    gather: bool,
+    shape: str,
+    expansions: int = EXPANSIONS,
+    **search: Any,
+) -> Schedule:
+    """The fastest schedule of form `segment`; by Eq. (11) alone that of joined processes."""
+    cuttable = cuttable_joints(model, scalar, seen.joints, limit)
+    if profile.steps is None:
+        return _joined(seen, processes, profile, cuttable=cuttable, expansions=expansions, **search)
+    search["expansions"] = scaled(expansions, len(model.joints))
     families = Families(model, seen, processes, profile, expansions, shape)
-    families.consider(joined([False] * len(seen.topology)), "alone")
+    nowhere = [False] * len(seen.topology)
+    families.consider(_joined(seen, processes, profile, cuttable=nowhere, **search), "alone")
     if families.settled:
         return families.taken()
-    families.consider(best, "joined")
+    families.consider(_joined(seen, processes, profile, cuttable=cuttable, **search), "joined")
     families.exchange(cuttable)
     families.name(cuttable)
     if gather and can_gather(model):
