@@ -33,7 +33,7 @@ def given_entries(words: Words, process: Process) -> list[int]:
     """Return the entries of qdd that a process gives."""
     plan = words.plan
     found = entries_of(words, "v", (j for j in process.owns if plan.wants(j)))
-    if any(isinstance(step, GiveOutput) for step in process.steps):
+    if any(process.steps_of(GiveOutput)):
         found += range(plan.nv, plan.entry_of_output(len(plan.outputs)))
     return found
 

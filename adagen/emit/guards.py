@@ -17,7 +17,7 @@ from adagen.plan.types import Process
 
 def talks(process: Process) -> bool:
     """Return whether a process sends or receives."""
-    return any(isinstance(step, Send | Receive) for step in process.steps)
+    return any(process.steps_of(Send, Receive))
 
 
 def checks(words: Words, process: Process) -> list[str]:

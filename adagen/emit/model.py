@@ -45,9 +45,8 @@ def model_values(words: Words) -> dict[str, object]:
 
 def _links(words: Words) -> list[dict[str, object]]:
     plan = words.plan
-    steps = [step for process in plan.processes for step in process.steps]
-    bare = {step.link for step in steps if isinstance(step, LinkBias)}
-    started = {step.link for step in steps if isinstance(step, StartLink)}
+    bare = {step.link for step in plan.steps_of(LinkBias)}
+    started = {step.link for step in plan.steps_of(StartLink)}
     number, numbers = words.printer.number, words.printer.numbers
     return [
         {

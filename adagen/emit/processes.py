@@ -92,7 +92,7 @@ def _tables(words: Words, process: Process) -> list[list[Range]]:
     q, v = entries_of(words, "q", read), entries_of(words, "v", read)
     own = [*given_entries(words, process), *words.plan.force_entries(process)]
     torques = entries_of(words, "v", (*process.owns, *process.shares, *process.spares))
-    links = {step.link for step in process.steps if isinstance(step, LinkBias | StartLink)}
+    links = {step.link for step in process.steps_of(LinkBias, StartLink)}
     torques += effects.pushed_entries(words, links)
     return [ranges(entries) for entries in (q, v, own, torques)]
 

@@ -20,7 +20,6 @@ from adagen.emit.words import Words
 from adagen.errors import UsageError
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan
-from adagen.plan.certificate import several
 from adagen.plan.certificate import why_not as why_not_corrected
 from adagen.plan.refine import corrected, refinable, why_not_in_lines
 from adagen.plan.turned import balls_lose
@@ -140,7 +139,7 @@ def why_not_own(plan: Plan, shape: str) -> str | None:
     if shape != "kernels":
         return f"shape {shape} has residuals in wider numbers alone"
     reason = why_not_corrected(plan) or kernels.why_not_weighed(plan)
-    if reason is None and several(plan):
+    if reason is None and plan.several:
         reason = "several processes share the robot"
     return None if reason is None else f"residuals are in wider numbers here: {reason}"
 
@@ -185,8 +184,7 @@ def offered(plan: Plan) -> tuple[str, ...]:
     loops = (stepwise(plan),)
     if plan.closed or plan.outputs:
         return loops
-    several = sum(bool(process.steps) for process in plan.processes) > 1
-    if plan.form == "ada" and several:
+    if plan.form == "ada" and plan.several:
         return loops
     if sum(KINDS[joint.kind].nv for joint in plan.joints) > MOST_FREEDOMS:
         return loops

@@ -53,8 +53,7 @@ class Words:
     @cached_property
     def passages(self) -> tuple[Passage, ...]:
         """Runs whose joints' motion is passed on as a whole."""
-        steps = (step for process in self.plan.processes for step in process.steps)
-        return tuple(sorted({s.passage for s in steps if isinstance(s, Traverse | Append)}))
+        return tuple(sorted({step.passage for step in self.plan.steps_of(Traverse, Append)}))
 
     def passage(self, passage: Passage) -> str:
         """Return where one of them is."""
@@ -68,8 +67,7 @@ class Words:
     @cached_property
     def loaded(self) -> frozenset[int]:
         """Links that handle forces load."""
-        steps = (step for process in self.plan.processes for step in process.steps)
-        return frozenset(step.link for step in steps if isinstance(step, Load))
+        return frozenset(step.link for step in self.plan.steps_of(Load))
 
     def kind(self, joint: int) -> JointKind:
         """A joint's kind."""
@@ -90,12 +88,7 @@ class Words:
     @cached_property
     def _members(self) -> dict[tuple[int, int], str]:
         """A word for each pair of handles: links "a", "b" and "a_b" must not meet in "a_b"."""
-        targets = (
-            b
-            for p in self.plan.processes
-            for s in (*p.steps, *p.recovery)
-            for b in blocks_set_by(s)
-        )
+        targets = (block for step in self.plan.all_steps for block in blocks_set_by(step))
         pairs = sorted({(block.row != block.column, block.row, block.column) for block in targets})
         words = distinct(
             f"{self.links[row]}_{self.links[column]}" if apart else self.links[row]

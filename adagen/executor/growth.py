@@ -55,7 +55,7 @@ def predicted_growth(plan: Plan) -> Growth:
     Raises:
         FloatingPointError: a factorization fails already here; the message names the joint.
     """
-    joins = any(isinstance(step, Join) for process in plan.processes for step in process.steps)
+    joins = any(plan.steps_of(Join))
     if not joins and _surely_solved(plan):
         return _none(plan)
     seeds = (1, 2) if joins else (1,)
@@ -91,10 +91,9 @@ def _growth(plan: Plan, seed: int) -> Growth:
     transforms = _transforms(plan, q)
     values: dict[int, float] = {}
     for p, process in enumerate(plan.processes):
-        for step in process.steps:
-            if isinstance(step, Join):
-                joined: Joined = run.machines[p].memory["join", step.joint]
-                values[step.joint] = _lost(plan, run, p, joined, transforms)
+        for step in process.steps_of(Join):
+            joined: Joined = run.machines[p].memory["join", step.joint]
+            values[step.joint] = _lost(plan, run, p, joined, transforms)
     if not values:
         return _none(plan)
     worst = max(values, key=lambda joint: (values[joint], -joint))

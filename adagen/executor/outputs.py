@@ -13,7 +13,6 @@ from adagen.executor.state import State
 from adagen.graph import matrix_times, total
 from adagen.model import LINK_ACCELERATION, REACTION_FORCE
 from adagen.plan.robot import PlanOutput
-from adagen.plan.steps import Block, blocks_set_by
 
 Array = NDArray[Any]
 
@@ -58,7 +57,7 @@ class Outputs:
 
     def _inverse_inertia(self, output: PlanOutput) -> Array:
         """The link's mobility in the frame: X Phi X^T, linear before angular, row by row."""
-        phi = self.state.memory[self._block(output.link)]
+        phi = self.state.memory[self.state.plan.mobility_of(output.link)]
         turn = self.state.constants(output.rotation).T
         place = self.state.constants(output.translation)
         change = self.state.zeros(6, 6)  # from [angular; linear] at the link's origin
@@ -75,12 +74,6 @@ class Outputs:
             for k in range(i, 6):
                 result[i, k] = result[k, i] = total(half[i] * change[k])
         return result.ravel()
-
-    def _block(self, link: int) -> Block:
-        """The name of a link's mobility among what its process has set."""
-        steps = (step for process in self.state.plan.processes for step in process.steps)
-        blocks = (block for step in steps for block in blocks_set_by(step))
-        return next(block for block in blocks if (block.row, block.column) == (link, link))
 
     def _told(self, output: PlanOutput, vector: Array) -> Array:
         """A vector of the link's axes in those of the frame."""

@@ -182,8 +182,8 @@ class Run:
             raise SingularPoseError
         names = self.plan.place(joint)
         if check.failure == "kGimbalLock":
-            steps = (step for process in self.plan.processes for step in process.steps)
-            run = next(s.run for s in steps if isinstance(s, FusedJoin) and s.joint == check.joint)
+            fused = self.plan.steps_of(FusedJoin)
+            run = next(step.run for step in fused if step.joint == check.joint)
             names = "joints " + ", ".join(f'"{self.plan.joints[j].name}"' for j in run)
         raise FloatingPointError(f"{names}: {_SAID[check.failure]}")
 

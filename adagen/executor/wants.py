@@ -84,7 +84,7 @@ def _readers(plan: Plan, entry: int) -> list[Sender]:
             return [
                 Sender(p, wrench.link)
                 for p, process in enumerate(plan.processes)
-                for step in process.steps
-                if isinstance(step, LinkBias | StartLink) and step.link == wrench.link
+                for step in process.steps_of(LinkBias, StartLink)
+                if step.link == wrench.link
             ]
     raise AssertionError(f"nobody is given entry {entry} of tau")

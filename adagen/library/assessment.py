@@ -114,7 +114,7 @@ def _why_it_fails(plan: Plan, model: Model, request: Request, failure: str) -> s
     """Return why a factorization of a plan fails, and what to do."""
     if plan.form == "ada":
         return f"form ada cannot solve this robot: {failure}; use --form segment"
-    cuts = {s.joint for process in plan.processes for s in process.steps if isinstance(s, Join)}
+    cuts = {step.joint for step in plan.steps_of(Join)}
     good = cuttable_joints(model, plan.scalar)
     bad = quoted([joint.name for j, joint in enumerate(plan.joints) if j in cuts and not good[j]])
     if request.schedule == "auto":

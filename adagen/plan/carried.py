@@ -19,14 +19,14 @@ _KINDS = ("revolute", "prismatic", "spherical", "planar")
 
 def mentions(plan: Plan, process: Process) -> Counter[Block]:
     """Return how often a process's steps and the messages name each block."""
-    if not any(isinstance(step, Propagate) for step in process.steps):
+    if not any(process.steps_of(Propagate)):
         return Counter()
     return Counter(_blocks((*process.steps, *plan.messages)))
 
 
 def holds(process: Process) -> bool:
     """Whether a process takes the mobility of what hangs on the ground for an inertia."""
-    return any(isinstance(step, HoldMobility) for step in process.steps)
+    return any(process.steps_of(HoldMobility))
 
 
 def may_be_carried(joints: Sequence[PlanJoint], joint: int) -> bool:

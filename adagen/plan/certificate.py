@@ -48,7 +48,7 @@ def certified(plan: Plan) -> Plan:
     reason = why_not(plan) or why_not_shared(plan)
     if reason is not None:
         raise UsageError(f"answers cannot be certified: {reason}; leave out --certify")
-    if several(plan):
+    if plan.several:
         return _shared(plan)
     processes = tuple(
         replace(
@@ -83,7 +83,7 @@ def why_not(plan: Plan) -> str | None:
         return "its loops let no joint move: all accelerations are zero, and have no relative error"
     if plan.closed and (plan.wanted or plan.outputs):
         return "a scene wants other outputs than all accelerations of closed loops"
-    steps = [s for each in plan.alternatives for process in each.processes for s in process.steps]
+    steps = [step for each in plan.alternatives for step in each.steps]
     if any(isinstance(step, FusedJoin) for step in steps):
         return "joints are joined as one over links without mass"
     if any(isinstance(step, CarryRows) for step in steps):
@@ -103,18 +103,12 @@ _GATHERED = (
 """Steps of processes that gather at the base or the ground."""
 
 
-def several(plan: Plan) -> bool:
-    """Return whether several processes share the robot."""
-    return sum(bool(process.steps) for process in plan.processes) > 1
-
-
 def why_not_shared(plan: Plan) -> str | None:
     """Return why several processes do not certify what they answer together, None if they do."""
-    if not several(plan):
+    if not plan.several:
         return None
-    steps = [step for process in plan.processes for step in process.steps]
-    turned = any(getattr(step, "reversed", False) for step in steps)
-    if plan.closed or turned or not all(isinstance(step, _GATHERED) for step in steps):
+    turned = any(getattr(step, "reversed", False) for step in plan.steps)
+    if plan.closed or turned or not all(isinstance(step, _GATHERED) for step in plan.steps):
         return (
             "several processes share the robot otherwise than by limbs of its base or of the "
             "ground: no process has the factors of all that is beyond a joint"
@@ -203,4 +197,4 @@ def spread(plan: Plan, joints: Iterable[int], link: int) -> Spread:
 
 def own_links(process: Process) -> Iterator[int]:
     """Yield the links whose inertia a process starts with."""
-    return (step.link for step in process.steps if isinstance(step, StartLink))
+    return (step.link for step in process.steps_of(StartLink))

@@ -83,7 +83,7 @@ class ClosedAdaPlanner(ClusterPlanner):
         """A process that knows the constraints at its links and joints before it needs them."""
         if not process.steps:
             return process
-        links = {s.link for s in process.steps if isinstance(s, LinkBias | StartLink)}
+        links = {step.link for step in process.steps_of(LinkBias, StartLink)}
         joined = _joined(process.steps)
         steps: list[Step] = []
         passed = set(process.reads)

@@ -64,8 +64,7 @@ def closures_in(steps: Iterable[Step]) -> dict[int, ClosureSteps]:
 
 def nothing_moves(plan: Plan) -> bool:
     """Return whether closures leave no joint any freedom, as those of a truss."""
-    steps = [step for process in plan.processes for step in process.steps]
-    rows = sum(len(one.eliminate.rows) for one in closures_in(steps).values())
+    rows = sum(len(one.eliminate.rows) for one in closures_in(list(plan.steps)).values())
     return plan.closed and rows == plan.nv
 
 

@@ -43,7 +43,7 @@ class Exchange:
 
 def links_of_process(process: Process) -> tuple[int, ...]:
     """Return the links whose residual a process computes, ascending."""
-    steps = (step for step in process.steps if isinstance(step, LinkBias | StartLink))
+    steps = process.steps_of(LinkBias, StartLink)
     return tuple(sorted(step.link for step in steps))
 
 
@@ -53,7 +53,7 @@ def handed_on(process: Process) -> tuple[tuple[int, int], ...]:
     Such a link hands on what it gets, so that the outer joint's force tells the inner one's.
     Outer joints come first.
     """
-    runs = (step.run for step in process.steps if isinstance(step, FusedJoin))
+    runs = (step.run for step in process.steps_of(FusedJoin))
     return tuple(pair for run in runs for pair in reversed(list(pairwise(run))))
 
 
@@ -144,8 +144,7 @@ def why_not_in_lines(plan: Plan) -> str | None:
         )
     if plan.wanted or plan.outputs:
         return "a scene wants other outputs than all accelerations: that is not refined"
-    several = sum(bool(process.steps) for process in plan.processes) > 1
-    if plan.form == "ada" and several:
+    if plan.form == "ada" and plan.several:
         return "closed loops are refined in form ada on one process alone"
     if plan.lent:
         return f'joint "{plan.joints[plan.lent[0][0]].name}" is lent inertia: that is not refined'

@@ -74,7 +74,7 @@ def check_reproducible(plan: Plan, gathered: Gathered | None) -> None:
             "closed loops are not reproducible: each is solved by one process, by statements that "
             "others do not share; leave out --reproducible"
         )
-    if sum(bool(process.steps) for process in plan.processes) < 2:
+    if not plan.several:
         return
     if gathered is None:
         raise UsageError(

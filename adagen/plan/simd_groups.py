@@ -87,8 +87,7 @@ def placed_links(plan: Plan) -> frozenset[int]:
     is inverted to an inertia.
     """
     gathered = {link for message in plan.messages for link in message.inertias}
-    steps = (step for process in plan.processes for step in process.steps)
-    held = (s.link for s in steps if isinstance(s, HoldMobility | SolveMobility))
+    held = (step.link for step in plan.steps_of(HoldMobility, SolveMobility))
     return frozenset(gathered).union(held)
 
 
@@ -355,11 +354,10 @@ def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
         _stretch_of(process, parts, Articulate),
         _stretch_of(process, parts, Accelerate),
     ]
-    turns = (s for s in process.steps if isinstance(s, Articulate | Accelerate))
-    turned = {s.joint for s in turns if s.reversed}
+    turned = {s.joint for s in process.steps_of(Articulate, Accelerate) if s.reversed}
     apart = (Propagate, Deliver, HoldBack, CarryRows)  # closures go side by side as a whole
     between = {s.joint for s in process.steps if isinstance(s, apart)}
-    bare = {s.link for s in process.steps if isinstance(s, StartLink)} - placed_links(plan)
+    bare = {step.link for step in process.steps_of(StartLink)} - placed_links(plan)
     return {
         j: tuple(sweep[j] for sweep in sweeps)
         for j in process.owns

@@ -80,7 +80,7 @@ def turned_joints(plan: Plan) -> Turned:
     worst, usual = _losing(plan, steps)
     sides = _sides(plan.joints, plan.links, plan.scalar)
     usual |= {step for step in worst if sides[step].usual > ENOUGH}
-    fused = any(isinstance(step, FusedJoin) for p in plan.processes for step in p.steps)
+    fused = any(plan.steps_of(FusedJoin))
     for j, backwards in worst:  # mobilities of fused runs take away most of what is passed to them
         far = plan.joints[j].parent if backwards else j + 1
         if fused or not plan.links[far].mass:
@@ -156,11 +156,9 @@ def _told_at_cuts(plan: Plan, articulated: Set[int]) -> set[int]:
     of which the run takes away the larger part.
     """
     found: set[int] = set()
-    for step in (step for process in plan.processes for step in process.steps):
-        if isinstance(step, LinkBias):
-            found.add(step.link - 1)
-        elif isinstance(step, FusedJoin):
-            found.update((step.run[-1], plan.joints[step.run[0]].parent - 1))
+    found.update(step.link - 1 for step in plan.steps_of(LinkBias))
+    for step in plan.steps_of(FusedJoin):
+        found.update((step.run[-1], plan.joints[step.run[0]].parent - 1))
     found.discard(-1)
     one = ("revolute", "prismatic")
     return {j for j in found if j not in articulated or plan.joints[j].kind in one}
@@ -220,12 +218,7 @@ def _pairs(plan: Plan, joints: frozenset[int]) -> list[tuple[int, int]]:
 def _articulated(plan: Plan) -> list[tuple[int, bool]]:
     """Joints that are eliminated, and whether backwards."""
     return sorted(
-        {
-            (step.joint, step.reversed)
-            for process in plan.processes
-            for step in (*process.steps, *process.recovery)
-            if isinstance(step, Articulate)
-        }
+        {(step.joint, step.reversed) for step in plan.all_steps if isinstance(step, Articulate)}
     )
 
 

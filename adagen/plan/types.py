@@ -6,9 +6,11 @@ name are in adagen/plan/steps/.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import chain
+from typing import Any, TypeVar, overload
 
 from adagen.model.kinds import KINDS
 from adagen.plan.robot import (
@@ -34,7 +36,11 @@ from adagen.plan.steps import (
     SideOfLoops,
     SolveCoupling,
     Step,
+    blocks_set_by,
 )
+
+A = TypeVar("A")
+B = TypeVar("B")
 
 THREADS = "threads"
 """The channel between processes that are threads of one program."""
@@ -137,6 +143,14 @@ class Process:
         """Joints whose acceleration it computes, ascending."""
         return sorted((*self.owns, *self.shares))
 
+    @overload
+    def steps_of(self, first: type[A], /) -> Iterator[A]: ...
+    @overload
+    def steps_of(self, first: type[A], second: type[B], /) -> Iterator[A | B]: ...
+    def steps_of(self, *kinds: type) -> Iterator[Any]:
+        """Yield its steps of one kind, or of two, in order."""
+        return (step for step in self.steps if isinstance(step, kinds))
+
 
 @dataclass(frozen=True)
 class Plan:
@@ -223,11 +237,38 @@ class Plan:
         """Whether the error of each answer is bounded."""
         return any(isinstance(p.steps[-1], Certify) for p in self.processes if p.steps)
 
+    @overload
+    def steps_of(self, first: type[A], /) -> Iterator[A]: ...
+    @overload
+    def steps_of(self, first: type[A], second: type[B], /) -> Iterator[A | B]: ...
+    def steps_of(self, *kinds: type) -> Iterator[Any]:
+        """Yield the steps of one kind, or of two, process by process."""
+        return (step for step in self.steps if isinstance(step, kinds))
+
+    @property
+    def steps(self) -> Iterator[Step]:
+        """The steps of all processes, one process after the other."""
+        return chain.from_iterable(process.steps for process in self.processes)
+
+    @property
+    def all_steps(self) -> Iterator[Step]:
+        """The same, with those of each process's recovery behind its others."""
+        return chain.from_iterable((*p.steps, *p.recovery) for p in self.processes)
+
+    @property
+    def several(self) -> bool:
+        """Whether several processes have something to do."""
+        return sum(bool(process.steps) for process in self.processes) > 1
+
+    def mobility_of(self, link: int) -> Block:
+        """Return the block that holds a link's mobility, which some step sets."""
+        blocks = (block for step in self.steps for block in blocks_set_by(step))
+        return next(block for block in blocks if (block.row, block.column) == (link, link))
+
     @cached_property
     def corrections(self) -> int:
         """How many times each answer is corrected by a residual in the solver's own numbers."""
-        steps = (step for process in self.processes for step in process.steps)
-        return max((step.count for step in steps if isinstance(step, Refine)), default=0)
+        return max((step.count for step in self.steps_of(Refine)), default=0)
 
     @property
     def weighed(self) -> bool:
@@ -287,8 +328,7 @@ class Plan:
 
     def held_back(self) -> Plan:
         """Return the plan in which closures carry no rows, where there is one; else this one."""
-        steps = (step for process in self.processes for step in process.steps)
-        carries = any(isinstance(step, CarryRows) for step in steps)
+        carries = any(self.steps_of(CarryRows))
         return self.recovering() if carries and self.recovers else self
 
     @property
@@ -341,7 +381,7 @@ class Plan:
         if not self.loop_forces:
             return []
         if self.tied_rows:  # they are found where all is solved for
-            solves = any(isinstance(step, SolveCoupling) for step in process.steps)
+            solves = any(process.steps_of(SolveCoupling))
             return list(range(self.entry_of_loop(0), self.nqdd)) if solves else []
         found: list[int] = []
         for k, loop in enumerate(self.loops):

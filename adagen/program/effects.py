@@ -66,7 +66,6 @@ from adagen.plan.steps import (
     StartLink,
     Step,
     Traverse,
-    blocks_set_by,
 )
 from adagen.plan.types import CERTIFICATE, ENERGIES, Message, Plan
 
@@ -106,8 +105,7 @@ _OfLink = (
 
 def joined_runs(plan: Plan) -> dict[int, tuple[int, ...]]:
     """Return the joints that each join puts together, by the joint that it is named by."""
-    steps = (step for process in plan.processes for step in process.steps)
-    joins = (step for step in steps if isinstance(step, Join))
+    joins = plan.steps_of(Join)
     return {j.joint: j.run if isinstance(j, FusedJoin) else (j.joint,) for j in joins}
 
 
@@ -162,17 +160,7 @@ def _output(plan: Plan, step: GiveOutput) -> Effects:
         return Effects((("velocity", output.link), ("acceleration", output.link), *tied))
     if output.what == REACTION_FORCE:
         return Effects((("qdd", output.link - 1),))
-    return Effects((_mobility(plan, output.link),))
-
-
-def _mobility(plan: Plan, link: int) -> Block:
-    blocks = (
-        block
-        for process in plan.processes
-        for step in process.steps
-        for block in blocks_set_by(step)
-    )
-    return next(block for block in blocks if (block.row, block.column) == (link, link))
+    return Effects((plan.mobility_of(output.link),))
 
 
 def _of_joint(
@@ -316,8 +304,7 @@ def _correct(plan: Plan, step: Correct) -> Effects:
         return Effects(alters=place)
     if step.round > 0:
         return Effects((("correction", step.round - 1),), place)
-    alone = sum(bool(process.steps) for process in plan.processes) == 1
-    every = range(len(plan.joints)) if alone else ()
+    every = () if plan.several else range(len(plan.joints))
     return Effects(tuple(("qdd", j) for j in every), place)
 
 

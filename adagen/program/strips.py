@@ -83,8 +83,7 @@ def _outward(plan: Plan, p: int, limbs: Sequence[Limbs]) -> Iterator[Run]:
 
 def _traversed(plan: Plan) -> set[tuple[int, int]]:
     """Runs whose motion is passed on as a whole, which nothing divides."""
-    steps = (step for process in plan.processes for step in process.steps)
-    return {(s.passage.first, s.passage.last) for s in steps if isinstance(s, Traverse)}
+    return {(step.passage.first, step.passage.last) for step in plan.steps_of(Traverse)}
 
 
 def slots_of(run: Run, lanes: int) -> list[int]:

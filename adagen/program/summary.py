@@ -33,23 +33,17 @@ class Gathering:
 
 def meeting(program: Program) -> Meeting:
     """Return how the processes of a program meet."""
-    processes = program.plan.processes
-    if sum(bool(process.steps) for process in processes) < 2:
+    plan = program.plan
+    if not plan.several:
         return "alone"
-    joins = any(isinstance(step, Join) for process in processes for step in process.steps)
-    if not joins:
+    if not any(plan.steps_of(Join)):
         return "gathered"
-    return "exchanged" if any(process.shares for process in processes) else "joined"
+    return "exchanged" if any(process.shares for process in plan.processes) else "joined"
 
 
 def gathering(program: Program) -> Gathering:
     """Return where the processes of a program gather."""
-    roots = {
-        step.link
-        for process in program.plan.processes
-        for step in process.steps
-        if isinstance(step, SolveRoot | SolveMobility)
-    }
+    roots = {step.link for step in program.plan.steps_of(SolveRoot, SolveMobility)}
     core = {joint for process in program.plan.processes for joint in process.shares}
     return Gathering(tuple(sorted(roots)), tuple(sorted(core)))
 

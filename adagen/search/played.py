@@ -126,14 +126,11 @@ class _Played:
         assert costs is not None  # as the caller has made sure
         plan = make_plan(self.model, self.found, form="ada", scalar=self.scalar)
         work = 0.0
-        for process in plan.processes:
-            for step in process.steps:
-                match step:
-                    case Join():
-                        joint = plan.joints[step.joint]
-                        kind = "prescribed" if joint.prescribed else joint.kind
-                        join = min(costs[f"join.{kind}"], costs["join.ground"])
-                        work += join + costs[f"disassemble.{kind}"]
+        for step in plan.steps_of(Join):
+            joint = plan.joints[step.joint]
+            kind = "prescribed" if joint.prescribed else joint.kind
+            join = min(costs[f"join.{kind}"], costs["join.ground"])
+            work += join + costs[f"disassemble.{kind}"]
         rate = sum(costs.speed(p) for p in range(self.found.processes))
         fastest = max(costs.speed(p) for p in range(self.found.processes))
         return costs["process.evaluation"] / fastest + work / rate

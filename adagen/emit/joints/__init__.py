@@ -36,12 +36,8 @@ def why_not(plan: Plan) -> str | None:
 
 def values(words: Words) -> dict[str, object]:
     """Return the values of joints.cpp.j2, its runtime headers among them."""
-    segments = any(
-        isinstance(step, StartLink) for process in words.plan.processes for step in process.steps
-    )
-    fused = any(
-        isinstance(step, FusedJoin) for process in words.plan.processes for step in process.steps
-    )
+    segments = any(words.plan.steps_of(StartLink))
+    fused = any(words.plan.steps_of(FusedJoin))
     runtime = ["articulated.hpp" if segments else "joins.hpp"]
     runtime += ["fused.hpp"] * fused
     if has_effects(words.plan):

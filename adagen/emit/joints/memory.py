@@ -48,9 +48,8 @@ class Members:
         self.bases = [""] * len(plan.joints)
         """What a joint's memory is derived from, instead of these members."""
         forces: dict[int, set[Force]] = defaultdict(set)
-        for process in plan.processes:
-            for step in process.steps:
-                self._add(step, forces)
+        for step in plan.steps:
+            self._add(step, forces)
         for joint, named in forces.items():
             for force in sorted(named):
                 member = words.force_member(force)

@@ -59,24 +59,13 @@ def joint_rows(words: Words) -> list[dict[str, object]]:
     plan = words.plan
     members = Members(words)
     functions: list[dict[str, dict[str, object]]] = [{} for _ in plan.joints]
-    ends = {
-        step.joint: step
-        for process in plan.processes
-        for step in process.steps
-        if isinstance(step, Disassemble)
-    }
-    joined = {
-        step.joint: step
-        for process in plan.processes
-        for step in process.steps
-        if isinstance(step, Join)
-    }
-    for process in plan.processes:
-        for step in process.steps:
-            name = function_of(words, step)
-            if name is not None:
-                of_joint = functions[getattr(step, "joint", -1)]
-                of_joint.setdefault(name, _function(words, step, name, joined, ends))
+    ends = {step.joint: step for step in plan.steps_of(Disassemble)}
+    joined = {step.joint: step for step in plan.steps_of(Join)}
+    for step in plan.steps:
+        name = function_of(words, step)
+        if name is not None:
+            of_joint = functions[getattr(step, "joint", -1)]
+            of_joint.setdefault(name, _function(words, step, name, joined, ends))
     return [
         {
             "id": f"j_{words.joints[j]}",

@@ -36,7 +36,6 @@ from adagen.plan.steps import (
     biases_set_by,
     blocks_set_by,
 )
-from adagen.plan.types import Process
 from adagen.program import Operation, Program
 from adagen.program.runs import Run, ends_of_run
 
@@ -61,12 +60,12 @@ STEPS = (
 
 def has_cuts(plan: Plan) -> bool:
     """Return whether processes of a plan show mobilities to each other."""
-    return any(isinstance(step, STEPS) for process in plan.processes for step in process.steps)
+    return any(isinstance(step, STEPS) for step in plan.steps)
 
 
 def holds_ground(plan: Plan) -> bool:
     """Return whether a process takes the ground, as joints on it let it yield, for a body."""
-    return any(isinstance(s, HoldMobility) for p in plan.processes for s in all_steps(p))
+    return any(isinstance(step, HoldMobility) for step in plan.all_steps)
 
 
 def carries(program: Program) -> bool:
@@ -80,28 +79,22 @@ def carries(program: Program) -> bool:
 
 def has_fused(plan: Plan) -> bool:
     """Return whether runs of joints are joined as one."""
-    return any(isinstance(s, FusedJoin) for p in plan.processes for s in p.steps)
+    return any(plan.steps_of(FusedJoin))
 
 
 def runtime(plan: Plan) -> list[str]:
     """Return the parts of the runtime that joins need."""
-    joined = {s.joint for p in plan.processes for s in all_steps(p) if isinstance(s, Join)}
+    joined = {step.joint for step in plan.all_steps if isinstance(step, Join)}
     held = any(plan.joints[j].prescribed or plan.joints[j].rotor_inertia for j in joined)
     runs = ["fused.hpp"] * has_fused(plan)
     return ["spatial.hpp", "joins.hpp", *runs, *["effects.hpp"] * held]
 
 
-def all_steps(process: Process) -> tuple[Step, ...]:
-    """Return the steps of a process, those of its recovery behind the others."""
-    return (*process.steps, *process.recovery)
-
-
 def passes_free(plan: Plan) -> bool:
     """Return whether mobilities are passed outwards across floating joints."""
     return any(
-        isinstance(s, Propagate) and plan.joints[s.joint].kind == "floating"
-        for p in plan.processes
-        for s in all_steps(p)
+        isinstance(step, Propagate) and plan.joints[step.joint].kind == "floating"
+        for step in plan.all_steps
     )
 
 
@@ -275,8 +268,7 @@ def _of(words: Words, step: Propagate, verb: str) -> str:
 
 
 def _join_of(plan: Plan, joint: int) -> Join:
-    steps = (step for process in plan.processes for step in process.steps)
-    return next(step for step in steps if isinstance(step, Join) and step.joint == joint)
+    return next(step for step in plan.steps_of(Join) if step.joint == joint)
 
 
 def _propagate(words: Words, step: Propagate) -> list[str]:

@@ -25,7 +25,7 @@ def told(words: Words, process: Process, operation: Operation) -> list[str]:
     (step,) = operation.steps
     assert isinstance(step, Send)
     message = words.plan.messages[step.message]
-    (joints,) = (s.joints for s in process.steps if isinstance(s, Certify))
+    (joints,) = (step.joints for step in process.steps_of(Certify))
     lines = [
         f"{{  // to process {message.target}: {describe_message(words, message)}",
         f"  Number* to = channel.outgoing({step.message}, w.status);",
