@@ -50,7 +50,12 @@ class Want:
 
     def _results(self) -> list[Pair]:
         found = [pair for j in self.own.owns for pair in self.line.results.get(j, [])]
-        return found + self.line.certificate  # one process alone has that
+        return found + self.certificate
+
+    @property
+    def certificate(self) -> list[Pair]:
+        """What bounds the error of the answer, at the only process that has work in such plans."""
+        return self.line.certificate if self.own.steps else []
 
     def _looked(self, found: set[Pair]) -> list[Looked]:
         treated = {*self.own.owns, *self.own.shares}

@@ -46,13 +46,14 @@ def choose(model: Model, request: Request, *, left_open: bool = False) -> Chosen
         request: the request.
         left_open: whether as many processes are taken as pay, whatever the request says: as a
             schedule in a file has, all cores of a batch, one of any other solver that is certified
-            or of an embedded one.
+            by a schedule that is searched, or of an embedded one.
 
     Raises:
         InputError: the profile or the schedule file is refused.
         UsageError: there is no such profile or schedule.
     """
-    alone = request.target == "embedded" or (request.certify and not request.batch)
+    certified = request.certify and not request.batch and request.schedule in KNOWN
+    alone = request.target == "embedded" or certified
     if left_open and alone:
         request, left_open = replace(request, procs=1), False
     if request.schedule not in KNOWN:

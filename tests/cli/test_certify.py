@@ -100,6 +100,17 @@ def test_one_process_is_chosen_where_none_is_asked_for(tmp_path: Path) -> None:
     assert (tmp_path / "snake100_p1.cpp").is_file()
 
 
+def test_a_schedule_in_a_file_says_how_many_processes_certify(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    robot = str(MODELS / "arm7.urdf")
+    assert main(["schedule", robot, "--procs", "2", "--json"]) == 0
+    given = tmp_path / "schedule.json"
+    given.write_text(capsys.readouterr().out)
+    assert main([robot, "--certify", "--schedule", str(given), "--out", str(tmp_path)]) == 0
+    assert ", certified, channel" in (tmp_path / "arm7_p2.cpp").read_text()
+
+
 def test_a_certified_batch_is_shared_by_as_many_cores_as_another(tmp_path: Path) -> None:
     stems = []
     for folder, more in (("plain", ()), ("certified", ("--certify",))):

@@ -85,3 +85,20 @@ def test_answers_are_those_of_two_processes(
         assert main(["solve", ARM, *words, *common]) == 0
         found.append(result.read_text())
     assert found[1:] == found[:1] * 2
+
+
+def test_certified_answers_are_those_of_two_processes_and_so_are_their_bounds(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["info", FIGURE, "--states", "2"]) == 0
+    given = tmp_path / "states.json"
+    given.write_text(capsys.readouterr().out)
+    found = []
+    for count in ("1", "2"):
+        result = tmp_path / "result.json"
+        words = ["--reproducible", "--certify", "--procs", count, "--states", str(given)]
+        assert main(["solve", FIGURE, *words, "--result", str(result)]) == 0
+        found.append(json.loads(result.read_text()))
+    assert found[0]["joints"] == found[1]["joints"]
+    assert found[0]["error_bounds"] == found[1]["error_bounds"]
+    assert all(0 < bound < 1e-6 for bound in found[0]["error_bounds"])
