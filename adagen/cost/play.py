@@ -121,9 +121,7 @@ def timeline(program: Program, profile: CostProfile, links: Links | None = None)
     Raises:
         ValueError: the profile prices joins alone, as the paper's does.
     """
-    if profile.steps is None:
-        raise ValueError(f"the profile {profile.name} has no costs of steps")
-    return _Play(program, profile.steps, links).play()
+    return _Play(program, profile.measured, links).play()
 
 
 @dataclass

@@ -19,7 +19,7 @@ from adagen.errors import UsageError
 from adagen.executor import Grouping
 from adagen.plan import Plan, plan_to_json
 from adagen.program import Program, check, lower
-from adagen.schedule import CostProfile, step_costs
+from adagen.schedule import CostProfile, step_costs, with_steps
 
 __all__ = [
     "TOLERANCE",
@@ -101,7 +101,7 @@ def emit(
     files = {
         f"{stem}.cpp": text,
         f"{stem}.h": header,
-        f"{stem}.plan.json": plan_to_json(replace(plan, profile=_named(profile))),
+        f"{stem}.plan.json": plan_to_json(replace(plan, profile=with_steps(profile).name)),
     }
     if svg is not None:
         files[f"{stem}.svg"] = svg
@@ -126,11 +126,6 @@ def emit(
     else:
         files[PROGRAM_FILE] = program_text()
     return files
-
-
-def _named(profile: CostProfile | None) -> str:
-    """The name of the profile that a program is chosen by: the shipped one where none can be."""
-    return "default" if profile is None or profile.steps is None else profile.name
 
 
 def program_of(

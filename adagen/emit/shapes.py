@@ -23,7 +23,7 @@ from adagen.plan import Plan
 from adagen.plan.certificate import why_not as why_not_corrected
 from adagen.plan.refine import corrected, refinable, why_not_in_lines
 from adagen.plan.turned import balls_lose
-from adagen.schedule import CostProfile, load_profile
+from adagen.schedule import CostProfile, with_steps
 
 
 @dataclass(frozen=True)
@@ -202,7 +202,6 @@ def _fastest(
     plan: Plan, shapes: Sequence[str], profile: CostProfile | None, *, batch: bool = False
 ) -> str:
     """The first of some shapes that none of the others takes less time than."""
-    if profile is None or profile.steps is None:
-        profile = load_profile("default")
+    profile = with_steps(profile)
     programs = {shape: programmed(plan, shape, profile, batch=batch) for shape in shapes}
     return min(shapes, key=lambda shape: timeline(programs[shape], profile).makespan)

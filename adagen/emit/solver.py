@@ -25,6 +25,7 @@ from adagen.plan import Plan
 from adagen.program import Program
 from adagen.program.summary import TREES, meeting
 from adagen.schedule import CostProfile, load_profile, step_costs
+from adagen.schedule.costs import StepCosts
 
 # Largest backward error that an emitted self-check lets pass: what cuts may lose at most, with a
 # margin (adagen/plan/cuts.py, docs/explanation/accuracy.md).
@@ -141,7 +142,7 @@ class Solver:
             ),
             "messages": plan.messages,
             "channel_messages": [] if alone else _channel_messages(self.words),
-            "hops": _hops(self.costs) if count > 1 else "",
+            "hops": _hops(step_costs(self.costs)) if count > 1 else "",
             "program_file": PROGRAM_FILE,
             "program_options": options_of(self.mpi, plan.scalar),
             "comm": "MPI_Comm" if self.mpi else "adagen::OneProcess",
@@ -223,12 +224,9 @@ def _idle(plan: Plan) -> set[int]:
     return {p for p, process in enumerate(plan.processes) if not process.steps}
 
 
-def _hops(profile: CostProfile) -> str:
+def _hops(costs: StepCosts) -> str:
     """What messages cost, ns: through a window, and as one of MPI."""
-    if profile.steps is None:
-        profile = load_profile("default")
-    assert profile.steps is not None  # the shipped one has them
-    hops = (profile.steps.window, profile.steps.message)
+    hops = (costs.window, costs.message)
     rows = (
         f"{{{1e3 * hop.send:.6g}, {1e3 * hop.latency:.6g}, {1e3 * hop.number:.6g}}}" for hop in hops
     )

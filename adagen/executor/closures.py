@@ -22,6 +22,7 @@ from adagen.executor.frames import Transform, columnwise
 from adagen.executor.front import End, Front, Opening
 from adagen.executor.hung import HungLinks
 from adagen.executor.kinematics import Motion
+from adagen.executor.lanes import in_lanes
 from adagen.executor.loop_forces import forces_of_kept, give_forces
 from adagen.executor.loop_frames import LoopFrames
 from adagen.executor.mates import MatesInLanes, Taken
@@ -111,16 +112,12 @@ class Closures:
         """What is done for closures that go side by side, lane by lane; idle lanes repeat."""
         if number not in self.together:
             return (self.alone[number],)
-        own = self.together[number]
-        width = 1 << (len(own) - 1).bit_length()
-        return (*own, *[own[-1]] * (width - len(own)))
+        return in_lanes(self.together[number])
 
     def _loops(self, step: CloseLoop) -> list[int]:
         """Loops that are treated as one, by lanes."""
         if step in self.mates.closing:
-            own = self.mates.closing[step]
-            width = 1 << (len(own) - 1).bit_length()
-            return [each.loop for each in (*own, *[own[-1]] * (width - len(own)))]
+            return [each.loop for each in in_lanes(self.mates.closing[step])]
         if step.closure not in self.together:
             return [step.loop]
         place = self.together[step.closure][0].loops.index(step)

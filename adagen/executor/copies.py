@@ -9,6 +9,7 @@ from itertools import groupby
 import numpy as np
 
 from adagen.executor.checks import Check
+from adagen.executor.lanes import in_lanes
 from adagen.executor.line import Looked, Pair
 from adagen.executor.machine import RECEIVED, Machine
 from adagen.executor.run import Simulated
@@ -98,7 +99,7 @@ class _Copy:
         return self._operation(node.op)(*operands)
 
     def _several(self, index: int) -> Expression:
-        node, lanes = self.line.nodes[index], self._filled(index)
+        node, lanes = self.line.nodes[index], in_lanes(self.lanes[index])
         if node.op in ("pack", "input"):
             each = [self.number(self.line.operands((index, lane))[0]) for lane in lanes]
             packed = self.graph.pack(each)
@@ -115,12 +116,6 @@ class _Copy:
     def _operation(self, op: str) -> Callable[..., Expression]:
         found: Callable[..., Expression] = getattr(self.graph, "larger" if op == "max" else op)
         return found
-
-    def _filled(self, index: int) -> list[int]:
-        """The lanes of a wide value, the last one repeated where registers have more."""
-        lanes = self.lanes[index]
-        width = 1 << (len(lanes) - 1).bit_length()
-        return [*lanes, *[lanes[-1]] * (width - len(lanes))]
 
     def _value(self, index: int, lanes: Sequence[int]) -> Expression:
         """A value of the line in some lanes."""
@@ -200,7 +195,7 @@ class _Copy:
             check, index = checks[place], own[0].pivot[0]
             joints = [each.joint for each in own]
             if index in self.lanes and len(own) > 1:
-                lanes = self._filled(index)
+                lanes = in_lanes(self.lanes[index])
                 pivot, least = (self._value(x.index, lanes) for x in (check.pivot, check.least))
                 assert self.machine.rows.own(joints[0]) == tuple(joints)
                 found = [Check(pivot, least, joints[0], check.failure, check.near)]

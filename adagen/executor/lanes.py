@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from itertools import groupby
+from typing import TypeVar
 
 from adagen.executor.closed_sweeps import closed_sweep
 from adagen.plan import Plan
@@ -50,10 +51,18 @@ class Row:
         return len(self.lanes)
 
 
+Lane = TypeVar("Lane")
+
+
+def in_lanes(own: Sequence[Lane]) -> tuple[Lane, ...]:
+    """Return what lanes hold: as many as registers have for it, the idle ones repeat the last."""
+    width = 1 << (len(own) - 1).bit_length()
+    return (*own, *[own[-1]] * (width - len(own)))
+
+
 def row_of(joints: Sequence[int]) -> Row:
     """Return a row of at least two joints in as many lanes as they need."""
-    width = 1 << (len(joints) - 1).bit_length()
-    return Row((*joints, *[joints[-1]] * (width - len(joints))), len(joints))
+    return Row(in_lanes(joints), len(joints))
 
 
 def rows_of(all_limbs: Iterable[Limbs]) -> dict[int, Row]:

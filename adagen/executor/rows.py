@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.executor.lanes import Row
+from adagen.executor.lanes import Row, in_lanes
 from adagen.graph import Expression
 from adagen.plan.robot import PlanJoint, PlanLink
 
@@ -101,8 +101,7 @@ class Rows:
 
     def together(self, arrays: Sequence[Array]) -> Array:
         """Return what belongs to arms of a closure as one array; idle lanes repeat the last."""
-        width = 1 << (len(arrays) - 1).bit_length()
-        return self.packed([*arrays, *[arrays[-1]] * (width - len(arrays))], len(arrays))
+        return self.packed(in_lanes(arrays), len(arrays))
 
     def each(self, value: Array, count: int) -> list[Array]:
         """Return the first lanes of what belongs to so many arms; of a single one, itself."""

@@ -2,7 +2,7 @@
 
 from adagen.schedule.fabric import Fabric, read_fabric, shipped_fabric
 from adagen.schedule.hosts import Host, read_hosts
-from adagen.schedule.profile import CostProfile, load_profile, parse_profile, step_costs
+from adagen.schedule.profile import CostProfile, load_profile, parse_profile, step_costs, with_steps
 from adagen.schedule.sweeps import makespan_of, total_work
 from adagen.schedule.text import (
     gathered_line,
@@ -40,4 +40,5 @@ __all__ = [
     "step_costs",
     "total_work",
     "validate",
+    "with_steps",
 ]

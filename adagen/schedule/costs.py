@@ -172,6 +172,10 @@ class StepCosts:
         """Return the speed of the core of a process."""
         return self.cores[process] if process < len(self.cores) else 1.0
 
+    def speeds(self, processes: int) -> tuple[float, ...]:
+        """Return the speeds of the cores of so many processes."""
+        return tuple(map(self.speed, range(processes)))
+
     @cached_property
     def kinds(self) -> tuple[str, ...]:
         """The joint kinds that are priced."""

@@ -71,6 +71,17 @@ class CostProfile:
                     "degrees of freedom"
                 )
 
+    @property
+    def measured(self) -> StepCosts:
+        """What the steps of a plan cost.
+
+        Raises:
+            ValueError: the profile prices joins alone, as the paper's does.
+        """
+        if self.steps is None:
+            raise ValueError(f"the profile {self.name} has no costs of steps")
+        return self.steps
+
     def joins_only(self) -> CostProfile:
         """Return the same profile without costs of steps: Eq. (11) alone, for form `ada`."""
         return replace(self, steps=None)
@@ -150,16 +161,19 @@ def profile_text(name: str) -> tuple[str, str]:
         raise InputError(f"cannot read the cost profile: {reason}", name) from None
 
 
+def with_steps(profile: CostProfile | None) -> CostProfile:
+    """Return a profile; the shipped one where it prices joins alone, or none is given."""
+    return _shipped() if profile is None or profile.steps is None else profile
+
+
 def step_costs(profile: CostProfile | None) -> StepCosts:
-    """Return what steps cost on a profile; on the shipped one where it prices joins alone."""
-    found = _shipped() if profile is None or profile.steps is None else profile.steps
-    assert found is not None  # the shipped profile has been measured
-    return found
+    """Return what steps cost on a profile, or on the shipped one likewise."""
+    return with_steps(profile).measured
 
 
 @lru_cache(maxsize=1)
-def _shipped() -> StepCosts | None:
-    return load_profile("default").steps
+def _shipped() -> CostProfile:
+    return load_profile("default")
 
 
 @lru_cache(maxsize=16)  # a call of the tool asks for its profile several times

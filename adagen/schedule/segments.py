@@ -53,9 +53,8 @@ class SegmentCosts:
             passing: by kind, the kinematics of a joint that is only passed, microseconds; by
                 default what the profile says of any joint by itself.
         """
-        assert profile.steps is not None  # whoever asks for segments has looked
         self.chains = Chains(topology, profile)
-        self.costs: StepCosts = profile.steps
+        self.costs: StepCosts = profile.measured
         kinds = [topology.kind(j) for j in self.chains.original]
         self.priced_as = [topology.priced_as(j) for j in self.chains.original]
         parent = self.chains.parent

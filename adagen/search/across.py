@@ -118,9 +118,8 @@ def across_hosts(
     Raises:
         ValueError: the profile has no such costs, and they are not given.
     """
-    costs, network = profile.steps, network or network_of(profile)
-    if costs is None:
-        raise ValueError(f"the profile {profile.name} has no costs of steps")
+    network = network or network_of(profile)
+    costs = profile.measured
 
     def searched(processes: int, by: CostProfile = profile) -> Candidate:
         schedule = best_schedule(model, processes, by)

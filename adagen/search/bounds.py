@@ -56,7 +56,7 @@ class Bounds:
         channel: ChannelCosts,
     ) -> None:
         self.robot, self.floors, self.processes = robot, floors, processes
-        self.fastest = max(costs.speed(p) for p in range(processes))
+        self.fastest = max(costs.speeds(processes))
         self.start = costs["process.evaluation"] / self.fastest
         self.latency = channel.latency
         self.receiving_one = _NUMBERS * channel.number / 2

@@ -44,8 +44,7 @@ def cheapest_of(
         make: makes the plan of a schedule, or raises an AdagenError where that cannot be had.
         shape: of the code (``priced_program``).
     """
-    costs = profile.steps
-    assert costs is not None
+    costs = profile.measured
     tried = [_played(alone, profile, make, shape)]
     for gathered in _promising(layouts, weights):
         found = replace(alone, meeting="gather", gathered=gathered)
@@ -53,7 +52,7 @@ def cheapest_of(
             tried.append(_played(found, profile, make, shape))
     best = min(tried, key=lambda schedule: schedule.makespan)
     # Whoever exchanges anything waits for a message.
-    fastest = max(costs.speed(p) for p in range(alone.processes))
+    fastest = max(costs.speeds(alone.processes))
     exchange = costs["unrolled.evaluation"] / fastest + costs.channel("auto").latency
     return replace(
         best,

@@ -55,16 +55,15 @@ class ExchangedSchedules:
     def __init__(
         self, topology: Topology, profile: CostProfile, cuttable: Sequence[bool], tie: Tie
     ) -> None:
-        assert profile.steps is not None  # as the caller has made sure
         self.topology, self.profile, self.tie = topology, profile, tie
         self.chains = Chains(topology, profile)
         # The joint of a cut is in neither part, and no part is empty.
         self.cuts = [j for j in range(1, len(topology) - 1) if cuttable[j]]
         kinds = [topology.kind(j) for j in range(len(topology))]
-        self.costs: StepCosts = profile.steps
+        self.costs = profile.measured
         self.kinds = kinds
         self.inner, self.outermost = (
-            [0.0, *accumulate(first_sweep(profile.steps, kind, last) for kind in kinds)]
+            [0.0, *accumulate(first_sweep(profile.measured, kind, last) for kind in kinds)]
             for last in (False, True)
         )
 
@@ -88,7 +87,7 @@ class ExchangedSchedules:
         whole = sum(own[kind][1] for kind in self.kinds) - spared
         share = min(outermost / inner for outermost, inner in own.values())
         least = whole * share / (share * (count - 1) + 1) + self._besides(count)
-        fastest = max(costs.speed(p) for p in range(processes))
+        fastest = max(costs.speeds(processes))
         return (costs["process.evaluation"] + least) / fastest
 
     def _besides(self, count: int) -> float:

@@ -85,9 +85,8 @@ class Families:
         expansions: int,
         shape: str = "auto",
     ) -> None:
-        assert profile.steps is not None  # as the caller has made sure
         self.model, self.seen, self.processes = model, seen, processes
-        self.profile, self.costs, self.shape = profile, profile.steps, shape
+        self.profile, self.costs, self.shape = profile, profile.measured, shape
         self.most, self.expansions = expansions, scaled(expansions, len(model.joints))
         self.topology = Topology.of(model)
         self.best: Schedule | None = None
@@ -309,7 +308,7 @@ class Families:
 
     def _exchange(self) -> float:
         """The least that processes take which exchange anything, in any shape; microseconds."""
-        fastest = max(self.costs.speed(p) for p in range(self.processes))
+        fastest = max(self.costs.speeds(self.processes))
         begin = min(self.costs["process.evaluation"], self.costs["unrolled.evaluation"]) / fastest
         return begin + self.costs.channel("auto").latency
 

@@ -35,8 +35,7 @@ class HalvedSchedules:
     def __init__(
         self, topology: Topology, profile: CostProfile, cuttable: Sequence[bool], like: Schedule
     ) -> None:
-        assert profile.steps is not None  # as the caller has made sure
-        self.costs, self.like = profile.steps, like
+        self.costs, self.like = profile.measured, like
         self.latency = self.costs.window.latency
         self.count = len(topology)
         self.kinds = [topology.kind(j) for j in range(self.count)]
@@ -67,7 +66,7 @@ class HalvedSchedules:
         costs = self.costs
         whole = self.sums[-1] + sum(costs[f"accelerate.{kind}"] for kind in self.kinds)
         spared = max(0.0, first_sweep(costs, self.kinds[0], True) - costs["articulate.ground"])
-        fastest = max(costs.speed(p) for p in range(processes))
+        fastest = max(costs.speeds(processes))
         return (costs["process.evaluation"] + (whole - spared) / 2) / fastest
 
     def best(self, told: bool, play: Play) -> Schedule | None:

@@ -71,7 +71,7 @@ class Incumbent:
         self.candidates = 0
         joints = len(prices.robot.joints)
         self.share = round(joints * (1 + min(1.0, joints / 1000)))
-        self._speeds = [prices.pricing.costs.speed(p) for p in range(bounds.processes)]
+        self._speeds = prices.pricing.costs.speeds(bounds.processes)
         self._number = count()
 
     def consider(self, frame: Frame, shares: Sequence[tuple[int, ...]]) -> None:

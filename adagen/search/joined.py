@@ -53,14 +53,14 @@ def least_profile(
         rows: how many joints of each kind can lie side by side; 1 for those not named.
         folded: whether joints of several freedoms may stand for runs of others.
     """
-    assert profile.steps is not None  # as the caller has made sure
-    table = dict(profile.steps.table)
+    steps = profile.measured
+    table = dict(steps.table)
     for group, other in (
         ("kinematics", "kinematics_strips"),
         ("articulate", "articulate_columns"),
         ("accelerate", None),
     ):
-        for kind in profile.steps.kinds:
+        for kind in steps.kinds:
             ways = [table[f"{group}.{kind}"]]
             ways += [] if other is None else [table[f"{other}.{kind}"]]
             for count in range(2, min(rows.get(kind, 1), max(ROWS)) + 1):
@@ -71,9 +71,9 @@ def least_profile(
             run = 2 * min(table[f"{group}.revolute"], table[f"{group}.prismatic"])
             for kind in ("spherical", "floating"):
                 table[f"{group}.{kind}"] = min(table[f"{group}.{kind}"], run)
-    for kind in profile.steps.kinds:  # carried through a run, with its handle forces
+    for kind in steps.kinds:  # carried through a run, with its handle forces
         for key in (kind, "ground"):
-            price = min(table[f"propagate.{key}"], profile.steps.carried(kind))
+            price = min(table[f"propagate.{key}"], steps.carried(kind))
             table[f"propagate.{key}"] = price
         table[f"deliver.{kind}"] = min(table[f"deliver.{kind}"], table["deliver.along"])
     table["propagate.spread"] = table["deliver.load"] = table["kinematics.step"] = 0.0
@@ -84,7 +84,7 @@ def least_profile(
             if f"{group}.{key}" in table:
                 kinds = (table[f"{group}.{kind}"] for kind in KINDS)
                 table[f"{group}.{key}"] = min(table[f"{group}.{key}"], *kinds)
-    return replace(profile, steps=replace(profile.steps, table=table))
+    return replace(profile, steps=replace(steps, table=table))
 
 
 def least_passing(least: StepCosts) -> dict[str, float]:
@@ -236,15 +236,13 @@ class JoinedFloor:
         pricing: Pricing,
         cuttable: Sequence[bool],
     ) -> None:
-        assert profile.steps is not None  # as the caller has made sure
         robot = Robot(joints_of(model))
         self.pricing = pricing
-        self.floors = Floors(robot, profile.steps)
+        self.floors = Floors(robot, profile.measured)
         self.seen, self.processes, self.profile = seen, processes, profile
         least = least_profile(profile, self.floors.most, folded=not seen.trivial)
-        assert least.steps is not None  # as there are in the profile
-        self.costs = SegmentCosts(seen.topology, least, passing=least_passing(least.steps))
-        self.speeds = tuple(profile.steps.speed(p) for p in range(processes))
+        self.costs = SegmentCosts(seen.topology, least, passing=least_passing(least.measured))
+        self.speeds = profile.measured.speeds(processes)
         at = np.array([cuttable[j] for j in self.costs.chains.original], dtype=np.bool_)
         self._allowed = at
         self.bounds = SegmentBounds(self.costs, at, self.speeds)

@@ -122,8 +122,7 @@ class _Played:
         Every joint is placed, joined and released by some process, at the prices of joins without
         couplings, and the processes share that evenly at best.
         """
-        costs = self.profile.steps
-        assert costs is not None  # as the caller has made sure
+        costs = self.profile.measured
         plan = make_plan(self.model, self.found, form="ada", scalar=self.scalar)
         work = 0.0
         for step in plan.steps_of(Join):
@@ -131,9 +130,8 @@ class _Played:
             kind = "prescribed" if joint.prescribed else joint.kind
             join = min(costs[f"join.{kind}"], costs["join.ground"])
             work += join + costs[f"disassemble.{kind}"]
-        rate = sum(costs.speed(p) for p in range(self.found.processes))
-        fastest = max(costs.speed(p) for p in range(self.found.processes))
-        return costs["process.evaluation"] / fastest + work / rate
+        speeds = costs.speeds(self.found.processes)
+        return costs["process.evaluation"] / max(speeds) + work / sum(speeds)
 
     def _timed(self, schedule: Schedule) -> Schedule:
         """The schedule with the time that it takes when it is played through."""

@@ -73,8 +73,7 @@ class Pricing:
     """
 
     def __init__(self, plan: Plan, profile: CostProfile) -> None:
-        assert profile.steps is not None  # as the caller has made sure
-        self.costs: StepCosts = profile.steps
+        self.costs: StepCosts = profile.measured
         self.channel: ChannelCosts = self.costs.channel(plan.channel)
         self._plan = plan
 

@@ -33,12 +33,8 @@ def segment_bound(topology: Topology, profile: CostProfile, processes: int) -> f
     """Return a lower bound that needs no search on the time of any schedule, microseconds."""
     costs = SegmentCosts(topology, profile)
     everywhere = np.ones(len(topology), dtype=np.bool_)
-    bounds = SegmentBounds(costs, everywhere, _speeds(costs, processes))
+    bounds = SegmentBounds(costs, everywhere, costs.costs.speeds(processes))
     return bounds.least(WHOLE, processes) / TICKS
-
-
-def _speeds(costs: SegmentCosts, processes: int) -> tuple[float, ...]:
-    return tuple(costs.costs.speed(p) for p in range(processes))
 
 
 def segment_schedule(
@@ -82,7 +78,7 @@ def find_segments(
         expansions: states that may be expanded in all.
         deadline: on the monotonic clock; None for none.
     """
-    speeds = _speeds(costs, processes)
+    speeds = costs.costs.speeds(processes)
     bounds = SegmentBounds(costs, cuttable, speeds)
     search = SegmentSearch(costs, bounds, speeds, Budget(expansions, deadline))
     alone = Sweeps(*segment_time(costs, WHOLE, 0, speeds[0]), 0)
