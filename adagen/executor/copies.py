@@ -187,7 +187,7 @@ class _Copy:
     def _result(self, x: Expression, lanes: list[int]) -> Expression:
         """An acceleration of a row."""
         assert x.index not in self.lanes or self.lanes[x.index] == lanes
-        return self._value(x.index, [*lanes, *lanes[len(lanes) :]])
+        return self._value(x.index, lanes)
 
     def _looked_at(self) -> None:
         checks = self.line.machine.checks
