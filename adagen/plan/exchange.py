@@ -6,13 +6,17 @@ the two. After the last join every process knows all forces on its own part. The
 exchanges, where joins on one side take as many messages up and as many back.
 
 Along a serial chain motions are sent likewise. Each process finds how its own joints move their
-last link, seen from the link that they hang on (a passage), and pairs of processes put passages
-together, level by level. So nobody passes joints of others on the way to its own.
+last link, seen from the link that they hang on (a passage), and groups of processes put passages
+together, level by level: two groups at a time, or as many as the schedule's fan says, of which each
+sends its passage to all others that ask for it. So nobody passes joints of others on the way to its
+own.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
 
 from adagen.errors import UsageError
 from adagen.plan.ada import Chain, assembled
@@ -230,10 +234,15 @@ class Passages:
     def _passage(self, at_work: Sequence[int]) -> Passage:
         return Passage(self.parts[at_work[0]].start, self.parts[at_work[-1]].stop - 1)
 
-    def _sides(self, node: Node) -> tuple[tuple[int, ...], tuple[int, ...]]:
-        """The processes at work on a node's root side and on its end side."""
-        near, far = (self.planner.at_work[child.joint] for child in node.children)
-        return near, far
+    def _division(self, node: Node) -> Division:
+        """How a node's processes divide, into as many groups as the schedule puts together."""
+        whole = Division([node], [])
+        while len(whole.groups) < self.planner.schedule.fan:
+            finer = whole.finer(self.planner.at_work)
+            if len(finer.groups) == len(whole.groups):
+                break
+            whole = finer
+        return whole
 
     def _put_together(self, node: Node) -> None:
         """Find the passage of a node's processes; of several, unless nobody is beyond them.
@@ -242,27 +251,53 @@ class Passages:
         lie to each other when it hears how its part moves.
         """
         at_work = self.planner.at_work[node.joint]
-        passage = self._passage(at_work)
-        outermost = at_work[-1] == len(self.parts) - 1
         if len(at_work) == 1:
-            self.steps[at_work[0]].append(Traverse(passage))
+            self.steps[at_work[0]].append(Traverse(self._passage(at_work)))
             return
-        for child in node.children:
-            self._put_together(child)
-        near, far = self._sides(node)
-        ways = [(near, far)] if outermost else [(near, far), (far, near)]
+        division = self._division(node)
+        for group in division.groups:
+            self._put_together(group)
+        members = [self.planner.at_work[group.joint] for group in division.groups]
+        wanted = self._wanted(division, members)
         self.planner.exchange(
             [
                 self._message(self._passage(own), source, target)
-                for own, others in ways
-                for source, target in pairs(own, others)
+                for k, others in reversed(list(enumerate(members)))  # who has most to do first
+                for i, own in enumerate(members)
+                if i != k
+                for source, target in pairs(own, [p for p in others if i < wanted[p]])
             ],
             self.steps,
         )
-        if not outermost:
-            append = Append(passage, self._passage(near), self._passage(far))
-            for p in at_work:
+        for p in at_work:
+            near = members[0]
+            for own in members[1 : wanted[p]]:
+                both = (*near, *own)
+                append = Append(self._passage(both), self._passage(near), self._passage(own))
                 self.steps[p].append(append)
+                near = both
+
+    def _wanted(self, division: Division, members: Sequence[tuple[int, ...]]) -> dict[int, int]:
+        """By process, how many groups it must know the passages of, from the innermost on.
+
+        All, where processes beyond them ask for that of all; else up to the cuts that it joins.
+        """
+        if members[-1][-1] < len(self.parts) - 1:
+            return {p: len(members) for own in members for p in own}
+        wanted = {p: 0 for own in members for p in own}
+        for cut in division.cuts:
+            for p in self._hanging(cut, members):
+                wanted[p] = max(wanted[p], cut.at)
+        return wanted
+
+    @staticmethod
+    def _hanging(cut: Cut, members: Sequence[tuple[int, ...]]) -> list[int]:
+        """The processes that must find the motion of the link on which a cut hangs.
+
+        The one whose own joints end there knows it by these.
+        """
+        joining = [p for own in members[cut.first : cut.beyond] for p in own]
+        return [p for p in joining if p != members[cut.at - 1][-1]]
 
     @staticmethod
     def _message(passage: Passage, source: int, target: int) -> Message:
@@ -277,13 +312,51 @@ class Passages:
         """
         if len(self.planner.at_work[node.joint]) == 1:
             return
-        near, far = self._sides(node)
-        passage = self._passage(near)
-        for p in (*near, *far):
-            if p != near[-1]:  # its own kinematics end there
-                self.steps[p].append(Arrive(passage, start))
-        for child, link in zip(node.children, (start, passage.link), strict=True):
-            self._arrive(child, link)
+        division = self._division(node)
+        members = [self.planner.at_work[group.joint] for group in division.groups]
+        before = [
+            self._passage((members[0][0], own[-1])) for own in members
+        ]  # of all groups up to each
+        for cut in division.cuts:
+            for p in self._hanging(cut, members):
+                self.steps[p].append(Arrive(before[cut.at - 1], start))
+        for k, group in enumerate(division.groups):
+            self._arrive(group, before[k - 1].link if k else start)
+
+
+class Cut(NamedTuple):
+    """Where two sides meet among groups that follow each other: groups first .. at .. beyond."""
+
+    first: int
+    at: int
+    beyond: int
+
+
+@dataclass(frozen=True)
+class Division:
+    """Groups of processes that put their passages together at once, and where they meet.
+
+    Attributes:
+        groups: outwards along the chain, the nodes whose processes they are.
+        cuts: where they meet, those of the most groups first.
+    """
+
+    groups: list[Node]
+    cuts: list[Cut]
+
+    def finer(self, at_work: Mapping[int, tuple[int, ...]]) -> Division:
+        """Return the same with each group of several processes divided in two."""
+        groups: list[Node] = []
+        own: list[Cut] = []
+        ends = [0]
+        for group in self.groups:
+            sides = group.children if len(at_work[group.joint]) > 1 else (group,)
+            if len(sides) == 2:
+                own.append(Cut(ends[-1], ends[-1] + 1, ends[-1] + 2))
+            groups += sides
+            ends.append(len(groups))
+        cuts = [Cut(*(ends[end] for end in cut)) for cut in self.cuts]
+        return Division(groups, [*cuts, *own])
 
 
 def pairs(sources: Sequence[int], targets: Sequence[int]) -> Iterator[tuple[int, int]]:

@@ -36,6 +36,8 @@ def schedule_to_dict(schedule: Schedule, topology: Topology) -> dict[str, Any]:
     meeting: dict[str, Any] = {"root": made[schedule.root.joint]}
     if schedule.gathered is not None:  # the tree is one of several that say the same
         meeting = {"gathered": _gathered_to_dict(schedule.gathered, topology)}
+    elif schedule.fan != 2:
+        meeting["fan"] = schedule.fan
     return {
         "makespan": schedule.makespan,
         "verdict": schedule.verdict,

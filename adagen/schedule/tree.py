@@ -103,6 +103,8 @@ class Schedule:
             is one on all loops and on these.
         gathered: where processes gather; None where the tree says that.
         shape: the shape of the code that a document asks for; "auto" for that of least price.
+        fan: how many groups of processes that exchange put together at once how their parts of a
+            serial chain move, a power of two.
     """
 
     root: Node
@@ -122,6 +124,7 @@ class Schedule:
     straight_lines: int = 0
     gathered: Gathered | None = None
     shape: str = "auto"
+    fan: int = 2
 
     @property
     def verdict(self) -> Verdict:

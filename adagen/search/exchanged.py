@@ -2,7 +2,8 @@
 
 Pairs of processes meet level by level, so each waits for the slowest of those that it meets. The
 parts are cut so that all processes are done with their first sweep at once. That takes a few
-plays: what a process needs apart from its own joints follows from the play before.
+plays: what a process needs apart from its own joints follows from the play before. The first play
+also tells how many groups are to put their passages together at once.
 """
 
 from __future__ import annotations
@@ -28,6 +29,8 @@ from adagen.search.segment_front import put_segment
 _FEWEST = 2
 """Joints of a part at least, by which this family is defined."""
 _PLAYS = 3
+_MOST_AT_ONCE = 8
+"""Groups of processes that put passages together at once, at most: each sends to all others."""
 _FINE = 1e-4  # microseconds to which parts are equally long
 
 Play = Callable[[Schedule], tuple[Plan, Timeline]]
@@ -129,14 +132,19 @@ class ExchangedSchedules:
             return None
         others = [0.0] * count
         found: list[tuple[float, int, Schedule]] = []
-        for turn in range(_PLAYS):
+        fans = _fans(count)
+        for _ in range(_PLAYS):
             cuts = self._even(others, latest)
             if cuts is None:
                 break
-            schedule = self._schedule(cuts, processes)
-            plan, line = play(schedule)
-            found.append((line.makespan, turn, schedule))
-            ready = _ready(plan, line)[:count]
+            tried: list[tuple[float, int, Schedule, list[float]]] = []
+            for fan in fans:
+                schedule = replace(self._schedule(cuts, processes), fan=fan)
+                plan, line = play(schedule)
+                tried.append((line.makespan, len(found), schedule, _ready(plan, line)[:count]))
+                found.append(tried[-1][:3])
+            *_, schedule, ready = min(tried)
+            fans = [schedule.fan]
             ends = [0, *cuts, len(self.topology)]
             others = [
                 ready[p] - self._time(p == count - 1, ends[p], ends[p + 1]) for p in range(count)
@@ -202,6 +210,14 @@ class ExchangedSchedules:
         draft.root_child[joint] = self._part(draft, near, first, cuts[:half])
         draft.end_child[joint] = self._part(draft, far, first + half + 1, cuts[half + 1 :])
         return joint
+
+
+def _fans(count: int) -> list[int]:
+    """How many groups of so many processes can put their passages together at once."""
+    fans = [2]
+    while fans[-1] < min(count, _MOST_AT_ONCE):
+        fans.append(2 * fans[-1])
+    return fans
 
 
 def _sweep(costs: StepCosts, kind: str) -> float:

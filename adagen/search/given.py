@@ -47,7 +47,7 @@ def schedule_from_json(
         raise InputError('not a schedule: expected {"root": {"joint": ..., ...}}', file)
     try:
         found = as_schedule(_read(root, topology), topology, profile, "file", _meeting(data))
-        return replace(found, shape=_shape(data))
+        return replace(found, shape=_shape(data), fan=_fan(data))
     except InvalidSchedule as error:
         raise InputError(f"{error}: correct the schedule or leave it to adagen", file) from None
 
@@ -93,6 +93,13 @@ def _shape(data: dict[str, Any]) -> str:
     if shape not in ("auto", "kernels", "joints", "unrolled"):
         raise InvalidSchedule('"shape" is "auto", "kernels", "joints" or "unrolled"')
     return str(shape)
+
+
+def _fan(data: dict[str, Any]) -> int:
+    fan = data.get("fan", 2)
+    if type(fan) is not int or not (2 <= fan <= 1024 and fan & (fan - 1) == 0):
+        raise InvalidSchedule('"fan" is a power of two from 2 to 1024')
+    return fan
 
 
 def _meeting(data: dict[str, Any]) -> Meeting:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -40,6 +41,17 @@ def test_loops_that_exchange_are_solved(
     states = random_states(model, 4, seed=processes)
     solver = builder.solver(plan, name="exchange", shape="kernels")
     assert solver.error(model, states, tmp_path, "--check") < 5 * ROUNDING[scalar]
+
+
+def test_loops_of_four_that_tell_each_other_at_once_are_solved(
+    builder: Builder, tmp_path: Path
+) -> None:
+    model = serial_chain(72)
+    schedule = named_schedule("balanced", Topology.of(model), 4, profile=PROFILE)
+    plan = make_plan(model, replace(schedule, fan=4), meeting="exchange")
+    solver = builder.solver(plan, name="exchange", shape="kernels")
+    states = random_states(model, 4, seed=4)
+    assert solver.error(model, states, tmp_path, "--check") < 5 * ROUNDING["double"]
 
 
 def test_long_parts_are_traversed_in_strips() -> None:

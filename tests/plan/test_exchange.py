@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from itertools import groupby
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -11,7 +14,17 @@ from adagen.errors import UsageError
 from adagen.model import Inertia
 from adagen.model.kinds import REVOLUTE, SPHERICAL, JointKind
 from adagen.plan import make_plan, plan_from_json, plan_to_json
-from adagen.plan.steps import Arrive, Kinematics, Receive, Send, Traverse
+from adagen.plan.steps import (
+    Append,
+    Arrive,
+    Kinematics,
+    Passage,
+    Receive,
+    Send,
+    Step,
+    Traverse,
+)
+from adagen.plan.types import Plan, Process
 from adagen.program import check
 from adagen.program.lower import lower
 from adagen.schedule import Topology, load_profile
@@ -56,6 +69,56 @@ def test_motions_of_a_serial_chain_are_told(joints: int, processes: int, kind: J
         cuts = sum(len(path.shares) for path in plan.processes) // processes + 1
         assert len(process.reads) <= len(process.owns) + cuts  # and nobody passes others' joints
     assert plan_from_json(plan_to_json(plan)) == plan
+
+
+@pytest.mark.parametrize("processes", [4, 5, 8])
+@pytest.mark.parametrize("fan", [4, 16])
+def test_several_groups_put_their_passages_together_at_once(processes: int, fan: int) -> None:
+    """Nobody waits for as many messages one after the other, or is told what it does not need."""
+    model = serial_chain(3 * processes)
+    pairs = named_schedule("balanced", Topology.of(model), processes, profile=PROFILE)
+    plan = make_plan(model, replace(pairs, fan=fan), meeting="exchange")
+    for shape in ("kernels", "unrolled"):
+        check(lower(plan, shape))
+    assert error(model, plan) < 1e-11
+    assert unguarded(plan) == []
+    turns = [passage_turns(p) for p in (plan, make_plan(model, pairs, meeting="exchange"))]
+    assert turns[0] < turns[1]
+    for process in plan.processes:
+        told = {
+            passage
+            for step in process.steps
+            if isinstance(step, Receive)
+            for passage in plan.messages[step.message].passages
+        }
+        used = {passage for step in process.steps for passage in used_by(step)}
+        assert told <= used
+
+
+def passage_turns(plan: Plan) -> int:
+    """Return how many times a process sends passages again after it has waited, at the most."""
+    return max(
+        len(list(groupby(own)))
+        for process in plan.processes
+        if (
+            own := [
+                type(s) for s in process.steps[: _first(process)] if isinstance(s, Send | Receive)
+            ]
+        )
+    )
+
+
+def _first(process: Process) -> int:
+    return next(k for k, step in enumerate(process.steps) if isinstance(step, Kinematics))
+
+
+def used_by(step: Step) -> tuple[Passage, ...]:
+    match step:
+        case Append(_, near, far):
+            return near, far
+        case Arrive(passage, _):
+            return (passage,)
+    return ()
 
 
 def test_exchanges_take_as_many_messages_as_there_are_levels() -> None:
