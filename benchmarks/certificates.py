@@ -10,9 +10,10 @@
 
 Errors are those of hard states of random robots of twelve families (adagen/studies/stability), in
 the energy norm against certified accelerations; "shared" takes trees whose limbs two or three
-threads share; "loops" takes mechanisms with closed loops, half of their states as near singular
-ones as are found, and compares with the plan in 400 bits: which rows are left out where they follow
-from others is its choice, and a state in doubles closes loops up to rounding only. Times are minima
+threads share, long arms that two share, and batches that two processes of MPI share; "loops" takes
+mechanisms with closed loops, half of their states as near singular ones as are found, and compares
+with the plan in 400 bits: which rows are left out where they follow from others is its choice, and
+a state in doubles closes loops up to rounding only. Times are minima
 of runs with and without certificates by turns, of robots or, for "mechanisms", of
 benchmarks/closed_robots.py; loops are in a scene of the robot's name beside it. "predicted" lays
 the largest error of each robot of "errors" beside the one that is predicted for it in hard poses,
@@ -42,7 +43,7 @@ from adagen.schedule import load_profile
 from adagen.search import best_schedule
 from adagen.search.objective import predicted_digits
 from adagen.states import States
-from adagen.studies.stability.adversary import trees
+from adagen.studies.stability.adversary import arms, trees
 from adagen.studies.stability.bounds import FACTOR, Bounded, Certified, bounded, certified_plan
 from benchmarks.closed_robots import MECHANISMS
 from benchmarks.hard import MODELS, Asked, Record, fastest, hard_mechanisms, hard_robots, study
@@ -60,6 +61,11 @@ SHARED = [
     Certified("kernels", processes=2),
     Certified("kernels", processes=3),
     Certified("kernels", processes=2, scalar="float"),
+    Certified("unrolled", processes=2, elsewhere=True),
+    Certified("kernels", processes=2, elsewhere=True),
+    Certified("kernels", processes=2, elsewhere=True, scalar="float"),
+    Certified("unrolled", batch=True, processes=2),
+    Certified("kernels", batch=True, processes=2),
 ]
 LOOPED = [Certified("unrolled"), Certified("unrolled", batch=True)]
 ROBOTS = [
@@ -105,8 +111,8 @@ def measured_loops(asked: Asked, record: Record, toolchain: Toolchain) -> list[s
 
 
 def measured_shared(asked: Asked, record: Record, toolchain: Toolchain) -> list[str]:
-    """Return the table of trees that threads share."""
-    return _measured(hard_robots(asked, [trees]), SHARED, asked, record, toolchain)
+    """Return the table of trees and arms that threads share, or processes of MPI the states of."""
+    return _measured(hard_robots(asked, [trees, arms]), SHARED, asked, record, toolchain)
 
 
 def _measured(

@@ -61,14 +61,19 @@ class _Reached:
     """A link whose acceleration is there.
 
     Attributes:
-        joint: the joint before it.
+        link: the link.
+        joint: the joint that it was reached by; of a root, the one before it.
+        near: whether that joint has it from its child link (reversed), from its parent link, or
+            nothing is before it (root).
         inertia: the trace of its inertia about its origin, and its mass, shape (2,).
         arm: the square of the way to it from the joint's near link.
         turning: the square of what its angular acceleration is added up from.
         own: of its linear one, what does not come from that near link's.
     """
 
+    link: int
     joint: int
+    near: str
     inertia: Array
     arm: Expression
     turning: Expression
@@ -97,7 +102,7 @@ class Allowance:
         ]
         self.rounded = Sums(state)
         self._reached: list[_Reached] = []  # outwards
-        self._marks: dict[int, int] = {}
+        self._marks: dict[int, int] = {}  # by link
         self._runs: dict[int, int] = {}
 
     def square(self, numbers: Iterable[Expression]) -> Expression:
@@ -132,27 +137,62 @@ class Allowance:
         """The square of a link's angular acceleration."""
         return self.square(self.memory["a", link][:3, 0])
 
-    def size(self, j: int, inertia: Array) -> None:
+    def size(self, j: int, inertia: Array, fall: Array | None = None) -> None:
         """What a joint's child link's accelerations are added up from, no less than before.
 
         Args:
             j: the joint.
             inertia: the link's, shape (6, 6); zeros where another process counts it.
+            fall: by how much a base falls, in the link's frame, where the link is a root, from
+                which all others are reached; none of roots that are bases themselves.
         """
         state, rows = self.state, self.state.rows
-        self._marks[j] = state.graph.mark
-        nothing, trace = state.graph.constant(0), total(inertia[k, k] for k in range(3))
-        whole = np.array([trace, inertia[3, 3]], dtype=object)
-        if j in self.bases:
-            turning, own = self.turning(j + 1), self.square(self.memory["a", j + 1][3:, 0])
-            self.memory["size", j + 1] = np.array([turning, own], dtype=object)
-            self._reached.append(_Reached(j, whole, nothing, turning, own))
+        nothing = state.graph.constant(0)
+        if fall is not None or j in self.bases:
+            falls = () if fall is None else fall
+            own = self.square([*falls, *self.memory["a", j + 1][3:, 0]])
+            self._reach(j + 1, j, "root", inertia, nothing, self.turning(j + 1), own, own)
             return
         upwards = self.square(state.upwards())
         turning, sliding = rows.of_near("size", j, np.array([nothing, upwards]))
-        x: Transform = self.memory["X", j]
-        arm = self.square(x.origin)
+        arm, slides = self._across(j)
         grounded = [np.array(nothing if near else upwards, object) for near in rows.near_links(j)]
+        sliding = total([sliding, turning * arm, *slides])
+        turning = state.graph.larger(turning, self.turning(j + 1))
+        own = total([rows.packed(grounded).item(), *slides])
+        self._reach(j + 1, j, "parent", inertia, arm, turning, sliding, own)
+
+    def size_back(self, j: int, inertia: Array) -> None:
+        """The same of the parent link of a joint that is reversed."""
+        graph, far = self.state.graph, self.state.plan.joints[j].parent
+        turning, sliding = self.memory["size", j + 1]
+        arm, slides = self._across(j)
+        sliding = total([sliding, turning * arm, *slides])
+        turning = graph.larger(turning, self.turning(far))
+        own = total([graph.constant(0), *slides])
+        self._reach(far, j, "child", inertia, arm, turning, sliding, own)
+
+    def _reach(
+        self,
+        link: int,
+        j: int,
+        near: str,
+        inertia: Array,
+        arm: Expression,
+        turning: Expression,
+        sliding: Expression,
+        own: Expression,
+    ) -> None:
+        """Keep what is known of a link that a joint reaches."""
+        self._marks[link] = self.state.graph.mark
+        whole = np.array([total(inertia[k, k] for k in range(3)), inertia[3, 3]], dtype=object)
+        self.memory["size", link] = np.array([turning, sliding], dtype=object)
+        self._reached.append(_Reached(link, j, near, whole, arm, turning, own))
+
+    def _across(self, j: int) -> tuple[Expression, list[Expression]]:
+        """The square of a joint's arm, and of what slides along it."""
+        state = self.state
+        x: Transform = self.memory["X", j]
         slides: list[Expression] = []
         linear = [k for k, place in enumerate(state.kind(j).free) if place >= 3]
         if linear:
@@ -160,11 +200,7 @@ class Allowance:
             spin = self.square(self.memory["field", j + 1].omega)
             slides.append(self.square(self.memory["accelerated", j][linear]))
             slides.append(spin * self.square(v[k] for k in linear) * 4)
-        sliding = total([sliding, turning * arm, *slides])
-        turning = state.graph.larger(turning, self.turning(j + 1))
-        self.memory["size", j + 1] = np.array([turning, sliding], dtype=object)
-        own = total([rows.packed(grounded).item(), *slides])
-        self._reached.append(_Reached(j, whole, arm, turning, own))
+        return self.square(x.origin), slides
 
     def uncertain_motions(self) -> None:
         """Add the energy of what is uncertain of all links' accelerations.
@@ -175,27 +211,30 @@ class Allowance:
         Each is added where its link is reached.
         """
         for each in self._reached:
-            self.memory["weighs", each.joint + 1] = each.inertia
+            self.memory["weighs", each.link] = each.inertia
         for each in reversed(self._reached):
-            if any(self.state.rows.near_links(each.joint)):
-                mass = self.memory["weighs", each.joint + 1][1]
-                handed = np.array([mass * each.arm, mass], dtype=object)
+            mass = self.memory["weighs", each.link][1]
+            handed = np.array([mass * each.arm, mass], dtype=object)
+            if each.near == "child":
+                near = "weighs", each.joint + 1
+                self.memory[near] = self.memory[near] + handed
+            elif each.near == "parent" and any(self.state.rows.near_links(each.joint)):
                 self.state.rows.hand_on("weighs", each.joint, handed)
         for each in self._reached:
-            turns, slides = self.memory["weighs", each.joint + 1]
+            turns, slides = self.memory["weighs", each.link]
             run, count = self.run(each.joint), self.count(each.joint)
-            with self.when_reached(each.joint):
+            with self.when_reached(each.link):
                 self.rounded.add(("motion", run), count, turns * each.turning)
                 self.rounded.add(("motion", run), count, slides * each.own)
 
     @contextmanager
-    def when_reached(self, j: int) -> Iterator[None]:
-        """Have what is computed count for the step that reached a joint's link.
+    def when_reached(self, link: int) -> Iterator[None]:
+        """Have what is computed count for the step that reached a link.
 
         Straight lines compute it there, where its operands are at hand.
         """
         graph = self.state.graph
-        now, graph.mark = graph.mark, self._marks.get(j, graph.mark)
+        now, graph.mark = graph.mark, self._marks.get(link, graph.mark)
         yield
         graph.mark = now
 
@@ -218,12 +257,23 @@ class Allowance:
 
     def handed_noise(self, x: Transform, free: list[int], given: Array, noise: Array) -> Array:
         """What a joint hands on of it: of its torques no more than they are themselves."""
+        turned = x.rotation.magnitudes(self.torques_in(free, given, noise)[:3])
+        return np.array([*(turned + self._levers(x, noise[3])), noise[3]], dtype=object)
+
+    def torques_in(self, free: list[int], given: Array, noise: Array) -> Array:
+        """Squares of moments and forces with a joint's torques for what is found along it."""
         torques = dict(zip(free, given * given, strict=True))
-        moments = [torques.get(k, noise[k]) for k in range(3)]
-        turned = x.rotation.magnitudes(np.array(moments, dtype=object))
+        return np.array([*(torques.get(k, noise[k]) for k in range(3)), noise[3]], dtype=object)
+
+    def noise_back(self, x: Transform, noise: Array) -> Array:
+        """Squares of moments and forces at a joint's parent link as they are at its child link."""
+        moved = noise[:3] + self._levers(x, noise[3])
+        return np.array([*x.rotation.transposed().magnitudes(moved), noise[3]], dtype=object)
+
+    def _levers(self, x: Transform, force: Expression) -> Array:
+        """Squares of the moments of forces whose squares are given."""
         arms = [[x.origin[(k + 1) % 3], x.origin[(k + 2) % 3]] for k in range(3)]
-        levers = [self.square(arm) * noise[3] for arm in arms]
-        return np.array([*(turned + np.array(levers, dtype=object)), noise[3]], dtype=object)
+        return np.array([self.square(arm) * force for arm in arms], dtype=object)
 
     def weigh_noise(self, run: Hashable, count: int, factors: Factors, noise: Array) -> Array:
         """Add what rounding may add to the energy of what has these factors, squares of it given.

@@ -9,20 +9,21 @@ cause. What the sweep cannot see is allowed for (allowance.py).
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.allowance import Allowance, Sums
+from adagen.executor.elsewhere import Elsewhere
 from adagen.executor.frames import Transform
 from adagen.executor.kinematics import Motion
 from adagen.executor.segments import Articulated
-from adagen.executor.shares_of_bound import Heard, seen_with, told
+from adagen.executor.shares_of_bound import Heard, parting, seen_with, spread_of, told
 from adagen.executor.state import State
 from adagen.graph import Expression, Factors, factorize, matrix_times, total
-from adagen.plan.certificate import ROUNDING
+from adagen.plan.certificate import ROUNDING, meets_elsewhere
 from adagen.plan.digits import EPSILON
 from adagen.plan.steps import Certify, StartLink, Step
 
@@ -35,27 +36,59 @@ class Certificate(Allowance):
     What is kept of links beside what rounding takes: ``("bare", link)``, under floating bases,
     force that the reference field takes of the link and all beyond (3), and their mass, shape (4,).
 
+    Processes that gather elsewhere than at the base reach links from there, and find the energy of
+    the answer link by link (elsewhere.py).
+
     Attributes:
         seen: the square of the error that shows.
         answer: the energy of the answer.
         own: links that the process looks at.
+        elsewhere: what is known of where processes gather, if that is not the base or the ground.
     """
 
     def __init__(self, state: State, motion: Motion, steps: Iterable[Step]) -> None:
         super().__init__(state, motion)
+        steps = list(steps)
         self.seen, self.answer = Sums(state), Sums(state)
         self.own = {step.link for step in steps if isinstance(step, StartLink)}
+        self.elsewhere: Elsewhere | None = None
+        if meets_elsewhere(state.plan):
+            self.elsewhere = Elsewhere(state, motion, steps, self.bases)
+            self.bases = []  # nothing is taken of their free fall as a whole
 
-    def reach(self, j: int) -> None:
-        """Look at the link beyond a joint, whose acceleration is there: while it is at hand."""
-        link, known = j + 1, j + 1 in self.own
-        inertia = self.motion.link_inertia(link) if known else self.state.zeros(6, 6)
-        self.size(j, inertia)
-        if known:
+    def reach(self, j: int, *, root: bool = False) -> None:
+        """Look at the link beyond a joint, whose acceleration is there: while it is at hand.
+
+        Args:
+            j: the joint.
+            root: whether all others are reached from that link.
+        """
+        fall = self.elsewhere.fall_at(j, root=root) if self.elsewhere else None
+        inertia = self._inertia(j + 1)
+        self.size(j, inertia, fall if root else None)
+        self._look_at(j + 1, inertia)
+
+    def reach_back(self, j: int) -> None:
+        """Look at the parent link of a joint that is reversed."""
+        link = self.state.plan.joints[j].parent
+        assert self.elsewhere is not None
+        if link == self.elsewhere.held:  # it is looked at as the way to the ground has it
+            self.memory["unheld", link] = self.memory["a", link]
+            return
+        inertia = self._inertia(link)
+        self.size_back(j, inertia)
+        self._look_at(link, inertia)
+
+    def _inertia(self, link: int) -> Array:
+        """That of a link; zeros where another process adds it."""
+        return self.motion.link_inertia(link) if link in self.own else self.state.zeros(6, 6)
+
+    def _look_at(self, link: int, inertia: Array) -> None:
+        if link in self.own:
             self._start(link, inertia)
-        else:  # another process adds it
-            self.memory["left", link], self.memory["noise", link] = map(self.state.zeros, (6, 4))
-            self.memory["bare", link] = self.state.zeros(4)
+            return
+        self.memory["left", link], self.memory["noise", link] = map(self.state.zeros, (6, 4))
+        self.memory["bare", link] = self.state.zeros(4)
 
     def carry_out(self, step: Certify) -> None:
         """Find the squares of the energy norms of the error, as bounded, and of the answer.
@@ -74,18 +107,29 @@ class Certificate(Allowance):
             self.memory["share", step.tells.process] = told(self, step, own)
             return
         parted = [x for each in shares for x in each.parted]
+        if self.elsewhere is not None and self.elsewhere.held:
+            seen = self._with_held(seen)
+            limbs = spread_of(self, self.elsewhere.beyond, self.elsewhere.held)
+            parted += parting(self, self.elsewhere.apart(), limbs)
         error = seen_with(seen, parted) if parted else seen
         self.state.certificate = (error + rounded, energy)
+
+    def _with_held(self, seen: Expression) -> Expression:
+        """The square of a sum of lengths: what is seen beyond the held link, and up to it."""
+        held = self.held.total()
+        return total([seen, held, self.state.graph.sqrt(seen * held) * 2])
 
     def _sweep(self, step: Certify) -> None:
         """Sweep what is left over inwards."""
         inwards = [name[1] for name in list(self.memory) if _is(name, "articulated")]
+        inwards = [j for j in inwards if not step.joints or j in step.joints]
+        if self.elsewhere is not None:
+            self._sweep_elsewhere(inwards, step)
+            return
         for j in inwards:
-            if step.joints and j not in step.joints:
-                continue
             self._inwards(j)
             body: Articulated = self.memory["articulated", j]
-            with self.when_reached(j):
+            with self.when_reached(j + 1):
                 for energy in body.u[:, 0] * body.moved[:, 0]:
                     self.answer.add(self.run(j), self.count(j), energy)
         for base in self.bases:
@@ -93,12 +137,45 @@ class Certificate(Allowance):
                 self._error_of_base(base)
                 self.answer.add(base, 1, self._energy_of_base(base))
 
+    def _sweep_elsewhere(self, inwards: Sequence[int], step: Certify) -> None:
+        """The same towards another root; from the ground to a link that is held before the rest."""
+        at = self.elsewhere
+        assert at is not None
+        for base in at.bases:
+            if not step.joints or base in step.joints:
+                free, link = list(self.state.kind(base).free), base + 1
+                left = self.memory["left", link].copy()
+                left[free] = left[free] - self.state.torques(base)[:, 0]
+                self.memory["left", link] = left
+        at.load(self.square, of_rest=False)
+        for j in (j for j in inwards if j not in at.beyond):
+            self._inwards(j)
+        self.held = self.seen
+        if at.held:
+            self.seen = Sums(self.state)
+        at.load(self.square, of_rest=True)
+        for j in (j for j in inwards if j in at.beyond):
+            if j in at.reversed:
+                self._back(j)
+            else:
+                self._inwards(j)
+        if step.tells is None:
+            for root in at.roots:
+                factors, noise = factorize(self.memory["IA", root]), self.noise_at(root)
+                left = self.memory["left", root]
+                self._weigh(root - 1, factors, left, noise[[0, 1, 2, 3, 3, 3]])
+
     # -- the sweep --------------------------------------------------------------------------------
 
     def _start(self, link: int, inertia: Array) -> None:
         """What a link by itself takes."""
         own = self.motion.link_force(link)
-        self.memory["left", link] = matrix_times(inertia, self.memory["a", link][:, 0]) + own
+        a = self.memory["a", link][:, 0]
+        taken = matrix_times(inertia, a)
+        self.memory["left", link] = taken + own
+        if self.elsewhere is not None:
+            for energy in self.elsewhere.energies(link, inertia, a, taken):
+                self.answer.add(self.run(link - 1), self.count(link - 1), energy)
         self.memory["noise", link] = self.pushed(link)
         if self.bases:
             self.memory["bare", link] = np.array([*own[3:], inertia[3, 3]], dtype=object)
@@ -109,25 +186,53 @@ class Certificate(Allowance):
         body: Articulated = self.memory["articulated", j]
         left, noise = self.memory["left", j + 1], self.noise_at(j + 1)
         free = list(self.state.kind(j).free)
-        given, rotor = self.state.torques(j)[:, 0], self.state.rotor(j)
-        if rotor is not None:
-            given = given - self.memory["accelerated", j] * rotor
+        given = self._given(j, 1)
         driven = given - left[free]
         self._weigh(j, body.factors, driven, noise[[min(k, 3) for k in free]])
         if not any(self.state.rows.near_links(j)):
             return
-        passed = left.copy()
-        for k in range(6):
-            if k not in free or rotor is not None:
-                passed[k] = total([left[k], *(body.scaled[:, k] * driven)])
-            else:
-                passed[k] = given[free.index(k)]
+        passed = self._passed(j, left, given, driven)
         self.state.rows.hand_on("left", j, x.force(passed))
         self.state.rows.hand_on("noise", j, self.handed_noise(x, free, given, noise))
         if self.bases:
             bare = self.memory["bare", j + 1]
             own = np.array([*x.rotation.vector(bare[:3]), bare[3]], dtype=object)
             self.state.rows.hand_on("bare", j, own)
+
+    def _back(self, j: int) -> None:
+        """The same of a joint that is reversed: from its parent link to its child link."""
+        x: Transform = self.memory["X", j]
+        body: Articulated = self.memory["articulated", j]
+        far, free = self.state.plan.joints[j].parent, list(self.state.kind(j).free)
+        left = x.force_back(self.memory["left", far])
+        noise = self.noise_back(x, self.noise_at(far))
+        given = self._given(j, -1)
+        driven = given - left[free]
+        self._weigh(j, body.factors, driven, noise[[min(k, 3) for k in free]])
+        for name, own in (
+            ("left", self._passed(j, left, given, driven)),
+            ("noise", self.torques_in(free, given, noise)),
+        ):
+            self.memory[name, j + 1] = self.memory[name, j + 1] + own
+
+    def _given(self, j: int, sign: int) -> Array:
+        """What drives the far side of a joint, less what its rotor needs."""
+        given, rotor = self.state.torques(j)[:, 0], self.state.rotor(j)
+        if rotor is not None:
+            given = given - self.memory["accelerated", j] * rotor
+        return given * sign
+
+    def _passed(self, j: int, left: Array, given: Array, driven: Array) -> Array:
+        """What a joint hands on of the wrench that its far link takes."""
+        body: Articulated = self.memory["articulated", j]
+        free, rotor = list(self.state.kind(j).free), self.state.rotor(j)
+        passed = left.copy()
+        for k in range(6):
+            if k not in free or rotor is not None:
+                passed[k] = total([left[k], *(body.scaled[:, k] * driven)])
+            else:
+                passed[k] = given[free.index(k)]
+        return passed
 
     def _weigh(self, j: int, factors: Factors, u: Array, noise: Array) -> None:
         """Add u^T M^-1 u to what is seen of the error, and what rounding may add to it."""

@@ -42,8 +42,8 @@ class ClosedCertificate(Allowance):
         self.held: dict[int, dict[int, Expression]] = {}
         self.unit = ROUNDING * EPSILON[machine.plan.scalar]
 
-    def reach(self, j: int) -> None:
-        """Look at the link beyond a joint, whose acceleration is there."""
+    def reach(self, j: int, **_: bool) -> None:
+        """Look at the link beyond a joint, whose acceleration is there; roots are bases here."""
         self.size(j, self.motion.link_inertia(j + 1))
 
     def carry_out(self, _: Certify) -> None:

@@ -160,7 +160,10 @@ class Machine(State):
             return
         match step:
             case SolveRoot():
-                self.bounds.reach(step.link - 1)
+                self.bounds.reach(step.link - 1, root=True)
+            case Accelerate(reversed=True):
+                assert isinstance(self.bounds, Certificate)  # closed loops are one process's
+                self.bounds.reach_back(step.joint)
             case Accelerate() | AccelerateHeld():
                 self.bounds.reach(step.joint)
 

@@ -31,7 +31,7 @@ def told(found: Allowance, step: Certify, sums: Sequence[Expression]) -> Array:
         for _, name in _kept(found):
             content += list(found.memory[name, link])
         content += list(found.memory["a", link][:, 0])
-        content += _spread(found, step.joints, link)
+        content += spread_of(found, step.joints, link)
     return np.array(content, dtype=object)
 
 
@@ -40,8 +40,8 @@ def _kept(found: Allowance) -> list[tuple[int, str]]:
     return [(6, "left"), (4, "noise"), *([(4, "bare")] if found.bases else [])]
 
 
-def _spread(found: Allowance, joints: Sequence[int], link: int) -> list[Expression]:
-    """What a process's limbs at a link take where it turns otherwise, and where it slides."""
+def spread_of(found: Allowance, joints: Sequence[int], link: int) -> list[Expression]:
+    """Return what limbs at a link take where it turns otherwise, and where it slides."""
     graph, limbs = found.state.graph, spread(found.state.plan, joints, link)
     distances = [graph.input(f"q[{entry}]") * scale**0.5 for entry, scale in limbs.along]
     turning = total([graph.constant(limbs.turning), found.square(distances)])
@@ -69,11 +69,15 @@ class Heard:
                 found.state.rows.add(name, [link], 1, own)
                 place += count
             a = np.array(content[place : place + 6], dtype=object)
-            turning, sliding = content[place + 6 : place + 8]
+            limbs = content[place + 6 : place + 8]
             place += 8
-            apart = a - found.memory["a", link][:, 0]
-            self.parted.append(turning * found.square(apart[:3]))
-            self.parted.append(sliding * found.square(apart[3:]))
+            self.parted += parting(found, a - found.memory["a", link][:, 0], limbs)
+
+
+def parting(found: Allowance, apart: Array, limbs: Sequence[Expression]) -> list[Expression]:
+    """Return the squares of what limbs take whose link accelerates otherwise, by apart."""
+    turning, sliding = limbs
+    return [turning * found.square(apart[:3]), sliding * found.square(apart[3:])]
 
 
 def seen_with(seen: Expression, parted: Sequence[Expression]) -> Expression:

@@ -55,10 +55,20 @@ def searched(model: Model, request: Request) -> Schedule:
         if request.certify:  # a line that is shared tells no bound
             return alone_schedule(model, request.sharing, profile)
         return reproducible_schedule(model, request.sharing, profile, request.scalar)
-    if request.schedule == "auto" and request.certify and request.sharing > 1:
-        return certified_schedule(model, request.sharing, profile, request.scalar, request.shape)
     if request.schedule != "auto":
         return _named(model, request, profile.joins_only() if request.form == "ada" else profile)
+    if request.certify and request.sharing > 1:
+        # Mobilities that float inverts are nearly singular in most poses, which have no bounds.
+        gathers = request.may_gather and request.scalar == "double"
+        plain = _best(model, request, profile).gathered if gathers else None
+        elsewhere = () if plain is None else (plain,)
+        asked = request.sharing, profile, request.scalar, request.shape
+        return certified_schedule(model, *asked, elsewhere)
+    return _best(model, request, profile)
+
+
+def _best(model: Model, request: Request, profile: CostProfile) -> Schedule:
+    """The best schedule of answers that are not certified."""
     return schedule_for(
         request.objective,
         model,

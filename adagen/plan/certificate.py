@@ -18,10 +18,15 @@ from adagen.plan.steps import (
     CarryRows,
     Certify,
     Correct,
+    Deliver,
     FreeAcceleration,
     FreeBase,
     FusedJoin,
+    HoldMobility,
     Kinematics,
+    Load,
+    LoadRoot,
+    Propagate,
     Receive,
     Send,
     Share,
@@ -99,19 +104,19 @@ def why_not(plan: Plan) -> str | None:
 _GATHERED = (
     *(Kinematics, StartLink, StartEmpty, FreeBase, Articulate, SolveRoot),
     *(Accelerate, FreeAcceleration, Send, Receive),
+    *(Propagate, HoldMobility, Load, LoadRoot, Deliver),
 )
-"""Steps of processes that gather at the base or the ground."""
+"""Steps of processes that gather, and take the ground for a body where it is beyond the root."""
 
 
 def why_not_shared(plan: Plan) -> str | None:
     """Return why several processes do not certify what they answer together, None if they do."""
     if not plan.several:
         return None
-    turned = any(getattr(step, "reversed", False) for step in plan.steps)
-    if plan.closed or turned or not all(isinstance(step, _GATHERED) for step in plan.steps):
+    if plan.closed or not all(isinstance(step, _GATHERED) for step in plan.steps):
         return (
-            "several processes share the robot otherwise than by limbs of its base or of the "
-            "ground: no process has the factors of all that is beyond a joint"
+            "several processes share the robot otherwise than by limbs of a link where they "
+            "gather: no process has the factors of all that is beyond a joint"
         )
     if plan.reproducible:
         return "reproducible processes share the robot, and copy one line of statements"
@@ -123,13 +128,30 @@ def why_not_shared(plan: Plan) -> str | None:
     met = {link for message in plan.messages for link in message.inertias}
     if not plan.processes[0].steps or not met <= first:
         return "process 0 does not add up the links that processes share"
+    return _why_not_held(plan)
+
+
+def meets_elsewhere(plan: Plan) -> bool:
+    """Return whether processes gather elsewhere than at the base or the ground."""
+    turned = any(getattr(step, "reversed", False) for step in plan.steps)
+    return turned or any(plan.steps_of(HoldMobility))
+
+
+def _why_not_held(plan: Plan) -> str | None:
+    """Why a robot whose ground is beyond where processes gather is not certified."""
+    if not meets_elsewhere(plan):
+        return None
+    if any(any(process.steps_of(HoldMobility, FreeBase)) for process in plan.processes[1:]):
+        return "another process than the first one is on the way to the ground"
+    alone = sum(joint.parent == 0 for joint in plan.joints) == 1
+    if any(plan.steps_of(HoldMobility)) and not alone:
+        return "links that are held by the ground have others beside them"
     return None
 
 
 def _shared(plan: Plan) -> Plan:
     """The plan with a certificate to which each process adds its share."""
     met = {j for process in plan.processes for j in process.shares}
-    met |= {link - 1 for message in plan.messages for link in message.inertias}
     shares, messages = [], list(plan.messages)
     processes = list(plan.processes)
     hears: tuple[Step, ...] = ()
@@ -193,6 +215,17 @@ def spread(plan: Plan, joints: Iterable[int], link: int) -> Spread:
         turning += fixed * sum(x * x for x in joint.translation)
         along += [(joint.q + k, fixed) for k in range(slides)]
     return Spread(turning, tuple(along), 2 * sum(plan.links[j + 1].mass for j in order))
+
+
+def beyond_held(plan: Plan, steps: Iterable[Step]) -> list[int]:
+    """Return the joints beyond what is swept from the ground to a link that is held, ascending."""
+    near: set[int] = set()
+    for step in steps:
+        if isinstance(step, HoldMobility):
+            break
+        if isinstance(step, Articulate):
+            near.add(step.joint)
+    return [j for j in range(len(plan.joints)) if j not in near]
 
 
 def own_links(process: Process) -> Iterator[int]:

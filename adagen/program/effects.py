@@ -287,6 +287,7 @@ def _certify(plan: Plan, step: Certify | Refine) -> Effects:
     if isinstance(step, Certify):
         tells, own = step.tells, step.joints or own
         reads += [("share", share.process) for share in step.hears]
+        reads += [("load", link) for link in _held(plan, step)]
     if tells is not None:
         reads += [("acceleration", link) for link in tells.links]
     for j in own:
@@ -295,6 +296,12 @@ def _certify(plan: Plan, step: Certify | Refine) -> Effects:
         reads.append(("inertia" if is_base(joint) else "projected", j + is_base(joint)))
     found = ("certificate", 0) if tells is None else ("share", tells.process)
     return Effects(tuple(reads), (found,))
+
+
+def _held(plan: Plan, step: Certify) -> list[int]:
+    """Links that the ground holds for whoever finishes a certificate."""
+    held = plan.processes[0].steps_of(HoldMobility)
+    return [each.link for each in held] if step.hears else []
 
 
 def _correct(plan: Plan, step: Correct) -> Effects:

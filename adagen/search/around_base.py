@@ -8,8 +8,9 @@ is emitted, beside one process that does everything.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from itertools import chain
 
 from adagen.executor.line import line_of
 from adagen.model import Model
@@ -55,7 +56,12 @@ def reproducible_schedule(
 
 
 def certified_schedule(
-    model: Model, processes: int, profile: CostProfile, scalar: str, shape: str
+    model: Model,
+    processes: int,
+    profile: CostProfile,
+    scalar: str,
+    shape: str,
+    elsewhere: Iterable[Gathered] = (),
 ) -> Schedule:
     """Return the layout of least time among those whose processes bound errors together.
 
@@ -65,6 +71,7 @@ def certified_schedule(
         profile: the costs; where it prices joins alone, one process does everything.
         scalar: "double" or "float".
         shape: of the code, "auto" for that of least price.
+        elsewhere: layouts of processes that gather at other links, to be tried, too.
 
     Raises:
         InputError: the robot has no joint.
@@ -77,7 +84,7 @@ def certified_schedule(
     layouts, weights = certified_layouts(model, plan.joints, alone, scalar)
     return cheapest_of(
         alone,
-        layouts,
+        chain(layouts, (_led(plan.joints, gathered) for gathered in elsewhere)),
         weights,
         profile,
         lambda schedule: certified(make_plan(model, schedule, scalar=scalar)),
@@ -133,7 +140,8 @@ def _led(joints: Sequence[PlanJoint], gathered: Gathered) -> Gathered:
     shared = [tree for tree in trees_of(joints, gathered) if len(tree.participants) > 1]
     if not shared:
         return gathered
-    first = shared[0].core_owner
+    tree = shared[0]
+    first = tree.core_owner if tree.grounded is None else tree.grounded
     other = {first: 0, 0: first}
     owners = (None if p is None else other.get(p, p) for p in gathered.owners)
     return replace(gathered, owners=tuple(owners))

@@ -5,13 +5,14 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from adagen.cli import main
 from adagen.library.command import command_in
 from adagen.states import random_states, read_result, write_states
 from adagen.urdf import read_robot
-from tests.emitted import OPTIMISED, Builder, Solver
+from tests.emitted import OPTIMISED, Builder, Solver, energy_errors
 from tests.golden.make_models import MODELS
 from tests.options import words_of
 
@@ -71,6 +72,26 @@ def test_mpi_processes_bound_what_they_answer_together(
     assert bounds[1] == pytest.approx(bounds[0], rel=0.1)
 
 
+def test_processes_that_gather_beyond_the_ground_bound_what_they_answer(tmp_path: Path) -> None:
+    """Two processes share a long chain by themselves; one bound is as good as the other."""
+    robot = str(MODELS / "snake100.urdf")
+    model = read_robot(Path(robot)).model
+    given, states = tmp_path / "states.json", random_states(model, 3, seed=1)
+    write_states(states, model, given)
+    found, bounds = [], []
+    for count in ("1", "2"):
+        result = tmp_path / f"result{count}.json"
+        words = ["--procs", count, "--certify", "--states", str(given), "--result", str(result)]
+        assert main(["solve", robot, *words]) == 0
+        found.append(read_result(result, model))
+        bounds.append(json.loads(result.read_text())["error_bounds"])
+    assert np.abs(found[1] - found[0]).max() > 0  # they are not one process's
+    for qdd, own in zip(found, bounds, strict=True):
+        assert (energy_errors(model, states, qdd) <= 3 * np.array(own)).all()
+    assert np.array(bounds[1]) == pytest.approx(bounds[0], rel=4)
+    assert max(bounds[1]) < 1e-11
+
+
 def test_limbs_in_lanes_are_certified_without_warnings_of_an_optimising_compiler(
     builder: Builder, tmp_path: Path
 ) -> None:
@@ -127,7 +148,7 @@ def test_a_certified_batch_is_shared_by_as_many_cores_as_another(tmp_path: Path)
         (("--shape", "joints"), "certificates are emitted in shapes kernels and unrolled"),
         (("--target", "embedded"), "certified solvers are not emitted with --target"),
         (("--tune",), "certified solvers are not emitted with --tune"),
-        (("--procs", "2", "--schedule", "balanced"), "otherwise than by limbs of its base"),
+        (("--procs", "2", "--schedule", "balanced"), "otherwise than by limbs of a link"),
         (("--mimic",), 'joint "right_finger_slide" is slaved to another'),
     ],
 )

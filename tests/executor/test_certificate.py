@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from adagen.errors import UsageError
 from adagen.executor import certificate, shares_of_bound
 from adagen.executor.allowance import Allowance
+from adagen.executor.elsewhere import Elsewhere
 from adagen.executor.grouping import offered_groupings
 from adagen.executor.lanes import Grouping
 from adagen.executor.refine import WideLinks
@@ -22,13 +23,13 @@ from adagen.graph import BALLS, DOUBLE, FLOAT, Algebra, Expression
 from adagen.model import PRISMATIC, REVOLUTE, SPHERICAL, Frame, Model, Wrench
 from adagen.model.kinds import KINDS
 from adagen.plan import Plan, plan_from_json, plan_to_json
-from adagen.plan.certificate import certified, spread
-from adagen.plan.steps import Articulate, Certify
+from adagen.plan.certificate import beyond_held, certified, spread
+from adagen.plan.steps import Articulate, Certify, HoldMobility
 from adagen.program import check, lower
 from adagen.reference import exact_forward_dynamics
 from adagen.states import random_states
 from adagen.studies.stability.adversary import FAMILIES, hard_states, robots
-from adagen.studies.stability.bounds import certified_plan
+from adagen.studies.stability.bounds import certified_plan, plan_elsewhere
 from tests.emitted import plan_of
 from tests.models import human_figure, random_rotation, random_tree, serial_chain, star
 
@@ -206,6 +207,54 @@ def test_processes_that_share_a_robot_find_the_bound_of_one(name: str) -> None:
             assert as_large == pytest.approx(answer, rel=1e-12)
 
 
+ELSEWHERE: dict[str, Callable[[], Model]] = {
+    "chain": lambda: serial_chain(14),
+    "floating tree": lambda: random_tree(np.random.default_rng(5), 14, floating=True),
+    "floating balls": lambda: random_tree(
+        np.random.default_rng(3), 12, floating=True, kinds=MOVING
+    ),
+}
+
+
+@pytest.mark.parametrize("name", ELSEWHERE)
+def test_processes_that_gather_elsewhere_find_a_bound_like_that_of_one(name: str) -> None:
+    model = ELSEWHERE[name]()
+    one, plan, states = (
+        certified_plan(model),
+        plan_elsewhere(model),
+        random_states(model, 3, seed=6),
+    )
+    assert plan_from_json(plan_to_json(plan)) == plan
+    for shape in ("kernels", "unrolled"):
+        check(lower(plan, shape))
+    for state in zip(states.q, states.v, states.tau, strict=True):
+        _, error, answer = _squares(one, state)
+        qdd, shared, as_large = _squares(plan, state)
+        assert as_large == pytest.approx(answer, rel=1e-12)
+        off = _norm(plan, state, qdd - exact_forward_dynamics(model, *state, digits=25).value)
+        assert off <= 3 * np.sqrt(shared)  # the inverse of a mobility costs digits, which shows
+        assert np.sqrt(shared) <= 30 * max(off, np.sqrt(error))
+
+
+def test_how_a_held_link_moves_otherwise_is_part_of_the_bound(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The answer has it moving as the way to the ground does, and all beyond moves along."""
+    model = serial_chain(14)
+    plan, (state,) = plan_elsewhere(model), zip(*_one(model), strict=True)
+    right = _squares(plan, state)[1]
+    honest = Elsewhere.apart
+    monkeypatch.setattr(
+        Elsewhere, "apart", lambda at: honest(at) + at.state.constants(np.full(6, 1e-6))
+    )
+    each_for_itself.cache_clear()
+    _, bound, _ = _squares(plan, state)
+    each_for_itself.cache_clear()
+    (held,) = {s.link for s in plan.processes[0].steps if isinstance(s, HoldMobility)}
+    limbs = spread(plan, beyond_held(plan, plan.processes[0].steps), held)
+    assert bound - right == pytest.approx(27e-12 * (limbs.turning + limbs.sliding), rel=1e-6)
+
+
 def test_limbs_that_move_otherwise_are_part_of_the_bound(monkeypatch: pytest.MonkeyPatch) -> None:
     """What a process finds for the links that its limbs hang on may differ from the answer."""
     model = star(3, 2, floating=True)
@@ -252,10 +301,10 @@ def test_what_limbs_take_is_no_more_than_their_spread() -> None:
 @pytest.mark.parametrize(
     ("plan", "said"),
     [
-        (lambda: plan_of(serial_chain(12), 2), "otherwise than by limbs of its base"),
-        (lambda: plan_of(human_figure(), 2), "otherwise than by limbs of its base"),
+        (lambda: plan_of(serial_chain(12), 2), "otherwise than by limbs of a link where they"),
+        (lambda: plan_of(human_figure(), 2), "otherwise than by limbs of a link where they"),
     ],
 )
-def test_processes_that_meet_elsewhere_are_refused(plan: Callable[[], Plan], said: str) -> None:
+def test_processes_that_are_joined_are_refused(plan: Callable[[], Plan], said: str) -> None:
     with pytest.raises(UsageError, match=said):
         certified(plan())

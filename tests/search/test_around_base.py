@@ -11,6 +11,7 @@ from adagen.model import LINK_ACCELERATION, Frame, Output
 from adagen.plan import make_plan
 from adagen.plan.certificate import certified
 from adagen.schedule import load_profile
+from adagen.search import best_schedule
 from adagen.search.around_base import certified_schedule, reproducible_schedule
 from tests.models import binary, human_figure, serial_chain
 
@@ -59,6 +60,17 @@ def test_what_cannot_be_certified_by_several_is_done_by_one() -> None:
     model = serial_chain(100)
     plan = certified(make_plan(model, certified_schedule(model, 2, DEFAULT, "double", "auto")))
     assert [bool(process.owns) for process in plan.processes] == [True, False]
+
+
+def test_certified_processes_gather_elsewhere_where_that_pays() -> None:
+    model = serial_chain(100)
+    plain = best_schedule(model, 2, DEFAULT)
+    assert plain.gathered is not None
+    found = certified_schedule(model, 2, DEFAULT, "double", "auto", [plain.gathered])
+    plan = certified(make_plan(model, found))
+    assert all(process.owns for process in plan.processes)
+    alone = certified(make_plan(model, certified_schedule(model, 1, DEFAULT, "double", "auto")))
+    assert found.makespan < 0.85 * predict(alone, DEFAULT).makespan
 
 
 def test_outputs_are_given_by_one_process() -> None:

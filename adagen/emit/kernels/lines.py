@@ -14,8 +14,10 @@ from adagen.plan.steps import (
     Append,
     ApplyCoupling,
     Arrive,
+    Certify,
     LoadRoot,
     Receive,
+    Refine,
     Send,
     SolveCoupling,
     StartLink,
@@ -72,14 +74,26 @@ class KernelLines:
     def all_lines(self) -> list[str]:
         """Return the lines of the process."""
         follows = ["slave(kJoints, w.q.data(), w.v.data());"] if self.words.plan.slaved else []
-        reaches = ["reach_ground(w);"] if self.words.plan.weighed else []
         return [
             *follows,
             *guards.checks(self.words, self.process),
-            *reaches,
+            *self._reaches(),
             *stamped(self.process, self.operations, self._lines_in_turn),
             *guards.results(self.words, self.process),
         ]
+
+    def _reaches(self) -> list[str]:
+        """What is known of accelerations before all others, where answers are weighed.
+
+        What recovers may not bound its answer.
+        """
+        if not self.words.plan.weighed:
+            return []
+        weighs = any(isinstance(step, Certify | Refine) for step in self.process.steps)
+        if not weighs and self.p >= len(self.words.plan.processes):
+            return ["w.certificate = {};  // of an answer that was not found"]
+        falls = [f"reach_fall<{j}>(w);" for j, joint in enumerate(self.joints) if is_base(joint)]
+        return ["reach_ground(w);", *falls]
 
     def corrections(self) -> list[str]:
         """Return the lines that do all again but for motions and inertias of links, which stay.
@@ -330,7 +344,7 @@ class KernelLines:
 
     def _solve_root(self, operation: Operation) -> list[str]:
         link = _link(operation.steps[0])
-        reaches = [f"reach_base<{link - 1}>(w);"] if self.words.plan.weighed else []
+        reaches = [f"reach_root<{link}>(w);"] if self.words.plan.weighed else []
         return [f"solve_root<{self.p}, {link}>(w);", *reaches]
 
     def _certify(self, operation: Operation) -> list[str]:
@@ -349,7 +363,7 @@ class KernelLines:
             elif op.does == "free_acceleration":
                 lines += self._free_acceleration(op)
             elif op.does == "solve_root" and self.words.plan.corrections > 1:
-                lines.append(f"reach_base<{_link(op.steps[0]) - 1}>(w);")
+                lines.append(f"reach_root<{_link(op.steps[0])}>(w);")
         lines.append("end_own_correction(w);")
         return ["for (int k = 0; k < kRefine; ++k) {", *(f"  {line}" for line in lines), "}"]
 
@@ -357,7 +371,8 @@ class KernelLines:
         (step,) = operation.steps
         assert isinstance(step, LoadRoot)
         self.parts.add(step.link)
-        return mobility.lines_of(self.words, self.p, step)
+        kept = [f"keep_held(w, {step.link});"] if step.held and self.words.plan.weighed else []
+        return [*kept, *mobility.lines_of(self.words, self.p, step)]
 
     def _accelerate(self, operation: Operation) -> list[str]:
         run = operation.block

@@ -5,10 +5,12 @@ See templates/include/adagen/kernels/shared_bound.hpp.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from adagen.emit.processes import describe_message
 from adagen.emit.words import Words
-from adagen.plan.certificate import spread
-from adagen.plan.steps import Certify, Receive, Send
+from adagen.plan.certificate import beyond_held, spread
+from adagen.plan.steps import Certify, HoldMobility, Receive, Send
 from adagen.plan.types import CERTIFICATE, Process
 from adagen.program import Operation
 
@@ -31,14 +33,23 @@ def told(words: Words, process: Process, operation: Operation) -> list[str]:
         f"  Number* to = channel.outgoing({step.message}, w.status);",
         "  to = tell_sums(to, w);",
     ]
-    number = words.printer.number
     for link in message.weighed:
-        limbs = spread(words.plan, joints, link)
-        terms = [number(limbs.turning)]
-        terms += [f"{number(scale)} * w.q[{k}] * w.q[{k}]" for k, scale in limbs.along]
-        numbers = f"{' + '.join(terms)}, {number(limbs.sliding)}"
+        numbers = _spread(words, joints, link)
         lines.append(f"  to = tell_link(to, w, {link}, {numbers});")
     return [*lines, f"  channel.send({step.message}, w.status);", "}"]
+
+
+def beyond(words: Words, p: int, step: HoldMobility) -> str:
+    """Return what all beyond a held link takes where it turns otherwise, and where it slides."""
+    return _spread(words, beyond_held(words.plan, words.plan.processes[p].steps), step.link)
+
+
+def _spread(words: Words, joints: Iterable[int], link: int) -> str:
+    """What limbs at a link take where it turns otherwise, and where it slides."""
+    number, limbs = words.printer.number, spread(words.plan, joints, link)
+    terms = [number(limbs.turning)]
+    terms += [f"{number(scale)} * w.q[{k}] * w.q[{k}]" for k, scale in limbs.along]
+    return f"{' + '.join(terms)}, {number(limbs.sliding)}"
 
 
 def heard(words: Words, operation: Operation) -> list[str]:
@@ -53,9 +64,7 @@ def heard(words: Words, operation: Operation) -> list[str]:
 
 def sums(step: Certify) -> list[str]:
     """Return the lines that add what others have found of error and answer."""
-    if not step.hears:
-        return []
-    return ["w.parted = 0;", *(f"hear_sums(w, w.heard[{k}]);" for k in range(len(step.hears)))]
+    return [f"hear_sums(w, w.heard[{k}]);" for k in range(len(step.hears))]
 
 
 def at_links(words: Words, operation: Operation) -> list[str]:

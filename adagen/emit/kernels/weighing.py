@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from adagen.emit.kernels import shared_bound
 from adagen.emit.words import Words
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.steps import Articulate, Certify, FreeBase, SolveRoot, Step
+from adagen.plan.steps import Articulate, Certify, FreeBase, HoldMobility, SolveRoot, Step
 from adagen.program import Links, Operation
 from adagen.program.runs import Run
 from adagen.program.slots import Slots
@@ -58,15 +58,25 @@ class Weighing:
             "articulate": self._sweep,
             "solve_root": self._root,
             "receive": self._received,
+            "hold_mobility": self._held,
         }
         share = step if isinstance(step, Certify) else Certify()
-        lines = ["begin_weighing(w);", *shared_bound.sums(share)]
+        lines = ["begin_weighing(w);", *["begin_shared_weighing(w);"] * bool(share.hears)]
+        self._look_at(operations)
         for op in operations:
             if op.does in weigh and _is_own(share, op):
                 lines += weigh[op.does](op)
         if share.tells is not None:
             return lines
-        return [*lines, "end_shared_weighing(w);" if share.hears else "end_weighing(w);"]
+        end = "end_shared_weighing(w);" if share.hears else "end_weighing(w);"
+        return [*lines, *shared_bound.sums(share), end]
+
+    def _look_at(self, operations: Sequence[Operation]) -> None:
+        """Find which links the joint before them is swept away from, and which is held."""
+        steps = [step for op in operations for step in op.steps]
+        swept = [step for step in steps if isinstance(step, Articulate)]
+        self.forward = {step.joint + 1 for step in swept if not step.reversed}
+        self.held = {step.link for step in steps if isinstance(step, HoldMobility)}
 
     def _links(self, operation: Operation) -> list[str]:
         assert isinstance(operation.block, Links)
@@ -76,7 +86,14 @@ class Weighing:
     def _placed(self, operation: Operation) -> list[str]:
         assert isinstance(operation.block, Links)
         (link,) = operation.block.numbers
-        return [f"weigh_placed<{link}, {word(operation.first[0])}>(w);"]
+        whole = word(link not in self.forward)
+        placed = f"weigh_placed<{link}, {word(operation.first[0])}, {whole}>(w);"
+        return [placed, *[f"weigh_load<{link}>(w);"] * (link in self.held)]
+
+    def _held(self, operation: Operation) -> list[str]:
+        (step,) = operation.steps
+        assert isinstance(step, HoldMobility)
+        return [f"weigh_held<{step.link}>(w, {shared_bound.beyond(self.words, self.p, step)});"]
 
     def _free_base(self, operation: Operation) -> list[str]:
         assert isinstance(operation.block, Run)
@@ -106,7 +123,8 @@ class Weighing:
             return ["{", f"  const auto X = {sweep}", *left, "}"] if left else [sweep]
         assert isinstance(block, Run)
         ends = f"{self.p}, {block.first}, {block.last}, {word(first[0])}"
-        return [f"weigh<{ends}>(w);  // {self.words.span(block.first, block.last)}"]
+        verb = "weigh_reversed" if block.reversed else "weigh"
+        return [f"{verb}<{ends}>(w);  // {self.words.span(block.first, block.last)}"]
 
 
 def _is_own(share: Certify, operation: Operation) -> bool:

@@ -181,6 +181,23 @@ def trees(rng: Generator) -> Model:
     return assembled("tree", parts)
 
 
+def arms(rng: Generator) -> Model:
+    """Long arms with a few branches: light, slender and ordinary links, sliders among hinges."""
+    parts: list[Part] = []
+    path = [0]  # from the ground to where the next link hangs
+    for k in range(rng.integers(11, 17)):
+        own = (
+            *(rod(between(rng, -4, 1)), rod(radius=between(rng, -6, -1))),
+            *(_point(rng, 0.3, 0.1), rod(), rod()),
+        )[rng.integers(5)]
+        kind = PRISMATIC if rng.random() < 0.15 else REVOLUTE
+        if len(path) > 2 and rng.random() < 0.1:
+            path.pop()
+        parts.append(Part(path[-1], _axis(rng), _length(rng, k), own, kind))
+        path.append(k + 1)
+    return assembled("arm", parts)
+
+
 def slides(rng: Generator) -> Model:
     """Hinges and slides by turns, along nearly the same axes."""
     parts: list[Part] = []

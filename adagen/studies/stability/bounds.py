@@ -22,9 +22,10 @@ from adagen.executor.solve import interpret
 from adagen.graph import BALLS
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
-from adagen.plan.certificate import certified
+from adagen.plan.certificate import certified, meets_elsewhere
 from adagen.run import launch
 from adagen.schedule import load_profile
+from adagen.schedule.tree import Gathered
 from adagen.search.around_base import alone_schedule, certified_layouts
 from adagen.states import States, write_states
 from adagen.studies.stability.audit import truths
@@ -45,16 +46,18 @@ class Certified:
         scalar: "double" or "float".
         processes: threads that share the robot, whether that pays or not; of a batch, processes
             of MPI that process 0 hands states out to.
+        elsewhere: whether two threads gather elsewhere than at the base or the ground.
     """
 
     shape: str
     batch: bool = False
     scalar: str = "double"
     processes: int = 1
+    elsewhere: bool = False
 
     def __str__(self) -> str:
         words = [self.shape] + ["batch"] * self.batch
-        words += [f"P = {self.processes}"] * (self.processes > 1)
+        words += [f"P = {self.processes}"] * (self.processes > 1) + ["elsewhere"] * self.elsewhere
         return ", ".join(words + [self.scalar] * (self.scalar != "double"))
 
 
@@ -98,6 +101,28 @@ def certified_plan(model: Model, scalar: str = "double", processes: int = 1) -> 
     return plan
 
 
+def plan_elsewhere(model: Model, scalar: str = "double") -> Plan:
+    """Return the certified plan of two threads that gather as near a robot's middle as they can.
+
+    Raises:
+        AdagenError: the robot has none.
+    """
+    alone = alone_schedule(model, 2, load_profile("default"))
+    joints = make_plan(model, alone).joints
+    for root in sorted(range(1, len(joints) + 1), key=lambda link: abs(2 * link - len(joints))):
+        beyond = set[int]()
+        for j, joint in enumerate(joints):
+            if joint.parent == root or joint.parent - 1 in beyond:
+                beyond.add(j)
+        owners = tuple(int(j in beyond) for j in range(len(joints)))
+        shared = replace(alone, meeting="gather", gathered=Gathered((root,), owners))
+        with suppress(AdagenError):
+            plan = certified(make_plan(model, shared, scalar=scalar, channel="threads"))
+            if meets_elsewhere(plan) and plan.processes[1].steps:
+                return plan
+    raise UsageError("there is no link beyond the base or the ground to gather at")
+
+
 def bounded(
     model: Model, states: States, ways: list[Certified], toolchain: Toolchain
 ) -> dict[Certified, Bounded]:
@@ -113,7 +138,7 @@ def bounded(
     known: dict[str, tuple[States, list[Array | None]]] = {}
     for way in ways:
         try:
-            plan = certified_plan(model, way.scalar, 1 if way.batch else way.processes)
+            plan = _plan_of(model, way)
             text = emit(plan, name=_NAME, shape=way.shape, batch=way.processes * way.batch)
         except AdagenError:
             continue
@@ -138,6 +163,12 @@ def bounded(
         errors, bounds = np.array(rows, dtype=float).reshape(-1, 2).T
         found[way] = Bounded(errors, bounds, len(truth) - len(rows))
     return found
+
+
+def _plan_of(model: Model, way: Certified) -> Plan:
+    if way.elsewhere:
+        return plan_elsewhere(model, way.scalar)
+    return certified_plan(model, way.scalar, 1 if way.batch else way.processes)
 
 
 def own_truths(plan: Plan, states: States) -> list[Array | None]:

@@ -211,12 +211,14 @@ ADAGEN_ONE_BY_ONE void accelerate_reversed(Workspace& w) {
     if constexpr (kRoles[p][kJoints[first].parent].parts) w.motions[kJoints[first].parent] = a;
     return;
   }
+  Reached<Value> reached = reached_at(w, last + 1);
   each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     const int j = first + k;
     move<true>(w, single(j), kind, a);
     if constexpr (kWide) keep_force<true>(w, single(j), a);
+    reach_back(w, j, kind, a, reached);
     const std::size_t far = static_cast<std::size_t>(kJoints[static_cast<std::size_t>(j)].parent);
-    if (kRoles[p][far].parts) w.motions[far] = a;
+    if (kRoles[p][far].parts) w.motions[far] = a, keep_reached(w, far, reached);
   });
 }
 

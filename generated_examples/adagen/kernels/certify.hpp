@@ -29,6 +29,7 @@ namespace {
 // A bound of the answer's error: what the links' equations of motion leave over is swept inwards by
 // the factors at hand, u at each joint, and sum u D^-1 u is the square of the error in the energy
 // norm. Of rounding, which that does not see, the squares of what is added up are swept beside it.
+// Joints may be reversed, as they are in inward.hpp.
 
 template <class T>
 ADAGEN_INLINE void operator+=(Left<T>& a, const Left<T>& b) {
@@ -125,26 +126,26 @@ struct Found {
   T seen, rounded;
 };
 
-// What drives a joint of one freedom, less what its rotor needs.
-template <class T>
+// What drives the far side of a joint of one freedom, less what its rotor needs.
+template <bool reversed, class T>
 ADAGEN_INLINE T driving(Workspace& w, const Joints<T>& joints) {
   T tau = each(joints, [&w](const JointConstants& own) { return torque(w, own); });
   if constexpr (kAnyPassive)
     tau -= each(joints, [&w](const JointConstants& own) {
       return Value{} + w.answer[static_cast<std::size_t>(own.v)] * Real(own.passive.rotor);
     });
-  return tau;
+  return reversed ? -tau : tau;
 }
 
 // A joint of one freedom that is left u, and has units of rounding; see eliminate in inward.hpp.
-template <class T>
+template <bool reversed, class T>
 ADAGEN_INLINE void weigh_freedom(Workspace& w, const Joints<T>& joints, const T& u, const T& units,
                                  Left<T>& X, Found<T>& found) {
   T* const e = w.memory(joints).e;
   found.seen += u * u * e[7];
   found.rounded += units * e[7];
   if constexpr (kRefine > 0) e[6] = u * e[7];
-  X.n += cross(w.memory(joints).r, X.f);
+  if constexpr (!reversed) X.n += cross(w.memory(joints).r, X.f);
   X.n += Vector<T>{e[0], e[1], e[2]} * u;
   X.f += Vector<T>{e[3], e[4], e[5]} * u;
 }
@@ -179,26 +180,27 @@ ADAGEN_INLINE void weigh_turned(Workspace& w, const Joints<T>& joints, Left<T>& 
   const Vector<T> s = axis_at<T>(w.at(joints.slot, kAxes));
   T units = along ? X.forces + dot(X.f, X.f) : X.moments + dot(X.n, X.n);
   const T brought = dot(s, along ? X.f : X.n);
-  const T u = driving(w, joints) - own_share<along>(w, joints, units) - brought;
+  const T u = driving<false>(w, joints) - own_share<along>(w, joints, units) - brought;
   add_weighed_link(w, joints, X);
   X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
-  weigh_freedom(w, joints, u, units, X, found);
+  weigh_freedom<false>(w, joints, u, units, X, found);
 }
-template <bool along, class T>
+template <bool along, bool reversed, class T>
 ADAGEN_INLINE void weigh_in_base(Workspace& w, const Joints<T>& joints, Left<T>& X,
                                  Found<T>& found) {
   X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
   const T brought = dot(axis_at<T>(w.at(joints.slot, kAxes)), along ? X.f : X.n);
-  const T u = driving(w, joints) - brought;
-  weigh_freedom(w, joints, u, along ? X.forces : X.moments, X, found);
+  const T u = driving<reversed>(w, joints) - brought;
+  weigh_freedom<reversed>(w, joints, u, along ? X.forces : X.moments, X, found);
 }
 
 // A ball joint; see take_out_rotations in spherical.hpp. Of moments no more than its torque passes.
-template <class T>
+template <bool reversed, class T>
 ADAGEN_INLINE void weigh_rotations(Workspace& w, const Joints<T>& joints, Left<T>& X,
                                    Found<T>& found) {
   T* const e = w.memory(joints).e;
-  const Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * spherical_torque(w, joints);
+  Vector<T> torque = matrix_at<T>(w.at(joints.slot, kAxes)) * spherical_torque(w, joints);
+  if constexpr (reversed) torque = -torque;
   const Vector<T> u = torque - X.n;
   X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
   const Vector<T> y = solved(e + 12, u);
@@ -208,7 +210,7 @@ ADAGEN_INLINE void weigh_rotations(Workspace& w, const Joints<T>& joints, Left<T
   X.f += transposed_times(Matrix<T>{{e[0], e[1], e[2]}, {e[3], e[4], e[5]}, {e[6], e[7], e[8]}}, u);
   X.n = torque;
   X.moments = dot(torque, torque);
-  X.n += cross(w.memory(joints).r, X.f);
+  if constexpr (!reversed) X.n += cross(w.memory(joints).r, X.f);
 }
 
 // A planar joint, freedom by freedom; see eliminate_planar in inward.hpp.
@@ -223,16 +225,18 @@ ADAGEN_INLINE void weigh_part(const Vector<Value>& s, const Value& tau, Value* e
   X.n += Vector<Value>{e[0], e[1], e[2]} * u;
   X.f += Vector<Value>{e[3], e[4], e[5]} * u;
 }
+template <bool reversed>
 ADAGEN_INLINE void weigh_planar(Workspace& w, const Joints<Value>& joints, Left<Value>& X,
                                 Found<Value>& found) {
   Memory& memory = w.memory(joints);
   const Value* const tau = w.tau + joints.any().v;
   const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
   const Vector<Value> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y}, z{R.x.z, R.y.z, R.z.z};
-  weigh_part<true>(x, tau[0], memory.e, X, found);
-  weigh_part<true>(y, tau[1], memory.e + 8, X, found);
-  weigh_part<false>(z, tau[2], memory.e + 16, X, found);
-  X.n += cross(memory.r, X.f);
+  const Value sign = reversed ? -1 : 1;
+  weigh_part<true>(x, sign * tau[0], memory.e, X, found);
+  weigh_part<true>(y, sign * tau[1], memory.e + 8, X, found);
+  weigh_part<false>(z, sign * tau[2], memory.e + 16, X, found);
+  if constexpr (!reversed) X.n += cross(memory.r, X.f);
 }
 
 // What is left over at a body that nothing holds; returns what it accelerates by for it.
@@ -257,13 +261,15 @@ ADAGEN_INLINE Motion<Value> weigh_unheld(const Body<Value>& body, const Left<Val
 }
 
 // A joint with all freedoms hands on its force alone; see set_free in inward.hpp.
+template <bool reversed>
 ADAGEN_INLINE void weigh_free(Workspace& w, const Joints<Value>& joints, Left<Value>& X,
                               Found<Value>& found) {
   Memory& memory = w.memory(joints);
   const Value* const tau = w.tau + joints.any().v;
   const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
-  const Vector<Value> n = R * Vector<Value>{tau[3], tau[4], tau[5]};
-  const Vector<Value> f = R * Vector<Value>{tau[0], tau[1], tau[2]};
+  Vector<Value> n = R * Vector<Value>{tau[3], tau[4], tau[5]};
+  Vector<Value> f = R * Vector<Value>{tau[0], tau[1], tau[2]};
+  if constexpr (reversed) n = -n, f = -f;
   X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
   X.n += -n, X.f += -f;
   const Body<Value>& body = w.free[static_cast<std::size_t>(joints.joint[0])];
@@ -273,42 +279,47 @@ ADAGEN_INLINE void weigh_free(Workspace& w, const Joints<Value>& joints, Left<Va
     Value* const e = memory.e;
     e[0] = turn.x, e[1] = turn.y, e[2] = turn.z, e[3] = slide.x, e[4] = slide.y, e[5] = slide.z;
   }
-  X = {n + cross(memory.r, f), f, dot(n, n), dot(f, f)};
+  X = {n, f, dot(n, n), dot(f, f)};
+  if constexpr (!reversed) X.n += cross(memory.r, f);
 }
 
 // Whether the force that the bare link beyond a joint needs is added with the joint.
 ADAGEN_INLINE constexpr bool weighed_apart(int joint) { return turned<true>(joint); }
 
 // A joint whose far link's share is X, but for the bare link where that is added here.
-template <class T>
+template <bool reversed, class T>
 ADAGEN_INLINE void weigh_joint(Workspace& w, const Joints<T>& joints, JointKind kind, Left<T>& X,
                                Found<T>& found) {
   const bool along = kind == JointKind::kPrismatic;
+  const Vector<T>& r = w.memory(joints).r;
+  if constexpr (reversed) X.n += cross(X.f, r), X.moments += dot(r, r) * X.forces;
   if constexpr (kAnySpherical) {
-    if (kind == JointKind::kSpherical) weigh_rotations(w, joints, X, found);
+    if (kind == JointKind::kSpherical) weigh_rotations<reversed>(w, joints, X, found);
   }
   if constexpr (kAnyPlanar && kWidth<T> == 1) {
-    if (kind == JointKind::kPlanar) weigh_planar(w, joints, X, found);
+    if (kind == JointKind::kPlanar) weigh_planar<reversed>(w, joints, X, found);
   }
   if constexpr (kAnyFloating && kWidth<T> == 1) {
-    if (kind == JointKind::kFloating) weigh_free(w, joints, X, found);
+    if (kind == JointKind::kFloating) weigh_free<reversed>(w, joints, X, found);
   }
   if (kind == JointKind::kRevolute || along) {
-    if (weighed_apart(joints.joint[0]))
+    if (!reversed && weighed_apart(joints.joint[0]))
       along ? weigh_turned<true>(w, joints, X, found) : weigh_turned<false>(w, joints, X, found);
     else
-      along ? weigh_in_base<true>(w, joints, X, found) : weigh_in_base<false>(w, joints, X, found);
+      along ? weigh_in_base<true, reversed>(w, joints, X, found)
+            : weigh_in_base<false, reversed>(w, joints, X, found);
   }
-  const Vector<T>& r = w.memory(joints).r;
-  X.moments += dot(r, r) * X.forces;
+  if constexpr (!reversed) X.moments += dot(r, r) * X.forces;
 }
 
-// Adds what is found at a link; see meet.
-template <int p>
+// Adds what is found at a link; see meet. The link itself is added with the joint before it where
+// that is swept next in its own axes; whole: it is not.
+template <int p, bool whole = false>
 ADAGEN_INLINE void meet_left(Workspace& w, int link, Left<Value>& X) {
   const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
   if (role.gathers) X += w.lefts[static_cast<std::size_t>(link)];
-  if (role.adds_own && !weighed_apart(link - 1)) add_weighed_link(w, single(link - 1), X);
+  if (role.adds_own && (whole || !weighed_apart(link - 1)))
+    add_weighed_link(w, single(link - 1), X);
 }
 template <bool starts>
 ADAGEN_INLINE void leave_left(Workspace& w, int link, const Left<Value>& X) {
@@ -318,10 +329,10 @@ ADAGEN_INLINE void leave_left(Workspace& w, int link, const Left<Value>& X) {
   else
     left += X;
 }
-template <int link, bool starts>
+template <int link, bool starts, bool whole>
 void weigh_placed(Workspace& w) {
   Left<Value> X{};
-  if constexpr (!weighed_apart(link - 1)) add_weighed_link(w, single(link - 1), X);
+  if constexpr (whole || !weighed_apart(link - 1)) add_weighed_link(w, single(link - 1), X);
   leave_left<starts>(w, link, X);
 }
 template <int j, bool starts>
@@ -339,11 +350,23 @@ void weigh(Workspace& w) {
   Found<Value> found{};
   each_row<RunRows<first, last>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     meet_left<p>(w, first + k + 1, X);
-    weigh_joint(w, single(first + k), kind, X, found);
+    weigh_joint<false>(w, single(first + k), kind, X, found);
   });
   w.seen += found.seen, w.rounded += found.rounded;
   constexpr int near = kJoints[first].parent;
   if constexpr (near > 0) leave_left<starts>(w, near, X);
+}
+// The same for a root beyond joint last.
+template <int p, int first, int last, bool starts>
+void weigh_reversed(Workspace& w) {
+  Left<Value> X{};
+  Found<Value> found{};
+  each_row<RunRows<first, last>, false>([&](int k, auto kind) ADAGEN_ALWAYS {
+    meet_left<p, true>(w, kJoints[static_cast<std::size_t>(first + k)].parent, X);
+    weigh_joint<true>(w, single(first + k), kind, X, found);
+  });
+  w.seen += found.seen, w.rounded += found.rounded;
+  leave_left<starts>(w, last + 1, X);
 }
 
 // A body that nothing holds: what is left over is its own to take.
@@ -351,7 +374,7 @@ template <int p, int link>
 void weigh_root(Workspace& w) {
   Left<Value> X{};
   Found<Value> found{};
-  meet_left<p>(w, link, X);
+  meet_left<p, true>(w, link, X);
   X.moments += dot(X.n, X.n), X.forces += dot(X.f, X.f);
   const Motion<Value> gained = weigh_unheld(whole<p>(w, link), X, found);
   if constexpr (kRefine > 0) w.motions[link] = gained;

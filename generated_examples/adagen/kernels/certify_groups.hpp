@@ -41,7 +41,7 @@ auto weigh_group(Workspace& w) {
   Found<T> found{};
   each_row<LimbRows<limbs>, true>([&](int k, auto kind) ADAGEN_ALWAYS {
     meet_left_group<p>(w, limbs.at(k), X);
-    weigh_joint(w, limbs.at(k), kind, X, found);
+    weigh_joint<false>(w, limbs.at(k), kind, X, found);
   });
   constexpr bool idle = limbs.at(0).joint[0] == limbs.at(0).joint[1];  // the first lane
   ADAGEN_FOR (side, idle, kWidth<T>) w.seen += found.seen[side], w.rounded += found.rounded[side];

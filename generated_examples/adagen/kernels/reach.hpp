@@ -45,11 +45,11 @@ ADAGEN_INLINE void gain_more(Workspace& w, int slot, const Motion<T>& a) {
   put_at(w.at(slot, kGainedAlong), vector_at<T>(w.at(slot, kGainedAlong)) + a.linear);
 }
 template <class T>
-ADAGEN_INLINE void reach(Workspace& w, const Joints<T>& joints, JointKind kind, const Motion<T>& a,
-                         Reached<T>& to) {
+ADAGEN_INLINE void reach_link(Workspace& w, int slot, const Joints<T>& joints, JointKind kind,
+                              const Motion<T>& a, Reached<T>& to) {
   if constexpr (kRefine > 0) {
     if (w.again) {
-      if constexpr (kRefine > 1) gain_more(w, joints.slot, a);
+      if constexpr (kRefine > 1) gain_more(w, slot, a);
       return;
     }
   }
@@ -58,7 +58,18 @@ ADAGEN_INLINE void reach(Workspace& w, const Joints<T>& joints, JointKind kind, 
   if (kind != JointKind::kRevolute && kind != JointKind::kSpherical)
     to.sliding = larger(to.sliding, dot(a.linear, a.linear));
   to.turning = larger(to.turning, dot(a.angular, a.angular));
-  keep_gained(w, joints.slot, a, to);
+  keep_gained(w, slot, a, to);
+}
+template <class T>
+ADAGEN_INLINE void reach(Workspace& w, const Joints<T>& joints, JointKind kind, const Motion<T>& a,
+                         Reached<T>& to) {
+  reach_link(w, joints.slot, joints, kind, a, to);
+}
+// Of a joint that is reversed: its parent link is reached.
+ADAGEN_INLINE void reach_back(Workspace& w, int j, JointKind kind, const Motion<Value>& a,
+                              Reached<Value>& to) {
+  const int far = kJoints[static_cast<std::size_t>(j)].parent;
+  if (far > 0) reach_link(w, slot_of(far - 1), single(j), kind, a, to);
 }
 ADAGEN_INLINE void keep_reached(Workspace& w, std::size_t link, const Reached<Value>& to) {
   w.reached[link] = to;
@@ -66,15 +77,19 @@ ADAGEN_INLINE void keep_reached(Workspace& w, std::size_t link, const Reached<Va
 
 // A floating base: its joint's acceleration is less by what turns with its axes, the fall.
 template <int j>
-void reach_base(Workspace& w) {
+void reach_fall(Workspace& w) {
   const Value* v = w.v + kJoints[j].v;
   w.fall = cross(Vector<Value>{v[3], v[4], v[5]}, Vector<Value>{v[0], v[1], v[2]});
-  const Motion<Value>& a = w.motions[j + 1];
+}
+// The link that all others are reached from.
+template <int link>
+void reach_root(Workspace& w) {
+  const Motion<Value>& a = w.motions[link];
   if constexpr (kRefine > 1) {
-    if (w.again) return gain_more(w, slot_of(j), a);
+    if (w.again) return gain_more(w, slot_of(link - 1), a);
   }
-  w.reached[j + 1] = {dot(a.angular, a.angular), dot(a.linear, a.linear) + dot(w.fall, w.fall)};
-  keep_gained(w, slot_of(j), a, w.reached[j + 1]);
+  w.reached[link] = {dot(a.angular, a.angular), dot(a.linear, a.linear) + dot(w.fall, w.fall)};
+  keep_gained(w, slot_of(link - 1), a, w.reached[link]);
 }
 
 }  // namespace

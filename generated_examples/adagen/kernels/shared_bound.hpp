@@ -1,6 +1,7 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
 #include "../sizes.hpp"
@@ -52,9 +53,13 @@ ADAGEN_INLINE void hear_link(Workspace& w, int link, const Number* from) {
   w.parted += from[14] * dot(turn, turn) + from[15] * dot(slide, slide);
 }
 
-// Lengths add up: |a + b|^2 <= 9/8 |a|^2 + 9 |b|^2.
+inline void begin_shared_weighing(Workspace& w) { w.parted = w.held = Value{}; }
+
+// Lengths add up, those of what is weighed up to a held link and beyond it: |a + b|^2 <=
+// 9/8 |a|^2 + 9 |b|^2 where b is what limbs take.
 inline void end_shared_weighing(Workspace& w) {
-  w.certificate = {Real(1.125) * w.seen + 9 * w.parted + kUnit * kUnit * w.rounded, w.energy};
+  const Value seen = w.seen + w.held + 2 * std::sqrt(w.seen * w.held);
+  w.certificate = {Real(1.125) * seen + 9 * w.parted + kUnit * kUnit * w.rounded, w.energy};
 }
 
 }  // namespace

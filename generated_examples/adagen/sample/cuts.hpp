@@ -21,7 +21,8 @@ struct Cuts {
   std::array<std::array<Value, kNv>, kSlavedCount> responses{};
   std::array<Real, kSlavedCount> coupling{};
   std::array<Value, 2> certificate{};
-  Value seen{}, rounded{}, energy{}, parted{};
+  Value seen{}, rounded{}, energy{}, parted{}, held{};
+  Motion<Value> unheld{};
   Vector<Value> fall{};
   std::array<Reached<Value>, kLinkCount> reached{};
   std::array<Left<Value>, kLinkCount> lefts{};

@@ -11,11 +11,14 @@ from adagen.build import Toolchain
 from adagen.build.toolchain import STANDARD
 from adagen.executor import certificate
 from adagen.executor.run import each_for_itself
-from adagen.studies.stability.adversary import FAMILIES, hard_states, robots
+from adagen.model import PRISMATIC, REVOLUTE, SPHERICAL
+from adagen.states import States
+from adagen.studies.stability.adversary import FAMILIES, arms, hard_states, robots
 from adagen.studies.stability.bounds import FACTOR, Bounded, Certified, bounded
 from adagen.urdf import read_robot
 from tests.emitted import QUICK, Builder
 from tests.golden.make_models import MODELS
+from tests.models import random_tree, serial_chain
 from tests.real import real_robot
 from tests.slow import slow, spread
 
@@ -112,6 +115,46 @@ def test_bounds_of_states_that_are_handed_out(way: Certified, k: int, quick: Too
     assert found[way].errors.size > 200
     assert np.isfinite(found[way].bounds).mean() > 0.5
     _hold(found)
+
+
+ELSEWHERE = [
+    Certified(shape, processes=2, elsewhere=True, scalar=scalar)
+    for shape in ("kernels", "unrolled")
+    for scalar in ("double", "float")
+]
+
+
+@pytest.mark.parametrize("k", [4, slow(6)])
+def test_bounds_of_processes_that_gather_elsewhere(k: int, quick: Toolchain) -> None:
+    """Arms that the ground holds beyond where processes gather; singular poses have no bound."""
+    model = robots(k + 1, 1, [arms])[k]
+    found = bounded(model, hard_states(model, 100, seed=8), ELSEWHERE, quick)
+    assert set(found) == set(ELSEWHERE)
+    for way, one in found.items():
+        assert one.errors.size >= (99 if way.scalar == "double" else 60)
+        assert way.scalar == "float" or np.isfinite(one.bounds).mean() > 0.5
+    _hold(found)
+
+
+def test_bounds_of_floating_robots_that_gather_beyond_their_base(quick: Toolchain) -> None:
+    kinds = (REVOLUTE, PRISMATIC, SPHERICAL)
+    model = random_tree(np.random.default_rng(5), 14, floating=True, kinds=kinds)
+    found = bounded(model, hard_states(model, 40, seed=3), ELSEWHERE, quick)
+    assert set(found) == set(ELSEWHERE)
+    for way, one in found.items():
+        assert one.errors.size == 40
+        assert np.median(one.bounds) < (1e-12 if way.scalar == "double" else 1e-3)
+    _hold(found)
+
+
+def test_a_pose_in_which_the_ground_holds_no_link_has_no_bound(quick: Toolchain) -> None:
+    """A straight arm is solved in another way, which is not certified."""
+    model, still = serial_chain(14), np.zeros((3, 14))
+    states = States(still, still.copy(), np.ones((3, 14)))
+    for way in ELSEWHERE[::2]:
+        (one,) = bounded(model, states, [way], quick).values()
+        assert (one.errors < 1e-12).all()
+        assert np.isinf(one.bounds).all()
 
 
 def test_no_bound_is_found_with_factors_of_no_digits(quick: Toolchain) -> None:

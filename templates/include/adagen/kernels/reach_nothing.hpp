@@ -15,6 +15,7 @@ namespace {
 ADAGEN_INLINE Reached<Value> reached_at(const Workspace&, int) { return Reached<Value>{}; }
 template <class T>
 ADAGEN_INLINE void reach(Workspace&, const Joints<T>&, JointKind, const Motion<T>&, Reached<T>&) {}
+ADAGEN_INLINE void reach_back(Workspace&, int, JointKind, const Motion<Value>&, Reached<Value>&) {}
 ADAGEN_INLINE void keep_reached(Workspace&, std::size_t, const Reached<Value>&) {}
 
 }  // namespace

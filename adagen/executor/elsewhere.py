@@ -1,0 +1,115 @@
+"""Certificates of processes that gather elsewhere than at the base or the ground.
+
+Links are reached from the root that is chosen, and what is left over is swept towards it. Where the
+ground is beyond that root, the joints between it and a link h show h's mobility, whose inverse
+stands for all of them (``HoldMobility``). Whatever force acts at h between these and the rest, what
+both leave over makes up the error. It is taken to be the one that h was loaded with, which leaves
+little over on either side. What the joints up to h leave over costs no more than if nothing but
+this force held them, and lengths of both errors are added. The answer has h moving as the ground's
+side has it; all that is beyond moves along, which is added as for limbs of other processes
+(shares_of_bound.py).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.executor.frames import Transform
+from adagen.executor.kinematics import Motion
+from adagen.executor.state import State
+from adagen.graph import Expression, total
+from adagen.plan.certificate import beyond_held
+from adagen.plan.steps import Articulate, HoldMobility, SolveRoot, Step
+
+Array = NDArray[Any]
+
+
+class Elsewhere:
+    """Where processes gather, and what a process's certificate needs of that.
+
+    What is kept of links: ``("fall", link)``, by how much a base falls, in the link's frame, shape
+    (3,).
+
+    Attributes:
+        bases: joints by which robots float.
+        roots: links that all inertias are swept to.
+        reversed: joints whose parent link is the far one.
+        held: the link that the ground holds; 0 for none.
+        beyond: joints that are not between the ground and that link.
+    """
+
+    def __init__(
+        self, state: State, motion: Motion, steps: Sequence[Step], bases: Sequence[int]
+    ) -> None:
+        self.state, self.motion, self.bases = state, motion, bases
+        self.memory: dict[Any, Any] = state.memory
+        self.roots = [step.link for step in steps if isinstance(step, SolveRoot)]
+        swept = [step for step in steps if isinstance(step, Articulate)]
+        self.reversed = {step.joint for step in swept if step.reversed}
+        self.held = next((step.link for step in steps if isinstance(step, HoldMobility)), 0)
+        every = range(len(state.plan.joints))
+        self.beyond = beyond_held(state.plan, steps) if self.held else list(every)
+
+    def fall_at(self, j: int, *, root: bool) -> Array:
+        """Return by how much a base falls, in the frame of a joint's child link, shape (3,).
+
+        That of a root is known first, and with it those on the way to the base.
+        """
+        if not self.bases:
+            return self.state.zeros(3)
+        if root:
+            self._on_the_way(j)
+        elif ("fall", j + 1) not in self.memory:
+            near = self.state.rows.of_near("fall", j, self.state.zeros(3))
+            self.memory["fall", j + 1] = self._beyond(j, near)
+        found: Array = self.memory["fall", j + 1]
+        return found
+
+    def _on_the_way(self, j: int) -> None:
+        way = [j]
+        while way[-1] not in self.bases:
+            way.append(self.state.plan.joints[way[-1]].parent - 1)
+        drift = self.motion.drift(way[-1])
+        assert drift is not None  # a floating base has one
+        self.memory["fall", way[-1] + 1] = fall = drift[3:, 0]
+        for k in reversed(way[:-1]):
+            self.memory["fall", k + 1] = fall = self._beyond(k, fall)
+
+    def _beyond(self, j: int, near: Array) -> Array:
+        x: Transform = self.memory["X", j]
+        return x.rotation.transposed().vector(near)
+
+    def energies(self, link: int, inertia: Array, a: Array, taken: Array) -> Iterator[Expression]:
+        """Yield what makes up the energy of a link's acceleration, less a base's fall d.
+
+        That is a^T I a - 2 d^T f + m d^T d, with f the force of I a.
+        """
+        yield total(a * taken)
+        if self.bases:
+            fall = self.memory["fall", link]
+            yield total(fall * (fall * inertia[3, 3] - taken[3:] * 2))
+
+    def load(self, square: Callable[[Iterable[Expression]], Expression], *, of_rest: bool) -> None:
+        """Have the force that a held link is loaded with act on it, or on what is beyond.
+
+        Args:
+            square: the sum of squares.
+            of_rest: on what is beyond, for which the link takes the opposite of it.
+        """
+        if not self.held:
+            return
+        load = self.memory["load", self.held][:, 0]
+        noise = np.array([*(load[:3] * load[:3]), square(load[3:])], dtype=object)
+        left, own = self.memory["left", self.held], self.memory["noise", self.held]
+        self.memory["left", self.held] = load if of_rest else left - load
+        self.memory["noise", self.held] = noise if of_rest else own + noise
+
+    def apart(self) -> Array:
+        """Return by how much the held link accelerates otherwise than it was found to beyond it."""
+        link = self.held
+        found: Array = self.memory["a", link][:, 0] - self.memory["unheld", link][:, 0]
+        return found
