@@ -11,6 +11,8 @@ import pytest
 from adagen.build import find_toolchain
 from adagen.cli import main
 
+EIGEN = find_toolchain().eigen
+
 
 @pytest.mark.parametrize("words", [("--procs", "1"), ("--procs", "2", "--scalar", "float")])
 def test_a_single_file_stands_alone(words: tuple[str, ...], arm: Path, tmp_path: Path) -> None:
@@ -58,3 +60,14 @@ def test_the_emitted_makefile_builds_and_checks(
     done = subprocess.run(command, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr
     assert "right" in done.stdout
+
+
+@pytest.mark.parametrize("target", ["all", "lib"])
+def test_an_mpi_compiler_that_is_not_there_is_named(target: str, arm: Path, tmp_path: Path) -> None:
+    words = ["--procs", "2", "--form", "ada", "--channel", "message", "--out", str(tmp_path)]
+    assert main([str(arm), *words]) == 0
+    command = ["make", "-s", "-C", str(tmp_path), "MPICXX=nowhere/mpicxx", f"EIGEN={EIGEN}", target]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    assert done.returncode == 2
+    assert "error: no compiler nowhere/mpicxx; say which one it is: make MPICXX=FILE" in done.stderr
+    assert not list(tmp_path.glob("*.o"))
