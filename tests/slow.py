@@ -25,6 +25,13 @@ def all_but(values: Iterable[Any], *slowly: Any) -> list[Any]:
     return [slow(value) if value in slowly else value for value in every]
 
 
+def every_other(values: Iterable[Any]) -> list[Any]:
+    """Return rows of a value and a truth: all by turns false and true; the other ones are slow."""
+    every = list(enumerate(values))
+    quick = [(value, k % 2 == 1) for k, value in every]
+    return [*quick, *(slow(value, k % 2 == 0) for k, value in every)]
+
+
 def slow(*values: Any) -> Any:
     """Return values of parameters that only slow tests take."""
     return pytest.param(*values, marks=pytest.mark.slow)

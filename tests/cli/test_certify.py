@@ -15,6 +15,7 @@ from adagen.urdf import read_robot
 from tests.emitted import OPTIMISED, Builder, Solver, energy_errors
 from tests.golden.make_models import MODELS
 from tests.options import words_of
+from tests.slow import slow
 
 ARM, CHAIN, FOURBAR, MOBILE = (
     str(MODELS / f"{name}.urdf") for name in ("arm7", "chain16", "fourbar", "mobile")
@@ -37,9 +38,9 @@ def test_the_head_makes_it_again(tmp_path: Path, capsys: pytest.CaptureFixture[s
         ("--shape", "kernels"),
         ("--shape", "unrolled"),
         ("--batch",),
-        ("--batch", "--procs", "2"),
+        slow(("--batch", "--procs", "2")),
         ("--reproducible",),
-        ("--reproducible", "--batch"),
+        slow(("--reproducible", "--batch")),
     ],
 )
 def test_a_bound_for_each_state_is_in_the_result(tmp_path: Path, more: tuple[str, ...]) -> None:

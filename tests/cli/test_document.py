@@ -55,7 +55,7 @@ def emitted(folder: Path, *words: str) -> dict[str, bytes]:
     return found
 
 
-@pytest.mark.parametrize(("robot", "words"), spread(CASES, 3))
+@pytest.mark.parametrize(("robot", "words"), spread(CASES, 2))
 def test_the_same_program_is_made_of_it_and_its_figures_are_those_of_the_program(
     robot: str, words: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -10,11 +10,12 @@ import pytest
 
 from adagen.build import find_toolchain
 from adagen.cli import main
+from tests.slow import slow
 
 EIGEN = find_toolchain().eigen
 
 
-@pytest.mark.parametrize("words", [("--procs", "1"), ("--procs", "2", "--scalar", "float")])
+@pytest.mark.parametrize("words", [slow(("--procs", "1")), ("--procs", "2", "--scalar", "float")])
 def test_a_single_file_stands_alone(words: tuple[str, ...], arm: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
     assert main([str(arm), *words, "--single-file", "--out", str(out)]) == 0
@@ -37,7 +38,7 @@ def test_a_single_file_stands_alone(words: tuple[str, ...], arm: Path, tmp_path:
     assert ": right" in done.stdout
 
 
-@pytest.mark.parametrize(("processes", "form"), [(1, "segment"), (2, "ada")])
+@pytest.mark.parametrize(("processes", "form"), [slow(1, "segment"), (2, "ada")])
 def test_the_emitted_makefile_builds_and_checks(
     processes: int, form: str, arm: Path, tmp_path: Path
 ) -> None:

@@ -124,7 +124,7 @@ def test_a_changed_robot_shows(place: Path, said: Said) -> None:
         ("arm7", ["--procs", "2", "--form=ada", "--strategy=astar", "--naive"]),
         ("arm7", ["--procs", "1", "--loops", "LOOPS"]),
         ("humanoid", ["--floating"]),
-        ("human40", ["--strict", "--procs", "2", "--channel", "message", "--name=é"]),
+        ("arm7", ["--strict", "--procs", "2", "--channel", "message", "--name=é"]),
     ],
 )
 def test_whatever_is_asked_for_is_made_again(

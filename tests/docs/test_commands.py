@@ -19,7 +19,7 @@ from adagen.cli.main import VERBS
 from tests.docs.blocks import PAGES, ROOT, Block, blocks
 from tests.network import Network, network, why_no_hosts
 from tests.network.slurm import slurm, why_no_slurm
-from tests.slow import spread
+from tests.slow import slow
 
 RUN = ("sh", "python")
 SHOWN = ("text", "c", "cpp", "cmake", "toml", "json", "xml", "yaml")
@@ -43,10 +43,17 @@ def has_commands(page: Path) -> bool:
 
 
 WITH_COMMANDS = [page for page in PAGES if has_commands(page)]
+QUICK = {
+    *("README.md", "docs/reference/python.md"),
+    *(f"docs/how_to/{page}.md" for page in ("embedded", "library", "parallel", "python")),
+}
+"""Pages for those who begin, and of each way to build: the other ones take long."""
 WITH_SLOW = [page for page in WITH_COMMANDS if any(b.slow for b in blocks(page))]
 
 
-@pytest.mark.parametrize("page", spread(WITH_COMMANDS, 10), ids=name)
+@pytest.mark.parametrize(
+    "page", [page if name(page) in QUICK else slow(page) for page in WITH_COMMANDS], ids=name
+)
 def test_commands_run(page: Path, tmp_path: Path) -> None:
     run_and_tell(page, tmp_path, slow=False)
 

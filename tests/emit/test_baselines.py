@@ -30,6 +30,7 @@ def test_a_baseline_solves_every_kind_of_joint(
     assert error_of(model, random_states(model, 3), shape, builder, tmp_path) < 1e-11
 
 
+@pytest.mark.slow
 def test_the_textbook_loses_digits_on_spherical_joints_that_exact_projection_keeps(
     builder: Builder, tmp_path: Path
 ) -> None:

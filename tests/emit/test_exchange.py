@@ -70,6 +70,7 @@ def test_straight_lines_that_exchange_are_solved(builder: Builder, tmp_path: Pat
     assert solver.error(model, states, tmp_path, "--check") < ROUNDING["double"]
 
 
+@pytest.mark.slow
 def test_corrections_of_exchanges_are_solved(builder: Builder, tmp_path: Path) -> None:
     model = serial_chain(20)
     schedule = named_schedule("balanced", Topology.of(model), 3, profile=PROFILE)

@@ -98,6 +98,7 @@ def test_loops_join_runs(
     assert solver.error(model, states, tmp_path, "--check") < more * ROUNDING[scalar]
 
 
+@pytest.mark.slow
 def test_loops_refine_runs(builder: Builder, tmp_path: Path) -> None:
     model = three_axis_chain(4)
     plan = balanced(model, 2, "segment")
@@ -119,7 +120,7 @@ def tilted(model: Model, angle: float) -> States:
 
 @pytest.mark.parametrize(
     ("form", "shape", "balls"),
-    [("ada", "joints", 2), ("ada", "unrolled", 2), slow("segment", "kernels", 4)],
+    [slow("ada", "joints", 2), ("ada", "unrolled", 2), slow("segment", "kernels", 4)],
 )
 def test_gimbal_lock_is_told(
     form: str, shape: str, balls: int, builder: Builder, tmp_path: Path

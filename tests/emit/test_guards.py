@@ -47,7 +47,7 @@ def spoiler(model: Model, builder: Builder, shape: str, scalar: str) -> Solver:
             ("in strips", "kernels", "float"),
             ("without rotation", "unrolled", "double"),
         ],
-        5,
+        3,
     ),
 )
 def test_each_entry_that_is_not_finite_is_refused_by_name(

@@ -19,6 +19,7 @@ from adagen.urdf import read_robot
 from tests.emitted import ROUNDING, Builder, plan_of
 from tests.models import random_tree
 from tests.schedules import random_schedule
+from tests.slow import all_but
 
 NAMES = (
     'quote"; int evil = 1; //',
@@ -94,7 +95,7 @@ def test_of_a_name_nothing_but_its_cleaned_word_is_code(form: str) -> None:
     assert joining(wild) == joining(tame)  # a backslash joins lines, comments too
 
 
-@pytest.mark.parametrize("form", FORMS)
+@pytest.mark.parametrize("form", all_but(FORMS, "ada"))
 def test_a_robot_of_hostile_names_is_built_and_solved(
     form: str, builder: Builder, tmp_path: Path
 ) -> None:

@@ -32,6 +32,7 @@ from tests.models import human_figure, random_tree, serial_chain
 from tests.scene.effects import with_effects, with_wrenches
 from tests.scene.held import held, rows
 from tests.schedules import random_schedule
+from tests.slow import slow
 
 PROFILE = load_profile("default")
 NUMBER = {"double": np.float64, "float": np.float32}
@@ -227,8 +228,8 @@ def test_spherical_joints_have_damping_and_rotors(builder: Builder, tmp_path: Pa
     ("processes", "meeting", "floating"),
     [
         (1, "join", False),
-        (3, "join", False),
-        pytest.param(2, "join", True, marks=pytest.mark.slow),
+        slow(3, "join", False),
+        slow(2, "join", True),
         (2, "gather", True),
     ],
 )

@@ -70,6 +70,7 @@ def test_trees_of_all_kinds_are_refined(meeting: str, builder: Builder, tmp_path
     assert ((said < 3 * raw) & (raw < 3 * said))[large].all()
 
 
+@pytest.mark.slow
 def test_a_straight_arm_is_refined_the_other_way(builder: Builder, tmp_path: Path) -> None:
     """What holds an arm is no body where it is straight: answer and corrections are done anew."""
     model = serial_chain(24, axes="xy")

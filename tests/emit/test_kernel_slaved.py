@@ -23,6 +23,7 @@ from tests.emit.test_gimbal_lock import two_arms
 from tests.emitted import ROUNDING, Builder, energy_errors, plan_of
 from tests.golden.examples import FOLDER
 from tests.models import serial_chain, star
+from tests.slow import slow
 
 
 def slaved(model: Model, *pairs: tuple[int, int, float]) -> Model:
@@ -75,7 +76,7 @@ def test_slaved_joints_are_held_in_step(
             marks=pytest.mark.slow,
         ),
         pytest.param(slaved(serial_chain(12), (4, 11, 0.7)), 3, "double", marks=pytest.mark.slow),
-        (slaved(serial_chain(9), (3, 1, -0.5), (7, 1, 1.5), (8, 5, 1.0)), 2, "double"),
+        slow(slaved(serial_chain(9), (3, 1, -0.5), (7, 1, 1.5), (8, 5, 1.0)), 2, "double"),
         pytest.param(slaved_chain(), 1, "double", marks=pytest.mark.slow),
         (slaved(two_arms(), (7, 1, -0.5), (9, 3, 1.5)), 1, "double"),
     ],

@@ -50,7 +50,7 @@ def on_the_ground() -> Model:
             (serial_chain(20, kind=PRISMATIC), "balanced", 2, "gather"),
             (serial_chain(24, axes="xyz"), "balanced", 3, "join"),
         ],
-        2,
+        1,
     ),
     ids=[
         "base joined",
@@ -102,7 +102,7 @@ def test_trees_of_all_kinds_are_solved(
             (human_figure(), 1),
             (human_figure(), 2),
         ],
-        5,
+        3,
     ),
     ids=[
         "legs",

@@ -39,7 +39,7 @@ def _errors(
     return errors, json.loads((folder / "result.json").read_text()).get("corrections", [])
 
 
-@pytest.mark.parametrize("name", spread([*GAINS, "free_bodies"], 3))
+@pytest.mark.parametrize("name", spread([*GAINS, "free_bodies"], 2))
 def test_lost_digits_come_back_and_are_told(name: str, builder: Builder, tmp_path: Path) -> None:
     model = robots(len(FAMILIES), seed=2)[NAMES.index(name)]
     states = hard_states(model, 30, seed=2)

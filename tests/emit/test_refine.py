@@ -22,10 +22,11 @@ from tests.emitted import Builder, energy_errors
 from tests.links import with_light_link
 from tests.models import random_tree, serial_chain, three_axis_chain
 from tests.schedules import random_schedule
+from tests.slow import slow
 
 
 @pytest.mark.parametrize(
-    ("form", "processes"), [("segment", 4), pytest.param("ada", 2, marks=pytest.mark.slow)]
+    ("form", "processes"), [("segment", 2), slow("segment", 4), slow("ada", 2)]
 )
 def test_one_step_leaves_only_rounding_and_says_what_there_was(
     form: str, processes: int, builder: Builder, tmp_path: Path
@@ -109,6 +110,7 @@ def test_what_cannot_be_refined_is_refused() -> None:
         emit(replace(plan, joints=damped), refine=1, residual="wide")
 
 
+@pytest.mark.slow
 def test_a_robot_that_is_held_at_rest_is_answered(builder: Builder, tmp_path: Path) -> None:
     """What accelerates is the rounding of its torques alone, which no correction makes smaller."""
     model = random_tree(np.random.default_rng(4), 6)

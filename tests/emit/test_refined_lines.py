@@ -100,6 +100,7 @@ def test_emitted_corrections_tell_the_error(builder: Builder, tmp_path: Path) ->
     assert ((told[:, 0] < 3 * errors) & (errors < 3 * told[:, 0]))[large].all()
 
 
+@pytest.mark.slow
 def test_feet_in_lanes_are_corrected_in_every_way(builder: Builder, tmp_path: Path) -> None:
     """Feet side by side in lanes, and poses in which something else is done."""
     model = quadruped()

@@ -26,6 +26,7 @@ from adagen.emit.runtime import (
 from adagen.states import random_states
 from tests.emitted import QUICK, ROUNDING, Builder, forward_error, plan_of, truth_of
 from tests.golden.examples import FOLDER
+from tests.slow import spread
 
 HEADERS = runtime_files()
 ALONE = ("-march=native", "-fsyntax-only", "-Wno-unused-function", "-Wno-unused-variable")
@@ -55,7 +56,7 @@ def alone(header: str) -> Any:
     return pytest.param(header, marks=[pytest.mark.slow] * takes(header, "Eigen"))
 
 
-@pytest.mark.parametrize("header", [alone(header) for header in HEADERS])
+@pytest.mark.parametrize("header", spread(map(alone, HEADERS), len(HEADERS) // 3))
 @pytest.mark.parametrize("compiler", [pytest.param("g++", marks=pytest.mark.slow), "clang++"])
 def test_a_header_compiles_alone(header: str, compiler: str, builder: Builder) -> None:
     if shutil.which(compiler) is None:

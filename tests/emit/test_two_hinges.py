@@ -14,6 +14,7 @@ from adagen.model.kinds import PRISMATIC, REVOLUTE
 from adagen.states import random_states
 from tests.emitted import ROUNDING, Builder, Solver, plan_of, text_of
 from tests.models import random_tree
+from tests.slow import slow
 
 SWEEP = re.compile(r"\baccelerate(|_reversed|_along)<(\d+), (\d+), (\d+)>\(w\)")
 
@@ -28,10 +29,10 @@ def hinges(joints: int, seed: int, *, floating: bool = False) -> Model:
     [
         (8, False, 1, None, {""}),
         (9, False, 1, None, {""}),
-        pytest.param(19, True, 2, "gather", {"", "_reversed"}, marks=pytest.mark.slow),
+        slow(19, True, 2, "gather", {"", "_reversed"}),
         (20, True, 2, "gather", {"", "_reversed"}),
-        (20, False, 2, "exchange", {"_along", ""}),
-        pytest.param(21, False, 2, "exchange", {"_along", ""}, marks=pytest.mark.slow),
+        slow(20, False, 2, "exchange", {"_along", ""}),
+        slow(21, False, 2, "exchange", {"_along", ""}),
     ],
 )
 def test_hinges_that_follow_each_other_are_solved_by_twos(

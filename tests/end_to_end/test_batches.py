@@ -114,7 +114,7 @@ def test_the_other_processes_do_not_hear_of_bad_states(said: list[str]) -> None:
 
 
 @pytest.mark.parametrize("shape", spread(["kernels", "unrolled"], 1))
-@pytest.mark.parametrize("scalar", ["double", "float"])
+@pytest.mark.parametrize("scalar", spread(["double", "float"], 1))
 def test_a_program_names_states_with_bad_quaternions_and_answers_the_others(
     scalar: str, shape: str, builder: Builder, tmp_path: Path
 ) -> None:

@@ -21,6 +21,7 @@ from tests.emitted import EXACT, ROUNDING, Builder, Solver, forward_error, truth
 from tests.end_to_end.test_library import HERE, STRICT, filled, run
 from tests.golden.make_models import MODELS
 from tests.real import real_robot
+from tests.slow import all_but
 
 ALLOWED = {
     "memcpy",
@@ -75,7 +76,7 @@ def object_of(compiled: adagen.Compiled, builder: Builder, folder: Path) -> Path
     return made
 
 
-@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("case", all_but(CASES, "quaternions of floats", "panda", "talos"))
 def test_it_stands_alone_and_answers_as_ever(case: str, builder: Builder, tmp_path: Path) -> None:
     compiled = compiled_for("embedded", case)
     own = {f"own_p1.{end}" for end in ("cpp", "h", "plan.json", "svg")}

@@ -14,6 +14,7 @@ from tests.emitted import Builder, forward_error, truth_of
 from tests.end_to_end.hosts import APART
 from tests.golden.examples import EXAMPLES
 from tests.golden.test_built import built
+from tests.slow import slow
 
 BY_STEM = {example.stem: example for example in EXAMPLES}
 
@@ -21,13 +22,13 @@ BY_STEM = {example.stem: example for example in EXAMPLES}
 @pytest.mark.parametrize(
     ("stem", "hosts", "channel"),
     [
-        pytest.param("arm7_p2", 1, "window", marks=pytest.mark.slow),
+        slow("arm7_p2", 1, "window"),
         ("arm7_p2", 2, "message"),
         ("arm7_unrolled_p2", 2, "message"),
         ("human40_p4", 1, "window"),
         ("human40_p4", 2, "mixed"),
         ("human40_p4", 4, "message"),
-        ("chain16_p3", 2, "mixed"),
+        slow("chain16_p3", 2, "mixed"),
         ("mobile_p3", 2, "window"),  # process 2, alone on its host, has nothing to do
     ],
 )
@@ -46,7 +47,7 @@ def test_processes_of_one_host_meet_in_a_window_others_by_messages(
 
 
 @pytest.mark.parametrize("apart", APART)
-@pytest.mark.parametrize("stem", ["arm7_p2", "arm7_batch_p2", "humanoid_p3", "human40_p4"])
+@pytest.mark.parametrize("stem", ["arm7_p2", "arm7_batch_p2", slow("humanoid_p3"), "human40_p4"])
 def test_the_answer_does_not_depend_on_what_processes_share(
     apart: str, stem: str, builder: Builder
 ) -> None:

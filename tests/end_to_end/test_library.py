@@ -18,7 +18,7 @@ from adagen.states import random_states
 from tests.emitted import QUICK, ROUNDING, Builder, Solver, forward_error, plan_of, truth_of
 from tests.golden.examples import EXAMPLES, FOLDER
 from tests.models import human_figure
-from tests.slow import all_but
+from tests.slow import all_but, slow, spread
 
 HERE = Path(__file__).parent
 BY_STEM = {example.stem: example for example in EXAMPLES}
@@ -67,7 +67,7 @@ def test_a_library_for_one_process_links_no_mpi(library: Path) -> None:
     }
 
 
-@pytest.mark.parametrize("stem", ALONE)
+@pytest.mark.parametrize("stem", spread(ALONE, 4))
 def test_a_solver_for_one_process_throws_nothing_and_knows_no_mpi(
     stem: str, builder: Builder
 ) -> None:
@@ -187,8 +187,15 @@ class TestWorkers:
         assert (done.status, done.stderr) == (0, "")
         return sorted(done.stdout.splitlines())
 
-    @pytest.mark.parametrize("channel", ["window", "message"])
-    @pytest.mark.parametrize("stem", ["arm7_p2", "arm7_batch_p2"])
+    @pytest.mark.parametrize(
+        ("stem", "channel"),
+        [
+            ("arm7_p2", "window"),
+            ("arm7_batch_p2", "message"),
+            slow("arm7_p2", "message"),
+            slow("arm7_batch_p2", "window"),
+        ],
+    )
     def test_a_worker_serves_until_it_is_ended(
         self, stem: str, channel: str, builder: Builder, tmp_path: Path
     ) -> None:

@@ -51,11 +51,14 @@ CASES: dict[str, tuple[Path, bool, dict[str, Any]]] = {
 }  # fmt: skip
 
 
-REFINED = ("joints", "refined joints")
-"""As the paper's form and refined loops: slow."""
+SLOW = (
+    *("joints", "refined joints", "loops refined wide", "the paper's form"),
+    *("floating line", "batch of loops", "float"),
+)
+"""Each is like another one: the paper's form like joints, batches of loops like those of lines."""
 
 
-@pytest.mark.parametrize("case", all_but(CASES, *REFINED, "loops refined wide", "the paper's form"))
+@pytest.mark.parametrize("case", all_but(CASES, *SLOW))
 def test_gravity_is_set_at_run_time(case: str) -> None:
     path, floating, asked = CASES[case]
     solver = build(path, floating, runtime="gravity", **asked)
@@ -128,7 +131,7 @@ MASSES: dict[str, tuple[Path, bool, dict[str, Any]]] = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("case", spread(MASSES, 4))
+@pytest.mark.parametrize("case", spread(MASSES, 3))
 def test_masses_and_their_centres_are_set_at_run_time(case: str) -> None:
     path, floating, asked = MASSES[case]
     model = adagen.read(path, floating=floating).model

@@ -25,7 +25,7 @@ from tests.emitted import QUICK, ROUNDING, Builder, cores, forward_error, plan_o
 from tests.end_to_end.test_library import BY_STEM, filled, run
 from tests.golden.examples import FOLDER
 from tests.models import human_figure, serial_chain
-from tests.slow import all_but
+from tests.slow import all_but, slow
 
 ARM = BY_STEM["arm7_p1"].model()
 CHAIN = serial_chain(70)
@@ -43,7 +43,7 @@ CASES: dict[str, tuple[Model, Plan, dict[str, Any]]] = {
 
 
 @pytest.mark.parametrize(
-    "case", all_but(CASES, "refined", "exchanged", "the paper's form", "slaved")
+    "case", all_but(CASES, "refined", "exchanged", "the paper's form", "slaved", "float")
 )
 def test_threads_answer_as_processes_do(case: str, builder: Builder, tmp_path: Path) -> None:
     model, plan, options = CASES[case]
@@ -109,7 +109,7 @@ def solver_and(program: str, case: str, **words: str) -> str:
         ("joined", FLAGS),
         ("gathered", FLAGS),
         ("gathered", (*FLAGS, "-fsanitize=thread")),
-        ("gathered", (*FLAGS, "-fsanitize=address,undefined")),
+        slow("gathered", (*FLAGS, "-fsanitize=address,undefined")),
     ],
     ids=["joined", "gathered", "no data race", "no bad address"],
 )

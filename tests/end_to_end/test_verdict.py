@@ -60,7 +60,7 @@ def spoilt(text: str, entry: int, factor: float) -> str:
 @pytest.mark.parametrize(
     ("robot", "shape"),
     [
-        *((robot, "kernels") for robot in ILL),
+        *spread([(robot, "kernels") for robot in ILL], 4),
         *spread([(robot, "unrolled") for robot in ILL if robot != "a chain of 200"], 2),
     ],
 )

@@ -152,8 +152,9 @@ def test_a_robot_is_not_divided() -> None:
 
 
 def test_two_processes_have_a_robot_each(builder: Builder, tmp_path: Path) -> None:
-    model = carrying("point", beside=False)
+    model = carrying("point", arms=4, beside=False)
     plan, states = plan_of(model, 2), states_of(model, 5)
+    assert CarryRows in kinds_of(plan)
     solver = builder.solver(plan, QUICK, shape="unrolled")
     found = solver.solve(model, states, tmp_path)
     rows = zip(states.q, states.v, states.tau, strict=True)

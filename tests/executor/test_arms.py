@@ -22,6 +22,7 @@ from tests.executor.test_closures import plan_of, worst
 from tests.executor.test_lane_bits import InLanes
 from tests.mechanisms import states_of, with_loops
 from tests.models import Part, assemble, rod, vector
+from tests.slow import slow
 
 
 def plate(count: int, *, balls: bool, kind: str = "point") -> Model:
@@ -113,7 +114,7 @@ def test_an_open_loop_of_an_arm_is_refused_by_its_name() -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "scalar"), [("three rods, one lane idle", "double"), ("three legs", "float")]
+    ("name", "scalar"), [("three rods, one lane idle", "double"), slow("three legs", "float")]
 )
 def test_emitted_arms_compute_what_the_executor_does(
     name: str, scalar: str, builder: Builder, tmp_path: Path

@@ -21,6 +21,7 @@ from adagen.states import States, random_states
 from tests.emitted import EXACT, ROUNDING, Builder, forward_error, truth_of
 from tests.executor.plans import ADA, CASES, Case, anything, kinds_of
 from tests.models import three_axis_chain
+from tests.slow import spread
 
 ALGEBRAS = {"double": DOUBLE, "float": FLOAT}
 
@@ -67,7 +68,7 @@ def test_what_is_computed_is_true(name: str) -> None:
     assert error < case.magnified * ROUNDING["double"]
 
 
-@pytest.mark.parametrize("k", range(20))
+@pytest.mark.parametrize("k", spread(range(20), 8))
 def test_straight_lines_of_random_robots_are_the_executor(
     k: int, builder: Builder, tmp_path: Path
 ) -> None:

@@ -37,6 +37,7 @@ from tests.emitted import QUICK, Builder, forward_error, truth_of
 from tests.executor.test_closures import worst
 from tests.mechanisms import MECHANISMS, four_bar, looped_tree, quadruped, states_of, with_loops
 from tests.models import Part, assemble, rod, vector
+from tests.slow import every_other, slow
 
 
 def ada_plan(model: Model, processes: int, *, loop_forces: bool = False) -> Plan:
@@ -66,8 +67,7 @@ def test_messages_have_room_for_accelerations_of_balls() -> None:
             assert len(content) <= room
 
 
-@pytest.mark.parametrize("kind", LOOP_KINDS)
-@pytest.mark.parametrize("floating", [False, True])
+@pytest.mark.parametrize(("kind", "floating"), every_other(LOOP_KINDS))
 def test_loops_of_every_kind_between_processes(kind: str, floating: bool) -> None:
     model = looped_tree(kind, 4, joints=9, floating=floating)
     plan = ada_plan(model, 3)
@@ -165,7 +165,9 @@ def light_base() -> Model:
 
 
 @pytest.mark.parametrize("processes", [1, 3])
-@pytest.mark.parametrize("make", [crossed_legs, partial(crossed_legs, pinned="cross"), light_base])
+@pytest.mark.parametrize(
+    "make", [slow(crossed_legs), partial(crossed_legs, pinned="cross"), light_base]
+)
 def test_links_without_mass_are_joined_in_runs_and_clusters(
     make: Callable[[], Model], processes: int
 ) -> None:

@@ -34,6 +34,7 @@ from tests.executor.test_closures import plan_of, worst
 from tests.executor.test_lane_bits import InLanes
 from tests.mechanisms import quadruped, standing, states_of, with_loops
 from tests.models import Part, assemble, human_figure, rod, vector
+from tests.slow import slow
 
 ACROSS = vector(0.0, 1.0, 0.0)
 
@@ -201,7 +202,7 @@ def test_forces_of_loops_in_lanes(make: Callable[[], Model]) -> None:
 
 @pytest.mark.parametrize(
     ("name", "scalar"),
-    [("three feet, one lane idle", "double"), ("four-bars with gears", "float")],
+    [("three feet, one lane idle", "double"), slow("four-bars with gears", "float")],
 )
 def test_emitted_lanes_compute_what_the_executor_does(
     name: str, scalar: str, builder: Builder, tmp_path: Path

@@ -48,6 +48,7 @@ from tests.mechanisms import (
     with_loops,
 )
 from tests.models import Part, assemble, human_figure, rod, vector
+from tests.slow import every_other
 
 TREES = (REVOLUTE, PRISMATIC, SPHERICAL)
 
@@ -88,8 +89,7 @@ def test_joints_beside_loops_are_slaved(form: str, floating: bool) -> None:
         assert worst(model, each, states_of(model, 4)) < 1e-11
 
 
-@pytest.mark.parametrize("floating", [False, True])
-@pytest.mark.parametrize("kind", LOOP_KINDS)
+@pytest.mark.parametrize(("kind", "floating"), every_other(LOOP_KINDS))
 def test_loops_of_every_kind(kind: str, floating: bool) -> None:
     for seed in (3, 4):
         model = looped_tree(kind, seed, joints=8, floating=floating, kinds=TREES)

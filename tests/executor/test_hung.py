@@ -39,6 +39,7 @@ from tests.executor.test_closures import plan_of, worst
 from tests.executor.test_lane_bits import InLanes
 from tests.mechanisms import states_of, with_loops
 from tests.models import Part, assemble, rod, vector
+from tests.slow import every_other
 
 Array = NDArray[np.float64]
 X, Y, Z = np.eye(3)
@@ -124,8 +125,7 @@ def hung_of(plan: Plan) -> list[Hung]:
     ]
 
 
-@pytest.mark.parametrize("hinges", [False, True])
-@pytest.mark.parametrize("floating", [False, True])
+@pytest.mark.parametrize(("hinges", "floating"), every_other((False, True)))
 def test_halves_that_hang_count_to_the_others(hinges: bool, floating: bool) -> None:
     """It is the answer of dense algebra, with far fewer operations than with all unknowns."""
     model = ankles(hinges=hinges, floating=floating)
@@ -160,8 +160,7 @@ def affected_balls(model: Model) -> Model:
     return replace(model, joints=tuple(joints))
 
 
-@pytest.mark.parametrize("hinges", [False, True])
-@pytest.mark.parametrize("mirrored", [False, True])
+@pytest.mark.parametrize(("hinges", "mirrored"), every_other((False, True)))
 def test_legs_that_mirror_each_other_share_lanes(hinges: bool, mirrored: bool) -> None:
     """Joints that correspond need not come in the same order, nor the two links of a weld."""
     model = ankles(hinges=hinges, legs=2, mirrored=mirrored)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
 import pytest
 from flint import ctx
@@ -16,6 +18,7 @@ from tests.executor.test_closures import plan_of
 from tests.executor.test_hung import at_angle
 from tests.mechanisms import with_loops
 from tests.models import Part, assemble, rod, vector
+from tests.slow import spread
 
 Array = NDArray[np.float64]
 BITS = 700
@@ -60,8 +63,7 @@ def error_at(model: Model, plan: Plan, q: Array) -> float:
     return float(np.abs(found - exact).max() / np.abs(exact).max())
 
 
-@pytest.mark.parametrize("short", [1e-4, 1e-6, 1e-8, 1e-10])
-@pytest.mark.parametrize("ball", [4, 11])
+@pytest.mark.parametrize(("short", "ball"), spread(product((1e-4, 1e-6, 1e-8, 1e-10), (4, 11)), 4))
 def test_a_chain_that_is_not_held_back_whole(ball: int, short: float) -> None:
     """What its first way loses at the last ball, the next one keeps."""
     model, q = pinned_at_angle(12, ball, np.pi / 2 - short)
@@ -76,7 +78,7 @@ def test_no_answer_without_digits(most: int, monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setattr(closures, "MOST_HELD", most)
     monkeypatch.setattr(closures, "_rank", lambda _: 0)
     refused = {}
-    for short in (1e-2, 1e-3, 1e-5, 1e-7, 1e-9):
+    for short in (1e-3, 1e-5, 1e-9):
         model, q = at_angle(np.pi / 2 - short)
         closures.closures_of.cache_clear()
         (closure,) = closures.closures_of(model)

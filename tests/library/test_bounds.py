@@ -12,9 +12,12 @@ from adagen.errors import SolveError, UsageError
 from adagen.states import random_states
 from tests.emitted import energy_errors
 from tests.golden.make_models import MODELS
+from tests.slow import slow
 
 
-@pytest.mark.parametrize("asked", [{"shape": "kernels"}, {"shape": "unrolled"}, {"batch": True}])
+@pytest.mark.parametrize(
+    "asked", [{"shape": "kernels"}, slow({"shape": "unrolled"}), {"batch": True}]
+)
 def test_certified_solvers_tell_bounds(asked: dict[str, Any]) -> None:
     robot = adagen.read(MODELS / "arm7.urdf")
     solver = adagen.compile(robot, certify=True, **asked).build()

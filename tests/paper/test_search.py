@@ -171,6 +171,7 @@ def test_isomorphic_branches_are_searched_once() -> None:
     assert s.verdict == "optimal" and s.expanded < 1000
 
 
+@pytest.mark.slow
 def test_a_star_of_limbs_is_proven_at_once() -> None:
     """Where limbs meet, halving gives away three of them at most on eight processes."""
     parents = tuple(0 if j % 25 == 0 else j for j in range(200))

@@ -65,7 +65,7 @@ def any_schedule(model: Model, processes: int, form: str, rng: np.random.Generat
     return schedule
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(
     st.integers(3, 10), st.integers(1, 4), st.sampled_from(sorted(FORMS)), st.integers(0, 2**32 - 1)
 )

@@ -22,6 +22,7 @@ from adagen.schedule import Topology, load_profile
 from adagen.search import best_schedule, named_schedule
 from adagen.studies.stability.robots import rods
 from tests.models import human_figure, random_tree, serial_chain
+from tests.slow import spread
 
 PROFILE = load_profile("default")
 
@@ -49,9 +50,7 @@ def programs(seed: int) -> list[Program]:
     return found
 
 
-@pytest.mark.parametrize(
-    "seed", [pytest.param(k, marks=[pytest.mark.slow] * (k >= 8)) for k in range(24)]
-)
+@pytest.mark.parametrize("seed", spread(range(24), 6))
 def test_what_is_emitted_is_well_formed(seed: int) -> None:
     found = programs(seed)
     assert len(found) >= 8

@@ -15,6 +15,7 @@ from tests.emitted import Builder, Solver, forward_error, text_of, truth_of
 from tests.models import ALL_KINDS, random_tree, serial_chain
 from tests.scene.effects import with_effects, with_wrenches
 from tests.schedules import random_schedule
+from tests.slow import slow
 
 
 def built(
@@ -26,7 +27,7 @@ def built(
 
 @pytest.mark.parametrize(
     ("form", "processes", "joints", "mimics"),
-    [("segment", 1, 7, 1), ("segment", 3, 9, 0), ("ada", 2, 6, 0)],
+    [("segment", 1, 7, 1), slow("segment", 3, 9, 0), ("ada", 2, 6, 0)],
 )
 def test_every_effect_is_emitted(
     form: str, processes: int, joints: int, mimics: int, builder: Builder, tmp_path: Path

@@ -42,6 +42,7 @@ from tests.emitted import Builder, Solver, forward_error, text_of
 from tests.models import ALL_KINDS, random_tree
 from tests.real import real_robot
 from tests.scene.texts import reduced
+from tests.slow import slow
 
 Array = NDArray[np.float64]
 MODELS = Path(__file__).resolve().parents[2] / "generated_examples" / "models"
@@ -200,8 +201,8 @@ def test_outputs_are_emitted(batch: bool, builder: Builder, tmp_path: Path) -> N
     ("robot", "floating", "scalar", "batch"),
     [
         ("panda_description/urdf/panda.urdf", False, "double", 0),
-        ("solo_description/robots/solo12.urdf", True, "float", 0),
-        ("talos_data/robots/talos_left_arm.urdf", True, "double", 1),
+        slow("solo_description/robots/solo12.urdf", True, "float", 0),
+        slow("talos_data/robots/talos_left_arm.urdf", True, "double", 1),
         ("allegro_hand_description/urdf/allegro_right_hand.urdf", False, "float", 1),
     ],
 )
@@ -258,8 +259,10 @@ def test_an_output_is_told_where_it_is(tmp_path: Path) -> None:
 WANTED = 'accelerations = ["__base__", "left_knee"]\n'
 
 
-@pytest.mark.parametrize("shape", ["kernels", "unrolled"])
-@pytest.mark.parametrize("processes", [1, 2])
+@pytest.mark.parametrize(
+    ("processes", "shape"),
+    [(1, "unrolled"), (2, "kernels"), slow(1, "kernels"), slow(2, "unrolled")],
+)
 def test_accelerations_that_are_not_wanted_are_not_computed(
     shape: str, processes: int, builder: Builder, tmp_path: Path
 ) -> None:

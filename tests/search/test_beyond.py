@@ -13,6 +13,7 @@ from adagen.schedule.fabric import parse_fabric
 from adagen.search import best_schedule, find_schedule
 from adagen.search.beyond import Chain
 from tests.models import human_figure, serial_chain
+from tests.slow import slow
 
 PROFILE = load_profile("default")
 LEVELS = """
@@ -28,8 +29,13 @@ number = 0.001
 """
 
 
-@pytest.mark.parametrize("processes", [1, 2, 4])
-@pytest.mark.parametrize("figure", ["chain", "human"])
+@pytest.mark.parametrize(
+    ("figure", "processes"),
+    [
+        *(("chain", 1), ("chain", 2), ("human", 4)),
+        *(slow("chain", 4), slow("human", 1), slow("human", 2)),
+    ],
+)
 def test_the_way_back_takes_the_whole_time(figure: str, processes: int) -> None:
     model = serial_chain(150) if figure == "chain" else human_figure()
     plan = make_plan(model, best_schedule(model, processes, PROFILE))
@@ -42,6 +48,7 @@ def test_the_way_back_takes_the_whole_time(figure: str, processes: int) -> None:
         assert found.hops == 0 and found.times[LATENCY] == 0 and found.most == JOINTS
 
 
+@pytest.mark.slow
 def test_a_chain_within_a_node_is_played_as_on_one_machine() -> None:
     model = serial_chain(300)
     chain, fabric = Chain(model, PROFILE), parse_fabric(LEVELS.format(latency=50), "x")

@@ -82,6 +82,7 @@ def found(model: Model, objective: str) -> tuple[Schedule, Digits, float]:
     return schedule, predicted_digits(objective, model, plan, "unrolled"), error
 
 
+@pytest.mark.slow
 def test_cuts_move_away_from_light_links_as_the_objective_asks() -> None:
     model = middling(1e-7)
     schedules = {objective: found(model, objective) for objective in OBJECTIVES}
@@ -123,6 +124,7 @@ def test_what_recovers_from_singular_poses_is_predicted() -> None:
     assert emitted / 3 < predicted_digits("both", model, plan).error < emitted * 10
 
 
+@pytest.mark.slow
 def test_what_loops_lose_where_one_process_holds_the_ground_is_predicted(
     builder: Builder, tmp_path: Path
 ) -> None:
@@ -149,6 +151,7 @@ def test_what_acts_on_joints_and_links_changes_nothing() -> None:
     assert carried_out(plan).error < 1e-12
 
 
+@pytest.mark.slow
 def test_a_float_solver_is_predicted_to_lose_as_many_digits_of_fewer() -> None:
     model = middling(1e-7)
     schedule, _ = searched(model, "time")

@@ -15,6 +15,7 @@ from adagen.search.limbs import Core, Robot
 from tests.cost.costs import step_profile
 from tests.models import Part, assemble, rod, vector
 from tests.search.test_gathered import Case
+from tests.slow import spread
 
 PROFILES = {"default": load_profile("default"), "others": step_profile()}
 HANDS = {
@@ -40,7 +41,7 @@ def hand(fingers: tuple[int, ...], wrist: int = 2) -> Model:
     return assemble("hand", parts)
 
 
-@pytest.mark.parametrize("profile", PROFILES)
+@pytest.mark.parametrize("profile", spread(PROFILES, 1))
 @pytest.mark.parametrize("name", HANDS)
 def test_no_set_of_limbs_is_priced_below_its_floor(name: str, profile: str) -> None:
     """Pairs of limbs, and all limbs but one, of each core that has at least three."""
