@@ -11,7 +11,7 @@ import pytest
 # Workers take all cores: threads of numpy's would wait for each other. Read when it is imported.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-from adagen.build import find_toolchain
+from adagen.build import cache_folder, find_toolchain
 from tests.emitted import Builder
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -46,15 +46,18 @@ def shared() -> Path:
 def _builds_of_the_tool(request: pytest.FixtureRequest) -> Iterator[None]:
     """What the tool itself builds is found again by any test or worker, and not in ~/.cache.
 
-    Little is optimised: the compiler's time counts, not the program's.
+    Little is optimised: the compiler's time counts, not the program's. A warning is an error.
     """
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("CXXFLAGS", "-O1")
+        patch.setenv("CXXFLAGS", "-O1 -Werror -Wno-unused-command-line-argument")
         patch.setenv("XDG_CACHE_HOME", str(request.config.cache.mkdir("adagen-home")))
         yield
 
 
 @pytest.fixture(scope="session")
-def builder(request: pytest.FixtureRequest) -> Builder:
-    """Builds emitted sources; what was built before, by any test or worker, is found again."""
-    return Builder(request.config.cache.mkdir("adagen-builds"), find_toolchain())
+def builder() -> Builder:
+    """Builds emitted sources; what was built before, by any test or worker, is found again.
+
+    It is kept where the tool keeps what it builds: the program around solvers is the same.
+    """
+    return Builder(cache_folder(), find_toolchain())

@@ -94,6 +94,12 @@ class Builder:
     folder: Path
     toolchain: Toolchain
 
+    @property
+    def quick(self) -> Toolchain:
+        """A toolchain for what builds by itself: it optimises little, and has the same program."""
+        flags = (*STANDARD, *QUICK)
+        return replace(self.toolchain, flags=flags, program_flags=self.toolchain.flags)
+
     def with_compiler(self, name: str) -> Builder:
         """Return a builder with another compiler behind the wrapper."""
         return replace(self, toolchain=with_compiler(self.toolchain, name))
@@ -103,15 +109,16 @@ class Builder:
     ) -> Path:
         """Return the executable of a source; a warning is an error."""
         source = joined(source)
-        # The program around a solver is the same whatever the solver is optimised for.
-        around = flags if any(map(_SANITIZER.match, flags)) else QUICK
         shared = flags in PARSED and options_in(source) is not None
         common = (*STANDARD, *WARNINGS, "-Werror", *HURRIED)
         all_flags = (*common, *flags, *libraries)
         if shared:
             header = self._parsed(source, all_flags)
             source = f'#include "{header}"\n#line 1\n{source}'
-        toolchain = replace(self.toolchain, flags=all_flags, program_flags=(*common, *around))
+        # The program around a solver is the same whatever the solver is optimised for.
+        sanitized = any(map(_SANITIZER.match, flags))
+        around = (*common, *flags) if sanitized else self.toolchain.flags
+        toolchain = replace(self.toolchain, flags=all_flags, program_flags=around)
         with self._locked(source, all_flags):
             return build_executable(source, stem, toolchain, self.folder)
 

@@ -136,7 +136,8 @@ def _program_object(
 ) -> Path:
     """Return the program's object, compiled once for all solvers that need it so."""
     name = "adagen_program.o"
-    toolchain = replace(toolchain, flags=toolchain.program_flags or toolchain.flags)
+    flags = toolchain.program_flags or toolchain.flags
+    toolchain = replace(toolchain, flags=flags, program_flags=())  # one object, whatever is around
 
     def compile_it(work: Path) -> None:
         source = _written(program.text, work / "adagen_program.cpp")

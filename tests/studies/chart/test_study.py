@@ -11,7 +11,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.build.toolchain import STANDARD
 from adagen.cli import chart as chart_command
 from adagen.cli import main
 from adagen.emit import stem_of
@@ -24,7 +23,7 @@ from adagen.studies.chart.study import _judged
 from adagen.studies.chart.truth import truth_of
 from adagen.studies.chart.variants import REFERENCE, SCHEDULES
 from adagen.urdf import read_robot
-from tests.emitted import QUICK, Builder, Solver, plan_of
+from tests.emitted import Builder, Solver, plan_of
 from tests.golden.make_models import MODELS
 from tests.models import random_tree, serial_chain, star
 
@@ -87,7 +86,7 @@ def test_errors_are_seen_below_the_rounding_of_the_truth() -> None:
 
 def test_a_study_measures_and_tells_why_it_cannot(builder: Builder) -> None:
     model = serial_chain(4)
-    toolchain = replace(builder.toolchain, flags=(*STANDARD, *QUICK))
+    toolchain = builder.quick
     bad = Variant("ada", "no such one")
     shared = Variant("segment", "balanced", processes=2)
     study = Study([shared, bad], rounds=1, repeat=1)
@@ -110,7 +109,7 @@ def test_a_study_measures_and_tells_why_it_cannot(builder: Builder) -> None:
 def test_identical_programs_and_idle_processes_are_left_out(builder: Builder) -> None:
     """A straight line that is the default already, and two processes of which one idles."""
     model = serial_chain(3)
-    toolchain = replace(builder.toolchain, flags=(*STANDARD, *QUICK))
+    toolchain = builder.quick
     same, idle = Variant("segment", shape="unrolled"), Variant("segment", processes=2)
     other, many = (
         Variant("segment", shape="kernels"),

@@ -25,7 +25,7 @@ from tests.schedules import random_schedule
 from tests.slow import spread
 
 
-@pytest.mark.parametrize("case", spread(CASES, 9), ids=lambda case: f"{case.number}")
+@pytest.mark.parametrize("case", spread(CASES, 6), ids=lambda case: f"{case.number}")
 def test_every_case_is_as_it_must_be(case: Case) -> None:
     outcome = run_case(case, quick=True)
     assert [finding for finding in outcome.findings if not finding.good] == []

@@ -4,28 +4,26 @@ from __future__ import annotations
 
 import json
 import re
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from adagen.build import Toolchain
-from adagen.build.toolchain import STANDARD
 from adagen.cli.main import main
 from adagen.plan import Plan
 from adagen.studies.stability import emitted, robots
 from adagen.studies.stability.audit import Way, source_of
 from adagen.studies.stability.draw import draw_study
 from adagen.studies.stability.emitted import Study, Subject, digits, subject, suite, tables, ways
-from tests.emitted import QUICK, Builder
+from tests.emitted import Builder
 
 ARM = Path(__file__).resolve().parents[3] / "generated_examples" / "models" / "arm7.urdf"
 
 
 @pytest.fixture(scope="module")
 def quick(builder: Builder) -> Toolchain:
-    return replace(builder.toolchain, flags=(*STANDARD, *QUICK))
+    return builder.quick
 
 
 @pytest.fixture(autouse=True)
