@@ -8,6 +8,7 @@ frame 1 holds, or turn against each other about it; for a coupling, of the sum t
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -72,17 +73,28 @@ class _Poses:
             self.angular.append(own @ angular)
             self.linear.append(own @ linear)
 
+    @cached_property
+    def rates(self) -> tuple[Array, Array, Array]:
+        """Of each entry of v, shapes (S, 3, nv): angular, linear, and the child's origin."""
+        counts = [joint.kind.nv for joint in self.model.joints]
+        origins = np.repeat(np.stack(self.places[1:], axis=2), counts, axis=2)
+        return np.concatenate(self.angular, axis=2), np.concatenate(self.linear, axis=2), origins
+
     def add_rates(self, link: int, sign: float, place: Array, row: Array) -> None:
         """Add how a point of a link moves (first three) and the link turns, to (S, 6, nv)."""
+        at: list[int] = []
         while link > 0:
-            j = link - 1
-            first = self.model.v_start[j]
-            at = slice(first, first + self.model.joints[j].kind.nv)
-            arm = (place - self.places[link])[:, :, None]
-            moving = self.linear[j] + np.cross(self.angular[j], arm, axis=1)
-            row[:, :3, at] += sign * moving
-            row[:, 3:, at] += sign * self.angular[j]
-            link = self.model.joints[j].parent
+            joint, first = self.model.joints[link - 1], self.model.v_start[link - 1]
+            at += range(first, first + joint.kind.nv)
+            link = joint.parent
+        if not at:
+            return
+        angular, linear, origins = (each[:, :, at] for each in self.rates)
+        x, y, z = angular.transpose(1, 0, 2)
+        ax, ay, az = (place[:, :, None] - origins).transpose(1, 0, 2)
+        turning = np.stack([y * az - z * ay, z * ax - x * az, x * ay - y * ax], axis=1)
+        row[:, :3, at] += sign * (linear + turning)
+        row[:, 3:, at] += sign * angular
 
 
 def _motion(joint: Joint, q: Array) -> tuple[Array, Array, Array, Array]:
