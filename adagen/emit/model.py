@@ -15,7 +15,6 @@ from adagen.plan.steps import LinkBias, StartLink
 def model_values(words: Words) -> dict[str, object]:
     """Return what the template needs of the robot itself."""
     plan = words.plan
-    nv = sum(KINDS[joint.kind].nv for joint in plan.joints)
     return {
         "gravity": ", ".join(repr(g) for g in plan.gravity),  # m/s^2
         "parameters": [repr(x) for x in plan.parameter_values],
@@ -26,8 +25,8 @@ def model_values(words: Words) -> dict[str, object]:
             f"{p.what} of {quoted(p.name)}" if p.link else p.what for p in plan.parameters
         ],
         "nq": sum(KINDS[joint.kind].nq for joint in plan.joints),
-        "nv": nv,
-        "ntau": nv + 6 * len(plan.wrenches),
+        "nv": plan.nv,
+        "ntau": plan.nv + 6 * len(plan.wrenches),
         "loop_forces": _forces(words) if plan.loop_forces else [],
         "links": _links(words),
         "joints": _joints(words),

@@ -18,7 +18,6 @@ from adagen.cost import programmed, timeline
 from adagen.emit import baselines, joints, kernels, unrolled
 from adagen.emit.words import Words
 from adagen.errors import UsageError
-from adagen.model.kinds import KINDS
 from adagen.plan import Plan
 from adagen.plan.certificate import why_not as why_not_corrected
 from adagen.plan.refine import corrected, refinable, why_not_in_lines
@@ -104,12 +103,11 @@ def chosen_shape(
 
 def _reproducible(plan: Plan, shape: str) -> str:
     """The shape of a reproducible plan, whose loops would have other digits."""
-    freedoms = sum(KINDS[joint.kind].nv for joint in plan.joints)
     if shape not in ("auto", "unrolled"):
         raise UsageError(f"shape {shape} cannot be emitted: only straight lines are reproducible")
-    if freedoms > MOST_FREEDOMS_IN_BATCHES:
+    if plan.nv > MOST_FREEDOMS_IN_BATCHES:
         raise UsageError(
-            f"this robot has {freedoms} degrees of freedom: only straight lines are reproducible, "
+            f"this robot has {plan.nv} degrees of freedom: only straight lines are reproducible, "
             f"and beyond {MOST_FREEDOMS_IN_BATCHES} they take compilers minutes; leave out "
             "--reproducible"
         )
@@ -122,7 +120,7 @@ def _of_batch(plan: Plan, profile: CostProfile | None) -> str:
         return "kernels"
     if plan.slaved or kernels.why_not(plan) is not None:
         return "unrolled"
-    if sum(KINDS[joint.kind].nv for joint in plan.joints) > MOST_FREEDOMS_IN_BATCHES:
+    if plan.nv > MOST_FREEDOMS_IN_BATCHES:
         return "kernels"
     return _fastest(plan, ("kernels", "unrolled"), profile, batch=True)
 
@@ -186,7 +184,7 @@ def offered(plan: Plan) -> tuple[str, ...]:
         return loops
     if plan.form == "ada" and plan.several:
         return loops
-    if sum(KINDS[joint.kind].nv for joint in plan.joints) > MOST_FREEDOMS:
+    if plan.nv > MOST_FREEDOMS:
         return loops
     return ("unrolled",) if balls_lose(plan) else (*loops, "unrolled")
 

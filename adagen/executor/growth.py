@@ -22,7 +22,7 @@ from adagen.model.kinds import KINDS
 from adagen.plan.clusters import is_solid
 from adagen.plan.constants import inverse_inertia
 from adagen.plan.digits import EPSILON, generic_configuration, lost_mobility
-from adagen.plan.placement import motion_transform, placement
+from adagen.plan.placement import joint_transform
 from adagen.plan.steps import Join
 from adagen.plan.types import Plan
 
@@ -84,7 +84,7 @@ def _surely_solved(plan: Plan) -> bool:
 
 def _growth(plan: Plan, seed: int) -> Growth:
     q = generic_configuration(plan.joints, seed)
-    zero = np.zeros(sum(KINDS[joint.kind].nv for joint in plan.joints) + 6 * len(plan.wrenches))
+    zero = np.zeros(plan.nv + 6 * len(plan.wrenches))
     run = Run(plan, {"q": q, "v": zero, "tau": zero}, once=True)
     with suppress(SingularPoseError):  # joins are no part of what is then done otherwise
         run.check(digits=False)
@@ -102,14 +102,9 @@ def _growth(plan: Plan, seed: int) -> Growth:
 
 def _transforms(plan: Plan, q: Array) -> list[Array]:
     """X of every joint, shape (6, 6)."""
-    found = []
-    for j, joint in enumerate(plan.joints):
-        own = _configuration(plan, j, q)
-        turn, shift = placement(KINDS[joint.kind], own)
-        base = np.array(joint.rotation)
-        origin = np.array(joint.translation) + base @ shift
-        found.append(motion_transform((base @ turn).T, origin))
-    return found
+    return [
+        joint_transform(joint, _configuration(plan, j, q)) for j, joint in enumerate(plan.joints)
+    ]
 
 
 def _configuration(plan: Plan, j: int, q: Array) -> Array:

@@ -17,6 +17,7 @@ from adagen.model import Inertia, Model
 from adagen.model.fuse import Run, runs_of, settled
 from adagen.plan.constants import inverse_inertia
 from adagen.plan.lent import with_lent
+from adagen.plan.placement import spatial_inertia
 from adagen.plan.robot import PlanJoint
 from adagen.plan.segment import SegmentPlanner
 from adagen.schedule import Node, Schedule, Topology
@@ -95,18 +96,6 @@ def _resists(model: Model, number: int) -> bool:
         return False
     along = spatial[np.ix_(kind.free, kind.free)] / np.sqrt(np.outer(scale, scale))
     return bool(np.linalg.eigvalsh(along)[0] > RESISTS)
-
-
-def spatial_inertia(inertia: Inertia) -> np.ndarray:
-    """Return the spatial inertia at the link's origin, [angular; linear], shape (6, 6)."""
-    c = inertia.com
-    cx = np.array([[0.0, -c[2], c[1]], [c[2], 0.0, -c[0]], [-c[1], c[0], 0.0]])
-    result = np.zeros((6, 6))
-    result[:3, :3] = inertia.tensor - inertia.mass * cx @ cx
-    result[:3, 3:] = inertia.mass * cx
-    result[3:, :3] = -inertia.mass * cx
-    result[3:, 3:] = inertia.mass * np.eye(3)
-    return result
 
 
 class ClusterPlanner(SegmentPlanner):

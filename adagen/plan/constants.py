@@ -10,6 +10,7 @@ import numpy as np
 
 from adagen.errors import InputError
 from adagen.exact import Exact, exact, identity, rounded, skew
+from adagen.graph import cross
 from adagen.model import Inertia, Model, Passive, canonical
 from adagen.plan.robot import PlanCoupling, PlanJoint, PlanLink, PlanLoop, PlanOutput, PlanWrench
 
@@ -152,17 +153,9 @@ def _positive_definite(tensor: Exact) -> bool:
 
 
 def _inverse3(a: Exact) -> Exact:
-    cofactors = np.array([_cross(a[1], a[2]), _cross(a[2], a[0]), _cross(a[0], a[1])], dtype=object)
+    cofactors = np.array([cross(a[1], a[2]), cross(a[2], a[0]), cross(a[0], a[1])], dtype=object)
     inverse: Exact = cofactors.T / a[0].dot(cofactors[0])
     return inverse
-
-
-def _cross(u: Exact, v: Exact) -> list[object]:
-    return [
-        u[1] * v[2] - u[2] * v[1],
-        u[2] * v[0] - u[0] * v[2],
-        u[0] * v[1] - u[1] * v[0],
-    ]
 
 
 def _ground(name: str) -> PlanLink:

@@ -20,12 +20,12 @@ from numpy.typing import NDArray
 from adagen.model import Model, canonical
 from adagen.model.fuse import Run, settled
 from adagen.model.kinds import KINDS
-from adagen.plan.clusters import is_regular, spatial_inertia
+from adagen.plan.clusters import is_regular
 from adagen.plan.constants import joints_of
 from adagen.plan.digits import generic_configuration, lost_mobility
 from adagen.plan.edges import is_free_base
 from adagen.plan.fused_frame import joint_coordinates, run_motion
-from adagen.plan.placement import motion_transform, placement
+from adagen.plan.placement import joint_transform, spatial_inertia
 
 Array = NDArray[Any]
 
@@ -198,10 +198,7 @@ class _Robot:
 
     def _transform(self, j: int, q: Array) -> Array:
         joint = self.members[j]
-        kind = KINDS[joint.kind]
-        turn, shift = placement(kind, q[joint.q : joint.q + kind.nq])
-        base = np.array(joint.rotation)
-        return motion_transform((base @ turn).T, np.array(joint.translation) + base @ shift)
+        return joint_transform(joint, q[joint.q : joint.q + KINDS[joint.kind].nq])
 
 
 def _seen(inertia: Array, x: Array) -> Array:

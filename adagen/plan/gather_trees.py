@@ -48,6 +48,11 @@ class Tree:
     grounded: int | None = None
     hold: int = 0
 
+    @property
+    def own_root(self) -> int:
+        """The link that it is swept to by one process: what floats on the ground, or the ground."""
+        return 0 if self.base is None else self.base + 1
+
     @cached_property
     def participants(self) -> list[int]:
         """Processes that have joints in it, ascending."""
@@ -172,12 +177,11 @@ def _laid_out(
 ) -> Tree:
     at = joints_at(joints, tree.joints)
     involved = {assigned[j] for j in tree.joints if j in assigned}
-    ground = 0 if tree.base is None else tree.base + 1
-    roots = [ground]
+    roots = [tree.own_root]
     if len(involved) > 1:
         apart = [j for j in tree.joints if j not in assigned]
         touched = {link for j in apart for link in (joints[j].parent, j + 1)}
-        roots += sorted(touched - {0, ground})
+        roots += sorted(touched - {0, tree.own_root})
     found = (_rooted(tree, edges_from(root, joints, at), root, assigned, first) for root in roots)
     # The ground, or the base, always serves as a root.
     best = min((tree for tree in found if tree is not None), key=lambda tree: len(tree.core))

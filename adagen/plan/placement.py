@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.model.kinds import JointKind
+from adagen.model import Inertia
+from adagen.model.kinds import KINDS, JointKind
+from adagen.plan.robot import PlanJoint, PlanLink
 
 Array = NDArray[np.float64]
 
@@ -14,9 +16,36 @@ def motion_transform(e: Array, r: Array) -> Array:
     """Return X = [[E, 0], [-E rx, E]] for a rotation E (3x3) and the child origin r (3,)."""
     x = np.zeros((6, 6))
     x[:3, :3] = x[3:, 3:] = e
-    rx = np.array([[0.0, -r[2], r[1]], [r[2], 0.0, -r[0]], [-r[1], r[0], 0.0]])
-    x[3:, :3] = -e @ rx
+    x[3:, :3] = -e @ _skew(r)
     return x
+
+
+def _skew(v: Array) -> Array:
+    """The matrix that a cross product with a vector is, shape (3, 3)."""
+    return np.array([[0.0, -v[2], v[1]], [v[2], 0.0, -v[0]], [-v[1], v[0], 0.0]])
+
+
+def spatial_inertia(body: Inertia | PlanLink) -> Array:
+    """Return an inertia about the link's origin, [angular; linear], shape (6, 6), SI units."""
+    mass, arm = body.mass, _skew(np.array(body.com))
+    found = np.zeros((6, 6))
+    found[:3, :3] = np.array(body.tensor) - mass * arm @ arm
+    found[:3, 3:], found[3:, :3] = mass * arm, -mass * arm
+    found[3:, 3:] = mass * np.eye(3)
+    return found
+
+
+def joint_transform(joint: PlanJoint, q: Array) -> Array:
+    """Return X from a joint's parent link to its child link, shape (6, 6).
+
+    Args:
+        joint: the joint.
+        q: its own configuration, shape (nq,).
+    """
+    turn, shift = placement(KINDS[joint.kind], q)
+    base = np.array(joint.rotation)
+    origin = np.array(joint.translation) + base @ shift
+    return motion_transform((base @ turn).T, origin)
 
 
 def cross_motion(v: Array, m: Array) -> Array:

@@ -51,7 +51,7 @@ _SWEEPS = (StartLink, FreeBase, Articulate, SolveRoot, Accelerate, FreeAccelerat
 
 
 def _of_one(plan: Plan) -> list[Tree]:
-    roots = [0 if tree.base is None else tree.base + 1 for tree in moving_trees(plan.joints)]
+    roots = [tree.own_root for tree in moving_trees(plan.joints)]
     bases = {root - 1 for root in roots}
     owners = [None if j in bases else 0 for j in range(len(plan.joints))]
     return given_trees(plan.joints, roots, owners)
@@ -82,10 +82,9 @@ def check_reproducible(plan: Plan, gathered: Gathered | None) -> None:
             "ones gather at the base or the ground; leave out --schedule or --reproducible"
         )
     for tree, root in zip(moving_trees(plan.joints), gathered.roots, strict=True):
-        base = 0 if tree.base is None else tree.base + 1
         owners = {gathered.owners[j] for j in tree.joints}
-        if root != base and len(owners) > 1:
-            where = "the base" if base else "the ground"
+        if root != tree.own_root and len(owners) > 1:
+            where = "the base" if tree.own_root else "the ground"
             raise UsageError(
                 f"processes that gather at link {plan.links[root].name!r} round differently from "
                 f"one process: reproducible ones gather at {where}; leave out --schedule or "

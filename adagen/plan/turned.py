@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 
 from adagen.model.kinds import KINDS
 from adagen.plan.digits import generic_configuration
-from adagen.plan.placement import motion_transform, placement
+from adagen.plan.placement import joint_transform, spatial_inertia
 from adagen.plan.robot import PlanJoint, PlanLink
 from adagen.plan.steps import Articulate, FusedJoin, LinkBias
 from adagen.plan.types import Plan
@@ -108,7 +108,7 @@ def balls_lose(plan: Plan) -> bool:
     most = MOST[plan.scalar]
     for j, joint in enumerate(plan.joints):
         if joint.kind == "spherical" and not joint.prescribed:
-            about = _spatial_inertia(plan.links[j + 1])[:3, :3]
+            about = spatial_inertia(plan.links[j + 1])[:3, :3]
             if most * float(np.linalg.eigvalsh(about)[0]) < float(np.trace(about)):
                 return True
     return False
@@ -238,7 +238,7 @@ def _sides(
 ) -> dict[tuple[int, bool], Side]:
     """What each joint with one freedom sees, outwards (False) and towards the ground (True)."""
     bears = STOOD[scalar]
-    bare = [_spatial_inertia(link) for link in links]
+    bare = [spatial_inertia(link) for link in links]
     flat = _flat(joints)
     transforms = [_transforms(joints, j) for j in range(len(joints))]
     found: dict[tuple[int, bool], Side] = {}
@@ -325,23 +325,5 @@ def _flat(joints: tuple[PlanJoint, ...]) -> list[bool]:
 
 def _transforms(joints: tuple[PlanJoint, ...], j: int) -> Array:
     """X of a joint in each configuration, shape (configurations, 6, 6)."""
-    joint = joints[j]
-    own = []
-    for seed in SEEDS:
-        q = generic_configuration((joint,), seed * (j + 1))
-        turn, shift = placement(KINDS[joint.kind], q)
-        base = np.array(joint.rotation)
-        origin = np.array(joint.translation) + base @ shift
-        own.append(motion_transform((base @ turn).T, origin))
-    return np.array(own)
-
-
-def _spatial_inertia(link: PlanLink) -> Array:
-    """A link's inertia about its origin, shape (6, 6), [angular; linear]."""
-    c = np.array(link.com)
-    cross = np.array([[0.0, -c[2], c[1]], [c[2], 0.0, -c[0]], [-c[1], c[0], 0.0]])
-    inertia = np.zeros((6, 6))
-    inertia[:3, :3] = np.array(link.tensor) - link.mass * cross @ cross
-    inertia[:3, 3:], inertia[3:, :3] = link.mass * cross, -link.mass * cross
-    inertia[3:, 3:] = link.mass * np.eye(3)
-    return inertia
+    own = (generic_configuration((joints[j],), seed * (j + 1)) for seed in SEEDS)
+    return np.array([joint_transform(joints[j], q) for q in own])

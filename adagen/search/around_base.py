@@ -129,7 +129,7 @@ def _layouts(
     """Return how limbs of the base may be distributed among the processes, and joints' weights."""
     plan = make_plan(model, alone, scalar=scalar, reproducible=True)
     trees = moving_trees(plan.joints)
-    roots = [0 if tree.base is None else tree.base + 1 for tree in trees]
+    roots = [tree.own_root for tree in trees]
     line = line_of(serial_plan(plan))
     weights = joint_weights(line.plan.processes[0], line.machine)
     return layouts_at(plan.joints, roots, weights, alone.processes), weights

@@ -73,7 +73,7 @@ def _around_roots(
         yield from whole_trees(plan.joints, trees, weights, processes)
         return
     together = [closure.path for closure in closures]
-    roots = [0 if tree.base is None else tree.base + 1 for tree in trees]
+    roots = [tree.own_root for tree in trees]
     heavy = max(range(len(trees)), key=lambda k: (sum(weights[j] for j in trees[k].joints), -k))
     for link in dict.fromkeys((roots[heavy], *_middles(plan, trees[heavy], weights, closures))):
         around = [*roots[:heavy], link, *roots[heavy + 1 :]]

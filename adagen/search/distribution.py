@@ -212,7 +212,7 @@ def whole_trees(
         weights: of joints.
         processes: P.
     """
-    roots = tuple(0 if tree.base is None else tree.base + 1 for tree in trees)
+    roots = tuple(tree.own_root for tree in trees)
     limbs = []
     for tree in trees:
         own = frozenset((*tree.joints, *([] if tree.base is None else [tree.base])))

@@ -66,7 +66,7 @@ class Layout:
 
     def gathered(self, robot: Robot) -> Gathered:
         """Return the same as schedules say it: the roots of all trees, and the owners of joints."""
-        roots = [0 if tree.base is None else tree.base + 1 for tree in robot.trees]
+        roots = [tree.own_root for tree in robot.trees]
         owners: list[int | None] = [None] * len(robot.joints)
         for p, own in enumerate(self.shares):
             for k in own:

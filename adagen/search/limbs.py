@@ -195,10 +195,11 @@ class Robot:
     def alone(self, tree: int, process: int) -> Tree:
         """Return a tree that is all one process's."""
         own = self.trees[tree]
-        root = 0 if own.base is None else own.base + 1
-        edges = self._edges_from(tree, root)
+        edges = self._edges_from(tree, own.own_root)
         owner = dict.fromkeys(own.joints, process)
-        return Tree(own.links, own.joints, own.base, root, edges, owner, frozenset(), process, None)
+        return Tree(
+            own.links, own.joints, own.base, own.own_root, edges, owner, frozenset(), process, None
+        )
 
     def _edges_from(self, tree: int, root: int) -> list[Edge]:
         if (tree, root) not in self._edges:

@@ -21,7 +21,6 @@ from adagen.executor.growth import Growth, predicted_growth
 from adagen.executor.refine import interpret_refined
 from adagen.executor.trial import MANY, Trial, carried_out, tried, tried_hard
 from adagen.model import Model
-from adagen.model.kinds import KINDS
 from adagen.plan import Plan, make_plan
 from adagen.plan.clusters import fold_of
 from adagen.plan.cuts import cuttable_joints
@@ -225,11 +224,10 @@ def _tried(plan: Plan) -> float:
     that it has for singular poses, which refinement does not know. Infinite where no digit is
     right.
     """
-    count = sum(KINDS[joint.kind].nv for joint in plan.joints)
     sizes = [0.0]
     for seed in range(1, _TRIALS + 1):
         q = generic_configuration(plan.joints, seed)
-        v, tau = (np.sin(step * seed * np.arange(1, count + 1)) for step in (2.3, 3.1))
+        v, tau = (np.sin(step * seed * np.arange(1, plan.nv + 1)) for step in (2.3, 3.1))
         v *= not plan.at_rest
         with suppress(UsageError, FloatingPointError):
             sizes += interpret_refined(plan, q, v, tau, steps=1).corrections

@@ -10,7 +10,7 @@ import pytest
 from adagen.executor.frames import Dense, Rotation, Transform, about_z, placed
 from adagen.graph import Graph, count_operations
 from adagen.model import Inertia
-from adagen.plan.clusters import spatial_inertia
+from adagen.plan.placement import spatial_inertia
 from tests.graph.test_linear import given_as, numbers
 from tests.models import rod, vector
 

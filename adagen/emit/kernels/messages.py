@@ -12,14 +12,19 @@ from adagen.plan.types import Message, Process
 from adagen.program import Operation
 
 
+def exchanged(words: Words, operation: Operation) -> tuple[int, Message]:
+    """Return the message that an operation sends or takes, its number first."""
+    (step,) = operation.steps
+    assert isinstance(step, Send | Receive)
+    return step.message, words.plan.messages[step.message]
+
+
 def sent(words: Words, operation: Operation) -> list[str]:
     """Return the lines that send a message."""
-    (step,) = operation.steps
-    assert isinstance(step, Send)
-    message = words.plan.messages[step.message]
+    number, message = exchanged(words, operation)
     return [
         f"{{  // to process {message.target}: {describe_message(words, message)}",
-        f"  Number* to = channel.outgoing({step.message}, w.status);",
+        f"  Number* to = channel.outgoing({number}, w.status);",
         *in_a_row(
             "to",
             [
@@ -27,20 +32,18 @@ def sent(words: Words, operation: Operation) -> list[str]:
                 *(f"put(to, w.bodies[{link}])" for link in message.inertias),
             ],
         ),
-        f"  channel.send({step.message}, w.status);",
+        f"  channel.send({number}, w.status);",
         "}",
     ]
 
 
 def received(words: Words, operation: Operation) -> list[str]:
     """Return the lines that take a message."""
-    (step,) = operation.steps
-    assert isinstance(step, Receive)
-    message = words.plan.messages[step.message]
+    number, message = exchanged(words, operation)
     taken = zip(message.inertias, operation.first, strict=True)
     return [
         f"{{  // from process {message.source}: {describe_message(words, message)}",
-        f"  const Number* from = channel.receive({step.message}, w.status);",
+        f"  const Number* from = channel.receive({number}, w.status);",
         *in_a_row(
             "from",
             [

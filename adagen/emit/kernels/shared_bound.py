@@ -7,36 +7,33 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from adagen.emit.kernels.messages import exchanged
 from adagen.emit.processes import describe_message
 from adagen.emit.words import Words
 from adagen.plan.certificate import beyond_held, spread
-from adagen.plan.steps import Certify, HoldMobility, Receive, Send
+from adagen.plan.steps import Certify, HoldMobility
 from adagen.plan.types import CERTIFICATE, Process
 from adagen.program import Operation
 
 
 def tells(words: Words, operation: Operation) -> bool:
     """Return whether a message tells what a process adds to the bound of the answer's error."""
-    (step,) = operation.steps
-    assert isinstance(step, Send | Receive)
-    return words.plan.messages[step.message].sweep == CERTIFICATE
+    return exchanged(words, operation)[1].sweep == CERTIFICATE
 
 
 def told(words: Words, process: Process, operation: Operation) -> list[str]:
     """Return the lines that tell process 0 of a process's share."""
-    (step,) = operation.steps
-    assert isinstance(step, Send)
-    message = words.plan.messages[step.message]
+    number, message = exchanged(words, operation)
     (joints,) = (step.joints for step in process.steps_of(Certify))
     lines = [
         f"{{  // to process {message.target}: {describe_message(words, message)}",
-        f"  Number* to = channel.outgoing({step.message}, w.status);",
+        f"  Number* to = channel.outgoing({number}, w.status);",
         "  to = tell_sums(to, w);",
     ]
     for link in message.weighed:
         numbers = _spread(words, joints, link)
         lines.append(f"  to = tell_link(to, w, {link}, {numbers});")
-    return [*lines, f"  channel.send({step.message}, w.status);", "}"]
+    return [*lines, f"  channel.send({number}, w.status);", "}"]
 
 
 def beyond(words: Words, p: int, step: HoldMobility) -> str:
@@ -54,10 +51,8 @@ def _spread(words: Words, joints: Iterable[int], link: int) -> str:
 
 def heard(words: Words, operation: Operation) -> list[str]:
     """Return the lines that keep what another process has told."""
-    (step,) = operation.steps
-    assert isinstance(step, Receive)
-    message = words.plan.messages[step.message]
-    call = f"channel.receive({step.message}, w.status)"
+    number, message = exchanged(words, operation)
+    call = f"channel.receive({number}, w.status)"
     about = f"  // from process {message.source}: {describe_message(words, message)}"
     return [f"w.heard[{_place(words, message.source)}] = {call};{about}"]
 
@@ -74,9 +69,7 @@ def at_links(words: Words, operation: Operation) -> list[str]:
         words: the plan's names.
         operation: takes the inertias of these limbs, and knows what is first at a link.
     """
-    (step,) = operation.steps
-    assert isinstance(step, Receive)
-    message = words.plan.messages[step.message]
+    _, message = exchanged(words, operation)
     shares = [m for m in words.plan.messages if m.sweep == CERTIFICATE]
     place = _place(words, message.source)
     return [
