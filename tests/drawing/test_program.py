@@ -17,6 +17,7 @@ from adagen.program import Program
 from adagen.schedule import Schedule, Topology, load_profile
 from adagen.search import best_schedule
 from tests.models import human_figure, serial_chain
+from tests.slow import slow
 
 PROFILE = load_profile("default")
 SVG = "{http://www.w3.org/2000/svg}"
@@ -27,7 +28,7 @@ def made(model: Model, processes: int, form: str = "segment") -> tuple[Schedule,
     return schedule, priced_program(make_plan(model, schedule, form=form))
 
 
-@pytest.mark.parametrize("processes", [1, 2, 4])
+@pytest.mark.parametrize("processes", [1, 2, slow(4)])
 @pytest.mark.parametrize("form", ["segment", "ada"])
 @pytest.mark.parametrize("model", [human_figure(), serial_chain(20)], ids=["figure", "chain"])
 def test_the_picture_is_of_the_program(model: Model, form: str, processes: int) -> None:

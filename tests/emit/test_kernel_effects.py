@@ -173,6 +173,7 @@ def test_earlier_evaluations_leave_nothing_at_such_a_root(builder: Builder, tmp_
     require_right(plan, model, builder, tmp_path)
 
 
+@pytest.mark.slow
 def test_batches_have_outer_forces_and_prescribed_motions(builder: Builder, tmp_path: Path) -> None:
     model = figure("left_knee", "waist", "__base__")
     plan = make_plan(model, best_schedule(model, 1, PROFILE))

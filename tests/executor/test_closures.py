@@ -271,6 +271,7 @@ def test_emitted_code_is_the_executor(
     np.testing.assert_array_equal(found.astype(expected.dtype), expected)
 
 
+@pytest.mark.slow
 def test_limbs_beside_loops_share_lanes(builder: Builder, tmp_path: Path) -> None:
     """A figure holding its own hand: its legs go side by side, and the answer is right."""
     model = human_figure()

@@ -185,7 +185,7 @@ def solved(solver: Solver, model: Model, states: States, folder: Path) -> Array:
     return answer
 
 
-@pytest.mark.parametrize("batch", [False, True])
+@pytest.mark.parametrize("batch", [slow(False), True])
 def test_outputs_are_emitted(batch: bool, builder: Builder, tmp_path: Path) -> None:
     model = humanoid(tmp_path, ASKED, floating=True)
     plan = planned(model)

@@ -19,7 +19,7 @@ DEFAULT = load_profile("default")
 
 
 def test_limbs_are_shared_where_that_pays() -> None:
-    model = binary(6, floating=True)
+    model = binary(5, floating=True)
     alone = reproducible_schedule(model, 1, DEFAULT)
     both = reproducible_schedule(model, 2, DEFAULT)
     assert both.meeting == "gather"
@@ -47,7 +47,7 @@ def test_nothing_slower_than_one_process_is_taken() -> None:
 
 
 def test_certified_limbs_are_shared_where_that_pays() -> None:
-    model = binary(6, floating=True)
+    model = binary(5, floating=True)
     both = certified_schedule(model, 2, DEFAULT, "double", "auto")
     plan = certified(make_plan(model, both))
     assert predict(plan, DEFAULT).makespan == both.makespan
@@ -75,7 +75,7 @@ def test_certified_processes_gather_elsewhere_where_that_pays() -> None:
 
 def test_outputs_are_given_by_one_process() -> None:
     """Limbs of the ground are shared where that pays, but not with outputs of a scene."""
-    model = binary(6, floating=True)
+    model = binary(5, floating=True)
     shared = make_plan(model, reproducible_schedule(model, 2, DEFAULT), reproducible=True)
     assert all(process.steps for process in shared.processes)
     output = Output(LINK_ACCELERATION, 3, Frame("", np.eye(3), np.zeros(3)), "link")

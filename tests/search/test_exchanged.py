@@ -79,6 +79,7 @@ def test_only_joints_that_may_be_cut_are() -> None:
     assert len(cuts) == 3 and all(allowed[j] for j in cuts)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("processes", [4, slow(8)])
 def test_long_chains_exchange_where_that_is_the_fastest(processes: int) -> None:
     model = serial_chain(900)

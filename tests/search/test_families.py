@@ -102,6 +102,7 @@ def test_long_chains_are_shared_out() -> None:
     assert best.makespan == predict(make_plan(model, best), DEFAULT).makespan
 
 
+@pytest.mark.slow
 def test_the_gap_of_a_long_chain_is_small() -> None:
     assert best_schedule(serial_chain(700), 4, DEFAULT).gap < 0.15
 

@@ -15,7 +15,7 @@ from adagen.search.limbs import Core, Robot
 from tests.cost.costs import step_profile
 from tests.models import Part, assemble, rod, vector
 from tests.search.test_gathered import Case
-from tests.slow import spread
+from tests.slow import all_but, spread
 
 PROFILES = {"default": load_profile("default"), "others": step_profile()}
 HANDS = {
@@ -42,7 +42,7 @@ def hand(fingers: tuple[int, ...], wrist: int = 2) -> Model:
 
 
 @pytest.mark.parametrize("profile", spread(PROFILES, 1))
-@pytest.mark.parametrize("name", HANDS)
+@pytest.mark.parametrize("name", all_but(HANDS, "fingers and thumbs"))
 def test_no_set_of_limbs_is_priced_below_its_floor(name: str, profile: str) -> None:
     """Pairs of limbs, and all limbs but one, of each core that has at least three."""
     case = Case(hand(HANDS[name]), 2, PROFILES[profile])

@@ -86,6 +86,7 @@ def test_float_raises_beside_the_light_link(builder: Builder, tmp_path: Path) ->
     assert not result.exists()
 
 
+@pytest.mark.slow
 def test_a_map_tells_where_methods_end_and_is_drawn(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
