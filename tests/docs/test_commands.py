@@ -45,7 +45,7 @@ def has_commands(page: Path) -> bool:
 WITH_COMMANDS = [page for page in PAGES if has_commands(page)]
 QUICK = {
     *("README.md", "docs/reference/python.md"),
-    *(f"docs/how_to/{page}.md" for page in ("embedded", "library", "parallel", "python")),
+    *(f"docs/how_to/{page}.md" for page in ("embedded", "library", "python")),
 }
 """Pages for those who begin, and of each way to build: the other ones take long."""
 WITH_SLOW = [page for page in WITH_COMMANDS if any(b.slow for b in blocks(page))]

@@ -74,6 +74,7 @@ def wrists(*kinds: JointKind) -> Model:
     return assemble("wrists", parts)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("model", "processes", "scalar", "more"),
     [

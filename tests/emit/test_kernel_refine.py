@@ -55,6 +55,7 @@ def test_named_schedules_are_refined(
     assert (said[:, 1] < 1e-2 * said[:, 0]).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("meeting", ["gather", pytest.param("join", marks=pytest.mark.slow)])
 def test_trees_of_all_kinds_are_refined(meeting: str, builder: Builder, tmp_path: Path) -> None:
     """Planar, spherical and floating joints, and a floating base; the raw error is told."""

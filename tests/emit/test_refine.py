@@ -46,7 +46,7 @@ def test_one_step_leaves_only_rounding_and_says_what_there_was(
     assert (said[:, 1] < 1e-3 * said[:, 0]).all()
 
 
-@pytest.mark.parametrize("processes", [2, pytest.param(1, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("processes", [slow(2), 1])
 def test_joints_joined_over_massless_links_are_refined(
     processes: int, builder: Builder, tmp_path: Path
 ) -> None:

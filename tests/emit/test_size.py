@@ -13,6 +13,7 @@ from benchmarks.compile_cost import ROBOTS, own_lines
 from tests.emitted import plan_of
 from tests.large import human161
 from tests.real import real_robot
+from tests.slow import slow
 
 
 @pytest.mark.parametrize("form", FORMS)
@@ -37,11 +38,11 @@ def test_most_lines_of_what_is_chosen_for_a_robot_are_its_own() -> None:
     ("shape", "processes", "least"),
     [
         ("unrolled", 1, 0.8),
-        ("unrolled", 2, 0.8),
+        slow("unrolled", 2, 0.8),
         ("kernels", 1, 0.8),
         ("kernels", 2, 0.75),
         ("joints", 1, 0.8),
-        ("joints", 2, 0.8),
+        slow("joints", 2, 0.8),
     ],
 )
 def test_lines_of_a_shape_are_the_robots_own(shape: str, processes: int, least: float) -> None:

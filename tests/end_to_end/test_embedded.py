@@ -21,7 +21,7 @@ from tests.emitted import EXACT, ROUNDING, Builder, Solver, forward_error, truth
 from tests.end_to_end.test_library import HERE, STRICT, filled, run
 from tests.golden.make_models import MODELS
 from tests.real import real_robot
-from tests.slow import all_but
+from tests.slow import all_but, slow
 
 ALLOWED = {
     "memcpy",
@@ -178,7 +178,7 @@ def test_floats_compute_in_floats_alone(builder: Builder, tmp_path: Path) -> Non
     assert not re.search(r"cvtss2sd|mulsd|fcvt\s+d", run("objdump", "-d", made))
 
 
-@pytest.mark.parametrize("case", ["arm", "humanoid in lanes", "quaternions", "talos"])
+@pytest.mark.parametrize("case", ["arm", "humanoid in lanes", "quaternions", slow("talos")])
 def test_its_memory_is_what_the_head_says(case: str, builder: Builder) -> None:
     compiled = compiled_for("embedded", case)
     found = re.search(r"at most (\d+) bytes", compiled.source)

@@ -21,7 +21,7 @@ from adagen.states import States, random_states, write_states
 from tests.emitted import QUICK, ROUNDING, Builder, forward_error, plan_of, truth_of
 from tests.end_to_end.test_library import BY_STEM, filled
 from tests.golden.make_models import MODELS
-from tests.slow import all_but, spread
+from tests.slow import all_but, slow, spread
 
 ARM, MOBILE, HUMANOID = (MODELS / f"{name}.urdf" for name in ("arm7", "mobile", "humanoid"))
 MOON = np.array([0.1, -0.2, -1.62])
@@ -53,9 +53,9 @@ CASES: dict[str, tuple[Path, bool, dict[str, Any]]] = {
 
 SLOW = (
     *("joints", "refined joints", "loops refined wide", "the paper's form"),
-    *("floating line", "batch of loops", "float"),
+    *("floating line", "batch of loops", "float", "refined loops"),
 )
-"""Each is like another one: the paper's form like joints, batches of loops like those of lines."""
+"""Each is like another one but for the shape, a base that floats, the scalar, or corrections."""
 
 
 @pytest.mark.parametrize("case", all_but(CASES, *SLOW))
@@ -205,7 +205,7 @@ def on_processes(model: Model, batch: bool, builder: Builder) -> list[str]:
     return done.stdout.splitlines()
 
 
-@pytest.mark.parametrize("batch", [False, True])
+@pytest.mark.parametrize("batch", [slow(False), True])
 def test_processes_go_by_what_process_0_has_set(batch: bool, builder: Builder) -> None:
     model = BY_STEM["arm7_p1"].model()
     earth, wrong, moon, told, heavy, each = on_processes(model, batch, builder)

@@ -51,7 +51,7 @@ ADA = {"form": "ada"}
 CASES = {
     "alone": Case(human_figure(), 1, JOIN, SolveRoot),
     "alone with effects": Case(affected(6, "drp"), 1, JOIN, Articulate, slow=False),
-    "joined by two": Case(affected(7, "dr", mimics=1), 2, JOIN, Join, slow=False),
+    "joined by two": Case(affected(7, "dr", mimics=1), 2, JOIN, Join),
     "joined by three": Case(serial_chain(9, axes="xyz"), 3, JOIN, Join),
     "joined by four": Case(human_figure(), 4, JOIN, Join),
     "gathered by two": Case(serial_chain(9, floating=True), 2, GATHER, SolveRoot, slow=False),

@@ -193,7 +193,7 @@ CASES = {
 
 
 SLOW = {
-    *("four limbs", "gathered by three"),
+    *("four limbs", "joined by two", "gathered by three"),
     *("gathered on the ground", "gathered on a ground that is held"),
 }
 

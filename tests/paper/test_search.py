@@ -42,7 +42,7 @@ def ticks(value: Fraction) -> float:
     return float(value)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(topologies(6), profiles(), st.sampled_from([1, 2, 4, 8]))
 def test_every_strategy_against_all_schedule_trees(
     topology: Topology, profile: CostProfile, p: int
@@ -68,7 +68,7 @@ def test_every_strategy_against_all_schedule_trees(
         assert s.verdict == "gap" or s.makespan == ticks(best)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(topologies(9), profiles(), st.integers(1, 8), st.sampled_from(["always", "free", "any"]))
 def test_exact_against_subset_program(
     topology: Topology, profile: CostProfile, p: int, split: Split
