@@ -37,6 +37,7 @@ from adagen.plan.steps import (
     AccelerateHeld,
     CarryRows,
     CloseCoupling,
+    ClosedStep,
     CloseLoop,
     Eliminate,
     HoldBack,
@@ -45,7 +46,6 @@ from adagen.plan.steps import (
 )
 
 Array = NDArray[Any]
-ClosedStep = CloseLoop | CloseCoupling | HoldBack | CarryRows | Eliminate | Release | AccelerateHeld
 
 RATES = 10.0
 """1/s: how fast a loop may open, beside how far it may be open, where joints move by 1 rad/s."""

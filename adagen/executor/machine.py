@@ -34,21 +34,16 @@ from adagen.plan.steps import (
     Append,
     ApplyCoupling,
     Arrive,
-    CarryRows,
     Certify,
-    CloseCoupling,
-    CloseLoop,
+    ClosedStep,
     Correct,
     Disassemble,
-    Eliminate,
     GiveOutput,
-    HoldBack,
     Join,
     Kinematics,
     LinkBias,
     Receive,
     Refine,
-    Release,
     Send,
     SolveCoupling,
     SolveRoot,
@@ -118,23 +113,15 @@ class Machine(State):
                 self.joins.join(step)
             case Disassemble():
                 self.joins.disassemble(step)
-            case (
-                CloseLoop()
-                | CloseCoupling()
-                | HoldBack()
-                | CarryRows()
-                | Eliminate()
-                | Release()
-                | AccelerateHeld()
-            ):
-                self.closures.step(step)
-                self._reach(step)
             case SolveCoupling():
                 self._solve_coupling()
             case ApplyCoupling():
                 self._apply_coupling()
             case GiveOutput():
                 self.outputs[step.output] = self.given_outputs.output(step.output)
+            case _ if isinstance(step, ClosedStep):
+                self.closures.step(step)
+                self._reach(step)
             case _:
                 self._swept(step)
         return True

@@ -35,6 +35,7 @@ from adagen.plan.steps import (
     CarryRows,
     Certify,
     CloseCoupling,
+    ClosedStep,
     CloseLoop,
     Correct,
     Deliver,
@@ -127,15 +128,7 @@ def effects(plan: Plan, process: int, step: Step, runs: Mapping[int, tuple[int, 
             return _across(plan, step)
         case Kinematics() | FreeBase() | FreeAcceleration() | SolveCoupling() | ApplyCoupling():
             return _of_joint(plan, step)
-        case (
-            CloseLoop()
-            | CloseCoupling()
-            | HoldBack()
-            | CarryRows()
-            | Eliminate()
-            | Release()
-            | AccelerateHeld()
-        ):
+        case _ if isinstance(step, ClosedStep):
             return _closed(plan, process, step)
         case Traverse() | Append() | Arrive():
             return _passed(step)
@@ -221,10 +214,7 @@ def _of_link(step: _OfLink) -> Effects:
             return Effects(reads, (("acceleration", link),))
 
 
-_Closed = CloseLoop | CloseCoupling | HoldBack | CarryRows | Eliminate | Release | AccelerateHeld
-
-
-def _closed(plan: Plan, process: int, step: _Closed) -> Effects:
+def _closed(plan: Plan, process: int, step: ClosedStep) -> Effects:
     """Of a step of closed loops."""
     reads: tuple[Place, ...]
     match step:

@@ -24,6 +24,7 @@ from adagen.plan.steps.closed import (
     AccelerateHeld,
     CarryRows,
     CloseCoupling,
+    ClosedStep,
     CloseLoop,
     Eliminate,
     HoldBack,
@@ -72,6 +73,7 @@ __all__ = [
     "Certify",
     "CloseCoupling",
     "CloseLoop",
+    "ClosedStep",
     "Correct",
     "Coupling",
     "Deliver",
@@ -140,13 +142,7 @@ Step = (
     | SolveCoupling
     | ApplyCoupling
     | GiveOutput
-    | CloseLoop
-    | CloseCoupling
-    | HoldBack
-    | CarryRows
-    | Eliminate
-    | Release
-    | AccelerateHeld
+    | ClosedStep
     | Certify
     | Correct
     | Refine

@@ -141,3 +141,7 @@ class AccelerateHeld:
 
     joint: int
     closure: int
+
+
+ClosedStep = CloseLoop | CloseCoupling | HoldBack | CarryRows | Eliminate | Release | AccelerateHeld
+"""Steps of closed loops."""
