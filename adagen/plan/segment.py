@@ -153,7 +153,7 @@ class SegmentPlanner(AdaPlanner):
             self.open[self.joints[j].parent] -= 1
             self.open[j + 1] -= 1
         handles = {link for link, count in enumerate(self.open) if count > 0}
-        segment = laid_out(self.joints, node.joint, members, handles, self.asked)
+        segment = segment_of(self.joints, node.joint, members, handles, self.asked)
         steps, couplings = segment.inwards()
         self.steps[node.processes[0]] += steps
         chain = Chain(node.joint, node.processes[0], segment=segment)
@@ -178,7 +178,7 @@ class SegmentPlanner(AdaPlanner):
         self.steps[chain.process] += segment.outwards(forces)
 
 
-def laid_out(
+def segment_of(
     joints: Sequence[PlanJoint],
     name: int,
     members: Set[int],

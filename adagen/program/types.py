@@ -38,7 +38,7 @@ Method = Literal[
 * ``columns``: a loop over a run, the six columns of the articulated inertia in SIMD lanes;
 * ``turned``: a loop over a run, number by number, or over limbs side by side, joints that lose
   digits in axes of the base in their own (see adagen/plan/turned.py);
-* ``strips``: a run cut into as many strips as there are SIMD lanes, one in each;
+* ``strips``: a run in as many strips as there are SIMD lanes, one in each;
 * ``traversed``: the same, from what a traversal of the run has found of the strips;
 * ``lanes``: limbs side by side, one in each SIMD lane;
 * ``base``: a floating base, whose frame is its own;

@@ -18,7 +18,7 @@ from adagen.model import Model
 from adagen.paper.budget import Budget
 from adagen.plan.constants import joints_of
 from adagen.plan.edges import on_the_way
-from adagen.plan.segment import laid_out
+from adagen.plan.segment import segment_of
 from adagen.plan.simd_groups import KINDS
 from adagen.plan.steps import Force, Kinematics
 from adagen.plan.types import Process
@@ -263,7 +263,7 @@ class JoinedFloor:
             return 0, 0
         others = (j for j in range(len(robot.joints)) if j not in members)
         handles = {link for j in others for link in (robot.joints[j].parent, j + 1)} - {0}
-        segment = laid_out(robot.joints, min(members), members, handles)
+        segment = segment_of(robot.joints, min(members), members, handles)
         reads = on_the_way(robot.joints, members)
         forces = {link: Force(0, link) for link in handles}
         steps = (*map(Kinematics, reads), *segment.inwards()[0], *segment.outwards(forces))

@@ -1,6 +1,6 @@
 """In which order a process's values are computed, in which function, and where they are kept.
 
-Between two messages a process's values form one stretch: a straight line, cut into functions of
+Between two messages a process's values form one stretch: a straight line, divided into functions of
 limited length. What a message needs comes before it is sent; everything else waits until then.
 """
 
@@ -95,8 +95,8 @@ def arranged(
             done += 1
         now = _needed(machine, pending, stage)
         pending = [k for k in pending if k not in now]
-        cuts = in_functions(machine.graph, process, now, longest, pace)
-        stretches[place] = Stretch(last_work, tuple(map(Chunk, cuts)))
+        functions = in_functions(machine.graph, process, now, longest, pace)
+        stretches[place] = Stretch(last_work, tuple(map(Chunk, functions)))
         last_work = None
     chunks = [chunk for stretch in stretches.values() for chunk in stretch.chunks]
     computed = (index for chunk in chunks for index in chunk.values)

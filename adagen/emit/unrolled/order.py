@@ -2,7 +2,7 @@
 
 By step, where many states are solved at once: a value is used soon, and registers and the
 first-level cache hold what is alive; what a link takes of the reference field is computed as soon
-as the link has it. Functions are cut in that order, too. For a single state a function's values are
+as the link has it. Functions are parted so, too. For a single state a function's values are
 then ordered by what still follows, so that nothing on the longest chain of values that wait for
 each other is begun late. A processor looks some hundred statements ahead, so that what belongs to
 one step may still stand together as long as it is near.
@@ -61,11 +61,11 @@ def in_functions(
             whatever waits for what.
     """
     order = by_step(graph, process, values)
-    # Functions are cut by step: what one computes long before it is used goes through memory.
-    cuts = [order[k : k + longest] for k in range(0, len(order), longest)]
-    if pace is None or (len(cuts) > 1 and not _waiting_counts(graph, values, pace)):
-        return cuts
-    return [by_waits(graph, cut, pace) for cut in cuts]
+    # Functions are parted by step: what one computes long before it is used goes through memory.
+    functions = [order[k : k + longest] for k in range(0, len(order), longest)]
+    if pace is None or (len(functions) > 1 and not _waiting_counts(graph, values, pace)):
+        return functions
+    return [by_waits(graph, function, pace) for function in functions]
 
 
 def _waiting_counts(graph: Graph, values: Set[int], pace: Pace) -> bool:
