@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import astuple
 
-from adagen.model.kinds import KINDS
-from adagen.schedule.costs import CHANNEL_KEYS, CHANNELS, NETWORK, OTHERS, PER_KIND
+from adagen.schedule.costs import CHANNEL_KEYS, CHANNELS, GROUPS, NETWORK
 from adagen.schedule.profile import CostProfile
 
 
@@ -36,8 +35,7 @@ def _lines(profile: CostProfile, remark: str, digits: int) -> Iterator[str]:
     if profile.steps is None:
         return
     yield "\n# What the steps of a plan take, microseconds (docs/reference/cost_profiles.md)."
-    groups = {**{group: (*KINDS, *more) for group, more in PER_KIND.items()}, **OTHERS}
-    for group, keys in groups.items():
+    for group, keys in GROUPS.items():
         yield f"[steps.{group}]"
         yield from (f"{key} = {value(profile.steps[f'{group}.{key}'])}" for key in keys)
         yield ""

@@ -13,13 +13,14 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from adagen.exact import Exact, exact, identity, rotated_inertia, rounded
 from adagen.plan import Plan
-from adagen.plan.robot import PlanJoint, PlanLink, PlanLoop, PlanParameter
+from adagen.plan.robot import PlanJoint, PlanLink, PlanLoop, PlanOutput, PlanParameter, PlanWrench
 from adagen.plan.simd_groups import Limbs
 
 Array = NDArray[np.float64]
@@ -175,33 +176,30 @@ def _turned(plan: Plan, turns: Mapping[int, Exact]) -> Plan:
             _link(link, links[k]) if k in links else link for k, link in enumerate(plan.links)
         ),
         joints=tuple(_joint(joint, j, links) for j, joint in enumerate(plan.joints)),
-        wrenches=tuple(
-            replace(
-                wrench,
-                rotation=_rows(links[wrench.link].T.dot(exact(wrench.rotation))),
-                translation=_vector(links[wrench.link].T.dot(exact(wrench.translation))),
-            )
-            if wrench.link in links
-            else wrench
-            for wrench in plan.wrenches
-        ),
+        wrenches=tuple(_placed(wrench, links) for wrench in plan.wrenches),
         loops=tuple(_loop(loop, links) for loop in plan.loops),
-        outputs=tuple(
-            replace(
-                output,
-                rotation=_rows(links[output.link].T.dot(exact(output.rotation))),
-                translation=_vector(links[output.link].T.dot(exact(output.translation))),
-            )
-            if output.link in links
-            else output
-            for output in plan.outputs
-        ),
+        outputs=tuple(_placed(output, links) for output in plan.outputs),
         parameters=tuple(
             replace(parameter, turn=_rows(links[parameter.link].T.dot(exact(_turn_of(parameter)))))
             if parameter.link in links and parameter.what == "center"
             else parameter
             for parameter in plan.parameters
         ),
+    )
+
+
+_Placed = TypeVar("_Placed", PlanWrench, PlanOutput)
+
+
+def _placed(item: _Placed, links: Mapping[int, Exact]) -> _Placed:
+    """What has a frame on a link."""
+    if item.link not in links:
+        return item
+    turn = links[item.link].T
+    return replace(
+        item,
+        rotation=_rows(turn.dot(exact(item.rotation))),
+        translation=_vector(turn.dot(exact(item.translation))),
     )
 
 

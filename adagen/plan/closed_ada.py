@@ -12,11 +12,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from adagen.model.fuse import Run
-from adagen.model.loops import LOOP_KINDS
 from adagen.plan.closures import Closure
 from adagen.plan.clusters import ClusterPlanner
 from adagen.plan.edges import on_the_way
-from adagen.plan.robot import PlanCoupling, PlanJoint, PlanLoop
+from adagen.plan.robot import PlanCoupling, PlanJoint, PlanLoop, first_rows
 from adagen.plan.steps import (
     Articulate,
     CloseCoupling,
@@ -59,9 +58,7 @@ class ClosedAdaPlanner(ClusterPlanner):
         self.closures, self.loops, self.couplings = closures, loops, couplings
         rows = sorted(row for closure in closures for row in closure.rows)
         self._number = {row: number for number, row in enumerate(rows)}
-        self._firsts = [0]
-        for loop in loops:
-            self._firsts.append(self._firsts[-1] + LOOP_KINDS[loop.kind].rows)
+        self._firsts = first_rows(loops)
 
     def tied_rows(self) -> tuple[int, ...]:
         """Return the constraints that others follow from, by number."""

@@ -6,10 +6,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from adagen.model.kinds import KINDS
-from adagen.model.loops import LOOP_KINDS
 from adagen.plan.closures import Choice, Closure
 from adagen.plan.edges import is_free_base
-from adagen.plan.robot import PlanCoupling, PlanJoint, PlanLoop
+from adagen.plan.robot import PlanCoupling, PlanJoint, PlanLoop, first_rows
 from adagen.plan.steps import (
     Accelerate,
     AccelerateHeld,
@@ -71,11 +70,7 @@ class ClosedWay:
         self.closures = [closure for closure, _ in closures]
         self._own = [_Unknowns.of(*each, joints) for each in closures]
         self._of_joint = {j: k for k, one in enumerate(self.closures) for j in one.path}
-        self._firsts = [0]
-        for loop in loops:
-            self._firsts.append(self._firsts[-1] + LOOP_KINDS[loop.kind].rows)
-        for _ in couplings:
-            self._firsts.append(self._firsts[-1] + 1)
+        self._firsts = first_rows(loops, couplings)
 
     def closure_of(self, j: int) -> int | None:
         """Return the number of the closure that a joint is on the path of, if any."""

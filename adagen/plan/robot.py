@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import accumulate
 
 from adagen.model import OUTPUT_SIZES
+from adagen.model.loops import LOOP_KINDS
 
 OPTIONAL = {"optional": True}
 """Marks fields that a plan's JSON leaves out where they have their default."""
@@ -214,3 +216,9 @@ def bound_by_loops(
     links = {link for loop in loops for link in (loop.link1, loop.link2)}
     coupled = {j for coupling in couplings for j, _ in coupling.terms}
     return frozenset(ways(joints, {link - 1 for link in links} | coupled))
+
+
+def first_rows(loops: Sequence[PlanLoop], couplings: Sequence[PlanCoupling] = ()) -> list[int]:
+    """Return the first row of each loop, then of each coupling, and the number of all rows."""
+    counts = [LOOP_KINDS[loop.kind].rows for loop in loops] + [1] * len(couplings)
+    return [0, *accumulate(counts)]

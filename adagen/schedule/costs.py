@@ -76,14 +76,13 @@ OTHERS: dict[str, tuple[str, ...]] = {
 ``fetched`` is added for each statement beyond those that the first instruction cache holds.
 """
 
-NAMES: tuple[str, ...] = tuple(
-    f"{group}.{key}"
-    for group, keys in {
-        **{group: (*KINDS, *extra) for group, extra in PER_KIND.items()},
-        **OTHERS,
-    }.items()
-    for key in keys
-)
+GROUPS: dict[str, tuple[str, ...]] = {
+    **{group: (*KINDS, *extra) for group, extra in PER_KIND.items()},
+    **OTHERS,
+}
+"""The coefficients of each group."""
+
+NAMES: tuple[str, ...] = tuple(f"{group}.{key}" for group, keys in GROUPS.items() for key in keys)
 """All coefficients of a step profile, as group.key."""
 
 CHANNELS = ("window", "message")
@@ -211,10 +210,9 @@ def read_steps(source: Source, document: Mapping[str, object]) -> StepCosts | No
             if key in document:
                 raise source.error(f"{key} without the tables [steps.*]", key)
         return None
-    groups = {**{group: (*KINDS, *more) for group, more in PER_KIND.items()}, **OTHERS}
     found: dict[str, float] = {}
-    steps = _table(source, document, "steps", groups)
-    for group, keys in groups.items():
+    steps = _table(source, document, "steps", GROUPS)
+    for group, keys in GROUPS.items():
         row = _table(source, steps, group, keys, "steps")
         found |= {f"{group}.{key}": _time(source, row, key, "steps", group) for key in keys}
     channels = _table(source, document, "channel", (*CHANNELS, NETWORK))

@@ -30,8 +30,7 @@ def rows_of(words: Words, join: FusedJoin) -> list[tuple[int, int, int]]:
 
 def assembly(words: Words, join: FusedJoin) -> list[str]:
     """Eq. (3)-(7) of the run: its motions, then as for any joint in its coordinates."""
-    others = ", ".join(words.quoted_joint(j) for j in join.run[:-1])
-    lines = [f"auto& i = {words.memory(join.joint)};  // one joint with {others}"]
+    lines = [named(words, join)]
     for j, first, count in rows_of(words, join):
         joint, memory = words.plan.joints[j], words.memory(j)
         slaved = [] if joint.mimic is None else [configuration(words, j)[1]]
@@ -47,22 +46,47 @@ def assembly(words: Words, join: FusedJoin) -> list[str]:
             f"  place<{first}>(tau, i.joined.tau);",
             "}",
         ]
-    lines.append(f"if (!fuse(i.run)) fail(w, kGimbalLock, {join.joint});")
-    lines.append(f"if (i.run.lock < kNearLock) w.near_lock = {join.joint + 1};")
-    phi_a = "kZero"
+    b_a = "w.ground" if join.a_bias is None else words.bias(join.a_bias)
+    return [*lines, *fused(join), *joined(words, join, b_a, keeps_sum=bool(words.refine))]
+
+
+def named(words: Words, join: FusedJoin) -> str:
+    """The line that names the run's memory."""
+    others = ", ".join(words.quoted_joint(j) for j in join.run[:-1])
+    return f"auto& i = {words.memory(join.joint)};  // one joint with {others}"
+
+
+def fused(join: FusedJoin) -> list[str]:
+    """The lines that find the coordinates of the run, and how near they are to gimbal lock."""
+    return [
+        f"if (!fuse(i.run)) fail(w, kGimbalLock, {join.joint});",
+        f"if (i.run.lock < kNearLock) w.near_lock = {join.joint + 1};",
+    ]
+
+
+def joined(words: Words, join: FusedJoin, b_a: str, *, keeps_sum: bool = False) -> list[str]:
+    """Eq. (3)-(7) in the coordinates of the run.
+
+    Args:
+        words: the plan's names.
+        join: the run.
+        b_a: the bias of chain A.
+        keeps_sum: whether Phi_A + Phi_B is kept, for other biases.
+    """
+    lines, phi_a = [], "kZero"
     if join.a is not None:
         lines.append(f"const Mat6 X_Phi_A = i.run.BX * {words.block(join.a)};")
         lines.append("const Mat6 Phi_A = X_Phi_A * i.run.BX.transpose();")
         phi_a = "Phi_A"
-    b_a = "w.ground" if join.a_bias is None else words.bias(join.a_bias)
     lines += [
         f"const Mat6 X_Phi_B = i.run.B * {words.block(join.b)};",
         "const Mat6 Phi_B = X_Phi_B * i.run.B.transpose();",
     ]
-    if words.refine:
+    if keeps_sum:
         n = freedoms(words, join)
         lines.append(f"i.P = ({phi_a} + Phi_B).topLeftCorner<{n}, {n}>();")
-    lines += [
+    return [
+        *lines,
         f"if (!join(i.joined, {phi_a}, Phi_B, i.run.BX * {b_a}, "
         f"i.run.B * {words.bias(join.b_bias)}, i.run.c))",
         f"  fail(w, kFactorization, {join.joint});",
@@ -70,7 +94,6 @@ def assembly(words: Words, join: FusedJoin) -> list[str]:
         *block_updates(words, join),
         *bias_updates(words, join),
     ]
-    return lines
 
 
 def couple(words: Words, coupling: Coupling) -> str:
@@ -124,9 +147,20 @@ def disassembly(words: Words, join: FusedJoin, end: Disassemble) -> list[str]:
             lines.append(f"{words.memory(j)}.qdd = {qdd};  // Eq. (9)")
         else:
             lines.append(f"{store(words, j, qdd)}  // Eq. (9)")
+    return lines + felt(words, end, "i.run.X.transposed_times(f)")
+
+
+def felt(words: Words, end: Disassemble, on_a: str) -> list[str]:
+    """The lines by which the ends of a run feel its force.
+
+    Args:
+        words: the plan's names.
+        end: of the run.
+        on_a: the opposite of the force on its first link.
+    """
+    lines = []
     for update in end.updates:
-        change = "i.run.X.transposed_times(f)" if update.side == "A" else "f"
-        sign = "-" if update.side == "A" else "+"
+        change = f"- {on_a}" if update.side == "A" else "+ f"
         acting = "Columns6::Zero()" if update.source is None else words.force(update.source)
-        lines.append(f"{words.force(update.target)} = {acting} {sign} {change};")
+        lines.append(f"{words.force(update.target)} = {acting} {change};")
     return lines

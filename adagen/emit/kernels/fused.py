@@ -5,16 +5,15 @@ They are in their links' own axes (adagen/kernels/fused.hpp), where S keeps all 
 
 from __future__ import annotations
 
-from adagen.emit.joints.fused import couple, released, rows_of
-from adagen.emit.joints.joins import bias_updates, block_updates, store
+from adagen.emit.joints.fused import felt, fused, joined, named, released, rows_of
+from adagen.emit.joints.joins import store
 from adagen.emit.words import Words
 from adagen.plan.steps import Disassemble, FusedJoin
 
 
 def assembly(words: Words, join: FusedJoin) -> list[str]:
     """Eq. (3)-(7) of the run in its coordinates."""
-    others = ", ".join(words.quoted_joint(j) for j in join.run[:-1])
-    lines = [f"auto& i = {words.memory(join.joint)};  // one joint with {others}"]
+    lines = [named(words, join)]
     for j, first, count in rows_of(words, join):
         lines += [
             "{",
@@ -24,29 +23,11 @@ def assembly(words: Words, join: FusedJoin) -> list[str]:
             f"  place<{first}>(tau, i.joined.tau);",
             "}",
         ]
-    lines += [
-        f"if (!fuse(i.run)) fail(w, kGimbalLock, {join.joint});",
-        f"if (i.run.lock < kNearLock) w.near_lock = {join.joint + 1};",
-    ]
-    near = parent(words, join)
-    phi_a, b_a = "kZero", "kGround"
-    if join.a is not None:
-        assert join.a_bias is not None
-        lines.append(f"i.run.BX = for_expressed(w, {near}, i.run.BX);")
-        lines.append(f"const Mat6 X_Phi_A = i.run.BX * {words.block(join.a)};")
-        lines.append("const Mat6 Phi_A = X_Phi_A * i.run.BX.transpose();")
-        phi_a, b_a = "Phi_A", words.bias(join.a_bias)
-    return [
-        *lines,
-        f"const Mat6 X_Phi_B = i.run.B * {words.block(join.b)};",
-        "const Mat6 Phi_B = X_Phi_B * i.run.B.transpose();",
-        f"if (!join(i.joined, {phi_a}, Phi_B, i.run.BX * {b_a}, "
-        f"i.run.B * {words.bias(join.b_bias)}, i.run.c))",
-        f"  fail(w, kFactorization, {join.joint});",
-        *(couple(words, coupling) for coupling in join.couplings),
-        *block_updates(words, join),
-        *bias_updates(words, join),
-    ]
+    lines += fused(join)
+    if join.a_bias is None:
+        return lines + joined(words, join, "kGround")
+    lines.append(f"i.run.BX = for_expressed(w, {parent(words, join)}, i.run.BX);")
+    return lines + joined(words, join, words.bias(join.a_bias))
 
 
 def disassembly(words: Words, join: FusedJoin, end: Disassemble) -> list[str]:
@@ -56,14 +37,8 @@ def disassembly(words: Words, join: FusedJoin, end: Disassemble) -> list[str]:
         lines.append(f"w.refinement.f[{join.joint}].col(w.refinement.side) = f;")
     for j, first, count in rows_of(words, join):
         lines.append(f"{store(words, j, f'part<{first}, {count}>(release.qdd())')}  // Eq. (9)")
-    near = parent(words, join)
-    for update in end.updates:
-        sign, change = "+", "f"
-        if update.side == "A":
-            sign, change = "-", f"to_expressed(w, {near}, i.run.X.transposed_times(f))"
-        acting = "Columns6::Zero()" if update.source is None else words.force(update.source)
-        lines.append(f"{words.force(update.target)} = {acting} {sign} {change};")
-    return lines
+    on_a = f"to_expressed(w, {parent(words, join)}, i.run.X.transposed_times(f))"
+    return lines + felt(words, end, on_a)
 
 
 def parent(words: Words, join: FusedJoin) -> int:
