@@ -73,6 +73,7 @@ def test_mpi_processes_bound_what_they_answer_together(
     assert bounds[1] == pytest.approx(bounds[0], rel=0.1)
 
 
+@pytest.mark.slow
 def test_processes_that_gather_beyond_the_ground_bound_what_they_answer(tmp_path: Path) -> None:
     """Two processes share a long chain by themselves; one bound is as good as the other."""
     robot = str(MODELS / "snake100.urdf")
