@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from adagen.executor.line import Line, Pair
+from adagen.leaders import Leaders
 
 
 def lanes_together(
@@ -40,16 +41,9 @@ def _together(line: Line, pairs: set[Pair]) -> dict[int, int]:
     """By wide value, one that stands for all that are computed of each other lane by lane."""
     nodes = line.nodes
     wide = {index for index, _ in pairs if nodes[index].width > 1}
-    leader = {index: index for index in wide}
-
-    def lead(k: int) -> int:
-        while leader[k] != k:
-            leader[k] = leader[leader[k]]
-            k = leader[k]
-        return k
-
+    leaders = Leaders[int]()
     for index in wide:
         for k in nodes[index].args:
             if k in wide:
-                leader[lead(k)] = lead(index)
-    return {index: lead(index) for index in wide}
+                leaders.join(k, index)
+    return {index: leaders.of(index) for index in wide}

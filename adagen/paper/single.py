@@ -16,6 +16,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from itertools import pairwise
 
+from adagen.leaders import Leaders
 from adagen.paper.merge import MOST_BRANCHES, Merge, TooManyBranches
 from adagen.schedule.chains import Chain, Chains
 
@@ -164,19 +165,12 @@ class SingleProcess:
     def _contract(self, steiner: list[int], degree: dict[int, int]) -> list[int]:
         """Return the positions of a Steiner tree in the best order of contraction."""
         parent = self.chains.parent
-        run = {v: v for v in degree if degree[v] == 2}
-
-        def find(link: int) -> int:
-            while run[link] != link:
-                run[link] = run[run[link]]
-                link = run[link]
-            return link
-
+        runs = Leaders[int]()  # of links between branches
         order, edges = [], []
         attached: dict[int, list[tuple[int, int]]] = {}
         for p in reversed(steiner):
             if degree[parent[p]] == degree[p + 1] == 2:
-                run[find(p + 1)] = find(parent[p])
+                runs.join(p + 1, parent[p])
                 order.append(p)
         for p in steiner:
             big = [v for v in (parent[p], p + 1) if degree[v] > 2]
@@ -184,7 +178,7 @@ class SingleProcess:
                 edges.append((big[0], big[1], p))
             elif big:
                 low = p + 1 if big[0] == parent[p] else parent[p]
-                attached.setdefault(find(low), []).append((big[0], p))
+                attached.setdefault(runs.of(low), []).append((big[0], p))
         for ends in attached.values():
             ends.sort(key=lambda end: degree[end[0]])
             order.append(ends[0][1])

@@ -13,6 +13,7 @@ from collections.abc import Iterable, Mapping, Sequence
 import numpy as np
 
 from adagen.errors import InputError
+from adagen.leaders import Leaders
 from adagen.model import Inertia, Model
 from adagen.model.fuse import Run, runs_of, settled
 from adagen.plan.constants import inverse_inertia
@@ -40,18 +41,13 @@ def clusters_of(model: Model, runs: Sequence[Run]) -> dict[int, int]:
     upright = settled(model, runs)
     run_of = {j: run for run in runs for j in run}
     inner = {j + 1 for run in runs for j in run[:-1]}
-    leader = list(range(len(model.links)))
+    leaders = Leaders[int]()
     inside: set[int] = set()
-
-    def find(link: int) -> int:
-        while leader[link] != link:
-            link = leader[link]
-        return link
 
     def merge(joint: int) -> None:
         run = run_of.get(joint, (joint,))
         inside.update(run)
-        leader[find(run[-1] + 1)] = find(upright.joints[run[0]].parent)
+        leaders.join(run[-1] + 1, upright.joints[run[0]].parent)
 
     for number, link in enumerate(upright.links[1:], start=1):
         places = [upright.joints[j].translation for j in upright.children[number]]
@@ -61,7 +57,7 @@ def clusters_of(model: Model, runs: Sequence[Run]) -> dict[int, int]:
         if not _resists(upright, number):
             for joint in upright.children[number]:
                 merge(joint)
-    return {j: find(run_of.get(j, (j,))[-1] + 1) for j in sorted(inside)}
+    return {j: leaders.of(run_of.get(j, (j,))[-1] + 1) for j in sorted(inside)}
 
 
 def is_regular(inertia: Inertia) -> bool:

@@ -133,14 +133,6 @@ def links_of_run(joints: Sequence[PlanJoint], run: Run) -> list[int]:
     return [joints[run.first].parent, *range(run.first + 1, run.last + 2)]
 
 
-def sweep_of(joints: Sequence[PlanJoint], run: Run, verb: str, process: int, *more: str) -> str:
-    """Return the call by which a process sweeps a run; ``more`` arguments follow the run's ends."""
-    prescribed = joints[run.first].prescribed
-    name = f"{verb}{'_prescribed' * prescribed}{'_reversed' * run.reversed}"
-    ends = (run.first,) if prescribed else (run.first, run.last)
-    return f"{name}<{', '.join(map(str, (process, *ends, *more)))}>(w);"
-
-
 def pays_columns(joints: Sequence[PlanJoint], run: Run, costs: StepCosts) -> bool:
     """Whether a run takes less by columns than number by number, the way there and back included.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from adagen.leaders import Leaders
 from adagen.schedule.pricing import NodePrice, segment_prices
 from adagen.schedule.profile import CostProfile
 from adagen.schedule.topology import Topology
@@ -47,20 +48,13 @@ class Draft:
         Returns:
             The joint assembled last, the root of the chain's part of the tree.
         """
-        leader: dict[int, int] = {}  # link -> a link of the same component, nearer to its leader
+        leaders = Leaders[int]()  # of links that are assembled
         top: dict[int, int] = {}  # leader -> joint that made the component
-
-        def find(link: int) -> int:
-            while (up := leader.get(link, link)) != link:
-                leader[link] = leader.get(up, up)
-                link = up
-            return link
-
         for joint in order:
-            above, below = find(topology.parents[joint]), find(joint + 1)
+            above, below = leaders.of(topology.parents[joint]), leaders.of(joint + 1)
             self.root_child[joint] = top.get(above, -1)
             self.end_child[joint] = top.get(below, -1)
-            leader[below] = above
+            leaders.join(below, above)
             top[above] = joint
         return order[-1]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from adagen.leaders import Leaders
 from adagen.schedule.sweeps import loads_of, makespan_of
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Node, Schedule, postorder, preorder
@@ -34,14 +35,7 @@ def validate(schedule: Schedule, topology: Topology) -> None:
 
 def _check_tree(root: Node, topology: Topology) -> None:
     """Assemble the robot in postorder, and see that each node joins what its sides have made."""
-    component = list(range(len(topology) + 1))
-
-    def find(link: int) -> int:
-        while component[link] != link:
-            component[link] = component[component[link]]
-            link = component[link]
-        return link
-
+    leaders = Leaders[int]()  # of links that are assembled
     seen = [False] * len(topology)
     degrees = list(topology.degrees)
     joints = [0] * (len(topology) + 1)
@@ -55,13 +49,13 @@ def _check_tree(root: Node, topology: Topology) -> None:
         for link, side, label in zip(
             ends, (node.root_side, node.end_side), ("root", "end"), strict=True
         ):
-            made = link if side is None else find(side.joint + 1)
-            if find(link) != made or (side is None and joints[made]):
+            made = link if side is None else leaders.of(side.joint + 1)
+            if leaders.of(link) != made or (side is None and joints[made]):
                 raise InvalidSchedule(
                     f"the {label} side of joint {_name(topology, j)} is not what it cuts off there"
                 )
-        first, second = find(ends[0]), find(ends[1])
-        component[second] = first
+        first, second = leaders.of(ends[0]), leaders.of(ends[1])
+        leaders.join(second, first)
         degrees[first] += degrees[second]
         joints[first] += joints[second] + 1
         if node.boundary != degrees[first] - 2 * joints[first]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from adagen.leaders import Leaders
 from adagen.urdf.description import Description, JointElement
 from adagen.urdf.notes import Notes, quoted
 
@@ -49,14 +50,14 @@ def make_tree(description: Description, notes: Notes) -> Tree:
     above: dict[str, JointElement] = {}
     below: dict[str, list[JointElement]] = {}
     closing = []
-    tops = _Tops()
+    tops = Leaders[str]()
     for joint in description.joints:
         _check_ends(joint, description, notes)
         if joint.child in above or tops.of(joint.parent) == joint.child:
             closing.append(joint)
             continue
         above[joint.child] = joint
-        tops.hang(joint.child, joint.parent)
+        tops.join(joint.child, joint.parent)
         below.setdefault(joint.parent, []).append(joint)
     root = _root(description, above, closing, notes)
     return Tree(
@@ -65,24 +66,6 @@ def make_tree(description: Description, notes: Notes) -> Tree:
         above,
         tuple(closing),
     )
-
-
-class _Tops:
-    """The link that each link hangs on in the end, while joints are added."""
-
-    def __init__(self) -> None:
-        self._above: dict[str, str] = {}
-
-    def of(self, link: str) -> str:
-        path = []
-        while link in self._above:
-            path.append(link)
-            link = self._above[link]
-        self._above.update((each, link) for each in path)  # shorter next time
-        return link
-
-    def hang(self, link: str, parent: str) -> None:
-        self._above[link] = parent
 
 
 def _check_ends(joint: JointElement, description: Description, notes: Notes) -> None:
