@@ -9,7 +9,8 @@ Along a serial chain motions are sent likewise. Each process finds how its own j
 last link, seen from the link that they hang on (a passage), and groups of processes put passages
 together, level by level: two groups at a time, or as many as the schedule's fan says, of which each
 sends its passage to all others that ask for it. So nobody passes joints of others on the way to its
-own.
+own. What a process asks only for the joints that it shares with others it takes when it has told
+them of its own part, and waits for them anyway.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ from adagen.plan.steps import (
     Append,
     Arrive,
     Force,
+    Join,
     Kinematics,
     LinkBias,
     Passage,
@@ -39,6 +41,9 @@ from adagen.plan.steps import (
 from adagen.plan.told import passable
 from adagen.plan.types import Message, Process
 from adagen.schedule import Node, Schedule, postorder
+
+_MEETING = (Receive, Join, LinkBias)
+"""Steps of a sweep from which on a process needs the motions of the joints that it only joins."""
 
 
 def why_not_exchange(joints: Sequence[PlanJoint], schedule: Schedule) -> str | None:
@@ -109,11 +114,14 @@ class ExchangePlanner(SegmentPlanner):
             )
             if passages is None:
                 reads = on_the_way(self.joints, (*own, *shares))
-                moving: list[Step] = [Kinematics(j) for j in reads]
+                every: list[Step] = [*map(Kinematics, reads), *steps]
             else:
                 reads = tuple(sorted((*own, *shares)))
-                moving = [*passages.steps[p], *(Kinematics(j) for j in reads)]
-            found.append(Process((*moving, *steps), reads, tuple(own), tuple(shares)))
+                asked, left = passages.asked_for(p)
+                told = next((k for k, s in enumerate(steps) if isinstance(s, _MEETING)), len(steps))
+                late = [*left, *map(Kinematics, shares)]
+                every = [*asked, *map(Kinematics, own), *steps[:told], *late, *steps[told:]]
+            found.append(Process(tuple(every), reads, tuple(own), tuple(shares)))
         return tuple(found)
 
     # --- mobilities and forces -------------------------------------------------------------------
@@ -230,6 +238,34 @@ class Passages:
         """Return the joints that each process gives the accelerations of."""
         idle = len(self.steps) - len(self.parts)
         return [list(part) for part in self.parts] + [[] for _ in range(idle)]
+
+    def asked_for(self, process: int) -> tuple[list[Step], list[Step]]:
+        """Return the steps of a process that it or others wait for, and those that nobody does.
+
+        Where its own joints start must be known before these are swept. How the links move at which
+        it joins others' parts is asked only when it has told what its own part shows, and then it
+        waits for them.
+        """
+        links, passages = {self.parts[process].start}, set[Passage]()
+        asked: list[Step] = []
+        left: list[Step] = []
+        for step in reversed(self.steps[process]):
+            now = True
+            match step:
+                case Send(number):
+                    passages.update(self.planner.messages[number].passages)
+                case Receive(number):
+                    now = not passages.isdisjoint(self.planner.messages[number].passages)
+                case Append(whole, near, far):
+                    now = whole in passages
+                    passages.update((near, far) if now else ())
+                case Arrive(passage, near_link):
+                    now = passage.link in links
+                    if now:
+                        passages.add(passage)
+                        links.add(near_link)
+            (asked if now else left).append(step)
+        return asked[::-1], left[::-1]
 
     def _passage(self, at_work: Sequence[int]) -> Passage:
         return Passage(self.parts[at_work[0]].start, self.parts[at_work[-1]].stop - 1)

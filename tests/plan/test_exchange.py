@@ -95,6 +95,26 @@ def test_several_groups_put_their_passages_together_at_once(processes: int, fan:
         assert told <= used
 
 
+@pytest.mark.parametrize("fan", [2, 8])
+def test_what_a_process_only_joins_is_asked_for_while_it_waits(fan: int) -> None:
+    model = serial_chain(24)
+    schedule = named_schedule("balanced", Topology.of(model), 8, profile=PROFILE)
+    plan = make_plan(model, replace(schedule, fan=fan), meeting="exchange")
+    for process in plan.processes:
+        told = next(
+            k
+            for k, step in enumerate(process.steps)
+            if isinstance(step, Send) and plan.messages[step.message].sweep == "assembly"
+        )
+        placed = {s.joint for s in process.steps[:told] if isinstance(s, Kinematics)}
+        assert placed == set(process.owns)
+        arrived = [s.passage.link for s in process.steps[:told] if isinstance(s, Arrive)]
+        assert process.owns[0] in arrived or process.owns[0] == 0
+    # At the ground nobody waits before its own part is swept, unless others ask it for more.
+    early = plan.processes[0].steps[: plan.processes[0].steps.index(Kinematics(0))]
+    assert any(isinstance(step, Receive) for step in early) == (fan == 2)
+
+
 def passage_turns(plan: Plan) -> int:
     """Return how many times a process sends passages again after it has waited, at the most."""
     return max(
