@@ -126,7 +126,7 @@ def test_shared_robots(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixtu
 @pytest.mark.parametrize(
     ("robot", "asked"),
     [
-        ("arm7", "--procs 2 --scalar float"),
+        slow("arm7", "--procs 2 --scalar float"),
         ("mobile", "--procs 2 --form ada --scalar float --schedule sequential"),
         ("double_pendulum", "--procs 2 --batch --scene effects"),
         slow("mobile", "--procs 3 --schedule balanced --shape joints --refine 1"),

@@ -99,7 +99,7 @@ def test_chains_swept_from_both_ends_are_solved(
     assert solver.error(model, states, tmp_path, "--check") < 5 * ROUNDING["double"]
 
 
-@pytest.mark.parametrize(("seed", "processes"), [(2, 1), slow(6, 1), slow(5, 2), (9, 2)])
+@pytest.mark.parametrize(("seed", "processes"), [(2, 1), slow(6, 1), slow(5, 2), slow(9, 2)])
 def test_runs_that_others_meet_on_the_way_are_solved(
     seed: int, processes: int, builder: Builder, tmp_path: Path
 ) -> None:

@@ -39,7 +39,7 @@ ROUNDED = 16.0  # units in the last place
 KINDS = (REVOLUTE, REVOLUTE, PRISMATIC, SPHERICAL)
 DRAWN = (
     *("joined by two", "joined by three", "joined by four"),
-    *("gathered by three", "gathered on the ground"),
+    *("gathered by two", "gathered by three", "gathered by four", "gathered on the ground"),
 )
 """Cases of ``CASES`` whose like are among the random robots of each run."""
 

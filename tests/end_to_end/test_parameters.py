@@ -228,7 +228,7 @@ def test_processes_go_by_what_process_0_has_set(batch: bool, builder: Builder) -
 @pytest.mark.parametrize(
     ("runtime", "processes"),
     [
-        ("gravity", 2),
+        slow("gravity", 2),
         ("", 1),
         *(pytest.param(*c, marks=pytest.mark.slow) for c in [("gravity", 1), ("", 2)]),
     ],

@@ -95,6 +95,7 @@ def test_cuts_move_away_from_light_links_as_the_objective_asks() -> None:
         assert error < 30 * digits.error
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("objective", ["time", slow("both")])
 @pytest.mark.parametrize(("before", "beyond"), [slow(1, 2), slow(2, 3), (3, 3)])
 def test_digits_lost_in_inverting_among_light_links_are_predicted(
