@@ -210,7 +210,7 @@ def test_mechanisms_with_true_answers(shared: Path, part: int) -> None:
                 assert told.get("answer", "qdd") != "refuse", (name, mode)
                 assert max(answers) <= told["tolerance"], (name, mode)
             count += 1
-    assert count >= 60 // PARTS
+    assert count >= 50 // PARTS
 
 
 def test_a_mimic_at_a_loop_is_a_coupling(tmp_path: Path) -> None:
