@@ -13,6 +13,7 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext, suppress
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from pathlib import Path
 
 from adagen.build.toolchain import Toolchain
@@ -229,7 +230,20 @@ def uses_mpi(source_text: str) -> bool:
 
 
 def _compiler_identity(compiler: tuple[str, ...], toolchain: Toolchain) -> str:
-    """Return what tells one compiler and MPI from another: its version and what it adds."""
+    """Return what tells one compiler and MPI from another: its version and what it adds.
+
+    It is asked once, unless its file changes, or the variables that choose another.
+    """
+    program = shutil.which(compiler[0])
+    written = None
+    with suppress(OSError):
+        written = Path(program).stat().st_mtime_ns if program else None
+    chosen = tuple(os.environ.get(name) for name in ("PATH", "OMPI_CXX", "MPICH_CXX"))
+    return _asked(compiler, replace(toolchain, flags=(), program_flags=()), (written, *chosen))
+
+
+@lru_cache(maxsize=16)
+def _asked(compiler: tuple[str, ...], toolchain: Toolchain, _as_of: tuple[object, ...]) -> str:
     version = _run([*compiler, "--version"], toolchain)
     if version.returncode != 0:
         output = printable(" ".join((version.stderr or version.stdout).split()))[:300]

@@ -73,6 +73,7 @@ def test_whatever_decides_on_the_executable_makes_another(fake: Toolchain, tmp_p
     seen.add(build_executable("hello", "rob", fake, folder))
     seen.add(build_executable("hello", "robot", replace(fake, flags=("-O2",)), folder))
     Path(f"{fake.mpicxx[0]}.version").write_text("2")
+    Path(fake.mpicxx[0]).touch()  # of another version, it is another file
     seen.add(build_executable("hello", "robot", fake, folder))
     (fake.eigen / "Eigen" / "Version").write_text("#define EIGEN_MAJOR_VERSION 5\n")
     seen.add(build_executable("hello", "robot", fake, folder))
