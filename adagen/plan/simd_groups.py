@@ -342,7 +342,7 @@ def _last_beyond(joints: Sequence[PlanJoint]) -> list[int]:
 
 
 def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
-    """Joints that may be computed side by side, with the stretches in which they are passed.
+    """Joints that may be computed side by side, with the rows of steps in which they are passed.
 
     They are the process's own, passed once, away from the sweep's root, and their links are bare.
     No mobility, no force at a handle and no rows of loops go through them: those go joint by
@@ -350,9 +350,9 @@ def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
     """
     parts = stages(process)
     sweeps = [
-        _stretch_of(process, parts, Kinematics),
-        _stretch_of(process, parts, Articulate),
-        _stretch_of(process, parts, Accelerate),
+        _row_of(process, parts, Kinematics),
+        _row_of(process, parts, Articulate),
+        _row_of(process, parts, Accelerate),
     ]
     turned = {s.joint for s in process.steps_of(Articulate, Accelerate) if s.reversed}
     apart = (Propagate, Deliver, HoldBack, CarryRows)  # closures go side by side as a whole
@@ -379,8 +379,8 @@ def fits_beside(joint: PlanJoint) -> bool:
 _Sweep = TypeVar("_Sweep", Kinematics, Articulate, Accelerate)
 
 
-def _stretch_of(process: Process, parts: Iterable[Stage], kind: type[_Sweep]) -> dict[int, int]:
-    """In which stretch of steps of a kind, as they follow each other in a stage, a joint is."""
+def _row_of(process: Process, parts: Iterable[Stage], kind: type[_Sweep]) -> dict[int, int]:
+    """In which row of steps of a kind, as they follow each other in a stage, a joint is."""
     found: dict[int, int] = {}
     for stage in parts:
         steps = process.steps[stage.first : stage.last]

@@ -1,6 +1,7 @@
 """Frames: where processes may gather, one after another, the simplest first.
 
-Trees are shared first, then their cores grow, stretch by stretch: each frame comes from one other.
+Trees are shared first, then their cores grow, from where limbs part to where they part next: each
+frame comes from one other.
 """
 
 from __future__ import annotations
@@ -44,15 +45,15 @@ class Frames:
                     yield self._frame((*cores, Core(number, link)))
 
     def _grown(self, cores: tuple[Core, ...]) -> Iterator[Frame]:
-        """Frames with one more stretch in a core, one that comes after those in it."""
+        """Frames with the joints up to where limbs part next in a core, after those in it."""
         last = max((core.joints[-1] for core in cores if core.joints), default=-1)
         for place, core in enumerate(cores):
             up = not self.robot.floats(core.tree, core.root)
             if len(self.robot.at[core.root]) + up < 3:
-                continue  # all that is not beyond the stretch would be of one process
+                continue  # all that is not beyond these would be of one process
             for link in (core.root, *(j + 1 for j in core.joints)):
                 for joint in self.robot.at[link]:
-                    if joint > last and (more := self.robot.stretch(joint)):
+                    if joint > last and (more := self.robot.unbranched(joint)):
                         grown = Core(core.tree, core.root, (*core.joints, *more))
                         yield self._frame((*cores[:place], grown, *cores[place + 1 :]))
 

@@ -163,7 +163,7 @@ class Robot:
             self._kind_of[joint] = self._kinds.setdefault(features, len(self._kinds))
         return self._kind_of[joint]
 
-    def stretch(self, joint: int) -> tuple[int, ...]:
+    def unbranched(self, joint: int) -> tuple[int, ...]:
         """Return the joints from one on up to where limbs part next; none if they never do.
 
         A core that has one of them has them all: processes meet where limbs part.
