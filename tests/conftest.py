@@ -7,12 +7,17 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 
 # Workers take all cores: threads of numpy's would wait for each other. Read when it is imported.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from adagen.build import cache_folder, find_toolchain
 from tests.emitted import Builder
+
+# Examples take as long as the machine is busy: a test that found nothing wrong is not to fail.
+settings.register_profile("without deadlines", deadline=None)
+settings.load_profile("without deadlines")
 
 ROOT = Path(__file__).resolve().parents[1]
 
