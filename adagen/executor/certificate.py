@@ -64,6 +64,10 @@ class Certificate(Allowance):
             root: whether all others are reached from that link.
         """
         fall = self.elsewhere.fall_at(j, root=root) if self.elsewhere else None
+        if root and self.elsewhere and self.elsewhere.shown and self.elsewhere.held == j + 1:
+            self.memory["unheld", j + 1] = self.memory["a", j + 1]
+            self.size(j, self.state.zeros(6, 6), fall)
+            return  # it is looked at as the way to the ground has it
         inertia = self._inertia(j + 1)
         self.size(j, inertia, fall if root else None)
         self._look_at(j + 1, inertia)
@@ -95,7 +99,7 @@ class Certificate(Allowance):
 
         Where several processes share the robot, each finds its share; process 0 finishes it.
         """
-        shares = [Heard(self, share) for share in step.hears]
+        shares = self._heard(step)
         self.uncertain_motions()
         self._sweep(step)
         energy = total([self.answer.total(), *(each.energy for each in shares)])
@@ -113,6 +117,15 @@ class Certificate(Allowance):
             parted += parting(self, self.elsewhere.apart(), limbs)
         error = seen_with(seen, parted) if parted else seen
         self.state.certificate = (error + rounded, energy)
+
+    def _heard(self, step: Certify) -> list[Heard]:
+        """What others have told."""
+        if self.elsewhere is None or not step.hears:
+            return [Heard(self, share) for share in step.hears]
+        found: list[Heard] = self.elsewhere.set_aside(
+            lambda: [Heard(self, share) for share in step.hears]
+        )
+        return found
 
     def _with_held(self, seen: Expression) -> Expression:
         """The square of a sum of lengths: what is seen beyond the held link, and up to it."""
@@ -164,6 +177,16 @@ class Certificate(Allowance):
                 factors, noise = factorize(self.memory["IA", root]), self.noise_at(root)
                 left = self.memory["left", root]
                 self._weigh(root - 1, factors, left, noise[[0, 1, 2, 3, 3, 3]])
+            if at.shown is not None:
+                self._weigh_shown(at.held, self.memory[at.shown])
+
+    def _weigh_shown(self, root: int, phi: Array) -> None:
+        """What is left for a root; what hangs on it makes its error less than by Phi alone."""
+        left, noise = self.memory["left", root], self.noise_at(root)
+        for x, moved in zip(left, matrix_times(phi, left), strict=True):
+            self.seen.add(root - 1, 1, x * moved)
+        for k in range(6):
+            self.rounded.add(root - 1, 1, phi[k, k] * noise[min(k, 3)])
 
     # -- the sweep --------------------------------------------------------------------------------
 

@@ -23,7 +23,7 @@ from adagen.executor.kinematics import Motion
 from adagen.executor.state import State
 from adagen.graph import Expression, total
 from adagen.plan.certificate import beyond_held
-from adagen.plan.steps import Articulate, HoldMobility, SolveRoot, Step
+from adagen.plan.steps import Articulate, LoadRoot, SolveMobility, SolveRoot, Step
 
 Array = NDArray[Any]
 
@@ -38,7 +38,8 @@ class Elsewhere:
         bases: joints by which robots float.
         roots: links that all inertias are swept to.
         reversed: joints whose parent link is the far one.
-        held: the link that the ground holds; 0 for none.
+        held: the link that the ground holds, or a root whose mobility is shown; 0 for none.
+        shown: the mobility of such a root.
         beyond: joints that are not between the ground and that link.
     """
 
@@ -50,7 +51,10 @@ class Elsewhere:
         self.roots = [step.link for step in steps if isinstance(step, SolveRoot)]
         swept = [step for step in steps if isinstance(step, Articulate)]
         self.reversed = {step.joint for step in swept if step.reversed}
-        self.held = next((step.link for step in steps if isinstance(step, HoldMobility)), 0)
+        self.held = next((step.link for step in steps if isinstance(step, LoadRoot)), 0)
+        shown = (step for step in steps if isinstance(step, SolveMobility))
+        self.shown = next((step.block for step in shown if step.link == self.held), None)
+        self._aside: tuple[Array, Array] | None = None
         every = range(len(state.plan.joints))
         self.beyond = beyond_held(state.plan, steps) if self.held else list(every)
 
@@ -102,11 +106,31 @@ class Elsewhere:
         """
         if not self.held:
             return
+        link = self.held
         load = self.memory["load", self.held][:, 0]
         noise = np.array([*(load[:3] * load[:3]), square(load[3:])], dtype=object)
-        left, own = self.memory["left", self.held], self.memory["noise", self.held]
-        self.memory["left", self.held] = load if of_rest else left - load
-        self.memory["noise", self.held] = noise if of_rest else own + noise
+        if not of_rest:
+            self.memory["left", link] = self.memory["left", link] - load
+            self.memory["noise", link] = self.memory["noise", link] + noise
+            return
+        self.memory["left", link], self.memory["noise", link] = load, noise
+        if self._aside is not None:
+            self.memory["left", link] = load + self._aside[0]
+            self.memory["noise", link] = noise + self._aside[1]
+
+    def set_aside(self, add: Callable[[], Any]) -> Any:
+        """Have something added to a root whose mobility is shown that is of the rest's."""
+        if self.shown is None:
+            return add()
+        names = ("left", self.held), ("noise", self.held)
+        own = [self.memory[name] for name in names]
+        for name, size in zip(names, (6, 4), strict=True):
+            self.memory[name] = self.state.zeros(size)
+        found = add()
+        self._aside = self.memory[names[0]], self.memory[names[1]]
+        for name, each in zip(names, own, strict=True):
+            self.memory[name] = each
+        return found
 
     def apart(self) -> Array:
         """Return by how much the held link accelerates otherwise than it was found to beyond it."""

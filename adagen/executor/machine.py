@@ -46,6 +46,7 @@ from adagen.plan.steps import (
     Refine,
     Send,
     SolveCoupling,
+    SolveMobility,
     SolveRoot,
     Step,
     Traverse,
@@ -146,7 +147,7 @@ class Machine(State):
         if not self.plan.certified or self.left is not None:
             return
         match step:
-            case SolveRoot():
+            case SolveRoot() | SolveMobility():
                 self.bounds.reach(step.link - 1, root=True)
             case Accelerate(reversed=True):
                 assert isinstance(self.bounds, Certificate)  # closed loops are one process's

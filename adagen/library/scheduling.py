@@ -58,9 +58,7 @@ def searched(model: Model, request: Request) -> Schedule:
     if request.schedule != "auto":
         return _named(model, request, profile.joins_only() if request.form == "ada" else profile)
     if request.certify and request.sharing > 1:
-        # Mobilities that float inverts are nearly singular in most poses, which have no bounds.
-        gathers = request.may_gather and request.scalar == "double"
-        plain = _best(model, request, profile).gathered if gathers else None
+        plain = _best(model, request, profile).gathered if request.may_gather else None
         elsewhere = () if plain is None else (plain,)
         asked = request.sharing, profile, request.scalar, request.shape
         return certified_schedule(model, *asked, elsewhere)

@@ -6,7 +6,7 @@ the links that they hang on, and finishes the certificate (adagen/executor/share
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from adagen.errors import UsageError
@@ -30,6 +30,7 @@ from adagen.plan.steps import (
     Receive,
     Send,
     Share,
+    SolveMobility,
     SolveRoot,
     StartEmpty,
     StartLink,
@@ -104,7 +105,7 @@ def why_not(plan: Plan) -> str | None:
 _GATHERED = (
     *(Kinematics, StartLink, StartEmpty, FreeBase, Articulate, SolveRoot),
     *(Accelerate, FreeAcceleration, Send, Receive),
-    *(Propagate, HoldMobility, Load, LoadRoot, Deliver),
+    *(Propagate, HoldMobility, SolveMobility, Load, LoadRoot, Deliver),
 )
 """Steps of processes that gather, and take the ground for a body where it is beyond the root."""
 
@@ -134,42 +135,54 @@ def why_not_shared(plan: Plan) -> str | None:
 def meets_elsewhere(plan: Plan) -> bool:
     """Return whether processes gather elsewhere than at the base or the ground."""
     turned = any(getattr(step, "reversed", False) for step in plan.steps)
-    return turned or any(plan.steps_of(HoldMobility))
+    return turned or any(plan.steps_of(HoldMobility, SolveMobility))
 
 
 def _why_not_held(plan: Plan) -> str | None:
     """Why a robot whose ground is beyond where processes gather is not certified."""
     if not meets_elsewhere(plan):
         return None
-    if any(any(process.steps_of(HoldMobility, FreeBase)) for process in plan.processes[1:]):
+    if any(any(process.steps_of(Propagate, FreeBase)) for process in plan.processes[1:]):
         return "another process than the first one is on the way to the ground"
     alone = sum(joint.parent == 0 for joint in plan.joints) == 1
-    if any(plan.steps_of(HoldMobility)) and not alone:
+    if any(plan.steps_of(Propagate)) and not alone:
         return "links that are held by the ground have others beside them"
     return None
 
 
 def _shared(plan: Plan) -> Plan:
     """The plan with a certificate to which each process adds its share."""
+    messages = list(plan.messages)
+    steps = _with_shares(plan, [process.steps for process in plan.processes], messages)
+    recovery = [process.recovery for process in plan.processes]
+    if any(recovery):
+        recovery = _with_shares(plan, recovery, messages)
+    processes = [
+        replace(process, steps=own, recovery=again)
+        for process, own, again in zip(plan.processes, steps, recovery, strict=True)
+    ]
+    return replace(plan, processes=tuple(processes), messages=tuple(messages))
+
+
+def _with_shares(
+    plan: Plan, steps: Sequence[tuple[Step, ...]], messages: list[Message]
+) -> list[tuple[Step, ...]]:
+    """Steps of each process, and what it does for the certificate; adds the messages of that."""
     met = {j for process in plan.processes for j in process.shares}
-    shares, messages = [], list(plan.messages)
-    processes = list(plan.processes)
-    hears: tuple[Step, ...] = ()
+    found, shares, hears = list(steps), list[Share](), list[Step]()
     for p, process in enumerate(plan.processes):
-        if p == 0 or not process.steps:
+        if p == 0 or not steps[p]:
             continue
         told = {link for m in plan.messages if m.source == p for link in m.inertias}
         share = Share(p, tuple(sorted(told)))
         own = tuple(j for j in process.owns if j not in met)
-        last = (Certify(own, tells=share), Send(len(messages)))
-        hears = (*hears, Receive(len(messages)))
-        processes[p] = replace(process, steps=(*process.steps, *last))
+        hears.append(Receive(len(messages)))
+        found[p] = (*steps[p], Certify(own, tells=share), Send(len(messages)))
         messages.append(Message(p, 0, CERTIFICATE, 0, weighed=share.links))
         shares.append(share)
-    chief = processes[0]
-    certify = Certify(tuple(chief.treated), hears=tuple(shares))
-    processes[0] = replace(chief, steps=(*chief.steps, *hears, certify))
-    return replace(plan, processes=tuple(processes), messages=tuple(messages))
+    certify = Certify(tuple(plan.processes[0].treated), hears=tuple(shares))
+    found[0] = (*steps[0], *hears, certify)
+    return found
 
 
 @dataclass(frozen=True)
@@ -218,10 +231,13 @@ def spread(plan: Plan, joints: Iterable[int], link: int) -> Spread:
 
 
 def beyond_held(plan: Plan, steps: Iterable[Step]) -> list[int]:
-    """Return the joints beyond what is swept from the ground to a link that is held, ascending."""
+    """Return the joints beyond what a process sweeps from the ground to a link, ascending.
+
+    That is a link that is held, or the root, whose mobility it tells others of.
+    """
     near: set[int] = set()
     for step in steps:
-        if isinstance(step, HoldMobility):
+        if isinstance(step, HoldMobility | Send):
             break
         if isinstance(step, Articulate):
             near.add(step.joint)

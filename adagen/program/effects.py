@@ -290,8 +290,8 @@ def _certify(plan: Plan, step: Certify | Refine) -> Effects:
 
 def _held(plan: Plan, step: Certify) -> list[int]:
     """Links that the ground holds for whoever finishes a certificate."""
-    held = plan.processes[0].steps_of(HoldMobility)
-    return [each.link for each in held] if step.hears else []
+    held = plan.processes[0].steps_of(HoldMobility, LoadRoot)
+    return sorted({each.link for each in held}) if step.hears else []
 
 
 def _correct(plan: Plan, step: Correct) -> Effects:

@@ -14,10 +14,8 @@ from adagen.plan.steps import (
     Append,
     ApplyCoupling,
     Arrive,
-    Certify,
     LoadRoot,
     Receive,
-    Refine,
     Send,
     SolveCoupling,
     StartLink,
@@ -83,15 +81,9 @@ class KernelLines:
         ]
 
     def _reaches(self) -> list[str]:
-        """What is known of accelerations before all others, where answers are weighed.
-
-        What recovers may not bound its answer.
-        """
+        """What is known of accelerations before all others, where answers are weighed."""
         if not self.words.plan.weighed:
             return []
-        weighs = any(isinstance(step, Certify | Refine) for step in self.process.steps)
-        if not weighs and self.p >= len(self.words.plan.processes):
-            return ["w.certificate = {};  // of an answer that was not found"]
         falls = [f"reach_fall<{j}>(w);" for j, joint in enumerate(self.joints) if is_base(joint)]
         return ["reach_ground(w);", *falls]
 
@@ -347,6 +339,11 @@ class KernelLines:
         reaches = [f"reach_root<{link}>(w);"] if self.words.plan.weighed else []
         return [f"solve_root<{self.p}, {link}>(w);", *reaches]
 
+    def _solve_mobility(self, operation: Operation) -> list[str]:
+        (step,) = operation.steps
+        reaches = [f"reach_root<{_link(step)}>(w);"] if self.words.plan.weighed else []
+        return [*mobility.lines_of(self.words, self.p, step), *reaches]
+
     def _certify(self, operation: Operation) -> list[str]:
         """Sweep inwards once more, block by block, for what the equations of motion leave over."""
         (step,) = operation.steps
@@ -371,7 +368,7 @@ class KernelLines:
         (step,) = operation.steps
         assert isinstance(step, LoadRoot)
         self.parts.add(step.link)
-        kept = [f"keep_held(w, {step.link});"] if step.held and self.words.plan.weighed else []
+        kept = [f"keep_held(w, {step.link});"] if self.words.plan.weighed else []
         return [*kept, *mobility.lines_of(self.words, self.p, step)]
 
     def _accelerate(self, operation: Operation) -> list[str]:

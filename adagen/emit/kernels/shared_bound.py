@@ -11,7 +11,7 @@ from adagen.emit.kernels.messages import exchanged
 from adagen.emit.processes import describe_message
 from adagen.emit.words import Words
 from adagen.plan.certificate import beyond_held, spread
-from adagen.plan.steps import Certify, HoldMobility
+from adagen.plan.steps import Certify, Step
 from adagen.plan.types import CERTIFICATE, Process
 from adagen.program import Operation
 
@@ -36,9 +36,9 @@ def told(words: Words, process: Process, operation: Operation) -> list[str]:
     return [*lines, f"  channel.send({number}, w.status);", "}"]
 
 
-def beyond(words: Words, p: int, step: HoldMobility) -> str:
+def beyond(words: Words, steps: Iterable[Step], link: int) -> str:
     """Return what all beyond a held link takes where it turns otherwise, and where it slides."""
-    return _spread(words, beyond_held(words.plan, words.plan.processes[p].steps), step.link)
+    return _spread(words, beyond_held(words.plan, steps), link)
 
 
 def _spread(words: Words, joints: Iterable[int], link: int) -> str:

@@ -111,7 +111,7 @@ def values(words: Words) -> dict[str, object]:
         "loop_settings": _loop_settings(words, turned, by_columns, along),
         "inertias": [_inertia(words, link) for link in plan.links[1:]],
         "roles": [writer.roles() for writer in writers],
-        "starts": [_starts(plan, process) for process in plan.processes] if plan.weighed else [],
+        "starts": [_starts(plan, writer.process) for writer in writers] if plan.weighed else [],
         "shares": sum(message.sweep == CERTIFICATE for message in plan.messages),
         "steps": lines[: len(plan.processes)],
         "recovery": lines[len(plan.processes) :],

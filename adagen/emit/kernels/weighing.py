@@ -7,7 +7,16 @@ from collections.abc import Iterable, Sequence
 from adagen.emit.kernels import shared_bound
 from adagen.emit.words import Words
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.steps import Articulate, Certify, FreeBase, HoldMobility, SolveRoot, Step
+from adagen.plan.steps import (
+    Articulate,
+    Certify,
+    FreeBase,
+    HoldMobility,
+    LoadRoot,
+    SolveMobility,
+    SolveRoot,
+    Step,
+)
 from adagen.program import Links, Operation
 from adagen.program.runs import Run
 from adagen.program.slots import Slots
@@ -59,6 +68,8 @@ class Weighing:
             "solve_root": self._root,
             "receive": self._received,
             "hold_mobility": self._held,
+            "clear_inertia": self._cleared,
+            "solve_mobility": self._shown,
         }
         share = step if isinstance(step, Certify) else Certify()
         lines = ["begin_weighing(w);", *["begin_shared_weighing(w);"] * bool(share.hears)]
@@ -76,7 +87,8 @@ class Weighing:
         steps = [step for op in operations for step in op.steps]
         swept = [step for step in steps if isinstance(step, Articulate)]
         self.forward = {step.joint + 1 for step in swept if not step.reversed}
-        self.held = {step.link for step in steps if isinstance(step, HoldMobility)}
+        self.held = {step.link for step in steps if isinstance(step, LoadRoot)}
+        self.steps = steps
 
     def _links(self, operation: Operation) -> list[str]:
         assert isinstance(operation.block, Links)
@@ -93,7 +105,23 @@ class Weighing:
     def _held(self, operation: Operation) -> list[str]:
         (step,) = operation.steps
         assert isinstance(step, HoldMobility)
-        return [f"weigh_held<{step.link}>(w, {shared_bound.beyond(self.words, self.p, step)});"]
+        beyond = shared_bound.beyond(self.words, self.steps, step.link)
+        return ["begin_rest(w);", f"weigh_held<{step.link}>(w, {beyond});"]
+
+    def _cleared(self, operation: Operation) -> list[str]:
+        """What hangs on a link whose mobility is shown comes behind what holds it."""
+        assert isinstance(operation.block, Links)
+        held = self.held.intersection(operation.block.numbers)
+        return ["begin_rest(w);"] if held else []
+
+    def _shown(self, operation: Operation) -> list[str]:
+        (step,) = operation.steps
+        assert isinstance(step, SolveMobility)
+        if step.link not in self.held:
+            return []
+        phi = self.words.block(step.block)
+        beyond = shared_bound.beyond(self.words, self.steps, step.link)
+        return [f"weigh_shown<{self.p}, {step.link}>(w, {phi}, {beyond});"]
 
     def _free_base(self, operation: Operation) -> list[str]:
         assert isinstance(operation.block, Run)

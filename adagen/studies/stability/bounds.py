@@ -102,14 +102,16 @@ def certified_plan(model: Model, scalar: str = "double", processes: int = 1) -> 
 
 
 def plan_elsewhere(model: Model, scalar: str = "double") -> Plan:
-    """Return the certified plan of two threads that gather as near a robot's middle as they can.
+    """Return the certified plan of two threads that gather three quarters through a robot.
+
+    Or as near to that as they can: beyond eight freedoms the ground becomes a body there.
 
     Raises:
         AdagenError: the robot has none.
     """
     alone = alone_schedule(model, 2, load_profile("default"))
     joints = make_plan(model, alone).joints
-    for root in sorted(range(1, len(joints) + 1), key=lambda link: abs(2 * link - len(joints))):
+    for root in sorted(range(1, len(joints) + 1), key=lambda link: abs(4 * link - 3 * len(joints))):
         beyond = set[int]()
         for j, joint in enumerate(joints):
             if joint.parent == root or joint.parent - 1 in beyond:

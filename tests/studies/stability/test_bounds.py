@@ -134,13 +134,14 @@ ELSEWHERE = [
 def test_bounds_of_processes_that_gather_elsewhere(
     k: int, ways: list[Certified], quick: Toolchain
 ) -> None:
-    """Arms that the ground holds beyond where processes gather; singular poses have no bound."""
+    """Arms that the ground holds beyond where processes gather; many in singular poses."""
     model = robots(k + 1, 1, [arms])[k]
     found = bounded(model, hard_states(model, 100, seed=8), ways, quick)
     assert set(found) == set(ways)
     for way, one in found.items():
-        assert one.errors.size >= (99 if way.scalar == "double" else 60)
-        assert way.scalar == "float" or np.isfinite(one.bounds).mean() > 0.5
+        if way.scalar == "double":
+            assert one.errors.size >= 90
+            assert np.isfinite(one.bounds).mean() > 0.95
     _hold(found)
 
 
@@ -157,15 +158,15 @@ def test_bounds_of_floating_robots_that_gather_beyond_their_base(quick: Toolchai
 
 
 @pytest.mark.parametrize("way", [slow(ELSEWHERE[0]), ELSEWHERE[2]], ids=["kernels", "unrolled"])
-def test_a_pose_in_which_the_ground_holds_no_link_has_no_bound(
+def test_a_pose_in_which_the_ground_holds_no_link_has_a_bound(
     way: Certified, quick: Toolchain
 ) -> None:
-    """A straight arm is solved in another way, which is not certified."""
+    """A straight arm is solved without an inverse of a mobility."""
     model, still = serial_chain(14), np.zeros((3, 14))
     states = States(still, still.copy(), np.ones((3, 14)))
     (one,) = bounded(model, states, [way], quick).values()
-    assert (one.errors < 1e-12).all()
-    assert np.isinf(one.bounds).all()
+    assert (one.bounds < 1e-10).all()
+    _hold({way: one})
 
 
 def test_no_bound_is_found_with_factors_of_no_digits(quick: Toolchain) -> None:
