@@ -246,7 +246,8 @@ class Passages:
         it joins others' parts is asked only when it has told what its own part shows, and then it
         waits for them.
         """
-        links, passages = {self.parts[process].start}, set[Passage]()
+        parts = self.parts[process : process + 1]  # none of a process without work
+        links, passages = {part.start for part in parts}, set[Passage]()
         asked: list[Step] = []
         left: list[Step] = []
         for step in reversed(self.steps[process]):

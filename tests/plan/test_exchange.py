@@ -115,6 +115,14 @@ def test_what_a_process_only_joins_is_asked_for_while_it_waits(fan: int) -> None
     assert any(isinstance(step, Receive) for step in early) == (fan == 2)
 
 
+def test_processes_without_work_stay_idle() -> None:
+    model = serial_chain(12)
+    schedule = named_schedule("balanced", Topology.of(model), 4, profile=PROFILE)
+    plan = make_plan(model, replace(schedule, processes=6), meeting="exchange")
+    assert [bool(process.steps) for process in plan.processes] == [True] * 4 + [False] * 2
+    assert error(model, plan) < 1e-11
+
+
 def passage_turns(plan: Plan) -> int:
     """Return how many times a process sends passages again after it has waited, at the most."""
     return max(
