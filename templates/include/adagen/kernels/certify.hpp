@@ -232,7 +232,7 @@ ADAGEN_INLINE void weigh_planar(Workspace& w, const Joints<Value>& joints, Left<
   const Value* const tau = w.tau + joints.any().v;
   const Matrix<Value> R = matrix_at(w.at(joints.slot, kAxes));
   const Vector<Value> x{R.x.x, R.y.x, R.z.x}, y{R.x.y, R.y.y, R.z.y}, z{R.x.z, R.y.z, R.z.z};
-  const Value sign = reversed ? -1 : 1;
+  const Real sign = reversed ? -1 : 1;
   weigh_part<true>(x, sign * tau[0], memory.e, X, found);
   weigh_part<true>(y, sign * tau[1], memory.e + 8, X, found);
   weigh_part<false>(z, sign * tau[2], memory.e + 16, X, found);
