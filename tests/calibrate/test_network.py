@@ -23,6 +23,7 @@ from tests.network import network, why_no_hosts
 WHY_NOT = why_no_hosts()
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(bool(WHY_NOT), reason=WHY_NOT)
 def test_the_network_is_measured_and_added_to_a_profile(tmp_path: Path) -> None:
     toolchain, delay = find_toolchain(), 100

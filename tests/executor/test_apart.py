@@ -151,6 +151,7 @@ def test_a_robot_is_not_divided() -> None:
         make_plan(model, divided)
 
 
+@pytest.mark.slow
 def test_two_processes_have_a_robot_each(builder: Builder, tmp_path: Path) -> None:
     model = carrying("point", arms=4, beside=False)
     plan, states = plan_of(model, 2), states_of(model, 5)

@@ -273,6 +273,7 @@ def test_loops_are_drawn_and_close_again(browser: Any, tmp_path: Path) -> None:
     tab.close()
 
 
+@pytest.mark.slow
 def test_it_is_printed_on_a4(browser: Any, report: tuple[Path, Model]) -> None:
     tab, said = opened(browser, report[0], color_scheme="dark")
     paper = tab.pdf(prefer_css_page_size=True)

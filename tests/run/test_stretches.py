@@ -131,6 +131,7 @@ def check_told(time: dict[str, Any], plan: Plan) -> None:
     assert time["through_root"]["median_ns"] < 1e6  # stretches of computing, no waiting
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("channel", ["window", "message"])
 def test_refined_answers_on_four_processes(builder: Builder, channel: str, tmp_path: Path) -> None:
     """Messages are used more than once in an evaluation; afterwards the channel is as it was."""

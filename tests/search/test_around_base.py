@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import pytest
 
 from adagen.emit.predicted import predict
 from adagen.model import LINK_ACCELERATION, Frame, Output
@@ -62,6 +63,7 @@ def test_what_cannot_be_certified_by_several_is_done_by_one() -> None:
     assert [bool(process.owns) for process in plan.processes] == [True, False]
 
 
+@pytest.mark.slow
 def test_certified_processes_gather_elsewhere_where_that_pays() -> None:
     model = serial_chain(100)
     plain = best_schedule(model, 2, DEFAULT)
