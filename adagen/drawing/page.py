@@ -52,6 +52,7 @@ class Outline:
         def centre(row: int) -> tuple[float, float]:
             return x + 7 + self.rows[row][0].indent * INDENT, y + row * ROW
 
+        notes = x + self.notes
         for i, (row, _, _) in enumerate(self.rows):
             if row.above >= 0:
                 (px, py), (cx, cy) = centre(row.above), centre(i)
@@ -63,7 +64,7 @@ class Outline:
             canvas.circle(cx, cy, 7, fill)
             canvas.text(cx, cy + 3, str(process), 8.5, fill=ink, anchor="middle")
             canvas.text(cx + 12, cy + 4, name, SIZE)
-            canvas.text(x + self.notes, cy + 4, note, 9, fill=MUTED)
+            canvas.text(notes, cy + 4, note, 9, fill=MUTED)
 
 
 def robot_outline(topology: Topology, owner: Mapping[int, int], colours: str) -> Outline:
