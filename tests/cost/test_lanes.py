@@ -42,7 +42,7 @@ def cheap(**changes: float) -> CostProfile:
     return step_profile((), **changes)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(st.integers(2, 24), st.floats(0.0, 1.0), st.integers(0, 2**32 - 1))
 def test_no_grouping_that_is_offered_takes_less(joints: int, branching: float, seed: int) -> None:
     model = random_tree(np.random.default_rng(seed), joints, branching=branching)

@@ -59,7 +59,7 @@ WAYS = [("ada", "join"), *(("segment", meeting) for meeting in MEETINGS)]
 
 
 @pytest.mark.parametrize(("form", "meeting"), WAYS)
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.integers(1, 10), st.integers(1, 6), st.integers(0, 3), st.integers(0, 2**32 - 1))
 def test_every_message_is_read_before_its_place_is_written_again(
     form: str, meeting: str, joints: int, processes: int, mimics: int, seed: int

@@ -25,7 +25,7 @@ PROFILE = load_profile("default")
 
 
 @pytest.mark.parametrize("form", FORMS)
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=12)
 @given(
     st.integers(1, 6),
     st.integers(1, 3),

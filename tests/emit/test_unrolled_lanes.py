@@ -30,7 +30,7 @@ CLANG = pytest.param(
 )
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(
     st.integers(2, 5),
     KINDS,
@@ -65,7 +65,7 @@ def test_limbs_in_lanes_move_as_single_ones(
     np.testing.assert_allclose(found / size, expected / size, atol=1e-12)
 
 
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=12)
 @given(st.integers(2, 4), st.integers(1, 3), st.integers(0, 2**32 - 1))
 def test_each_process_has_limbs_of_its_own(count: int, processes: int, seed: int) -> None:
     rng = np.random.default_rng(seed)

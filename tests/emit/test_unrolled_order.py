@@ -33,7 +33,7 @@ def most_alive(graph: Graph, order: Sequence[int]) -> int:
     return int((np.arange(1, len(order) + 1) - np.cumsum(ends)).max())
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(seed=st.integers(0, 10**6), processes=st.integers(1, 3), batch=st.booleans())
 def test_everything_is_computed_once_and_after_what_it_uses(
     seed: int, processes: int, batch: bool

@@ -50,7 +50,7 @@ def test_many_states_at_once_are_each_by_itself_to_the_bit() -> None:
     np.testing.assert_array_equal(together.T, [interpret(plan, *row) for row in rows])
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(st.integers(1, 4), st.sampled_from(["ada", "segment"]), st.integers(0, 2**32 - 1))
 def test_what_is_computed_at_once_differs_by_rounding(p: int, form: str, seed: int) -> None:
     model = affected(seed)

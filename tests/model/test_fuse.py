@@ -74,7 +74,7 @@ def test_points_on_an_axis_rest_in_a_neighbour(
         assert settled(loaded, runs_of(loaded)).links[1].inertia.mass == 0.0
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(st.integers(0, 2**32 - 1))
 def test_settled_points_change_nothing(seed: int) -> None:
     rng = np.random.default_rng(seed)

@@ -43,7 +43,7 @@ def chains_of(space: Space) -> list[Chain]:
     return [chain for chain in found if space.size(chain)]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(
     topologies(9) | pairs_of_hubs(),
     profiles(),

@@ -42,7 +42,7 @@ def ticks(value: Fraction) -> float:
     return float(value)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(topologies(6), profiles(), st.sampled_from([1, 2, 4, 8]))
 def test_every_strategy_against_all_schedule_trees(
     topology: Topology, profile: CostProfile, p: int
@@ -68,7 +68,7 @@ def test_every_strategy_against_all_schedule_trees(
         assert s.verdict == "gap" or s.makespan == ticks(best)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(topologies(9), profiles(), st.integers(1, 8), st.sampled_from(["always", "free", "any"]))
 def test_exact_against_subset_program(
     topology: Topology, profile: CostProfile, p: int, split: Split
@@ -85,7 +85,7 @@ def test_exact_against_subset_program(
         assert (s.verdict, s.makespan) == ("optimal", ticks(best))
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(topologies(9), profiles(), st.integers(2, 8), st.integers(0, 3))
 def test_a_spent_budget_is_told_and_the_bound_holds(
     topology: Topology, profile: CostProfile, p: int, expansions: int

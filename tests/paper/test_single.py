@@ -41,7 +41,7 @@ def all_chains(chains: Chains) -> list[Chain]:
     return sorted(found)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(topologies(8), profiles())
 def test_closed_form_and_order_of_every_partial_chain(
     topology: Topology, profile: CostProfile

@@ -48,7 +48,7 @@ def worst(model: Model, plan: Plan, states: int = 2) -> float:
     return error
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(st.integers(1, 9), st.integers(1, 5), st.integers(0, 2**32 - 1))
 def test_any_schedule_of_any_tree_is_right(joints: int, processes: int, seed: int) -> None:
     rng = np.random.default_rng(seed)
@@ -58,7 +58,7 @@ def test_any_schedule_of_any_tree_is_right(joints: int, processes: int, seed: in
         assert worst(model, make_plan(model, schedule, form=form)) < 1e-8
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(st.integers(4, 9), st.integers(1, 4), st.integers(0, 2**32 - 1))
 def test_slaved_joints_follow_their_sources(joints: int, processes: int, seed: int) -> None:
     rng = np.random.default_rng(seed)

@@ -39,7 +39,7 @@ from tests.schedules import random_schedule
 PROFILE = load_profile("default")
 
 
-@settings(max_examples=8, deadline=None)
+@settings(max_examples=8)
 @given(st.integers(1, 12), st.integers(1, 8), st.booleans(), st.integers(0, 2**32 - 1))
 def test_any_schedule_of_any_tree_can_exchange(
     joints: int, processes: int, floating: bool, seed: int

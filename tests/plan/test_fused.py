@@ -65,7 +65,7 @@ def any_schedule(model: Model, processes: int, form: str, rng: np.random.Generat
     return schedule
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(
     st.integers(3, 10), st.integers(1, 4), st.sampled_from(sorted(FORMS)), st.integers(0, 2**32 - 1)
 )
@@ -136,7 +136,7 @@ def test_gimbal_lock_names_the_joints() -> None:
     assert np.isfinite(interpret(plan, q, zero, zero)).all()
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 @given(st.integers(2, 6), st.floats(-3, 3), st.integers(0, 2**32 - 1))
 def test_coordinates_of_a_run(n: int, decades: float, seed: int) -> None:
     """B S = [1; 0], and how near gimbal lock is does not depend on the unit of length."""

@@ -47,7 +47,7 @@ def error(model: Model, plan: Plan) -> float:
     return worst
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(st.integers(1, 12), st.integers(1, 5), st.booleans(), st.integers(0, 2**32 - 1))
 def test_any_schedule_of_any_tree_can_gather(
     joints: int, processes: int, floating: bool, seed: int
@@ -58,7 +58,7 @@ def test_any_schedule_of_any_tree_can_gather(
     assert error(model, plan) < 1e-8
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(st.integers(2, 12), st.integers(1, 5), st.integers(0, 2**32 - 1))
 def test_every_joint_is_given_by_one_process_and_computed_where_it_is_needed(
     joints: int, processes: int, seed: int

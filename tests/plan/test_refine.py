@@ -37,7 +37,7 @@ def errors(
     return rows
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(st.integers(2, 8), st.integers(1, 4), st.integers(0, 2**32 - 1))
 def test_a_correction_is_as_large_as_the_error(joints: int, processes: int, seed: int) -> None:
     model = random_tree(np.random.default_rng(seed), joints, mimics=seed % 2)

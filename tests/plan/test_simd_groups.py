@@ -85,7 +85,7 @@ def test_levels_of_a_binary_tree_are_passed_together() -> None:
     assert len(beside) > len(model.joints) / 2
 
 
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=80)
 @given(
     st.integers(2, 30),
     st.integers(1, 3),
@@ -128,7 +128,7 @@ def test_limbs_of_any_plan_can_be_passed_in_order(
             assert place.get(plan.joints[j].parent - 1, -1) < place[j]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.integers(2, 30), st.booleans(), st.floats(0.0, 1.0), st.integers(0, 2**32 - 1))
 def test_sweeps_of_one_process_pass_each_link_when_it_is_whole(
     joints: int, floating: bool, branching: float, seed: int

@@ -40,7 +40,7 @@ def state_of(model: Model, seed: int) -> tuple[Numeric, Numeric, Numeric]:
     return rng.normal(size=model.nq), rng.normal(size=model.nv), rng.normal(size=model.nv)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(model=trees, seed=st.integers(0, 1000))
 def test_double_agrees_and_both_recursions_agree_to_every_digit(model: Model, seed: int) -> None:
     """H of composite bodies is what Newton-Euler needs for unit accelerations: to 1e-60."""
@@ -59,7 +59,7 @@ def test_double_agrees_and_both_recursions_agree_to_every_digit(model: Model, se
         ctx.prec = before
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(model=trees, seed=st.integers(0, 1000))
 def test_energy_changes_by_the_work_of_the_torques(model: Model, seed: int) -> None:
     """d/dt (kinetic + potential) = v . tau; with steps of 1e-30 s nothing but digits is lost."""

@@ -51,7 +51,7 @@ def compare(model: Model, small: Model, locked: Sequence[int], seed: int = 1) ->
     assert error < 1e-12
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(st.integers(0, 10**6), st.integers(3, 12))
 def test_locked_joints_of_any_kind_are_those_held_at_rest(seed: int, n: int) -> None:
     rng = np.random.default_rng(seed)

@@ -38,7 +38,7 @@ def check(model: Model, rng: np.random.Generator, form: str, processes: int) -> 
 
 @pytest.mark.parametrize("what", spread(["d", "r", "p", "drp"], 4))
 @pytest.mark.parametrize("form", ["segment", "ada"])
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=6)
 @given(seed=st.integers(0, 10**6))
 def test_plans_agree_with_the_reference(what: str, form: str, seed: int) -> None:
     rng = np.random.default_rng(seed)
@@ -49,7 +49,7 @@ def test_plans_agree_with_the_reference(what: str, form: str, seed: int) -> None
 
 
 @pytest.mark.parametrize("form", ["segment", "ada"])
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=6)
 @given(seed=st.integers(0, 10**6))
 def test_slaved_joints_may_have_rotors_and_springs(form: str, seed: int) -> None:
     rng = np.random.default_rng(seed)

@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 SOURCE = Source("s.toml", "")
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(st.integers(0, 10**6), st.integers(2, 14))
 def test_what_is_left_out_has_no_influence(seed: int, n: int) -> None:
     """Wanted accelerations are the same to the bit whatever happens in the limbs left out.

@@ -122,7 +122,7 @@ def test_validate_finds_wrong_trees() -> None:
         validate(good, Topology.serial(5))
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(
     st.recursive(
         st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False) | st.text(),
@@ -135,7 +135,7 @@ def test_json_without_recursion_is_json(value: Any, indent: int | None) -> None:
     assert deepjson.loads(json.dumps(value, indent=indent)) == value
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 @given(st.text(alphabet='{}[],:"a1 ', max_size=10))
 def test_what_is_not_json_is_not_accepted(text: str) -> None:
     try:

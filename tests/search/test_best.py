@@ -53,7 +53,7 @@ def test_as_many_processes_as_pay_are_chosen() -> None:
     assert chosen(articulate__revolute=9.0) >= 3
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(st.integers(1, 9), st.integers(1, 3), st.booleans(), st.integers(0, 2**32 - 1))
 def test_what_is_chosen_can_be_emitted(
     joints: int, processes: int, floating: bool, seed: int

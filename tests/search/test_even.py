@@ -24,7 +24,7 @@ LOOPS = replace(
 """As the search prices loops: no joint's kinematics are a call of their own."""
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(st.integers(2, 40), st.integers(2, 8), st.booleans(), st.integers(0, 2**32 - 1))
 def test_there_are_no_more_segments_than_asked_for(
     joints: int, segments: int, floating: bool, seed: int

@@ -25,7 +25,7 @@ from tests.slow import slow
 DEFAULT = load_profile("default")
 
 
-@settings(max_examples=6, deadline=None)
+@settings(max_examples=6)
 @given(st.integers(2, 10), st.sampled_from([2, 3, 4]), st.booleans(), st.integers(0, 2**32 - 1))
 def test_nothing_that_is_joined_is_faster(
     joints: int, processes: int, floating: bool, seed: int

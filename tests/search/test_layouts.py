@@ -83,7 +83,7 @@ def compared(model: Model, processes: int, profile: CostProfile, seed: int, coun
     return seen
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(
     st.integers(2, 22),
     st.integers(2, 3),

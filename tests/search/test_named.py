@@ -32,7 +32,7 @@ def height(schedule: Schedule) -> int:
     return found[schedule.root.joint]
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(topologies(10), profiles())
 def test_sound_and_never_better_than_the_search(topology: Topology, profile: CostProfile) -> None:
     for processes in (1, 2, 3, 4):

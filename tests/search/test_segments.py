@@ -81,7 +81,7 @@ def brute(topology: Topology, profile: CostProfile, processes: int) -> float:
 COSTS = st.floats(0, 0.5).map(lambda x: round(x, 4))
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.data())
 def test_the_search_is_exact(data: st.DataObject) -> None:
     """Against every schedule tree, for random trees, costs, processes and speeds of cores."""

@@ -6,7 +6,7 @@ import math
 import string
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from adagen.urdf.numbers import LARGEST, number, numbers
@@ -36,7 +36,6 @@ def test_no_numbers(text: str) -> None:
         number(text)
 
 
-@settings(deadline=None)
 @given(st.text(alphabet=string.digits + "+-.eE_xnaif\u0660\uff11 ", max_size=12))
 def test_whatever_is_accepted_is_spelt_in_ascii_and_is_its_value(text: str) -> None:
     try:
@@ -49,13 +48,11 @@ def test_whatever_is_accepted_is_spelt_in_ascii_and_is_its_value(text: str) -> N
     assert value == float(text)
 
 
-@settings(deadline=None)
 @given(st.floats(min_value=-LARGEST, max_value=LARGEST, allow_subnormal=False))
 def test_every_double_comes_back(value: float) -> None:
     assert number(repr(value)) == value
 
 
-@settings(deadline=None)
 @given(st.lists(st.floats(-1e9, 1e9), min_size=3, max_size=3), st.sampled_from(" \t\n\r"))
 def test_three_numbers_between_white_space(values: list[float], space: str) -> None:
     text = space * 2 + space.join(map(repr, values)) + space

@@ -229,7 +229,7 @@ def spatial(inertia: Any) -> Any:
     return np.block([[inertia.tensor - m * c @ c, m * c], [-m * c, m * np.eye(3)]])
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(triple, triple, triple, triple, st.booleans())
 def test_a_fixed_child_adds_its_inertia(
     xyz: tuple[float, ...], rpy: tuple[float, ...], com: tuple[float, ...],
@@ -269,7 +269,7 @@ def test_a_long_run_of_fixed_joints_keeps_its_digits() -> None:
     assert body.com == pytest.approx([0, 0, 0.1], abs=1e-13)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(st.lists(st.integers(0, 10**6), min_size=1, max_size=12), st.randoms())
 def test_random_trees(draws: list[int], random: Any) -> None:
     """Any tree comes back whatever the order in the file, parents before children."""
@@ -289,7 +289,7 @@ def test_random_trees(draws: list[int], random: Any) -> None:
         assert siblings == sorted(siblings)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(st.binary(max_size=60), st.integers(0, 400))
 def test_damaged_files_are_refused_or_read(damage: bytes, where: int) -> None:
     data = pair().encode()

@@ -65,7 +65,7 @@ def test_every_build_of_pinocchio_gives_them_too(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(importlib.util.find_spec("casadi") is None, reason="casadi is not installed")
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(seed=st.integers(0, 10**6), joints=st.integers(1, 8), exact=st.booleans())
 def test_the_symbolic_recursion_is_right_on_random_trees(
     seed: int, joints: int, exact: bool
