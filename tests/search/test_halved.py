@@ -79,3 +79,13 @@ def test_short_chains_and_trees_are_left_to_layouts() -> None:
     alone = find_schedule(topology, 2, profile=PROFILE, cuttable=[False] * len(topology))
     assert not HalvedSchedules(topology, PROFILE, [True] * len(topology), alone).fits
     assert halved(200).fits and not halved(20).fits
+
+
+def test_a_prescribed_joint_is_passed_as_its_motion_cannot_be_told() -> None:
+    model = serial_chain(200)
+    given = replace(model.joints[30], prescribed=True)
+    model = replace(model, joints=(*model.joints[:30], given, *model.joints[31:]))
+    topology = Topology.of(model)
+    alone = find_schedule(topology, 2, profile=PROFILE, cuttable=[False] * 200)
+    assert not HalvedSchedules(topology, PROFILE, [True] * 200, alone).fits
+    assert make_plan(model, best_schedule(model, 2, PROFILE)).processes[0].steps
