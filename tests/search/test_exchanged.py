@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from adagen.cost import Timeline, timeline
 from adagen.emit.predicted import priced_program
+from adagen.model import Mimic
 from adagen.plan import Plan, make_plan
 from adagen.schedule import Schedule, Topology, load_profile, validate
 from adagen.schedule.tree import preorder
@@ -95,6 +98,15 @@ def test_parts_have_two_joints_and_trees_are_not_asked_to_exchange() -> None:
     assert numbers_of_processes(Topology.of(serial_chain(10)), 4) == [2]
     assert numbers_of_processes(Topology.of(serial_chain(4)), 4) == []
     assert numbers_of_processes(Topology.of(binary(6)), 4) == []
+
+
+def test_chains_with_a_slaved_joint_do_not_exchange_and_have_a_schedule() -> None:
+    model = serial_chain(200)
+    slaved = replace(model.joints[90], mimic=Mimic(20, 0.5, 0.1))
+    model = replace(model, joints=(*model.joints[:90], slaved, *model.joints[91:]))
+    found = best_schedule(model, 4, PROFILE)
+    assert "exchanged" not in found.families
+    assert list(make_plan(model, found).slaved) == [90]
 
 
 @pytest.mark.parametrize(("joints", "processes"), [(5, 2), (8, 2), (11, 4), (17, 4), (23, 8)])
