@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import cast, get_args
 
@@ -59,7 +60,8 @@ def searched(model: Model, request: Request) -> Schedule:
         return _named(model, request, profile.joins_only() if request.form == "ada" else profile)
     if request.certify and request.sharing > 1:
         plain = _best(model, request, profile).gathered if request.may_gather else None
-        elsewhere = () if plain is None else (plain,)
+        # Each process passes the joints that it hangs on: certificates look at their motions.
+        elsewhere = () if plain is None else (replace(plain, told=False),)
         asked = request.sharing, profile, request.scalar, request.shape
         return certified_schedule(model, *asked, elsewhere)
     return _best(model, request, profile)

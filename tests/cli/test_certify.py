@@ -8,10 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import adagen
 from adagen.cli import main
 from adagen.library.command import command_in
 from adagen.states import random_states, read_result, write_states
 from adagen.urdf import read_robot
+from tests.cli.robots import write_arm
 from tests.emitted import OPTIMISED, Builder, Solver, energy_errors
 from tests.golden.make_models import MODELS
 from tests.options import words_of
@@ -115,6 +117,17 @@ def test_scenes_that_want_more_or_less_are_certified_as_straight_lines(
     loops = words_of({**case, "--shape": "kernels"}, tmp_path)
     assert main([*loops, "--out", str(tmp_path / "loops")]) == 2
     assert "shape kernels cannot be emitted: " in capsys.readouterr().err
+
+
+def test_two_processes_share_a_long_arm_whose_plain_schedule_tells_motions(tmp_path: Path) -> None:
+    arm = adagen.read(write_arm(tmp_path / "arm.urdf", 420))
+    plain = adagen.compile(arm, procs=2).schedule.gathered
+    assert plain is not None and plain.told
+    certified = adagen.compile(arm, procs=2, certify=True)
+    assert certified.plan.several
+    alone = adagen.compile(arm, procs=1, certify=True)
+    assert certified.predicted is not None and alone.predicted is not None
+    assert certified.predicted < 0.8 * alone.predicted
 
 
 def test_one_process_is_chosen_where_none_is_asked_for(tmp_path: Path) -> None:
