@@ -149,7 +149,8 @@ class Families:
             cuttable: for each joint whether processes may meet there.
         """
         counts = numbers_of_processes(self.topology, self.processes)
-        slaved = any(joint.mimic is not None for joint in self.model.joints)  # needs all of them
+        # As adagen.plan.exchange.why_not_exchange has it.
+        slaved = any(joint.mimic is not None for joint in self.model.joints)
         if slaved or not (self.loops and self.seen.trivial and counts):
             return
         assert self.best is not None  # one process comes first
