@@ -223,26 +223,27 @@ HEAD = "# The search, measured\n"
 TITLES = {
     "joins": """## By joins
 
-Written by `python -m benchmarks.search joins` ({machine}; other work went on at the same time,
-which costs seconds and, where a budget strikes, some of the proof). Strategy `exact`, the paper's
-constants, tie-break `work`; times of schedules are the paper's microseconds. `split`: `always` as
+Written by `python -m benchmarks.search joins` ({machine}, with other work beside it, which affects
+the seconds and, where the budget was used up, the bound). Strategy `exact`, the paper's
+constants, tie-break `work`; makespans are in the paper's microseconds. `split`: `always` as
 in Section III-C; `free`: two descendants may share their range, one after the other;
-`any`: they may also divide it unevenly. A gap is proven against all schedules under the same
-rule, so that bounds under different rules do not compare; the schedules do. One row by hand:
+`any`: they may also divide it unevenly. A bound holds for all schedules under the same
+rule, so bounds under different rules cannot be compared; makespans can. One row by hand:
 `adagen schedule ROBOT --procs P --profile paper --form ada --split SPLIT`.
 
 | robot | joints | P | split | makespan | bound | verdict | expanded | seconds | of CPU | budget |
 |---|---|---|---|---|---|---|---|---|---|---|
 """,
-    "played": """## As it is played
+    "played": """## By predicted time
 
-Written by `python -m benchmarks.search played` ({machine}). Form `segment`, the shipped costs;
-times in microseconds, of the program that is emitted, in its shape: lanes, columns, segments,
-waiting and messages included. *Alone*: one process, in its best shape. *Bound*: what no loops of
-any family and none of the straight lines beats that were priced. *Family*: one process alone,
-processes that gather at a core, or processes that are joined. The search ends after a fixed budget,
-the same on every machine; other work went on at the same time, which costs seconds. One row by
-hand: `adagen schedule ROBOT --procs P`, with `--floating` where it says so.
+Written by `python -m benchmarks.search played` ({machine}, with other work beside it). Form
+`segment`, the shipped costs. Times are predicted times of the emitted program in microseconds.
+*Alone*: one process, in its best shape. *Bound*: a lower bound for all programs in shape `kernels`
+and for the `unrolled` programs that were priced
+([what the verdict means](../explanation/search.md#what-the-verdict-means)). *Family*: one process
+alone, processes that gather at a core, or processes that are joined. The search ends after a fixed
+budget, the same on every machine. One row by hand: `adagen schedule ROBOT --procs P`, with
+`--floating` where the table says so.
 
 {columns}
 """,
