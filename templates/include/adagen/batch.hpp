@@ -13,6 +13,7 @@
 #include "failures.hpp"
 #include "group.hpp"
 #include "kernels/lanes.hpp"
+#include "rows.hpp"
 #include "sample/channel.hpp"
 #include "sample/handout.hpp"
 #include "sample/parameters.hpp"

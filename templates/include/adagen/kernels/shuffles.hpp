@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstring>
 #include <utility>
 
 #include "../common.hpp"
@@ -28,15 +29,74 @@ ADAGEN_INLINE void exchange(V& x, V& y, std::index_sequence<column...>) {
   x = row;
 }
 
-// A square of as many rows as each has numbers becomes its transpose: blocks of one number, then of
-// two by two, and so on.
+// Squares of n rows, side by side, become their transposes: blocks of one number, then of two by
+// two, and so on.
 template <int distance = 1, class V, std::size_t n>
 ADAGEN_INLINE void transpose(V (&rows)[n]) {
   if constexpr (distance < static_cast<int>(n)) {
     ADAGEN_FOR (k, 0, static_cast<int>(n))
       if ((k & distance) == 0)
-        exchange<distance>(rows[k], rows[k + distance], std::make_index_sequence<n>{});
+        exchange<distance>(rows[k], rows[k + distance],
+                           std::make_index_sequence<sizeof(V) / sizeof(Real)>{});
     transpose<2 * distance>(rows);
+  }
+}
+
+// So many numbers side by side.
+template <int count>
+struct Several {
+  typedef Real T __attribute__((vector_size(count * sizeof(Real))));
+};
+
+// The numbers of x and then of y, and a part of such numbers. Compilers that cannot say so in one
+// instruction take the way through memory.
+template <int count, std::size_t... k>
+ADAGEN_INLINE typename Several<2 * count>::T joined(const typename Several<count>::T& x,
+                                                    const typename Several<count>::T& y,
+                                                    std::index_sequence<k...>) {
+#if defined(__clang__) || __GNUC__ >= 12
+  return __builtin_shufflevector(x, y, static_cast<int>(k)...);
+#else
+  const typename Several<count>::T halves[]{x, y};
+  typename Several<2 * count>::T both;
+  std::memcpy(&both, halves, sizeof both);
+  return both;
+#endif
+}
+template <int count, int first, class V, std::size_t... k>
+ADAGEN_INLINE typename Several<count>::T part_of(const V& x, std::index_sequence<k...>) {
+#if defined(__clang__) || __GNUC__ >= 12
+  return __builtin_shufflevector(x, x, static_cast<int>(first + k)...);
+#else
+  typename Several<count>::T part;
+  std::memcpy(&part, reinterpret_cast<const char*>(&x) + first * sizeof(Real), sizeof part);
+  return part;
+#endif
+}
+
+// A register of pieces that lie apart in memory by so many numbers, and back.
+template <int piece, int count>
+ADAGEN_INLINE typename Several<count>::T collected(const Real* from, std::size_t apart) {
+  if constexpr (count == piece) {
+    typename Several<count>::T x;
+    std::memcpy(&x, from, sizeof x);
+    return x;
+  } else {
+    constexpr int half = count / 2;
+    return joined<half>(collected<piece, half>(from, apart),
+                        collected<piece, half>(from + half / piece * apart, apart),
+                        std::make_index_sequence<count>{});
+  }
+}
+template <int piece, int count, class V>
+ADAGEN_INLINE void scatter(const V& x, Real* to, std::size_t apart) {
+  if constexpr (count == piece) {
+    std::memcpy(to, &x, sizeof x);
+  } else {
+    constexpr int half = count / 2;
+    constexpr auto numbers = std::make_index_sequence<half>{};
+    scatter<piece, half>(part_of<half, 0>(x, numbers), to, apart);
+    scatter<piece, half>(part_of<half, half>(x, numbers), to + half / piece * apart, apart);
   }
 }
 
