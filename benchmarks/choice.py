@@ -39,7 +39,7 @@ from adagen.errors import AdagenError, EnvironmentFault
 from adagen.executor import Grouping, groupings
 from adagen.plan import Plan, make_plan
 from adagen.program import lower
-from adagen.run import laid_anew, launch
+from adagen.run import fresh_copy, launch
 from adagen.schedule import CostProfile, load_profile, step_costs
 from adagen.search import best_schedule
 from adagen.studies.bench.machine import machine
@@ -219,7 +219,7 @@ def _timed(text: str, stem: str) -> str:
 
 def measured(way: Way, processes: int, toolchain: Toolchain) -> float:
     """Return the median time of a program in one run, microseconds."""
-    with laid_anew(Path(way.executable)) as copy:
+    with fresh_copy(Path(way.executable)) as copy:
         done = launch(copy, processes, ["20"], toolchain, 60.0)
     if done.status != 0:
         raise EnvironmentFault(f"{way.executable} cannot be timed: {done.stderr}")

@@ -27,7 +27,7 @@ from adagen.reference.closed import constraints
 from adagen.states import States
 from adagen.studies.chart.motion import Played, Player, drifts, state_error
 from adagen.studies.chart.variants import REFERENCE
-from adagen.studies.drawn import drawn_states
+from adagen.studies.random_states import drawn_states
 from benchmarks.closed_robots import MECHANISMS, on_springs
 from benchmarks.page import write_between_marks
 

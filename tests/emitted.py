@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from adagen.atomic_files import write_whole
 from adagen.build import Toolchain, build_executable
 from adagen.build.cache import uses_mpi
 from adagen.build.toolchain import STANDARD, WARNINGS, with_compiler
@@ -31,7 +32,6 @@ from adagen.run import Completed, launch
 from adagen.schedule import Topology, load_profile
 from adagen.search import find_schedule, named_schedule
 from adagen.states import States, read_result, write_states
-from adagen.wholefile import write_whole
 
 Array = NDArray[np.float64]
 QUICK = ("-O1", "-march=native", "-DNDEBUG", "-fno-math-errno")

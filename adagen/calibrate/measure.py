@@ -15,7 +15,7 @@ from adagen.emit.shapes import chosen_shape
 from adagen.errors import EnvironmentFault
 from adagen.executor import Grouping
 from adagen.plan import Plan
-from adagen.run import laid_anew, launch
+from adagen.run import fresh_copy, launch
 from adagen.schedule import CostProfile
 
 TIMEOUT = 120.0
@@ -141,7 +141,7 @@ def timed(
     Raises:
         EnvironmentFault: it failed, or the time is up.
     """
-    with laid_anew(executable) as copy:
+    with fresh_copy(executable) as copy:
         trace = copy.with_name("trace.json")
         words = ["--time", "--json", "--repeat", str(repeat), "--trace", str(trace), *arguments]
         done = launch(copy, processes, words, toolchain, TIMEOUT)

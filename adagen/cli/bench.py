@@ -143,9 +143,9 @@ def publish(record: Record, folder: Path) -> None:
     Raises:
         EnvironmentFault: writing failed.
     """
+    from adagen.atomic_files import write_files
     from adagen.studies.bench.record import write_record
     from adagen.studies.bench.report import markdown
-    from adagen.wholefile import write_files
 
     write_files(folder, {"bench.md": markdown(record)})
     write_record(record, folder / "bench.json")

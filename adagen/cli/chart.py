@@ -166,13 +166,13 @@ def _show(chart: Chart) -> None:
 
 def _answer(point: Point, model: Model, options: argparse.Namespace) -> None:
     """Say which variant keeps the budget, and emit it."""
+    from adagen.atomic_files import write_files
     from adagen.cli.pipeline import origin_of
     from adagen.drawing import draw
     from adagen.library.robot import source_hash
     from adagen.schedule import Topology, load_profile
     from adagen.studies.chart import Variant
     from adagen.urdf import model_stem
-    from adagen.wholefile import write_files
 
     assert point.time_ns is not None
     names = (field.name for field in dataclasses.fields(Variant))

@@ -11,8 +11,8 @@ from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
 
-from adagen.cli.pace import expected, learn, left
 from adagen.cli.tables import wrapped
+from adagen.cli.time_estimates import expected, learn, left
 from adagen.errors import printable
 
 if TYPE_CHECKING:

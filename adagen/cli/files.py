@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from adagen.atomic_files import write_whole
 from adagen.errors import EnvironmentFault, printable
-from adagen.wholefile import write_whole
 
 
 def write_file(path: Path, text: str) -> None:

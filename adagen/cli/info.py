@@ -46,12 +46,12 @@ def run(argv: Sequence[str]) -> int:
 
     model, reading = pipeline.read_whole(options, Stages(), options.gravity)
     if options.states is not None:
-        from adagen.library.described import states_to_fill_in
+        from adagen.library.robot_data import states_to_fill_in
         from adagen.states import states_text
 
         print(states_text(states_to_fill_in(model, options.states), model), end="")
         return 0
-    from adagen.library.described import robot_data
+    from adagen.library.robot_data import robot_data
 
     data = robot_data(model)
     if options.json:

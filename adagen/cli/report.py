@@ -61,9 +61,9 @@ def run(argv: Sequence[str]) -> int:
         parser.error("--run is for one state at a time: leave out --batch")
     options.name = None
 
+    from adagen.atomic_files import write_files
     from adagen.cli import pipeline
     from adagen.report import document, page
-    from adagen.wholefile import write_files
 
     stages = Stages()
     try:

@@ -206,9 +206,9 @@ def publish(scale: Scale, folder: Path) -> None:
     Raises:
         EnvironmentFault: writing failed.
     """
+    from adagen.atomic_files import write_files
     from adagen.studies.bench.scale_record import write_scale
     from adagen.studies.bench.scale_report import markdown
-    from adagen.wholefile import write_files
 
     write_files(folder, {"scale.md": markdown(scale)})
     write_scale(scale, folder / RECORD)

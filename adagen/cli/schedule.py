@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from adagen.cli.across import show_hosts
 from adagen.cli.console import Stages, long_note
+from adagen.cli.hosts import show_hosts
 from adagen.cli.options import AUTO, add_model, add_schedule, check_search
 from adagen.cli.parser import Parser, make_parser, parse
 from adagen.cli.predicted import accuracy_line, prediction, with_accuracy

@@ -158,8 +158,8 @@ def _emitted(options: argparse.Namespace, refuse: object) -> int:
     with speaking("stability") as tell:
         study.run(tell)
     if options.out is not None:
+        from adagen.atomic_files import write_whole
         from adagen.studies.stability.draw import draw_study
-        from adagen.wholefile import write_whole
 
         options.out.mkdir(parents=True, exist_ok=True)
         record = json.dumps([cell.listed() for cell in study.cells], indent=1) + "\n"
@@ -314,6 +314,6 @@ def _draw(options: argparse.Namespace, refuse: object) -> int:
 
 def _record(data: object, picture: Path) -> None:
     """Write the record behind a picture beside it."""
-    from adagen.wholefile import write_whole
+    from adagen.atomic_files import write_whole
 
     write_whole(picture.with_suffix(".json"), json.dumps(data, indent=1, allow_nan=False) + "\n")

@@ -8,10 +8,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from adagen.atomic_files import write_whole
 from adagen.cli.console import note, speaking
 from adagen.cli.parser import Parser, make_parser, parse
 from adagen.errors import InputError, UsageError, printable
-from adagen.wholefile import write_whole
 
 _EPILOG = """\
 The head of an emitted source holds the command that made it; robots, scenes,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from adagen.emit.words import Words
+from adagen.emit.symbols import Symbols
 from adagen.plan import Plan
 
 
@@ -22,7 +22,7 @@ def why_not(plan: Plan) -> str | None:
     return "baselines do not support slaved joints" if plan.slaved else None
 
 
-def values(_: Words) -> dict[str, object]:
+def values(_: Symbols) -> dict[str, object]:
     """Return the values of the templates of baselines: their runtime headers."""
     runtime = ["spatial.hpp", "failures.hpp", "joins.hpp"]
     return {"runtime": [*runtime, "inertia.hpp", "articulated.hpp"]}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from adagen.emit.includes import needs_eigen
 from adagen.emit.kernels.mobility import passes_free
-from adagen.emit.words import Words
+from adagen.emit.symbols import Symbols
 from adagen.errors import UsageError
 from adagen.plan import Plan
 from adagen.plan.operations import operations
@@ -37,11 +37,11 @@ def check_target(
         raise UsageError("an embedded solver does not refine; leave out --refine")
 
 
-def embedded_values(words: Words, values: dict[str, object]) -> dict[str, object]:
+def embedded_values(symbols: Symbols, values: dict[str, object]) -> dict[str, object]:
     """Return the templates' values for an embedded solver.
 
     Args:
-        words: the plan's names.
+        symbols: the C++ names of the plan's joints, links and buffers.
         values: the values of the shape's template.
 
     Raises:
@@ -49,10 +49,10 @@ def embedded_values(words: Words, values: dict[str, object]) -> dict[str, object
     """
     if needs_eigen(values):
         raise UsageError(
-            f"shape {words.program.shape} needs Eigen here, which an embedded solver cannot "
+            f"shape {symbols.program.shape} needs Eigen here, which an embedded solver cannot "
             "have: use --shape unrolled"
         )
-    return {"bytes": _bytes(words, values), "work": _work(words.plan, values)}
+    return {"bytes": _bytes(symbols, values), "work": _work(symbols.plan, values)}
 
 
 def _listed(value: object) -> list[object]:
@@ -65,12 +65,12 @@ def _number(value: object) -> int:
     return value
 
 
-def _bytes(words: Words, values: dict[str, object]) -> int:
+def _bytes(symbols: Symbols, values: dict[str, object]) -> int:
     """Bytes of a solver's memory, at most, wherever they begin."""
-    size = 4 if words.plan.scalar == "float" else 8
-    numbers = words.plan.nqdd + len(words.plan.parameter_values)
-    if words.program.shape == LOOPS:
-        whole = _in_loops(words, values, size)
+    size = 4 if symbols.plan.scalar == "float" else 8
+    numbers = symbols.plan.nqdd + len(symbols.plan.parameter_values)
+    if symbols.program.shape == LOOPS:
+        whole = _in_loops(symbols, values, size)
     else:
         numbers += 3 * _number(values["angle_count"]) + _number(values["wide_results"])
         numbers += _number(values["places"])
@@ -79,12 +79,12 @@ def _bytes(words: Words, values: dict[str, object]) -> int:
     return -(-(whole + numbers * size + pointers + TEXT + 2 * _LINE) // _LINE) * _LINE
 
 
-def _in_loops(words: Words, values: dict[str, object], size: int) -> int:
+def _in_loops(symbols: Symbols, values: dict[str, object], size: int) -> int:
     """Bytes of what loops keep of links and joints."""
-    plan, count = words.plan, len(words.plan.joints)
+    plan, count = symbols.plan, len(symbols.plan.joints)
     kinds = {joint.kind for joint in plan.joints}
     factors = 24 if "planar" in kinds else 18 if "spherical" in kinds else 8
-    per_block, slots = _LANES // size, words.program.slots.count
+    per_block, slots = _LANES // size, symbols.program.slots.count
     blocks = -(-slots // per_block)
     of_joint = (8 + factors) * size + _LINE  # what is kept from sweep to sweep
     whole = blocks * per_block * _BLOCK * size + count * of_joint

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Literal
 
-from adagen.emit.words import Words
+from adagen.emit.symbols import Symbols
 from adagen.plan.steps import GiveOutput
 from adagen.plan.types import Process
 from adagen.program.runs import spans
@@ -19,27 +19,27 @@ def ranges(entries: Iterable[int]) -> list[Range]:
     return [(first, last - first + 1) for first, last in spans(entries)]
 
 
-def entries_of(words: Words, vector: Literal["q", "v"], joints: Iterable[int]) -> list[int]:
+def entries_of(symbols: Symbols, vector: Literal["q", "v"], joints: Iterable[int]) -> list[int]:
     """Return the entries that joints have of q, or of v (and tau and qdd)."""
     found: list[int] = []
     for j in joints:
-        joint, kind = words.plan.joints[j], words.kind(j)
+        joint, kind = symbols.plan.joints[j], symbols.kind(j)
         first, count = (joint.q, kind.nq) if vector == "q" else (joint.v, kind.nv)
         found += range(first, first + count)
     return found
 
 
-def given_entries(words: Words, process: Process) -> list[int]:
+def given_entries(symbols: Symbols, process: Process) -> list[int]:
     """Return the entries of qdd that a process gives."""
-    plan = words.plan
-    found = entries_of(words, "v", (j for j in process.owns if plan.wants(j)))
+    plan = symbols.plan
+    found = entries_of(symbols, "v", (j for j in process.owns if plan.wants(j)))
     if any(process.steps_of(GiveOutput)):
         found += range(plan.nv, plan.entry_of_output(len(plan.outputs)))
     return found
 
 
-def read_joints(words: Words, process: Process) -> list[int]:
+def read_joints(symbols: Symbols, process: Process) -> list[int]:
     """Return the joints whose q and v a process reads: instead of a slaved one its source."""
-    joints = words.plan.joints
+    joints = symbols.plan.joints
     mimics = ((j, joints[j].mimic) for j in process.reads)
     return sorted({j if mimic is None else mimic[0] for j, mimic in mimics})

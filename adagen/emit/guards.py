@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from adagen.emit.entries import entries_of, given_entries, ranges, read_joints
-from adagen.emit.words import Words
+from adagen.emit.symbols import Symbols
 from adagen.plan.edges import is_base
 from adagen.plan.steps import Receive, Send
 from adagen.plan.types import Process
@@ -20,38 +20,38 @@ def talks(process: Process) -> bool:
     return any(process.steps_of(Send, Receive))
 
 
-def checks(words: Words, process: Process) -> list[str]:
+def checks(symbols: Symbols, process: Process) -> list[str]:
     """Return the lines of shape kernels that refuse a state before anything is done with it.
 
     Where a floating base is matters to nothing.
     """
     if talks(process):
-        return _state(words, process)
-    bases = [words.plan.joints[j].q for j in process.reads if is_base(words.plan.joints[j])]
+        return _state(symbols, process)
+    bases = [symbols.plan.joints[j].q for j in process.reads if is_base(symbols.plan.joints[j])]
     return _finite("w.q", [k for q in bases for k in range(q, q + 3)], "q", "kNotFinite")
 
 
-def results(words: Words, process: Process) -> list[str]:
+def results(symbols: Symbols, process: Process) -> list[str]:
     """Return the lines of shape kernels that give the accelerations, if all went well."""
-    entries = given_entries(words, process)
+    entries = given_entries(symbols, process)
     overflow = _finite("w.answer.data()", entries, "v", "kOverflow")
     gives = [f"give(w, {first}, {count});" for first, count in ranges(entries)]
     if talks(process) or not gives:
         return [*overflow, *gives]
     amiss = " || ".join(f"!went_well(w, {first}, {count})" for first, count in ranges(entries))
-    looked_at = ", ".join(map(_braced, (*_read(words, process), entries)))
+    looked_at = ", ".join(map(_braced, (*_read(symbols, process), entries)))
     return [f"if ({amiss}) find_fault(w, {looked_at});", *gives]
 
 
-def corrections(words: Words, process: Process) -> list[str]:
+def corrections(symbols: Symbols, process: Process) -> list[str]:
     """Return the lines of shape kernels that give a correction, if all went well."""
-    entries = entries_of(words, "v", process.owns)
+    entries = entries_of(symbols, "v", process.owns)
     overflow = _finite("w.answer.data()", entries, "v", "kOverflow")
     return [*overflow, *(f"give(w, {first}, {count});" for first, count in ranges(entries))]
 
 
-def _state(words: Words, process: Process) -> list[str]:
-    q, v, tau = _read(words, process)
+def _state(symbols: Symbols, process: Process) -> list[str]:
+    q, v, tau = _read(symbols, process)
     return [
         *_finite("w.q", q, "q", "kNotFinite"),
         *_finite("w.v", v, "v", "kNotFinite"),
@@ -59,11 +59,11 @@ def _state(words: Words, process: Process) -> list[str]:
     ]
 
 
-def _read(words: Words, process: Process) -> tuple[list[int], list[int], list[int]]:
+def _read(symbols: Symbols, process: Process) -> tuple[list[int], list[int], list[int]]:
     """Entries of q, v and tau that a process reads."""
-    read = read_joints(words, process)
-    tau = entries_of(words, "v", process.treated)
-    return entries_of(words, "q", read), entries_of(words, "v", read), tau
+    read = read_joints(symbols, process)
+    tau = entries_of(symbols, "v", process.treated)
+    return entries_of(symbols, "q", read), entries_of(symbols, "v", read), tau
 
 
 def _braced(entries: Iterable[int]) -> str:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from adagen.emit import effects
+from adagen.emit import forces
 from adagen.emit.names import identifiers, quoted
-from adagen.emit.words import Words
+from adagen.emit.symbols import Symbols
 from adagen.model.kinds import KINDS
 from adagen.model.loops import LOOP_KINDS
 from adagen.plan import Plan
@@ -12,14 +12,14 @@ from adagen.plan.robot import PlanLink
 from adagen.plan.steps import LinkBias, StartLink
 
 
-def model_values(words: Words) -> dict[str, object]:
+def model_values(symbols: Symbols) -> dict[str, object]:
     """Return what the template needs of the robot itself."""
-    plan = words.plan
+    plan = symbols.plan
     return {
         "gravity": ", ".join(repr(g) for g in plan.gravity),  # m/s^2
         "parameters": [repr(x) for x in plan.parameter_values],
         "gravity_entry": plan.entry_of_parameter("gravity"),
-        "settable_links": _settable_links(words),
+        "settable_links": _settable_links(symbols),
         "settable": sorted({parameter.what for parameter in plan.parameters}),
         "at_run_time": [
             f"{p.what} of {quoted(p.name)}" if p.link else p.what for p in plan.parameters
@@ -27,13 +27,13 @@ def model_values(words: Words) -> dict[str, object]:
         "nq": sum(KINDS[joint.kind].nq for joint in plan.joints),
         "nv": plan.nv,
         "ntau": plan.nv + 6 * len(plan.wrenches),
-        "loop_forces": _forces(words) if plan.loop_forces else [],
-        "links": _links(words),
-        "joints": _joints(words),
-        "outer_forces": _outer_forces(words),
+        "loop_forces": _forces(symbols) if plan.loop_forces else [],
+        "links": _links(symbols),
+        "joints": _joints(symbols),
+        "outer_forces": _outer_forces(symbols),
         "closed": plan.closed,
-        "loops": _loops(words),
-        "couplings": _couplings(words),
+        "loops": _loops(symbols),
+        "couplings": _couplings(symbols),
         "nqdd": plan.nqdd,
         "outputs": [_output(plan, k) for k in range(len(plan.outputs))],
         "wanted": [quoted(plan.joints[j].name) for j in plan.wanted],
@@ -42,21 +42,21 @@ def model_values(words: Words) -> dict[str, object]:
     }
 
 
-def _links(words: Words) -> list[dict[str, object]]:
-    plan = words.plan
+def _links(symbols: Symbols) -> list[dict[str, object]]:
+    plan = symbols.plan
     bare = {step.link for step in plan.steps_of(LinkBias)}
     started = {step.link for step in plan.steps_of(StartLink)}
-    number, numbers = words.printer.number, words.printer.numbers
+    number, numbers = symbols.printer.number, symbols.printer.numbers
     return [
         {
-            "bare_block": words.bare_block(k) if k in bare else "",
-            "inertia": words.inertia(k) if k in started else "",
+            "bare_block": symbols.bare_block(k) if k in bare else "",
+            "inertia": symbols.inertia(k) if k in started else "",
             "index": k,
             "quoted": quoted(link.name),
             "mass": number(link.mass),
             "com": numbers(link.com),
             "tensors": [numbers(tensor) for tensor in _tensors(link)],
-            "phi_upper": words.printer.numbers(
+            "phi_upper": symbols.printer.numbers(
                 x for i, row in enumerate(link.phi) for x in row[i:]
             ),
         }
@@ -72,17 +72,17 @@ def _tensors(link: PlanLink) -> list[list[float]]:
     return tensors
 
 
-def _settable_links(words: Words) -> list[dict[str, object]]:
+def _settable_links(symbols: Symbols) -> list[dict[str, object]]:
     """Links whose mass or centre of mass can be set at run time, the ground being 0."""
-    plan = words.plan
+    plan = symbols.plan
     rows = []
     for k in sorted({parameter.link for parameter in plan.parameters} - {0}):
         mass, center = (plan.entry_of_parameter(what, k) for what in ("mass", "center"))
         axes = next((p.rotation for p in plan.parameters if p.link == k and p.rotation), ())
         rows.append(
             {
-                "word": words.links[k],
-                "quoted": words.quoted_link(k),
+                "word": symbols.links[k],
+                "quoted": symbols.quoted_link(k),
                 "link": k,
                 "mass": -1 if mass is None else mass,
                 "center": -1 if center is None else center,
@@ -92,47 +92,47 @@ def _settable_links(words: Words) -> list[dict[str, object]]:
     return rows
 
 
-def _joints(words: Words) -> list[dict[str, object]]:
-    numbers = words.printer.numbers
+def _joints(symbols: Symbols) -> list[dict[str, object]]:
+    numbers = symbols.printer.numbers
     rows = []
-    for j, joint in enumerate(words.plan.joints):
+    for j, joint in enumerate(symbols.plan.joints):
         rows.append(
             {
-                "word": words.joints[j],
+                "word": symbols.joints[j],
                 "quoted": quoted(joint.name),
-                "Kind": words.type_of(j),
+                "Kind": symbols.type_of(j),
                 "parent": joint.parent,
                 "q": joint.q,
-                "nq": words.kind(j).nq,
+                "nq": symbols.kind(j).nq,
                 "v": joint.v,
-                "nv": words.kind(j).nv,
+                "nv": symbols.kind(j).nv,
                 "rotation": numbers(x for row in joint.rotation for x in row),
                 "translation": numbers(joint.translation),
-                "rest": _rest_of_joint(words, j),
+                "rest": _rest_of_joint(symbols, j),
             }
         )
     return rows
 
 
-def _rest_of_joint(words: Words, j: int) -> str:
+def _rest_of_joint(symbols: Symbols, j: int) -> str:
     """Return the last members of JointConstants, up to the last that is not as most joints have it.
 
     They are: the joint that it is slaved to, with multiplier and offset; its effects; whether its
     acceleration is wanted.
     """
-    source, multiplier, offset = words.plan.joints[j].mimic or (-1, 0.0, 0.0)
+    source, multiplier, offset = symbols.plan.joints[j].mimic or (-1, 0.0, 0.0)
     members = [
         (f", {source}, {multiplier!r}, {offset!r}", source >= 0),
-        (effects.constants(words, j) or ", {}", bool(effects.constants(words, j))),
-        (", false", not words.plan.wants(j)),
+        (forces.constants(symbols, j) or ", {}", bool(forces.constants(symbols, j))),
+        (", false", not symbols.plan.wants(j)),
     ]
     while members and not members[-1][1]:
         members.pop()
     return "".join(text for text, _ in members)
 
 
-def _outer_forces(words: Words) -> list[dict[str, object]]:
-    numbers = words.printer.numbers
+def _outer_forces(symbols: Symbols) -> list[dict[str, object]]:
+    numbers = symbols.printer.numbers
     return [
         {
             "quoted": quoted(wrench.name),
@@ -140,7 +140,7 @@ def _outer_forces(words: Words) -> list[dict[str, object]]:
             "rotation": numbers(x for row in wrench.rotation for x in row),
             "translation": numbers(wrench.translation),
         }
-        for wrench in words.plan.wrenches
+        for wrench in symbols.plan.wrenches
     ]
 
 
@@ -156,10 +156,10 @@ def _output(plan: Plan, k: int) -> dict[str, object]:
     }
 
 
-def _loops(words: Words) -> list[dict[str, object]]:
-    numbers = words.printer.numbers
+def _loops(symbols: Symbols) -> list[dict[str, object]]:
+    numbers = symbols.printer.numbers
     rows = []
-    for k, loop in enumerate(words.plan.loops):
+    for k, loop in enumerate(symbols.plan.loops):
         kind = LOOP_KINDS[loop.kind]
         rows.append(
             {
@@ -179,9 +179,9 @@ def _loops(words: Words) -> list[dict[str, object]]:
     return rows
 
 
-def _forces(words: Words) -> list[dict[str, object]]:
+def _forces(symbols: Symbols) -> list[dict[str, object]]:
     """Where forces of loops and couplings are in qdd."""
-    plan = words.plan
+    plan = symbols.plan
     found = [("loop", tie.name, plan.entry_of_loop(k), 6) for k, tie in enumerate(plan.loops)]
     found += [
         ("coupling", tie.name, plan.entry_of_coupling(k), 1) for k, tie in enumerate(plan.couplings)
@@ -193,15 +193,15 @@ def _forces(words: Words) -> list[dict[str, object]]:
     ]
 
 
-def _couplings(words: Words) -> list[dict[str, object]]:
+def _couplings(symbols: Symbols) -> list[dict[str, object]]:
     return [
         {
             "index": k,
             "quoted": quoted(coupling.name),
             "count": len(coupling.terms),
             "joints": ", ".join(str(j) for j, _ in coupling.terms),
-            "factors": words.printer.numbers(factor for _, factor in coupling.terms),
-            "offset": words.printer.number(coupling.offset),
+            "factors": symbols.printer.numbers(factor for _, factor in coupling.terms),
+            "offset": symbols.printer.number(coupling.offset),
         }
-        for k, coupling in enumerate(words.plan.couplings)
+        for k, coupling in enumerate(symbols.plan.couplings)
     ]

@@ -9,14 +9,14 @@ from collections.abc import Iterable
 LONGEST = 48
 _MARK = 8  # hexadecimal digits that tell shortened file names apart
 
-# Never used bare: every identifier gets a prefix (see words.py) that no macro of the C library or
+# Never used bare: every identifier gets a prefix (see symbols.py) that no macro of the C library or
 # MPI has, so that keywords and names of others cannot be met.
 
 
 def identifiers(names: Iterable[str]) -> tuple[str, ...]:
     """Return for each name a distinct word of [A-Za-z0-9_], at most ``LONGEST`` + a number long.
 
-    Words do not start or end with an underscore and hold no two in a row, so that a prefix makes
+    Symbols do not start or end with an underscore and hold no two in a row, so that a prefix makes
     them legal identifiers that are not reserved. Names that meet once cleaned get numbers.
     """
     return distinct(_word(name) for name in names)

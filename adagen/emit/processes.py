@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from adagen.emit import effects
+from adagen.emit import forces
 from adagen.emit.entries import Range, entries_of, given_entries, ranges, read_joints
 from adagen.emit.stages import stage_lines
-from adagen.emit.words import Words
+from adagen.emit.symbols import Symbols
 from adagen.executor import simulate
 from adagen.plan.stages import stages
 from adagen.plan.steps import LinkBias, StartLink
@@ -16,25 +16,25 @@ from adagen.plan.types import CERTIFICATE, ENERGIES, Message, Process
 _NAMED = 6  # joints that a summary names before it only counts
 
 
-def process_rows(words: Words) -> list[dict[str, object]]:
+def process_rows(symbols: Symbols) -> list[dict[str, object]]:
     """Return what the template says of each process."""
     return [
         {
             "index": p,
-            "summary": _summary(words, process),
+            "summary": _summary(symbols, process),
             "stages": stage_lines(process),
             "stage_count": len(stages(process)),
-            "ranges": [own for table in _tables(words, process) for own in table],
-            "info": _info(p, _tables(words, process), len(stages(process))),
+            "ranges": [own for table in _tables(symbols, process) for own in table],
+            "info": _info(p, _tables(symbols, process), len(stages(process))),
         }
-        for p, process in enumerate(words.plan.processes)
+        for p, process in enumerate(symbols.plan.processes)
     ]
 
 
-def _summary(words: Words, process: Process) -> str:
+def _summary(symbols: Symbols, process: Process) -> str:
     if not process.owns:
         return "has nothing to do"
-    names = [words.quoted_joint(j) for j in process.owns[:_NAMED]]
+    names = [symbols.quoted_joint(j) for j in process.owns[:_NAMED]]
     more = ", ..." if len(process.owns) > _NAMED else ""
     shared = len(process.shares)
     core = f"; {shared} more that every process computes for itself" if shared else ""
@@ -42,11 +42,11 @@ def _summary(words: Words, process: Process) -> str:
     path = f"; kinematics of {passing} more on the way to the ground" if passing else ""
     if process.spares:
         path = "; all of them in a singular pose"
-    own = f"{len(process.owns)} of {len(words.plan.joints)} joints: {', '.join(names)}{more}"
+    own = f"{len(process.owns)} of {len(symbols.plan.joints)} joints: {', '.join(names)}{more}"
     return f"{own}{core}{path}"
 
 
-def describe_message(words: Words, message: Message) -> str:
+def describe_message(symbols: Symbols, message: Message) -> str:
     """Return what a message is about, in a few words."""
     if message.sweep == ENERGIES:
         return "how large corrections are"
@@ -56,16 +56,16 @@ def describe_message(words: Words, message: Message) -> str:
         what = "accelerations" if message.sweep == "slaved" else "torques"
         return f"{what} of slaved joints"
     if message.inertias:
-        links = ", ".join(words.quoted_link(link) for link in message.inertias)
+        links = ", ".join(symbols.quoted_link(link) for link in message.inertias)
         return f"what hangs on {links}"
     if message.passages:
-        spans = (words.span(own.first, own.last) for own in message.passages)
+        spans = (symbols.span(own.first, own.last) for own in message.passages)
         return f"how {', '.join(spans)} move their last link"
     if message.sides:
-        bases = ", ".join(words.quoted_joint(side.joints[0]) for side in message.sides)
+        bases = ", ".join(symbols.quoted_joint(side.joints[0]) for side in message.sides)
         return f"what hangs on {bases} does to loops"
     what = "assembled" if message.sweep == "assembly" else "forces on"
-    return f"{what}: chain of {words.quoted_joint(message.joint)}"
+    return f"{what}: chain of {symbols.quoted_joint(message.joint)}"
 
 
 def in_a_row(place: str, calls: Sequence[str]) -> list[str]:
@@ -73,27 +73,27 @@ def in_a_row(place: str, calls: Sequence[str]) -> list[str]:
     return [f"  {place} = {call};" for call in calls[:-1]] + [f"  {call};" for call in calls[-1:]]
 
 
-def message_size(words: Words, message: Message) -> int:
+def message_size(symbols: Symbols, message: Message) -> int:
     """Return the numbers in a message, at least one."""
-    if words.plan.reproducible:
-        source = simulate(words.plan, words.program.slots.limbs)[message.source]
-        return max(1, len(source.machine.sent[words.plan.messages.index(message)]))
+    if symbols.plan.reproducible:
+        source = simulate(symbols.plan, symbols.program.slots.limbs)[message.source]
+        return max(1, len(source.machine.sent[symbols.plan.messages.index(message)]))
     whole = message.joint is None  # of slaved joints: all right-hand sides together
-    columns = words.plan.right_hand_sides if whole else words.columns
-    return message.numbers(columns, words.plan.joints)
+    columns = symbols.plan.right_hand_sides if whole else symbols.columns
+    return message.numbers(columns, symbols.plan.joints)
 
 
-def _tables(words: Words, process: Process) -> list[list[Range]]:
+def _tables(symbols: Symbols, process: Process) -> list[list[Range]]:
     """What a process reads of q and v (a slaved joint's from its source), its own entries, and tau.
 
     Each as ranges (first, count).
     """
-    read = read_joints(words, process)
-    q, v = entries_of(words, "q", read), entries_of(words, "v", read)
-    own = [*given_entries(words, process), *words.plan.force_entries(process)]
-    torques = entries_of(words, "v", (*process.owns, *process.shares, *process.spares))
+    read = read_joints(symbols, process)
+    q, v = entries_of(symbols, "q", read), entries_of(symbols, "v", read)
+    own = [*given_entries(symbols, process), *symbols.plan.force_entries(process)]
+    torques = entries_of(symbols, "v", (*process.owns, *process.shares, *process.spares))
     links = {step.link for step in process.steps_of(LinkBias, StartLink)}
-    torques += effects.pushed_entries(words, links)
+    torques += forces.pushed_entries(symbols, links)
     return [ranges(entries) for entries in (q, v, own, torques)]
 
 
@@ -111,7 +111,7 @@ def _info(p: int, tables: list[list[Range]], stage_count: int) -> str:
     return ", ".join(parts)
 
 
-def table_sizes(words: Words, process: Process) -> tuple[int, int]:
+def table_sizes(symbols: Symbols, process: Process) -> tuple[int, int]:
     """Return the numbers that process 0 sends it of the state, and that it sends back."""
-    q, v, own, torques = (sum(n for _, n in table) for table in _tables(words, process))
+    q, v, own, torques = (sum(n for _, n in table) for table in _tables(symbols, process))
     return q + v + torques, own

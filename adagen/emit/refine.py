@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from adagen.emit.words import Words
+from adagen.emit.symbols import Symbols
 from adagen.errors import UsageError
 from adagen.model.kinds import KINDS
 from adagen.plan.refine import exchanges, handed_on, joints_at, links_of_process, moving, paths_of
@@ -41,16 +41,16 @@ def checked_shape(refine: int, shape: str) -> str:
 
 
 def refinement_values(
-    words: Words, corrections: list[list[str]], again: list[list[str]]
+    symbols: Symbols, corrections: list[list[str]], again: list[list[str]]
 ) -> dict[str, object]:
     """Return the values of refine.cpp.j2.
 
     Args:
-        words: the plan's names.
+        symbols: the C++ names of the plan's joints, links and buffers.
         corrections: the lines of a correction, for each process.
         again: the same where the processes recover from a singular pose; nothing if they never do.
     """
-    plan = words.plan
+    plan = symbols.plan
     return {
         "corrections": corrections,
         "corrections_again": again,
@@ -95,11 +95,11 @@ def _sharing(plan: Plan) -> list[int]:
     return [p for p, process in enumerate(plan.processes) if p > 0 and process.owns]
 
 
-def refinement_messages(words: Words) -> list[dict[str, object]]:
+def refinement_messages(symbols: Symbols) -> list[dict[str, object]]:
     """Return the messages of the refinement, which come behind all others."""
-    if not words.refine:
+    if not symbols.refine:
         return []
-    plan = words.plan
+    plan = symbols.plan
     rows: list[dict[str, object]] = [
         {
             "source": exchange.source,

@@ -16,12 +16,12 @@ from functools import lru_cache
 
 from adagen.cost import programmed, timeline
 from adagen.emit import baselines, joints, kernels, unrolled
-from adagen.emit.words import Words
+from adagen.emit.symbols import Symbols
 from adagen.errors import UsageError
 from adagen.plan import Plan
 from adagen.plan.certificate import why_not as why_not_corrected
+from adagen.plan.own_axes import balls_lose
 from adagen.plan.refine import corrected, refinable, why_not_in_lines
-from adagen.plan.turned import balls_lose
 from adagen.schedule import CostProfile, with_steps
 
 
@@ -35,7 +35,7 @@ class Shape:
     """
 
     why_not: Callable[[Plan], str | None]
-    values: Callable[[Words], dict[str, object]]
+    values: Callable[[Symbols], dict[str, object]]
 
 
 SHAPES: dict[str, Shape] = {

@@ -19,8 +19,8 @@ from adagen.emit.refine import refinement_messages
 from adagen.emit.runtime import version_number
 from adagen.emit.settings import description, settings
 from adagen.emit.shapes import KNOWN
+from adagen.emit.symbols import Symbols
 from adagen.emit.templates import render
-from adagen.emit.words import Words
 from adagen.plan import Plan
 from adagen.program import Program
 from adagen.program.summary import TREES, meeting
@@ -72,10 +72,10 @@ class Solver:
         return self.processes > 1 and not self.plan.threads
 
     @cached_property
-    def words(self) -> Words:
+    def symbols(self) -> Symbols:
         """What joints, links and buffers are called."""
         in_wide_numbers = 0 if self.plan.corrections else self.refine
-        return Words(self.program, in_wide_numbers, self.chunk, step_costs(self.profile))
+        return Symbols(self.program, in_wide_numbers, self.chunk, step_costs(self.profile))
 
     @cached_property
     def costs(self) -> CostProfile:
@@ -88,15 +88,15 @@ class Solver:
         Raises:
             UsageError: an embedded solver would need Eigen.
         """
-        of_shape = KNOWN[self.program.shape].values(self.words)
+        of_shape = KNOWN[self.program.shape].values(self.symbols)
         values = {
             **self._of_processes(),
             **self._of_numbers(),
             **self._head(),
-            **model_values(self.words),
+            **model_values(self.symbols),
             **of_shape,
             "eigen": needs_eigen(of_shape),
-            **(embedded_values(self.words, of_shape) if self.embedded else {}),
+            **(embedded_values(self.symbols, of_shape) if self.embedded else {}),
         }
         header = render("interface.h.j2", **values)
         return header, render("solver.cpp.j2", **self._of_source(values), **values)
@@ -107,14 +107,14 @@ class Solver:
         return {
             "number": plan.scalar,
             "tolerance": TOLERANCE[plan.scalar],
-            "columns": self.words.columns,
+            "columns": self.symbols.columns,
             "slaved_count": len(plan.slaved),
             "batch": bool(self.batch),
             "reproducible": plan.reproducible,
             "certified": plan.certified,
             "refine": self.refine,
             "own_residual": plan.corrections > 0,
-            "wide_residual": self.words.refine > 0,
+            "wide_residual": self.symbols.refine > 0,
             "weighed": plan.weighed,
             "embedded": self.embedded,
             "failures": FAILURES,
@@ -130,18 +130,18 @@ class Solver:
             "mpi": self.mpi,
             "threads": plan.threads,
             "alone": alone,
-            "processes": process_rows(self.words) * (self.batch or 1),
+            "processes": process_rows(self.symbols) * (self.batch or 1),
             "idle": idle,
             "run_list": ", ".join(
                 "refined"
-                if self.words.refine
+                if self.symbols.refine
                 else "kNothing"
                 if p in idle
                 else f"run_{0 if self.batch else p}"
                 for p in range(count)
             ),
             "messages": plan.messages,
-            "channel_messages": [] if alone else _channel_messages(self.words),
+            "channel_messages": [] if alone else _channel_messages(self.symbols),
             "hops": _hops(step_costs(self.costs)) if count > 1 else "",
             "program_file": PROGRAM_FILE,
             "program_options": options_of(self.mpi, plan.scalar),
@@ -154,7 +154,7 @@ class Solver:
         plain = not any(values[name] for name in ("certified", "parameters", "batch", "embedded"))
         kind = "threads" if plan.threads else "mpi" if self.mpi else "alone"
         plainly = plain and not (
-            more or plan.reproducible or (kind == "alone" and self.words.refine)
+            more or plan.reproducible or (kind == "alone" and self.symbols.refine)
         )
         return {
             **umbrellas(values),
@@ -233,20 +233,20 @@ def _hops(costs: StepCosts) -> str:
     return f"{{{', '.join(rows)}}}"
 
 
-def _channel_messages(words: Words) -> list[dict[str, object]]:
+def _channel_messages(symbols: Symbols) -> list[dict[str, object]]:
     """The plan's messages, and behind them state and result of each process but the first."""
     rows: list[dict[str, object]] = [
         {
             "source": message.source,
             "target": message.target,
-            "size": message_size(words, message),
-            "comment": describe_message(words, message),
+            "size": message_size(symbols, message),
+            "comment": describe_message(symbols, message),
         }
-        for message in words.plan.messages
+        for message in symbols.plan.messages
     ]
-    for p, process in enumerate(words.plan.processes[1:], start=1):
-        state, result = table_sizes(words, process)
-        state += len(words.plan.parameter_values)
+    for p, process in enumerate(symbols.plan.processes[1:], start=1):
+        state, result = table_sizes(symbols, process)
+        state += len(symbols.plan.parameter_values)
         rows.append({"source": 0, "target": p, "size": state, "comment": "state"})
         rows.append({"source": p, "target": 0, "size": result, "comment": "accelerations"})
-    return rows + refinement_messages(words)
+    return rows + refinement_messages(symbols)

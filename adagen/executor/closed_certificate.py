@@ -22,7 +22,7 @@ from adagen.executor.allowance import Allowance, Sums
 from adagen.executor.front import Front
 from adagen.executor.segments import Articulated
 from adagen.graph import Expression, factorize, total
-from adagen.plan.arms import Mates
+from adagen.plan.arms import WideUnknown
 from adagen.plan.certificate import ROUNDING
 from adagen.plan.digits import EPSILON
 from adagen.plan.steps import Articulate, Certify, Eliminate, HoldBack, SolveRoot, StartLink, Step
@@ -113,10 +113,10 @@ class ClosedCertificate(Allowance):
             for unknown, factor in front.ties.get(j, [])
             if unknown in front.forces
         ]
-        own, mates = self.held.setdefault(step.closure, {}), self.machine.closures.mates
-        firsts = [front.first[each] for each in mates.holds.get(j, (j,))]
+        own, arm_lanes = self.held.setdefault(step.closure, {}), self.machine.closures.arm_lanes
+        firsts = [front.first[each] for each in arm_lanes.holds.get(j, (j,))]
         for k, row in enumerate(self.state.kind(j).free):
-            here = mates.each(total([noise[min(row, 3)], *(x * x for x in tied)]), len(firsts))
+            here = arm_lanes.each(total([noise[min(row, 3)], *(x * x for x in tied)]), len(firsts))
             own.update((first + k, x) for first, x in zip(firsts, here, strict=True))
         self._hand_on(j, [], self.state.zeros(0), noise)
 
@@ -150,32 +150,36 @@ class ClosedCertificate(Allowance):
             rest = self.weigh_noise(self._closure(step), count, freed.factors, own)
             self._hand_over(noise, freed.others, freed.gained, rest, len(freed.unknowns[0]))
 
-    def _lanes(self, step: Eliminate, unknowns: Sequence[Mates]) -> int:
+    def _lanes(self, step: Eliminate, unknowns: Sequence[WideUnknown]) -> int:
         """How many arms, or closures, unknowns are of."""
         closures = self.machine.closures.lanes(step.closure)
         return max(len(unknowns[0]), len({lane.number for lane in closures}))
 
-    def _noise_of(self, noise: dict[int, Expression], unknowns: Sequence[Mates]) -> Array:
+    def _noise_of(self, noise: dict[int, Expression], unknowns: Sequence[WideUnknown]) -> Array:
         """What comes together at unknowns, shape (n,)."""
-        together = self.machine.closures.mates.together
-        return np.array([together([noise[u] for u in mates]) for mates in unknowns], dtype=object)
+        together = self.machine.closures.arm_lanes.together
+        return np.array(
+            [together([noise[u] for u in wide_unknown]) for wide_unknown in unknowns], dtype=object
+        )
 
     def _hand_over(
         self,
         noise: dict[int, Expression],
-        others: Sequence[Mates],
+        others: Sequence[WideUnknown],
         gained: Array,
         own: Array,
         count: int,
     ) -> None:
         """Add what comes together at unknowns of so many arms to those that they follow from."""
-        for k, mates in enumerate(others):
+        for k, wide_unknown in enumerate(others):
             handed = total((gained[:, k] * gained[:, k]) * own)
-            if len(mates) == 1:
+            if len(wide_unknown) == 1:
                 each = [self.summed(handed, count)]
             else:
-                each = self.machine.closures.mates.each(handed, count)
-            for unknown, x in zip(mates, each, strict=True):  # those of a basis have none before
+                each = self.machine.closures.arm_lanes.each(handed, count)
+            for unknown, x in zip(
+                wide_unknown, each, strict=True
+            ):  # those of a basis have none before
                 noise[unknown] = noise[unknown] + x if unknown in noise else x
 
     def _hand_to_top(self, step: Eliminate, across: Array, moved: Array, arms: int) -> None:
@@ -187,21 +191,21 @@ class ClosedCertificate(Allowance):
         handed = np.array([*parts[:3], total(parts[3:])], dtype=object)
         self.state.rows.add("noise", tops, count, self.state.rows.sum_of(handed, arms))
 
-    def _of_row(self, front: Front, left: Front, mates: Mates) -> Expression:
+    def _of_row(self, front: Front, left: Front, wide_unknown: WideUnknown) -> Expression:
         """The square of how a row parts, and of what is added up for that, in squares of units.
 
         Rows of alike arms are looked at together, also where what follows from them is not.
         """
-        if mates not in left.gaps:
-            wide = next(own for own in left.gaps if mates[0] in own)
-            each = self.machine.closures.mates.each(self._of_row(front, left, wide), len(wide))
-            return each[wide.index(mates[0])]
-        gap = left.gaps[mates] * (1 / self.unit)
+        if wide_unknown not in left.gaps:
+            wide = next(own for own in left.gaps if wide_unknown[0] in own)
+            each = self.machine.closures.arm_lanes.each(self._of_row(front, left, wide), len(wide))
+            return each[wide.index(wide_unknown[0])]
+        gap = left.gaps[wide_unknown] * (1 / self.unit)
         terms = [gap * gap]
         for end in front.ends:
-            if mates not in end.columns:
+            if wide_unknown not in end.columns:
                 continue
-            column, field = end.columns[mates], self.motion.field_of_all(end.links)
+            column, field = end.columns[wide_unknown], self.motion.field_of_all(end.links)
             ground = np.array([self.state.graph.constant(0)] * 2, dtype=object)
             turning, sliding = self.state.rows.of_links("size", end.links, ground)
             spin = self.square(field.omega)
@@ -210,7 +214,7 @@ class ClosedCertificate(Allowance):
             terms.append(total([sliding, self.square(field.a)]) * self.square(column[3:]))
         for j, ties in front.ties.items():
             for tied, factor in ties:
-                if (tied,) == mates:
+                if (tied,) == wide_unknown:
                     moved = self.memory["accelerated", j][0] * factor
                     terms.append(moved * moved)
         return total(terms)

@@ -15,12 +15,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from adagen.executor.arm_lanes import CouplingColumn
 from adagen.executor.constraints import Constraints
 from adagen.executor.elimination import Elimination
 from adagen.executor.frames import Transform, columnwise
 from adagen.executor.front import Front
 from adagen.executor.loop_forces import forces_of_kept, give_forces
-from adagen.executor.mates import Taken
 from adagen.graph import matrix_times, total
 from adagen.plan.closure_steps import is_rigid
 from adagen.plan.steps import (
@@ -71,14 +71,16 @@ class Closures(Constraints):
     def _hold_back(self, step: HoldBack, front: Front) -> None:
         """Pass a joint as if it were rigid; what its motion does to all else goes into C, E, e."""
         j, parent = step.joint, self.state.plan.joints[step.joint].parent
-        joints, free = self.mates.holds.get(j, (j,)), list(self.state.kind(j).free)
+        joints, free = self.arm_lanes.holds.get(j, (j,)), list(self.state.kind(j).free)
         inertia, p = self.memory["IA", j + 1], self.memory["pA", j + 1]
-        columns = self.mates.take_columns(front, joints)
+        columns = self.arm_lanes.take_columns(front, joints)
         drift = self.motion.drift(j)
         if drift is not None:
             p = p + matrix_times(inertia, drift)
-            for mates, column, _ in columns:
-                self.mates.add_bias(front, mates, matrix_times(column[None, :], drift)[0])
+            for wide_unknown, column, _ in columns:
+                self.arm_lanes.add_bias(
+                    front, wide_unknown, matrix_times(column[None, :], drift)[0]
+                )
         if self.hung.at(j):
             front.first[j] = step.first
             self._pass(step, front, inertia, p, columns)
@@ -91,20 +93,23 @@ class Closures(Constraints):
         unknowns = [tuple(first + k for first in firsts) for k in range(len(free))]
         for k, row in enumerate(free):
             own = unknowns[k]
-            self.mates.add_bias(front, own, p[row] - pull[k])
+            self.arm_lanes.add_bias(front, own, p[row] - pull[k])
             for m, other in enumerate(free[k:], start=k):
                 value = inertia[row, other]
                 if m == k and rotor is not None:
                     value = value + rotor
-                self.mates.add(front, own, unknowns[m], value)
-            for mates, column, _ in columns:
-                self.mates.add(front, own, mates, column[row])
+                self.arm_lanes.add(front, own, unknowns[m], value)
+            for wide_unknown, column, _ in columns:
+                self.arm_lanes.add(front, own, wide_unknown, column[row])
             for unknown, factor in front.ties.get(j, []):
                 front.add(own[0], unknown, factor)
             front.places.update(zip(own, joints, strict=True))
-            front.speeds.update(zip(own, self.mates.each(speeds[k], len(own)), strict=True))
+            front.speeds.update(zip(own, self.arm_lanes.each(speeds[k], len(own)), strict=True))
         if parent > 0:
-            freed = [Taken(own, inertia[:, row]) for own, row in zip(unknowns, free, strict=True)]
+            freed = [
+                CouplingColumn(own, inertia[:, row])
+                for own, row in zip(unknowns, free, strict=True)
+            ]
             self._pass(step, front, inertia, p, [*freed, *columns])
 
     def _pass(
@@ -113,15 +118,15 @@ class Closures(Constraints):
         front: Front,
         inertia: Array,
         p: Array,
-        columns: Sequence[Taken],
+        columns: Sequence[CouplingColumn],
     ) -> None:
         """Hand what is beyond a joint inwards; what goes to the top waits for it."""
-        j, joints = step.joint, self.mates.holds.get(step.joint, (step.joint,))
+        j, joints = step.joint, self.arm_lanes.holds.get(step.joint, (step.joint,))
         parents = [self.state.plan.joints[each].parent for each in joints]
         x: Transform = self.memory["X", j]
         for each in columns:
-            mates, column, point = each.passed(x)
-            self.mates.add_columns(front, parents, mates, column, point)
+            wide_unknown, column, point = each.passed(x)
+            self.arm_lanes.add_columns(front, parents, wide_unknown, column, point)
         rigid = is_rigid(self.state.plan, j, self.alone[step.closure].held)
         passed = {"IA": (x.rigid_inertia if rigid else x.inertia)(inertia)}
         passed["pA"] = columnwise(x.force, p)
@@ -136,16 +141,18 @@ class Closures(Constraints):
         zero = self.state.graph.constant(0)
         for opening in front.opening:
             rates = list(opening.turning)
-            mates_of = self.mates.freedoms(front, len(opening.rows[0]) if opening.rows else 1)
+            freedoms = self.arm_lanes.freedoms(front, len(opening.rows[0]) if opening.rows else 1)
             for forces in opening.rows:
                 terms = []
-                for mates in mates_of:
-                    pairs = zip(mates, forces, strict=True)
+                for wide_unknown in freedoms:
+                    pairs = zip(wide_unknown, forces, strict=True)
                     entries = [front.entry(own, force) for own, force in pairs]
                     if any(entry is not None for entry in entries):
                         there = [zero if entry is None else entry for entry in entries]
-                        speeds = [front.speeds[own] for own in mates]
-                        terms.append(self.mates.together(there) * self.mates.together(speeds))
+                        speeds = [front.speeds[own] for own in wide_unknown]
+                        terms.append(
+                            self.arm_lanes.together(there) * self.arm_lanes.together(speeds)
+                        )
                 if terms:
                     rates.append(total(terms))
             if rates:
@@ -198,8 +205,10 @@ class Closures(Constraints):
             if solved.others:
                 others = [rows.together([front.found[u] for u in own]) for own in solved.others]
                 found = found + matrix_times(solved.more, np.array(others, dtype=object))
-            for mates, value in zip(solved.unknowns, found, strict=True):
-                front.found.update(zip(mates, rows.each(value, len(mates)), strict=True))
+            for wide_unknown, value in zip(solved.unknowns, found, strict=True):
+                front.found.update(
+                    zip(wide_unknown, rows.each(value, len(wide_unknown)), strict=True)
+                )
         near = self._acceleration(step) if step.link else None
         if self.state.plan.loop_forces:
             give_forces(self.state, front, near)
@@ -248,7 +257,7 @@ class Closures(Constraints):
         drift = self.motion.drift(j)
         if drift is not None:
             a = a + drift
-        firsts = [front.first[each] for each in self.mates.holds.get(j, (j,))]
+        firsts = [front.first[each] for each in self.arm_lanes.holds.get(j, (j,))]
         found = [[front.found[first + k] for first in firsts] for k in range(len(free))]
         qdd = np.array([self.state.rows.together(each) for each in found], dtype=object)
         far = a.copy()

@@ -1,6 +1,6 @@
 """What loops and couplings demand of the joints that they close, row by row.
 
-Loops and couplings that go side by side (adagen/plan/alike.py) are treated as one.
+Loops and couplings that go side by side (adagen/plan/similar_closures.py) are treated as one.
 """
 
 from __future__ import annotations
@@ -12,20 +12,20 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from adagen.executor.arm_lanes import ArmLanes
 from adagen.executor.checks import Check
 from adagen.executor.front import End, Front, Opening
-from adagen.executor.hung import HungLinks
 from adagen.executor.kinematics import Field, Motion
 from adagen.executor.lanes import in_lanes
 from adagen.executor.loop_frames import LoopFrames
-from adagen.executor.mates import MatesInLanes
+from adagen.executor.split_rods import RodHalves
 from adagen.executor.state import State
 from adagen.graph import Expression, cross, dot, matrix_times, total
-from adagen.plan.alike import side_by_side
-from adagen.plan.arms import Mates, arms_among
+from adagen.plan.arms import WideUnknown, arms_among
 from adagen.plan.closure_steps import ClosureSteps, closures_in
-from adagen.plan.hung import PLACES
 from adagen.plan.robot import PlanLoop
+from adagen.plan.similar_closures import side_by_side
+from adagen.plan.split_rods import PLACES
 from adagen.plan.steps import (
     CloseCoupling,
     CloseLoop,
@@ -71,11 +71,11 @@ class Constraints:
         self.alone = closures_in(steps) if closed else {}
         self.together = side_by_side(state.plan, steps, state.limbs) if closed else {}
         self.arms = arms_among(state.plan, self.alone.values(), state.limbs)
-        self.mates = MatesInLanes(state.rows, list(chain.from_iterable(self.arms.values())))
+        self.arm_lanes = ArmLanes(state.rows, list(chain.from_iterable(self.arms.values())))
         leads = {lane.number: lanes[0].number for lanes in self.together.values() for lane in lanes}
         own = [one for number, one in self.alone.items() if leads.get(number, number) == number]
         in_arms = {j for arms in self.arms.values() for one in arms for j in one.limbs.members()}
-        self.hung = HungLinks(state, motion, own, in_arms, self._plan_loops)
+        self.hung = RodHalves(state, motion, own, in_arms, self._plan_loops)
         self.memory: dict[Any, Any] = state.memory
         self.fronts: dict[int, Front] = {}
         # Where loops are solved for at the end, each kept row has a right-hand side.
@@ -93,8 +93,8 @@ class Constraints:
 
     def _loops(self, step: CloseLoop) -> list[int]:
         """Loops that are treated as one, by lanes."""
-        if step in self.mates.closing:
-            return [each.loop for each in in_lanes(self.mates.closing[step])]
+        if step in self.arm_lanes.closing:
+            return [each.loop for each in in_lanes(self.arm_lanes.closing[step])]
         if step.closure not in self.together:
             return [step.loop]
         place = self.together[step.closure][0].loops.index(step)
@@ -141,7 +141,7 @@ class Constraints:
         if hung is not None:
             hung.look_at(place)
         if self._moves_by_rows(step):
-            forces = tuple(self.mates.forces(step, row) for row in range(count))
+            forces = tuple(self.arm_lanes.forces(step, row) for row in range(count))
             turning = () if hung is None else tuple(hung.turning_apart())
             front.opening.append(Opening(place, fastest, forces, turning))
         else:
@@ -155,10 +155,12 @@ class Constraints:
         front.ends += [end for end in held if any(end.links)]
         closing = _Closing(loops, frames, fields, held)
         for row, number in enumerate(step.rows[:count]):
-            mates = self.mates.forces(step, row)
+            wide_unknown = self.arm_lanes.forces(step, row)
             beyond = len(self.state.plan.joints)
-            front.places.update((u, beyond + n) for u, n in zip(mates, numbers, strict=False))
-            self._add_row(step, front, closing, step.first + row, mates, number)
+            front.places.update(
+                (u, beyond + n) for u, n in zip(wide_unknown, numbers, strict=False)
+            )
+            self._add_row(step, front, closing, step.first + row, wide_unknown, number)
 
     def _add_row(
         self,
@@ -166,7 +168,7 @@ class Constraints:
         front: Front,
         closing: _Closing,
         unknown: int,
-        mates: Mates,
+        wide_unknown: WideUnknown,
         number: int,
     ) -> None:
         """Add a row of a loop to its closure: what it holds at both ends, and its bias.
@@ -176,7 +178,7 @@ class Constraints:
             front: the closure.
             closing: the loop.
             unknown: number of the row's force.
-            mates: forces of the same row in all lanes.
+            wide_unknown: forces of the same row in all lanes.
             number: of the row in its loop.
         """
         loops, frames, fields, held = closing
@@ -195,23 +197,25 @@ class Constraints:
                 column = np.concatenate([direction, self.state.zeros(3)])
             bias = bias + part * sign
             if link > 0:
-                held[k].columns[mates] = column * sign
+                held[k].columns[wide_unknown] = column * sign
                 point = arm if linear and not frames.kind.sliding else None
-                self.mates.add_columns(front, held[k].links, mates, column * sign, point)
+                self.arm_lanes.add_columns(front, held[k].links, wide_unknown, column * sign, point)
                 if unknown in self.column_of:
                     pushed = self.state.tied_links.setdefault(link, [])
                     pushed.append((self.column_of[unknown], column * sign))
         if self.state.left is not None:
-            bias = self._apart(front, mates, self.state.left.of_row(bias, held, mates))
+            bias = self._apart(
+                front, wide_unknown, self.state.left.of_row(bias, held, wide_unknown)
+            )
         column = self.state.column(np.array([bias], dtype=object))[0]
         if self._told(step):
             front.waiting[unknown], column = column, self.state.zeros(len(column))
-        self.mates.add_bias(front, mates, column)
+        self.arm_lanes.add_bias(front, wide_unknown, column)
         in_frame = matrix_times(frames.two.axes.T, directions[1])
         if loops[0].turn2:
             turn = self._packed([one.turn2 for one in loops])
             in_frame = matrix_times(turn, in_frame)
-        front.loops[step.loop].append((mates, linear, in_frame))
+        front.loops[step.loop].append((wide_unknown, linear, in_frame))
 
     def _told(self, step: CloseLoop) -> bool:
         """Whether others may tell what they do to a loop's rows, the only unknowns then."""
@@ -277,11 +281,11 @@ class Constraints:
                 tied = self.state.tied_joints.setdefault(j, [])
                 tied.append((self.column_of[step.unknown], factor))
 
-    def _apart(self, front: Front, mates: Mates, gap: Expression) -> Expression:
+    def _apart(self, front: Front, wide_unknown: WideUnknown, gap: Expression) -> Expression:
         """How a row parts by the answer; in a certificate that is weighed by itself."""
         if not self.state.plan.certified:
             return gap
-        front.gaps[mates] = gap
+        front.gaps[wide_unknown] = gap
         return self.state.graph.constant(0)  # type: ignore[no-any-return]
 
     def _packed(self, values: Sequence[Any]) -> Array:

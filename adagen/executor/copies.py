@@ -1,4 +1,4 @@
-"""Copies what a process needs of the straight line of one into a graph of its own."""
+"""Copies the part of the straight line that a process needs into a graph of its own."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from adagen.executor.checks import Check
 from adagen.executor.lanes import in_lanes
 from adagen.executor.line import Looked, Pair
 from adagen.executor.machine import RECEIVED, Machine
+from adagen.executor.needed_values import NeededValues
 from adagen.executor.run import Simulated
-from adagen.executor.together import lanes_together
-from adagen.executor.wants import Want
+from adagen.executor.shared_lanes import shared_lanes
 from adagen.graph import Expression, RoundedGraph
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Receive, StartEmpty, StartLink, Step
 
 
-def copied(want: Want, limbs: tuple[Limbs, ...]) -> Simulated:
+def copied(want: NeededValues, limbs: tuple[Limbs, ...]) -> Simulated:
     """Return a process after all its steps.
 
     Args:
@@ -31,14 +31,14 @@ def copied(want: Want, limbs: tuple[Limbs, ...]) -> Simulated:
 
 
 class _Copy:
-    def __init__(self, want: Want, limbs: tuple[Limbs, ...]) -> None:
+    def __init__(self, want: NeededValues, limbs: tuple[Limbs, ...]) -> None:
         self.want, self.line = want, want.line
         self.graph = RoundedGraph(want.plan.scalar)
         self.machine = Machine(self.line.machine.plan, {}, None, self.graph, limbs)
         self.pairs, self.looked = want.all_of_it()
         self.lanes: dict[int, list[int]] = {}
         if limbs:
-            self.pairs, self.lanes = lanes_together(self.line, self.pairs, want.missing)
+            self.pairs, self.lanes = shared_lanes(self.line, self.pairs, want.missing)
         self._wide: dict[int, Expression] = {}
         self._single: dict[Pair, Expression] = {}
         self._places = {_key(step): k for k, step in reversed(list(enumerate(want.own.steps)))}

@@ -1,8 +1,8 @@
-"""Answers of straight lines, corrected by what they leave over (adagen/plan/steps: Correct).
+"""Corrections of a straight line's answer by its residuals (adagen/plan/steps: Correct).
 
-The steps of a process are carried out again in the same graph, with what the answer leaves over of
-each link, joint and row in the place of forces, torques and drifts (left_over.py). What does not
-depend on these, factors above all, is the same expression and is not computed again.
+The steps of a process are repeated in the same graph, with the residuals of links, joints and rows
+(residuals.py) in place of forces, torques and biases. Everything else, above all the factors, is
+the same expression and is not computed again.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.lanes import steps_in_order
-from adagen.executor.left_over import Answer, Energies, LeftOver
+from adagen.executor.residuals import Answer, Energies, Residuals
 from adagen.graph import Expression, matrix_times
 from adagen.plan.steps import (
     Append,
@@ -140,7 +140,7 @@ class Corrections:
                 again.memory[name] = value
         fronts = machine.closures.fronts
         ties = {(k, j): rows for k, front in fronts.items() for j, rows in front.ties.items()}
-        again.left = LeftOver(
+        again.left = Residuals(
             again.motion,
             {link: machine.motion.field_force(link) for link in self.links()},
             self._answer,

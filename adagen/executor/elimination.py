@@ -16,8 +16,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from adagen.executor.dependent_parts import Part, SolvedPart, as_wide_unknown, by_lanes, followed
 from adagen.executor.elimination_checks import EliminationChecks
-from adagen.executor.followed import Part, SolvedPart, by_lanes, followed, mates_of
+from adagen.executor.free_motions import FreeMotions, SolvedFreeMotions
 from adagen.executor.front import (
     Followed,
     Freed,
@@ -28,7 +29,6 @@ from adagen.executor.front import (
     Solved,
     alone,
 )
-from adagen.executor.left_free import LeftFree, SolvedOwn
 from adagen.executor.row_basis import RowBasis
 from adagen.executor.state import State
 from adagen.graph import (
@@ -36,15 +36,15 @@ from adagen.graph import (
     dot,
     factorize,
     matrix_times,
-    solved_by_parts,
+    solved_by_blocks,
     solved_by_reflections,
     total,
 )
-from adagen.plan.arms import Mates
+from adagen.plan.arms import WideUnknown
 from adagen.plan.steps import Eliminate
 
 Array = NDArray[Any]
-Unknowns = Sequence[int | Mates]
+Unknowns = Sequence[int | WideUnknown]
 """Unknowns by number; of alike arms together, one for each lane."""
 
 
@@ -100,15 +100,15 @@ class Elimination:
         """Part of e, shape (n, columns)."""
         result = self.state.zeros(len(unknowns), self.state.columns)
         for k, own in enumerate(unknowns):
-            result[k] = self.state.rows.together([self.front.bias[u] for u in mates_of(own)])
+            result[k] = self.state.rows.together([self.front.bias[u] for u in as_wide_unknown(own)])
         return result
 
     def _at_top(self, unknowns: Unknowns) -> Array:
         """Part of C^T at the top, shape (n, 6)."""
         result, nothing = self.state.zeros(len(unknowns), 6), self.state.zeros(6)
         for k, own in enumerate(unknowns):
-            if not self.columns.keys().isdisjoint(mates_of(own)):
-                each = [self.columns.get(u, nothing) for u in mates_of(own)]
+            if not self.columns.keys().isdisjoint(as_wide_unknown(own)):
+                each = [self.columns.get(u, nothing) for u in as_wide_unknown(own)]
                 result[k] = self.state.rows.together(each)
         return result
 
@@ -132,9 +132,9 @@ class Elimination:
 
     def _keep_forces(
         self,
-        rows: Sequence[Mates],
-        moving: Sequence[Mates],
-        others: Sequence[Mates],
+        rows: Sequence[WideUnknown],
+        moving: Sequence[WideUnknown],
+        others: Sequence[WideUnknown],
         solve: Callable[[Array], Array] | None = None,
     ) -> None:
         """Keep what forces of rows follow from: how rows push accelerations.
@@ -161,9 +161,9 @@ class Elimination:
         if self.state.plan.loop_forces and step.followers and rows:
             left_out = self._block(step.followers, moving)
             found = solved_by_reflections(pushes.T.copy(), left_out.T.copy())[0].T
-            for k, mates in enumerate(rows):
-                each = self.state.rows.each(found[:, k], len(mates))
-                for unknown, column in zip(mates, each, strict=True):
+            for k, wide_unknown in enumerate(rows):
+                each = self.state.rows.each(found[:, k], len(wide_unknown))
+                for unknown, column in zip(wide_unknown, each, strict=True):
                     kept.by_kept[:, step.rows.index(unknown)] = column
 
     # -- three ways -------------------------------------------------------------------------------
@@ -175,7 +175,7 @@ class Elimination:
         self.checks.size(found)
         self.checks.left_out(*self._left_out(found))
         square, across, bias = self._block(y, y), self._at_top(y), self._biases(y)
-        free = LeftFree(self.state.rows, y, square, across, bias)
+        free = FreeMotions(self.state.rows, y, square, across, bias)
         for each in found:
             self.front.solved.append(each.solved)
             part = each.part
@@ -190,10 +190,10 @@ class Elimination:
             freed.append(self._solve_free(numbers, numbers, free.alone, *left))
         self._keep_reduced([_followed(each) for each in found], freed)
 
-    def _keep_own(self, own: SolvedOwn) -> Freed:
+    def _keep_own(self, own: SolvedFreeMotions) -> Freed:
         """Keep y that arms have for their own; take what they give way from the top."""
         self.front.solved.append(own.solved)
-        blamed = [mates[0] for mates in own.solved.unknowns]
+        blamed = [wide_unknown[0] for wide_unknown in own.solved.unknowns]
         self.checks.inertia(blamed, own.freed.factors, own.before)
         if self.step.link:
             self.front.hand("IA", _symmetric(-own.gives[:, :6]))
@@ -204,12 +204,12 @@ class Elimination:
         """Solve the rows of a part for what follows by them."""
         rows, z, others = part.rows, part.moved, part.others
         scale_of = dict(zip(self.step.rows, self._scales(), strict=True))
-        scales = [self._together([scale_of[row] for row in mates]) for mates in rows]
+        scales = [self._together([scale_of[row] for row in wide_unknown]) for wide_unknown in rows]
         right = np.concatenate([self._by_others(rows, others), self._biases(rows)], axis=1)
         count, last = 6 + len(others), len(right.T)
         right = np.concatenate([right, self._parted(np.ones(len(rows)))], axis=1)
-        solved, regular = solved_by_parts(self._block(rows, z), right, np.array(scales, object))
-        self.checks.regular(regular, [mates[0] for mates in rows])
+        solved, regular = solved_by_blocks(self._block(rows, z), right, np.array(scales, object))
+        self.checks.regular(regular, [wide_unknown[0] for wide_unknown in rows])
         gained = -solved[:, :last]
         return SolvedPart(
             part,
@@ -281,13 +281,13 @@ class Elimination:
         whole = np.concatenate([rest, block(step.followers, step.moved)], axis=1)
         for each in found if step.followers else ():
             for lane in range(each.part.count):
-                z = [mates[lane] for mates in each.part.moved]
+                z = [wide_unknown[lane] for wide_unknown in each.part.moved]
                 own = self.state.rows.each(each.solved.more, each.part.count)[lane]
                 across = self.state.rows.each(each.solved.across, each.part.count)[lane]
                 gained = self.state.zeros(len(z), rest.shape[1])
                 gained[:, :6] = across
-                for c, mates in enumerate(each.part.others):
-                    place = step.singles.index(mates[lane % len(mates)])
+                for c, wide_unknown in enumerate(each.part.others):
+                    place = step.singles.index(wide_unknown[lane % len(wide_unknown)])
                     gained[:, 6 + place] = own[:, c]
                 rest = rest + matrix_times(block(step.followers, z), gained)
         return rest, whole

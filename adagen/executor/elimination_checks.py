@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.checks import SINGULAR, Check
-from adagen.executor.followed import SolvedPart
+from adagen.executor.dependent_parts import SolvedPart
 from adagen.executor.front import Front
 from adagen.executor.state import State
 from adagen.graph import Expression, Factors, Regular, dot, total

@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.graph import Expression, Factors
-from adagen.plan.arms import Arms, Mates
+from adagen.plan.arms import Arms, WideUnknown
 from adagen.plan.steps import AccelerateHeld
 
 Array = NDArray[Any]
 
 
-def alone(unknowns: Iterable[int]) -> tuple[Mates, ...]:
+def alone(unknowns: Iterable[int]) -> tuple[WideUnknown, ...]:
     """Return unknowns none of which share lanes."""
     return tuple((unknown,) for unknown in unknowns)
 
@@ -34,9 +34,9 @@ class Solved:
         bias: shape (n, columns).
     """
 
-    unknowns: tuple[Mates, ...]
+    unknowns: tuple[WideUnknown, ...]
     across: Array
-    others: tuple[Mates, ...]
+    others: tuple[WideUnknown, ...]
     more: Array
     bias: Array
 
@@ -54,9 +54,9 @@ class Push:
         bias: shape (n, columns).
     """
 
-    kept: tuple[Mates, ...]
+    kept: tuple[WideUnknown, ...]
     solve: Callable[[Array], Array]
-    others: tuple[Mates, ...]
+    others: tuple[WideUnknown, ...]
     inertia: Array
     across: Array
     bias: Array
@@ -92,7 +92,7 @@ class Opening:
 
     place: int
     fastest: Expression
-    rows: tuple[Mates, ...]
+    rows: tuple[WideUnknown, ...]
     turning: tuple[Expression, ...] = ()
 
 
@@ -109,7 +109,7 @@ class End:
 
     links: tuple[int, ...]
     count: int
-    columns: dict[Mates, Array]
+    columns: dict[WideUnknown, Array]
 
 
 @dataclass(frozen=True)
@@ -127,11 +127,11 @@ class Followed:
         inertia: of each of these alone, or at most, shape (m,).
     """
 
-    unknowns: tuple[Mates, ...]
-    others: tuple[Mates, ...]
+    unknowns: tuple[WideUnknown, ...]
+    others: tuple[WideUnknown, ...]
     gained: Array
     across: Array
-    rows: tuple[Mates, ...]
+    rows: tuple[WideUnknown, ...]
     moves: Callable[[Array], Array]
     inertia: Array
 
@@ -148,10 +148,10 @@ class Freed:
         gained: how they follow from these, shape (n, m).
     """
 
-    unknowns: tuple[Mates, ...]
+    unknowns: tuple[WideUnknown, ...]
     factors: Factors
     energy: Expression
-    others: tuple[Mates, ...]
+    others: tuple[WideUnknown, ...]
     gained: Array
 
 
@@ -209,7 +209,7 @@ class Front:
     places: dict[int, int] = field(default_factory=dict)
     first: dict[int, int] = field(default_factory=dict)
     pushed: Pushed | None = None
-    loops: dict[int, list[tuple[Mates, bool, Array]]] = field(default_factory=dict)
+    loops: dict[int, list[tuple[WideUnknown, bool, Array]]] = field(default_factory=dict)
     couplings: dict[int, int | None] = field(default_factory=dict)
     opening: list[Opening] = field(default_factory=list)
     speeds: dict[int, Expression] = field(default_factory=dict)
@@ -218,7 +218,7 @@ class Front:
     ends: list[End] = field(default_factory=list)
     forces: dict[int, Expression] = field(default_factory=dict)
     reduced: Reduced | None = None
-    gaps: dict[Mates, Expression] = field(default_factory=dict)
+    gaps: dict[WideUnknown, Expression] = field(default_factory=dict)
     arms: Sequence[Arms] = ()
     outwards: list[AccelerateHeld] = field(default_factory=list)
 

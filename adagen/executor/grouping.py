@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable, Sequence
 
-from adagen.executor.align import unlike
+from adagen.executor.lane_frames import unlike
 from adagen.executor.lanes import Grouping, fit_for_lanes, steps_in_order
 from adagen.executor.run import Simulated, each_for_itself
 from adagen.executor.stretches import stretches
 from adagen.plan import Plan
-from adagen.plan.alike import alike_closures, limbs_of
 from adagen.plan.arms import arms_of, without_unlike
 from adagen.plan.closure_steps import closures_in
 from adagen.plan.simd_groups import COUNTS, OFFERED, Limbs, more_alike, nearly_fewest, simd_groups
+from adagen.plan.similar_closures import limbs_of, similar_closures
 from adagen.plan.types import Process
 from adagen.schedule import step_costs
 from adagen.schedule.costs import StepCosts
@@ -34,7 +34,7 @@ def _alike(plan: Plan, process: Process, counts: Sequence[int]) -> tuple[Limbs, 
     found = simd_groups(plan, process, spared, counts)
     found = more_alike(plan, process, found, lambda limbs: unlike(plan, limbs))
     limbs = fit_for_lanes(plan, process, found)
-    groups = alike_closures(plan, process.steps, counts)
+    groups = similar_closures(plan, process.steps, counts)
     closed = tuple(one for group in groups for one in limbs_of(plan, group))
     arms = _arms(plan, process, {one.number for group in groups for one in group}, counts)
     offers = (

@@ -16,7 +16,7 @@ from adagen.graph import Expression, dot, matrix_times, total
 from adagen.model.kinds import KINDS, JointKind
 
 if TYPE_CHECKING:
-    from adagen.executor.hung import HungLink
+    from adagen.executor.split_rods import RodHalfMotion
 
 Array = NDArray[Any]
 
@@ -45,7 +45,7 @@ class Motion:
 
     def __init__(self, state: State) -> None:
         self.state = state
-        self.hung: tuple[HungLink, ...] = ()
+        self.hung: tuple[RodHalfMotion, ...] = ()
 
     def _kind(self, j: int) -> JointKind:
         """A joint's kind, whether it moves freely or as prescribed."""

@@ -13,11 +13,11 @@ from typing import TypeVar
 
 from adagen.executor.closed_sweeps import closed_sweep
 from adagen.plan import Plan
-from adagen.plan.alike import side_by_side
 from adagen.plan.arms import arms_among
 from adagen.plan.closure_steps import closures_in, nature
 from adagen.plan.order import ends_of, inward_order, outward_order
 from adagen.plan.simd_groups import Limbs, sweep_of
+from adagen.plan.similar_closures import side_by_side
 from adagen.plan.steps import (
     Accelerate,
     Articulate,
@@ -75,7 +75,7 @@ def fit_for_lanes(plan: Plan, process: Process, all_limbs: Iterable[Limbs]) -> t
 
     Joints of a row all move freely or all as prescribed, and the same passive torques and rotors
     act on them. None is slaved, none leads others, and none is a closure's, of which all joints go
-    side by side or none (adagen/plan/alike.py).
+    side by side or none (adagen/plan/similar_closures.py).
     """
     closed = {j for one in closures_in(process.steps).values() for j in one.path}
     sources = {joint.mimic[0] for joint in plan.joints if joint.mimic is not None}
@@ -110,8 +110,8 @@ def steps_in_order(plan: Plan, process: Process, all_limbs: Sequence[Limbs]) -> 
     together = side_by_side(plan, process.steps, all_limbs) if closures else {}
     lead_of = {lane.number: lead for lead, lanes in together.items() for lane in lanes}
     arms = arms_among(plan, closures.values(), all_limbs).values()
-    mates = (own for each in arms for one in each for own in one.loops)
-    loops = {step for own in mates for step in own[1:]}
+    wide_unknown = (own for each in arms for one in each for own in one.loops)
+    loops = {step for own in wide_unknown for step in own[1:]}
     for kind, group in groupby(enumerate(process.steps), lambda pair: sweep_of(pair[1])):
         steps = list(group)
         if closures and kind in (Articulate, Accelerate):

@@ -9,8 +9,8 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 
-from adagen.executor.align import aligned
 from adagen.executor.grouping import least_of, offered_groupings
+from adagen.executor.lane_frames import aligned
 from adagen.executor.machine import Machine
 from adagen.executor.run import Simulated, after_all_steps
 from adagen.graph import Expression

@@ -32,8 +32,8 @@ def give_forces(state: State, front: Front, near: Array | None) -> None:
     zero = state.graph.constant(0)
     for k, rows in front.loops.items():
         parts: list[list[Expression]] = [[zero] for _ in range(6)]
-        for mates, linear, direction in rows:
-            each = [np.array(forces[unknown], object) for unknown in mates]
+        for wide_unknown, linear, direction in rows:
+            each = [np.array(forces[unknown], object) for unknown in wide_unknown]
             force = state.rows.together(each)[()]
             for i in range(3):  # f and m act on link 2, whose side of a row counts as positive
                 parts[i if linear else i + 3].append(-(force * direction[i]))
@@ -60,14 +60,14 @@ def forces_of_kept(state: State, front: Front, near: Array | None) -> dict[int, 
     if pushed.parts is None:
         return {u: front.found[u][0] for u in pushed.kept}
     for part in pushed.parts:
-        each = ([front.found[u][:1] for u in mates] for mates in part.others)
+        each = ([front.found[u][:1] for u in wide_unknown] for wide_unknown in part.others)
         others = np.array([state.rows.together(own) for own in each], dtype=object)
         pull = part.bias[:, :1] + matrix_times(part.inertia, others)
         if near is not None:
             pull = pull + matrix_times(part.across, near[:, :1])
-        for mates, force in zip(part.kept, -part.solve(pull), strict=True):
-            lanes = state.rows.each(force, len(mates))
-            found.update((u, own[0]) for u, own in zip(mates, lanes, strict=True))
+        for wide_unknown, force in zip(part.kept, -part.solve(pull), strict=True):
+            lanes = state.rows.each(force, len(wide_unknown))
+            found.update((u, own[0]) for u, own in zip(wide_unknown, lanes, strict=True))
     return {u: found[u] for u in pushed.kept}
 
 

@@ -21,11 +21,11 @@ from adagen.executor.closures import Closures
 from adagen.executor.corrections import Corrections
 from adagen.executor.joins import Joins
 from adagen.executor.kinematics import Motion
+from adagen.executor.loop_constraints import LoopConstraints
 from adagen.executor.outputs import Outputs
 from adagen.executor.passages import Passages
 from adagen.executor.segments import Segments
 from adagen.executor.state import Refining, State
-from adagen.executor.tied_rows import TiedRows
 from adagen.graph import Expression, Graph, Numbers, total
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import (
@@ -266,7 +266,7 @@ class Machine(State):
             source = self.memory["qdd", mimic[0]][0]
             rows.append(self.memory["qdd", slaved][0] - source * mimic[1])
         if self.plan.closed and self.closures.solves_at_end:
-            tied = TiedRows(self, self.motion, self.closures.fronts[0])
+            tied = LoopConstraints(self, self.motion, self.closures.fronts[0])
             self.memory["torques"] = tied.solve(rows, list(self.plan.slaved))
             front = self.closures.fronts[0]
             front.forces = {u: front.found[u].item() for u in self.plan.tied_rows}

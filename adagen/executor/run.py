@@ -8,7 +8,7 @@ from functools import cached_property, lru_cache
 from itertools import accumulate, chain
 from typing import Any
 
-from adagen.executor.align import aligned
+from adagen.executor.lane_frames import aligned
 from adagen.executor.lanes import Grouping, steps_in_order
 from adagen.executor.machine import Machine
 from adagen.executor.state import Refining
@@ -56,7 +56,7 @@ def each_for_itself(
     Args:
         plan: the plan.
         grouping: which limbs share code, one in each lane; None for none. Link frames are then
-            turned as these agree best (align.py).
+            turned as these agree best (lane_frames.py).
         refining: what of iterative refinement is computed, if any.
 
     Raises:

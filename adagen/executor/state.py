@@ -15,13 +15,13 @@ from adagen.graph import Expression, Factors, Graph, Numbers, factorize, matrix_
 from adagen.model import LINK_ACCELERATION
 from adagen.model.kinds import HELD, KINDS, JointKind
 from adagen.plan.digits import EPSILON
+from adagen.plan.own_axes import losing_joints
 from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.turned import losing_joints
 from adagen.plan.types import Plan
 
 if TYPE_CHECKING:
-    from adagen.executor.left_over import LeftOver
+    from adagen.executor.residuals import Residuals
 
 Array = NDArray[Any]
 Refining = Literal["answer", "correction"] | None
@@ -90,7 +90,7 @@ class State:
         self.limbs = tuple(all_limbs)
         self.passed: dict[tuple[str, int], Array] = {}
         self.rows = Rows(self, rows_of(all_limbs))
-        self.left: LeftOver | None = None
+        self.left: Residuals | None = None
         self._exact = losing_joints(plan)
         self.asks_up = any(output.what == LINK_ACCELERATION for output in plan.outputs)
 

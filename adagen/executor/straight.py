@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from adagen.executor.grouping import least_of, offered_groupings
 from adagen.executor.lanes import Grouping
+from adagen.executor.reproducible import own_limbs, shared_line
 from adagen.executor.run import Simulated, each_for_itself
-from adagen.executor.shares import own_limbs, shared_line
 from adagen.executor.state import Refining
 from adagen.plan import Plan
 from adagen.schedule.costs import StepCosts
@@ -19,7 +19,7 @@ def simulate(
     Args:
         plan: the plan.
         grouping: which limbs share code, one in each lane; None for none. Link frames are then
-            turned as these agree best (align.py).
+            turned as these agree best (lane_frames.py).
         refining: what of iterative refinement is computed, if any.
 
     Raises:

@@ -3,7 +3,7 @@
 Articulated bodies are swept in numpy as emitted code sweeps them (trial_sweep.py): in straight
 lines each body is in its link's axes, in which a joint's projection is exact, and turned by as few
 operations (frames.py); in loops in axes of the base, but for joints that are swept in their own
-(adagen/plan/turned.py). The same is done in more digits than the scalar has; what differs is the
+(adagen/plan/own_axes.py). The same is done in more digits than the scalar has; what differs is the
 rounding error of that way. Joining is no part of it.
 """
 
@@ -20,7 +20,7 @@ from adagen.executor.program_states import COUNT, program_states
 from adagen.executor.solve import interpret
 from adagen.executor.trial_sweep import Sweep
 from adagen.graph import DOUBLE, FLOAT
-from adagen.plan.turned import Turned
+from adagen.plan.own_axes import OwnAxes
 from adagen.plan.types import Plan
 from adagen.states import hardened
 
@@ -61,7 +61,7 @@ class Trial:
     joint: int
 
 
-def tried(plan: Plan, turned: Turned | None) -> Trial:
+def tried(plan: Plan, turned: OwnAxes | None) -> Trial:
     """Return what sweeping a robot inwards and outwards loses in the states of ``--check``.
 
     Args:
@@ -77,7 +77,7 @@ def tried(plan: Plan, turned: Turned | None) -> Trial:
 
 
 @lru_cache(maxsize=4)  # a warning is looked for, then digits are told
-def tried_hard(plan: Plan, turned: Turned | None) -> Trial:
+def tried_hard(plan: Plan, turned: OwnAxes | None) -> Trial:
     """Return what sweeping loses in hard states (``hardened``), as far as they are answered.
 
     What emitted code would refuse is left out: near gimbal lock of wrists through light links every
@@ -168,7 +168,7 @@ def _off(plan: Plan, states: States, found: Array, truth: Array) -> tuple[Array,
 
 
 def _lost(
-    plan: Plan, turned: Turned | None, states: States
+    plan: Plan, turned: OwnAxes | None, states: States
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
     """The squares of errors in states, what joints share in them, and which are refused.
 
@@ -190,7 +190,7 @@ def _rounded_anew(states: States, which: Array) -> States:
 
 
 def _swept(
-    plan: Plan, number: Any, turned: Turned | None, states: States
+    plan: Plan, number: Any, turned: OwnAxes | None, states: States
 ) -> tuple[Array, NDArray[np.bool_]]:
     """What emitted code would find in states, and which of them it would refuse.
 

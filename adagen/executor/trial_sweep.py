@@ -18,11 +18,11 @@ from adagen.executor.stacked import (
     solved,
     turned_body,
 )
-from adagen.executor.trial_links import Bare, Placed
+from adagen.executor.trial_motion import LinkInertias, LinkMotions
 from adagen.model.kinds import KINDS
 from adagen.plan.edges import is_free_base
+from adagen.plan.own_axes import ENOUGH, losing_joints
 from adagen.plan.robot import PlanLink
-from adagen.plan.turned import ENOUGH, losing_joints
 from adagen.plan.types import Plan
 
 Array = NDArray[Any]
@@ -66,8 +66,8 @@ class Sweep:
             turned is None or j in turned or is_free_base(joint)
             for j, joint in enumerate(plan.joints)
         ]
-        self.at = Placed(plan, self.own, q, self.line)
-        self.bare = Bare(self.at, self.line)
+        self.at = LinkMotions(plan, self.own, q, self.line)
+        self.bare = LinkInertias(self.at, self.line)
         self._arms = skew(self.at.ways)
         self._pivots = np.ones((len(plan.joints), self.count), number)
         self._quickly = self._turned_by_few() if self.line and rounded else frozenset()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from adagen.graph.block_triangular import Regular, solved_by_blocks
 from adagen.graph.count import Operations, count_operations, live_nodes
 from adagen.graph.evaluate import BALLS, DOUBLE, FLOAT, Algebra, Evaluation
 from adagen.graph.linear import (
@@ -18,7 +19,6 @@ from adagen.graph.linear import (
 )
 from adagen.graph.nodes import Expression, Graph, Node
 from adagen.graph.numbers import Number, Numbers
-from adagen.graph.parts import Regular, solved_by_parts
 from adagen.graph.rounded import RoundedGraph
 
 __all__ = [
@@ -45,7 +45,7 @@ __all__ = [
     "reflect",
     "solve_by_reflections",
     "solve_lower",
-    "solved_by_parts",
+    "solved_by_blocks",
     "solved_by_reflections",
     "total",
 ]

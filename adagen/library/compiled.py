@@ -9,6 +9,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from adagen.atomic_files import write_files
 from adagen.cost import Timeline, timeline
 from adagen.drawing import draw
 from adagen.emit import emit, program_of
@@ -27,7 +28,6 @@ from adagen.program import Program
 from adagen.schedule import Schedule, Topology, load_profile
 from adagen.search.objective import Digits, predicted_digits, suited_shape
 from adagen.urdf import model_stem
-from adagen.wholefile import write_files
 
 if TYPE_CHECKING:
     from adagen.build import Toolchain

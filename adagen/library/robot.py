@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from adagen.errors import UsageError
-from adagen.library.described import robot_data
+from adagen.library.robot_data import robot_data
 from adagen.mjcf import is_mjcf, read_mjcf, whole_bytes
 from adagen.model import Model
 from adagen.scene import Reduction, apply_scene, read_scene

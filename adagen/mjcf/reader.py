@@ -15,7 +15,7 @@ import numpy as np
 from adagen.errors import InputError, UsageError
 from adagen.mjcf.bodies import model_of
 from adagen.mjcf.compiled import FREE, Compiled, compiled
-from adagen.mjcf.effects import passives
+from adagen.mjcf.passive import passives
 from adagen.mjcf.remarks import couplings, refuse_closed, remark
 from adagen.model import BASE
 from adagen.urdf.checks import check_model

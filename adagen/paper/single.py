@@ -16,9 +16,9 @@ from __future__ import annotations
 from collections.abc import Collection
 from itertools import pairwise
 
-from adagen.leaders import Leaders
 from adagen.paper.merge import MOST_BRANCHES, Merge, TooManyBranches
 from adagen.schedule.chains import Chain, Chains
+from adagen.union_find import UnionFind
 
 
 class SingleProcess:
@@ -165,7 +165,7 @@ class SingleProcess:
     def _contract(self, steiner: list[int], degree: dict[int, int]) -> list[int]:
         """Return the positions of a Steiner tree in the best order of contraction."""
         parent = self.chains.parent
-        runs = Leaders[int]()  # of links between branches
+        runs = UnionFind[int]()  # of links between branches
         order, edges = [], []
         attached: dict[int, list[tuple[int, int]]] = {}
         for p in reversed(steiner):

@@ -8,9 +8,9 @@ from adagen.errors import UsageError
 from adagen.model import Model
 from adagen.model.fuse import runs_of, settled
 from adagen.plan.ada import AdaPlanner
-from adagen.plan.apart import apart_closures_of
-from adagen.plan.closed import ClosedPlanner
+from adagen.plan.artificial_inertia import with_artificial_inertia, with_artificial_rotors
 from adagen.plan.closed_ada import ClosedAdaPlanner
+from adagen.plan.closed_segment import ClosedPlanner
 from adagen.plan.closures import closures_of
 from adagen.plan.clusters import ClusterPlanner, clusters_of
 from adagen.plan.constants import (
@@ -21,18 +21,18 @@ from adagen.plan.constants import (
     outputs_of,
     wrenches_of,
 )
-from adagen.plan.early import early_closures_of
 from adagen.plan.exchange import ExchangePlanner
 from adagen.plan.gather import GatherPlanner, why_not_gather
-from adagen.plan.lent import lending, with_lent
+from adagen.plan.grounded_closures import grounded_closures_of
 from adagen.plan.parameters import parameters_of, refuse_inverted
-from adagen.plan.points import with_points
+from adagen.plan.requested_outputs import handles_of, refuse_outputs, refuse_sharing, with_outputs
 from adagen.plan.segment import SegmentPlanner
+from adagen.plan.separate_trees import closures_between_trees
 from adagen.plan.serial import check_reproducible
 from adagen.plan.serialise import plan_from_json, plan_to_json
 from adagen.plan.steps import LinkBias
 from adagen.plan.types import SCALARS, THREADS, Plan
-from adagen.plan.wanted import handles_of, refuse_outputs, refuse_sharing, with_outputs
+from adagen.plan.weld_points import with_points
 from adagen.schedule import Schedule, Topology, gathered_line, postorder, schedule_line
 
 FORMS: dict[str, type[AdaPlanner]] = {"segment": SegmentPlanner, "ada": AdaPlanner}
@@ -176,12 +176,12 @@ def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto
         meeting: one of ``MEETINGS``.
     """
     if model.closed and form == "ada":
-        runs = runs_of(with_lent(model))
+        runs = runs_of(with_artificial_inertia(model))
         return ClosedAdaPlanner(
-            lending(joints_of(model), model),
+            with_artificial_rotors(joints_of(model), model),
             schedule,
             runs,
-            clusters_of(with_lent(model), runs),
+            clusters_of(with_artificial_inertia(model), runs),
             closures_of(model),
             loops_of(model),
             couplings_of(model),
@@ -193,8 +193,8 @@ def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto
             joints,
             schedule,
             closures_of(model),
-            early_closures_of(model),
-            apart_closures_of(model),
+            grounded_closures_of(model),
+            closures_between_trees(model),
             loops_of(model),
             couplings_of(model),
         )

@@ -1,8 +1,8 @@
-"""Arms of a closure that are alike: chains of its joints that can be done side by side.
+"""Similar arms of a closure: chains of its joints that are computed side by side.
 
-The rods of a parallel ankle, the legs of a Stewart platform: chains that hang on one link, whose
-loops are of the same kinds and hold one other link. Their joints do not feel each other but through
-what they hang on and what they hold. Numbers may differ.
+The rods of a parallel ankle, the legs of a Stewart platform: chains that start at one link, whose
+loops are of the same kinds and end at one other link. Their joints affect each other only through
+these two links. Numbers may differ.
 """
 
 from __future__ import annotations
@@ -12,13 +12,13 @@ from dataclasses import dataclass
 from itertools import chain
 
 from adagen.model.kinds import KINDS as FREEDOMS
-from adagen.plan.alike import side_by_side
 from adagen.plan.closure_steps import ClosureSteps, closures_in, nature
 from adagen.plan.simd_groups import KINDS, Limbs
+from adagen.plan.similar_closures import side_by_side
 from adagen.plan.steps import CloseLoop, Step
 from adagen.plan.types import Plan
 
-Mates = tuple[int, ...]
+WideUnknown = tuple[int, ...]
 """Unknowns of a closure that are treated as one, lane by lane."""
 
 
@@ -37,8 +37,8 @@ class Arms:
     closure: int
     limbs: Limbs
     loops: tuple[tuple[CloseLoop, ...], ...]
-    freedoms: tuple[Mates, ...]
-    forces: tuple[Mates, ...]
+    freedoms: tuple[WideUnknown, ...]
+    forces: tuple[WideUnknown, ...]
 
 
 def arms_of(plan: Plan, one: ClosureSteps, counts: Iterable[int]) -> list[Limbs]:
@@ -79,9 +79,9 @@ def arms_in(plan: Plan, one: ClosureSteps, all_limbs: Iterable[Limbs]) -> list[A
             for k in range(FREEDOMS[plan.joints[row[0]].kind].nv)
         ]
         forces = [
-            tuple(closing.first + k for closing in mates)
-            for mates in loops
-            for k in range(len(mates[0].rows))
+            tuple(closing.first + k for closing in wide_unknown)
+            for wide_unknown in loops
+            for k in range(len(wide_unknown[0].rows))
         ]
         found.append(Arms(one.number, limbs, loops, tuple(freedoms), tuple(forces)))
     return found

@@ -1,10 +1,11 @@
-"""Form `ada` of a robot with closed loops: the tree joint by joint, and its loops at the end.
+"""Form `ada` of a robot with closed loops: the tree joint by joint, its loops at the end.
 
-The chain is assembled and disassembled as without loops, but with one more right-hand side for each
-constraint: what a unit of its force does. Process 0 then solves for the forces that keep all loops
-closed, as it does for the torques of slaved joints. So loops may go through any chains on any
-processes, and no other step knows of them. Links whose inertia cannot be inverted are joined in
-runs and clusters, as without loops; what only the loops resist is lent inertia (lent.py).
+The tree is assembled and disassembled as without loops, with one more right-hand side for each
+constraint: the response to a unit of its force. Process 0 then solves for the forces that keep all
+loops closed, as it does for the torques of slaved joints. So loops may pass through any chains on
+any processes, and no other step is affected. Links whose inertia cannot be inverted are joined in
+runs and clusters, as without loops. Motions that only loops resist get an artificial inertia
+(artificial_inertia.py).
 """
 
 from __future__ import annotations

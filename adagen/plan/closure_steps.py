@@ -1,12 +1,12 @@
-"""What a process does for each of its closures, and what closures have in common."""
+"""The steps of a process for each of its closures, and their comparison."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
-from adagen.plan.hung import hung_in, places_of
 from adagen.plan.robot import PlanJoint, PlanLoop
+from adagen.plan.split_rods import rod_halves_in, signature_of
 from adagen.plan.steps import CarryRows, CloseCoupling, CloseLoop, Eliminate, HoldBack, Step
 from adagen.plan.types import Plan
 
@@ -103,7 +103,7 @@ def structure(plan: Plan, one: ClosureSteps) -> tuple[object, ...]:
     return (
         tuple((nature(joints[j]), link(joints[j].parent), one.held.get(j)) for j in one.path),
         tuple(loops),
-        places_of(hung_in(plan, one), one),
+        signature_of(rod_halves_in(plan, one), one),
         tuple(couplings),
         (how.moved, how.rows, how.followers, how.singles, how.limit, how.recovers, how.grounded),
     )

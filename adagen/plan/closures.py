@@ -21,9 +21,16 @@ from numpy.typing import NDArray
 
 from adagen.errors import InputError
 from adagen.model import Model
-from adagen.plan.choices import NO_PIVOT, Numbers, chosen
-from adagen.plan.closable import check_inertia, check_joints, check_prescribed, why_open
-from adagen.plan.tied import Tied, connected, freedoms_of, joints_from, rows_of, tied_by
+from adagen.plan.independent_coordinates import NO_PIVOT, Numbers, chosen
+from adagen.plan.loop_checks import check_inertia, check_joints, check_prescribed, why_open
+from adagen.plan.loop_groups import (
+    LoopGroup,
+    connected,
+    freedoms_of,
+    loop_paths,
+    path_to_ground,
+    rows_of,
+)
 from adagen.reference.closed import closed_states, constraints_of_all
 from adagen.reference.double import joint_space_inertia
 
@@ -79,7 +86,7 @@ class Closure:
 
     @property
     def apart(self) -> bool:
-        """Whether it is between trees that float apart, which carry its rows (apart.py)."""
+        """Whether it connects separate trees, which carry its rows (separate_trees.py)."""
         return not self.held
 
 
@@ -95,7 +102,7 @@ def closures_of(model: Model) -> tuple[Closure, ...]:
         return ()
     q, rows = sampled(model)
     check_prescribed(model, rows)
-    found = tuple(with_choices(model, one, rows) for one in connected(model, tied_by(model)))
+    found = tuple(with_choices(model, one, rows) for one in connected(model, loop_paths(model)))
     check_inertia(model, q, rows)
     return found
 
@@ -145,7 +152,7 @@ class Sampled:
         )
 
 
-def sampled_rows(model: Model, tied: Tied, samples: Array) -> Sampled:
+def sampled_rows(model: Model, tied: LoopGroup, samples: Array) -> Sampled:
     """Return the rows of some loops and couplings.
 
     Args:
@@ -180,7 +187,7 @@ def without_rounding(values: Array) -> Array:
 
 
 def closure_of(
-    model: Model, tied: Tied, rows: Sequence[int], choices: Sequence[Choice], *, whole: bool
+    model: Model, tied: LoopGroup, rows: Sequence[int], choices: Sequence[Choice], *, whole: bool
 ) -> Closure:
     """Return a closure; of a whole one all joints are held back."""
     of_freedom = {k: j for j in tied.path for k in freedoms_of(model, [j])}
@@ -197,7 +204,7 @@ def closure_of(
     )
 
 
-def with_choices(model: Model, tied: Tied, samples: Array) -> Closure:
+def with_choices(model: Model, tied: LoopGroup, samples: Array) -> Closure:
     """Choose what follows from what: so that G is least where it is largest."""
     found = sampled_rows(model, tied, samples)
     whole = len(found.columns) <= max(MOST_HELD, 2 * _rank(found.own))
@@ -229,7 +236,7 @@ def inertias_of(model: Model, columns: Sequence[int]) -> list[Array]:
 
 def depths_of(model: Model, path: Sequence[int]) -> list[int]:
     """Return how far from the ground the joint of each freedom is."""
-    return [len(joints_from(model, j + 1)) for j in path for _ in freedoms_of(model, [j])]
+    return [len(path_to_ground(model, j + 1)) for j in path for _ in freedoms_of(model, [j])]
 
 
 def must_be_held(model: Model, path: Sequence[int]) -> set[int]:

@@ -13,16 +13,16 @@ from collections.abc import Iterable, Mapping, Sequence
 import numpy as np
 
 from adagen.errors import InputError
-from adagen.leaders import Leaders
 from adagen.model import Inertia, Model
 from adagen.model.fuse import Run, runs_of, settled
+from adagen.plan.artificial_inertia import with_artificial_inertia
 from adagen.plan.constants import inverse_inertia
-from adagen.plan.lent import with_lent
 from adagen.plan.placement import spatial_inertia
 from adagen.plan.robot import PlanJoint
 from adagen.plan.segment import SegmentPlanner
 from adagen.schedule import Node, Schedule, Topology
 from adagen.schedule.fold import Fold, fold
+from adagen.union_find import UnionFind
 
 NOISE = 1e-10
 """Principal moments of this size beside m l^2 are noise of what has written the description."""
@@ -41,7 +41,7 @@ def clusters_of(model: Model, runs: Sequence[Run]) -> dict[int, int]:
     upright = settled(model, runs)
     run_of = {j: run for run in runs for j in run}
     inner = {j + 1 for run in runs for j in run[:-1]}
-    leaders = Leaders[int]()
+    leaders = UnionFind[int]()
     inside: set[int] = set()
 
     def merge(joint: int) -> None:
@@ -122,7 +122,7 @@ def fold_of(model: Model, form: str) -> Fold:
         form: "segment" or "ada".
     """
     if form == "ada":
-        model = with_lent(model)
+        model = with_artificial_inertia(model)
     runs = runs_of(model)
     clusters = clusters_of(model, runs) if form == "ada" else {}
     return fold(Topology.of(model), runs, clusters.keys())

@@ -1,4 +1,4 @@
-"""Joints seen from a root link: the order in which they are swept, and which way each leads."""
+"""Joints seen from a root link: their order in a sweep, and their direction."""
 
 from __future__ import annotations
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from adagen.model import INVERSE_INERTIA, LINK_ACCELERATION, REACTION_FORCE
 from adagen.model.kinds import KINDS
+from adagen.plan.requested_outputs import needed_outwards
 from adagen.plan.steps import (
     Accelerate,
     AccelerateRoot,
@@ -28,7 +29,6 @@ from adagen.plan.steps import (
     Step,
 )
 from adagen.plan.types import Plan
-from adagen.plan.wanted import needed_outwards
 
 _TURN = 15  # a 3x3 matrix times a vector
 _CROSS = 9

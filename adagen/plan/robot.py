@@ -56,7 +56,7 @@ class PlanJoint:
         rotor_inertia: J in D = S^T U + J, kg m^2 or kg.
         prescribed: whether tau holds its acceleration instead of its torque.
         lent: inertia that form ada adds to that of its rotor for the tree without loops, and takes
-            back by a right-hand side of its own (adagen/plan/lent.py), kg m^2 or kg.
+            back by a right-hand side of its own (adagen/plan/artificial_inertia.py), kg m^2 or kg.
     """
 
     name: str

@@ -1,9 +1,9 @@
-"""What one process does of a robot, whose straight line all processes of a reproducible plan share.
+"""The plan for one process whose straight line all processes of a reproducible plan share.
 
 Answers are the same to the last bit for every number of processes if each number is computed by the
-same operations wherever that is done. So there is one straight line, that of one process; more
-processes share it out (adagen/executor/shares.py). They can where they gather at a core around the
-base or the ground: there every limb is swept towards where one process sweeps it, too.
+same operations on whichever process. So there is one straight line, that of one process, and
+several processes divide it (adagen/executor/reproducible.py). This is possible where they gather at
+a core around the base or the ground, because every limb is then swept as on one process.
 """
 
 from __future__ import annotations

@@ -346,7 +346,7 @@ def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
 
     They are the process's own, passed once, away from the sweep's root, and their links are bare.
     No mobility, no force at a handle and no rows of loops go through them: those go joint by
-    joint, or closure by closure (adagen/plan/alike.py).
+    joint, or closure by closure (adagen/plan/similar_closures.py).
     """
     parts = stages(process)
     sweeps = [

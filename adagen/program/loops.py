@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import groupby, takewhile
 from typing import Any
 
-from adagen.plan.carried import carried_runs, holds, mentions
 from adagen.plan.edges import is_base
 from adagen.plan.order import inward_order, outward_order
+from adagen.plan.requested_outputs import needed_outwards
 from adagen.plan.simd_groups import Limbs, placed_links
 from adagen.plan.stages import stages
 from adagen.plan.steps import (
@@ -28,9 +28,10 @@ from adagen.plan.steps import (
     Step,
     Traverse,
 )
+from adagen.plan.tip_mobility import holds, mentions, tip_mobility_runs
 from adagen.plan.types import Plan, Process
-from adagen.plan.wanted import needed_outwards
 from adagen.program.names import PASSING
+from adagen.program.own_axes import own_axes_in_loops
 from adagen.program.runs import (
     OF_ONE_FREEDOM,
     Run,
@@ -43,7 +44,6 @@ from adagen.program.runs import (
 )
 from adagen.program.slots import Slots
 from adagen.program.strips import split
-from adagen.program.turned import turned_in_loops
 from adagen.program.types import Block, Links, Method, Operation
 from adagen.schedule.costs import StepCosts
 
@@ -78,7 +78,7 @@ class Loops:
         self.joints = plan.joints
         self.placed = placed_links(plan)
         starts = {s.link for s in process.steps if isinstance(s, StartLink)}
-        turned = turned_in_loops(plan, slots.limbs, batch)
+        turned = own_axes_in_loops(plan, slots.limbs, batch)
         self.turned = turned.always
         self.told_apart = frozenset[int]() if holds(process) else turned.always | turned.if_lost
         self.own = starts - self.placed  # links whose own inertia the sweep adds as it passes them
@@ -282,7 +282,7 @@ class Loops:
         self._add("link_columns", Links(tuple(sorted(among))), "columns")
 
     def _propagate(self, steps: list[Propagate]) -> None:
-        for run in carried_runs(self.plan, steps, self.named, self.told_apart):
+        for run in tip_mobility_runs(self.plan, steps, self.named, self.told_apart):
             if len(run) > 1:
                 first, last = sorted((run[0].joint, run[-1].joint))
                 block = Run(first, last, run[0].reversed)

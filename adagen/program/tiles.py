@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from adagen.plan import Plan
+from adagen.program.own_axes import own_axes_in_loops
 from adagen.program.runs import Run, pays_columns
-from adagen.program.turned import turned_in_loops
 from adagen.schedule.costs import StepCosts
 
 TILE = 128
@@ -44,7 +44,7 @@ def fits_tiles(plan: Plan, in_strips: Sequence[Run], costs: StepCosts) -> bool:
         return False  # certificates and corrections sweep all joints once more
     if any(joint.kind != "revolute" or joint.prescribed for joint in joints):
         return False
-    turned = turned_in_loops(plan, ((),))
+    turned = own_axes_in_loops(plan, ((),))
     return not turned.always and not turned.if_lost and pays_columns(joints, whole, costs)
 
 

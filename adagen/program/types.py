@@ -37,7 +37,7 @@ Method = Literal[
 * ``each``: a loop over a run, number by number;
 * ``columns``: a loop over a run, the six columns of the articulated inertia in SIMD lanes;
 * ``turned``: a loop over a run, number by number, or over limbs side by side, joints that lose
-  digits in axes of the base in their own (see adagen/plan/turned.py);
+  digits in axes of the base in their own (see adagen/plan/own_axes.py);
 * ``strips``: a run in as many strips as there are SIMD lanes, one in each;
 * ``traversed``: the same, from what a traversal of the run has found of the strips;
 * ``lanes``: limbs side by side, one in each SIMD lane;

@@ -53,7 +53,7 @@ def accuracy_of(
         AdagenError: the run fails.
     """
     from adagen.studies.chart.truth import truth_of
-    from adagen.studies.drawn import drawn_states
+    from adagen.studies.random_states import drawn_states
 
     model = made.model
     if model.nv > LARGEST:

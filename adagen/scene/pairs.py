@@ -28,8 +28,8 @@ from adagen.model import (
     places,
     with_loops_checked,
 )
-from adagen.scene.crosses import with_crosses
 from adagen.scene.lock import lock
+from adagen.scene.universal_joints import with_universal_joints
 from adagen.tomlfile import read_text
 
 _KEYS = ("closed_loop", "type", "joint_name", "joint_type", "name_mot")
@@ -265,4 +265,4 @@ def _of_other_kinds(model: Model, below: Mapping[str, str], pairs: Pairs) -> Mod
         robot = lock(robot, fixed)
         left = {joint.name: j for j, joint in enumerate(robot.joints)}
         crosses = {left[joints[j].name]: axes for j, axes in crosses.items()}
-    return with_crosses(robot, crosses) if crosses else robot
+    return with_universal_joints(robot, crosses) if crosses else robot

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from adagen.leaders import Leaders
 from adagen.schedule.pricing import NodePrice, segment_prices
 from adagen.schedule.profile import CostProfile
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Node
+from adagen.union_find import UnionFind
 
 
 class Draft:
@@ -48,7 +48,7 @@ class Draft:
         Returns:
             The joint assembled last, the root of the chain's part of the tree.
         """
-        leaders = Leaders[int]()  # of links that are assembled
+        leaders = UnionFind[int]()  # of links that are assembled
         top: dict[int, int] = {}  # leader -> joint that made the component
         for joint in order:
             above, below = leaders.of(topology.parents[joint]), leaders.of(joint + 1)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from adagen.leaders import Leaders
 from adagen.schedule.sweeps import loads_of, makespan_of
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Node, Schedule, postorder, preorder
+from adagen.union_find import UnionFind
 
 
 class InvalidSchedule(ValueError):
@@ -35,7 +35,7 @@ def validate(schedule: Schedule, topology: Topology) -> None:
 
 def _check_tree(root: Node, topology: Topology) -> None:
     """Assemble the robot in postorder, and see that each node joins what its sides have made."""
-    leaders = Leaders[int]()  # of links that are assembled
+    leaders = UnionFind[int]()  # of links that are assembled
     seen = [False] * len(topology)
     degrees = list(topology.degrees)
     joints = [0] * (len(topology) + 1)

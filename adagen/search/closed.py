@@ -1,8 +1,8 @@
 """Schedules of robots with closed loops: who has which limbs and which closures.
 
-Each closure is one process's (adagen/plan/closed.py). Limbs around the base, or around the middle
-of a long way, are distributed; each of these layouts is priced as the straight lines that it makes,
-beside one process that does everything.
+Each closure belongs to one process (adagen/plan/closed_segment.py). Limbs around the base, or
+around the middle of a long path, are distributed. Each of these layouts is priced as its straight
+lines, and compared with one process that computes everything.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ from typing import Any
 from adagen.executor import simulate
 from adagen.model import Model
 from adagen.plan import can_gather, make_plan
-from adagen.plan.apart import apart_closures_of
 from adagen.plan.closures import Closure, closures_of
-from adagen.plan.early import early_closures_of
 from adagen.plan.gather_trees import Tree, moving_trees
+from adagen.plan.grounded_closures import grounded_closures_of
+from adagen.plan.separate_trees import closures_between_trees
 from adagen.plan.types import Plan
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.tree import Gathered
@@ -67,7 +67,7 @@ def _layouts(
 def _around_roots(
     model: Model, plan: Plan, processes: int, weights: Sequence[float]
 ) -> Iterator[Gathered]:
-    closures = early_closures_of(model) or apart_closures_of(model) or closures_of(model)
+    closures = grounded_closures_of(model) or closures_between_trees(model) or closures_of(model)
     trees = moving_trees(plan.joints)
     if any(closure.apart for closure in closures):
         yield from whole_trees(plan.joints, trees, weights, processes)

@@ -14,9 +14,9 @@ from dataclasses import astuple, dataclass
 from itertools import accumulate
 from math import inf
 
-from adagen.plan.carried import may_be_carried
 from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import KINDS
+from adagen.plan.tip_mobility import can_carry_wrenches
 from adagen.program.runs import OF_ONE_FREEDOM, Run
 from adagen.schedule.costs import PRESCRIBED, StepCosts
 from adagen.search.limbs import Limb, Robot
@@ -341,7 +341,9 @@ class Floors:
             joint = joints[link - 1]
             priced = PRESCRIBED if joint.prescribed else joint.kind
             price = costs["propagate.ground" if joint.parent == 0 else f"propagate.{priced}"]
-            if may_be_carried(joints, link - 1) or (beyond and may_be_carried(joints, beyond - 1)):
+            if can_carry_wrenches(joints, link - 1) or (
+                beyond and can_carry_wrenches(joints, beyond - 1)
+            ):
                 price = min(price, costs.carried(joint.kind))
             inwards += price
             beyond, link = link, joint.parent

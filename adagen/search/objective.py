@@ -25,7 +25,7 @@ from adagen.plan import Plan, make_plan
 from adagen.plan.clusters import fold_of
 from adagen.plan.cuts import cuttable_joints
 from adagen.plan.digits import EPSILON, generic_configuration
-from adagen.plan.turned import turned_joints
+from adagen.plan.own_axes import joints_in_own_axes
 from adagen.schedule import CostProfile, Schedule
 from adagen.schedule.tree import Named
 from adagen.search.best import best_schedule
@@ -170,7 +170,7 @@ def predicted_digits(objective: str, model: Model, plan: Plan, shape: str = "ker
         trial = max(trial, _carried_out(plan, shape), key=lambda each: each.error)
     hard = None
     if plan.form == "segment":
-        turned = turned_joints(plan) if shape == "kernels" else None
+        turned = joints_in_own_axes(plan) if shape == "kernels" else None
         trial = max(trial, tried(plan, turned), key=lambda each: each.error)
         hard = max(trial, tried_hard(plan, turned), key=lambda each: each.error)
     worst, hardest = (model.joints[each.joint].name for each in (trial, hard or trial))
@@ -208,7 +208,7 @@ def suited_shape(objective: str, plan: Plan, shape: str = "auto") -> str:
     if objective != "accuracy" or shape != "auto" or plan.closed:
         return shape
     errors = {
-        name: tried(plan, turned_joints(plan) if name == "kernels" else None).error
+        name: tried(plan, joints_in_own_axes(plan) if name == "kernels" else None).error
         for name in offered(plan)
     }
     fine = [name for name, error in errors.items() if error <= _ALIKE * min(errors.values())]

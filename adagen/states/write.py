@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from adagen.atomic_files import write_whole
 from adagen.errors import EnvironmentFault, printable
 from adagen.model import Model
 from adagen.states.types import Array, States, columns, fields_of, wrench_columns
-from adagen.wholefile import write_whole
 
 
 def write_states(states: States, model: Model, path: Path | str) -> None:

@@ -6,13 +6,13 @@ import re
 
 from lxml import etree
 
-from adagen.urdf.mending import (
+from adagen.urdf.notes import Notes, line_of
+from adagen.urdf.repairs import (
     UNDECLARED,
     mended_declaration,
     with_prefixes_declared,
     without_default_namespace,
 )
-from adagen.urdf.notes import Notes, line_of
 
 _PROLOG = re.compile(r"(?:\s+|<!--.*?-->|<\?.*?\?>)*", re.DOTALL)
 _FOREIGN = {
@@ -30,7 +30,7 @@ def parse(text: str, notes: Notes) -> etree._Element:
     """Return the root element <robot>, comments and processing instructions left out.
 
     Entities other than the five of XML are never expanded: a DTD is refused before parsing. Slips
-    that change nothing are put right (mending.py).
+    that change nothing are put right (repairs.py).
 
     Raises:
         InputError: no well-formed XML, or another kind of document.

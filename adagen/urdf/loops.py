@@ -23,7 +23,6 @@ from adagen.urdf.description import (
     Triple,
     read_origin,
 )
-from adagen.urdf.effects import is_zero
 from adagen.urdf.elements import (
     Element,
     attribute,
@@ -35,6 +34,7 @@ from adagen.urdf.elements import (
 )
 from adagen.urdf.mimics import Followed
 from adagen.urdf.notes import Notes, line_of, quoted
+from adagen.urdf.passive import is_zero
 from adagen.urdf.tree import Tree
 
 _KIND_OF_JOINT = {

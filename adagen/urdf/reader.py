@@ -17,16 +17,16 @@ from adagen.urdf.bodies import build, gather
 from adagen.urdf.checks import Lines, check_model
 from adagen.urdf.description import Description, describe
 from adagen.urdf.document import parse
-from adagen.urdf.effects import read_effects, warn_dropped, with_effects
 from adagen.urdf.expansion import Arguments, description_text
 from adagen.urdf.loops import read_closing, warn_effects, with_closing
 from adagen.urdf.mimics import resolve
 from adagen.urdf.notes import Notes
 from adagen.urdf.numbers import LARGEST
-from adagen.urdf.peer import agreed
+from adagen.urdf.passive import read_effects, warn_dropped, with_effects
 from adagen.urdf.remarks import remark_ignored, warn_foreign, warn_held, warn_inertias, warn_limits
 from adagen.urdf.source import model_stem
 from adagen.urdf.tree import make_tree
+from adagen.urdf.yourdfpy_check import agreed
 
 
 @dataclass(frozen=True)
@@ -79,7 +79,7 @@ def read_robot(
             <dynamics> a warning says that they are not modelled.
         check: refuse a robot whose forward dynamics has no answer; if not, ``check_reduced`` has to
             judge what is made of it.
-        strict: refuse slips that readers of URDF overlook, too (mending.py), instead of warning.
+        strict: refuse slips that readers of URDF overlook, too (repairs.py), instead of warning.
         held: whether a fixed base was asked for; if not, of a root link that looks as if it should
             float a warning says that it is held.
         arguments: values of <xacro:arg>, for a file whose name ends in ".xacro" (expansion.py).

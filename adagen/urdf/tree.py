@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from adagen.leaders import Leaders
+from adagen.union_find import UnionFind
 from adagen.urdf.description import Description, JointElement
 from adagen.urdf.notes import Notes, quoted
 
@@ -50,7 +50,7 @@ def make_tree(description: Description, notes: Notes) -> Tree:
     above: dict[str, JointElement] = {}
     below: dict[str, list[JointElement]] = {}
     closing = []
-    tops = Leaders[str]()
+    tops = UnionFind[str]()
     for joint in description.joints:
         _check_ends(joint, description, notes)
         if joint.child in above or tops.of(joint.parent) == joint.child:

@@ -1,4 +1,4 @@
-"""Words completed by real shells, where they are installed."""
+"""Symbols completed by real shells, where they are installed."""
 
 from __future__ import annotations
 

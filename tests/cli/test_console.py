@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from adagen.cli import pace
+from adagen.cli import time_estimates
 from adagen.cli.console import Stages, note, progress, speaking, start, warn, warned, wrote
 
 Captured = pytest.CaptureFixture[str]
@@ -41,13 +41,15 @@ def test_work_done_before_says_about_how_long_it_takes(
 ) -> None:
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setattr("adagen.cli.console._PATIENCE_SECONDS", 0.0)
-    assert pace.expected("brewing", 1000) is None
-    first = pace.expected("compiling", 172_000)  # what a machine expects that did nothing yet
+    assert time_estimates.expected("brewing", 1000) is None
+    first = time_estimates.expected(
+        "compiling", 172_000
+    )  # what a machine expects that did nothing yet
     assert first is not None and 2.0 < first < 60.0
-    pace.learn("compiling", 1000, 30.0)
-    pace.learn("compiling", 100_000, 500.0)
-    pace.learn("compiling", 10, 0.1)  # too short to teach anything
-    assert pace.expected("compiling", 10) == 0.3
+    time_estimates.learn("compiling", 1000, 30.0)
+    time_estimates.learn("compiling", 100_000, 500.0)
+    time_estimates.learn("compiling", 10, 0.1)  # too short to teach anything
+    assert time_estimates.expected("compiling", 10) == 0.3
     for size in (2000, 200_000, 10, 0):
         with progress("compiling arm", size):
             time.sleep(0.2)
@@ -58,12 +60,12 @@ def test_work_done_before_says_about_how_long_it_takes(
         "compiling arm ...",
     ]
     (tmp_path / "adagen" / "pace.json").write_text("no JSON")
-    assert pace.expected("compiling", 172_000) == first
+    assert time_estimates.expected("compiling", 172_000) == first
     for k in range(30):
-        pace.learn("compiling", 1000 + k, 30.0)
+        time_estimates.learn("compiling", 1000 + k, 30.0)
     assert len(json.loads((tmp_path / "adagen" / "pace.json").read_text())["compiling"]) == 20
     (tmp_path / "adagen").chmod(0o500)
-    pace.learn("compiling", 1000, 30.0)
+    time_estimates.learn("compiling", 1000, 30.0)
 
 
 def test_stages_are_told_in_their_order_also_after_a_failure() -> None:

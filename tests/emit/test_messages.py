@@ -14,7 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from adagen.emit.processes import message_size
-from adagen.emit.words import Words
+from adagen.emit.symbols import Symbols
 from adagen.model import Model
 from adagen.plan import MEETINGS, Plan, make_plan
 from adagen.plan.steps import Receive, Send
@@ -71,7 +71,9 @@ def test_every_message_is_read_before_its_place_is_written_again(
     plan = make_plan(model, random_schedule(model, processes, rng), form=form, meeting=meeting)
     assert unguarded(plan) == []
     assert unguarded(plan.recovering()) == []
-    assert all(message_size(Words(lower(plan, "joints")), message) > 0 for message in plan.messages)
+    assert all(
+        message_size(Symbols(lower(plan, "joints")), message) > 0 for message in plan.messages
+    )
 
 
 def test_messages_of_another_way_are_guarded_too() -> None:

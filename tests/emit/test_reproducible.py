@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 
+from adagen.atomic_files import write_files
 from adagen.emit import emit, stem_of
 from adagen.emit.runtime import joined
 from adagen.emit.shapes import MOST_FREEDOMS_IN_BATCHES
@@ -24,7 +25,6 @@ from adagen.plan.constants import joints_of
 from adagen.plan.types import THREADS
 from adagen.states import States, random_states, write_states
 from adagen.urdf import read_robot
-from adagen.wholefile import write_files
 from tests.emitted import Builder, plan_of, text_of
 from tests.executor.test_lane_bits import affected, limbs
 from tests.gathered import distributed, reproducible_plan

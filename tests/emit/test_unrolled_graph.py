@@ -70,7 +70,7 @@ def oblique(n: int) -> Model:
 
 
 def test_what_nobody_feels_costs_nothing() -> None:
-    # Turned about a vertical through its centre of mass, a body feels neither gravity nor speed.
+    # OwnAxes about a vertical through its centre of mass, a body feels neither gravity nor speed.
     body = Inertia(2.0, np.zeros(3), np.diag([0.3, 0.2, 0.1]))
     count = operations(assemble("wheel", [Part("axle", None, REVOLUTE, body)]))
     assert (count.multiply, count.add, count.divide) == (1, 0, 0)

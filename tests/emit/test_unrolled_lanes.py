@@ -13,7 +13,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from adagen.executor import grouping_of, interpret, simulate, straight_line
-from adagen.executor.align import aligned, unlike
+from adagen.executor.lane_frames import aligned, unlike
 from adagen.model import PRISMATIC, REVOLUTE, SPHERICAL, Model
 from adagen.plan import make_plan
 from adagen.plan.simd_groups import Limbs

@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 
 import adagen
+from adagen.atomic_files import write_files
 from adagen.cli import main
 from adagen.emit.runtime import runtime_files
 from adagen.errors import UsageError
 from adagen.states import States, random_states
-from adagen.wholefile import write_files
 from tests.emitted import EXACT, ROUNDING, Builder, Solver, forward_error, truth_of
 from tests.end_to_end.test_library import HERE, STRICT, filled, run
 from tests.golden.make_models import MODELS

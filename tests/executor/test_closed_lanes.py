@@ -22,7 +22,7 @@ from adagen.model import (
     Passive,
 )
 from adagen.plan import Plan, make_plan
-from adagen.plan.alike import side_by_side
+from adagen.plan.similar_closures import side_by_side
 from adagen.plan.steps import Articulate
 from adagen.schedule import Schedule, load_profile
 from adagen.schedule.tree import Gathered

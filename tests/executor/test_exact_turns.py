@@ -7,7 +7,7 @@ import pytest
 
 from adagen.executor import interpret
 from adagen.model import REVOLUTE, Inertia, Model
-from adagen.plan.turned import losing_joints
+from adagen.plan.own_axes import losing_joints
 from adagen.reference import exact_forward_dynamics
 from adagen.states import random_states
 from adagen.studies.stability import robots

@@ -15,7 +15,7 @@ from adagen.model import REVOLUTE, WORLD, Inertia, LoopEnd, Model, NamedLoop
 from adagen.plan import Plan, closures
 from adagen.reference.closed import constraints, pose_of
 from tests.executor.test_closures import plan_of
-from tests.executor.test_hung import at_angle
+from tests.executor.test_split_rods import at_angle
 from tests.mechanisms import with_loops
 from tests.models import Part, assemble, rod, vector
 from tests.slow import spread

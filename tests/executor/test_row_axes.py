@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from adagen.executor.arm_lanes import CouplingColumn
 from adagen.executor.frames import Dense, Rotation, Transform
-from adagen.executor.mates import Taken
 from adagen.graph import Graph
 from adagen.graph.evaluate import Evaluation
-from adagen.plan.points import with_points
-from tests.executor.test_hung import ankles
+from adagen.plan.weld_points import with_points
+from tests.executor.test_split_rods import ankles
 
 
 def test_rows_of_a_weld_are_along_the_axes_of_what_hangs_on_a_ball() -> None:
@@ -32,7 +32,9 @@ def test_a_force_at_a_point_is_passed_by_that() -> None:
     entries = np.array(known, dtype=object)
     x = Transform(Rotation((Dense(entries[:3]),)), entries[3])
     p, f, m = ([graph.input(f"{n}[{k}]") for k in range(3)] for n in "pfm")
-    passed = Taken((0,), np.array([*m, *f], dtype=object), np.array(p, dtype=object)).passed(x)
+    passed = CouplingColumn(
+        (0,), np.array([*m, *f], dtype=object), np.array(p, dtype=object)
+    ).passed(x)
     assert passed.point is not None
     given = {f"{n}[{k}]": v[k] for n, v in (("p", point), ("f", force)) for k in range(3)}
     found = Evaluation(graph, given.__getitem__).of([*passed.point, *passed.column])

@@ -15,7 +15,7 @@ from adagen.executor.trial import States, accelerations, tried, tried_hard
 from adagen.executor.trial_sweep import Sweep
 from adagen.graph import FLOAT
 from adagen.model import Model
-from adagen.plan.turned import Turned, turned_joints
+from adagen.plan.own_axes import OwnAxes, joints_in_own_axes
 from adagen.reference import energy_norm_error, joint_space_inertia
 from adagen.states import random_states
 from adagen.studies.stability import adversary, robots
@@ -45,7 +45,7 @@ def test_sweeps_in_more_digits_are_right(robot: str) -> None:
 @pytest.mark.parametrize("shape", ["line", "loops"])
 def test_states_are_swept_alike_together_and_alone(robot: str, shape: str) -> None:
     plan = plan_of(ROBOTS[robot](), 1)
-    turned = None if shape == "line" else turned_joints(plan).always
+    turned = None if shape == "line" else joints_in_own_axes(plan).always
     states = program_states(plan, 3, seed=7)
     together = Sweep(plan, np.float64, turned, states).solved()
     for s, found in enumerate(together):
@@ -84,9 +84,9 @@ def test_axes_of_the_base_lose_what_own_axes_keep(scalar: str) -> None:
     links = [robots.rod(), robots.rod(), robots.rod(radius=radius)]
     plan = plan_of(robots.chain("tool", links, axes="xyz"), 1, scalar=scalar)
     eps = 1e-16 if scalar == "double" else 6e-8
-    assert turned_joints(plan).always
-    none = Turned(frozenset(), frozenset())
-    own, turned, base = (tried(plan, axes) for axes in (None, turned_joints(plan), none))
+    assert joints_in_own_axes(plan).always
+    none = OwnAxes(frozenset(), frozenset())
+    own, turned, base = (tried(plan, axes) for axes in (None, joints_in_own_axes(plan), none))
     assert own.error < 100 * eps
     assert turned.error < 100 * eps
     assert base.error > 1000 * eps

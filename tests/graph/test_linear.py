@@ -19,7 +19,7 @@ from adagen.graph import (
     factorize,
     matrix_times,
     solve_by_reflections,
-    solved_by_parts,
+    solved_by_blocks,
     total,
 )
 from tests.graph.evaluate import evaluate
@@ -121,7 +121,7 @@ def test_independent_parts_are_solved_by_themselves(seed: int) -> None:
     for place in zip(*np.nonzero(matrix == 0.0), strict=True):
         given[place] = graph.constant(0)
     own = np.array([graph.constant(float(x)) for x in scales], dtype=object)
-    solved, regular = solved_by_parts(given, given_as("x", right, graph, inputs), own)
+    solved, regular = solved_by_blocks(given, given_as("x", right, graph, inputs), own)
     expected = np.linalg.solve(matrix, right)
     np.testing.assert_allclose(numbers(solved, inputs), expected, rtol=1e-9)
     squares = numbers(np.array([each.square for each in regular], dtype=object), inputs)
@@ -142,7 +142,7 @@ def test_parts_that_need_others_follow_them(seed: int) -> None:
     for place in zip(*np.nonzero(matrix == 0.0), strict=True):
         given[place] = graph.constant(0)
     own = np.array([graph.constant(1)] * 6, dtype=object)
-    solved, regular = solved_by_parts(given, given_as("x", right, graph, inputs), own)
+    solved, regular = solved_by_blocks(given, given_as("x", right, graph, inputs), own)
     expected = np.linalg.solve(matrix, right)
     np.testing.assert_allclose(numbers(solved, inputs), expected, rtol=1e-9)
     assert len(regular) == 6 + 2  # rows, and two determinants
@@ -160,7 +160,7 @@ def test_a_part_that_is_next_to_singular_is_told(n: int) -> None:
         given, right = (given_as(name, matrix, graph, inputs) for name in "mx")
         own = np.array([graph.constant(1)] * n, dtype=object)
         ratios = []
-        for each in solved_by_parts(given, right, own)[1]:
+        for each in solved_by_blocks(given, right, own)[1]:
             told = [each.square, each.beside + graph.constant(0)]
             square, beside = numbers(np.array(told, dtype=object), inputs)
             ratios.append(square / beside)

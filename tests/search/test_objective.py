@@ -18,8 +18,8 @@ from adagen.executor.program_states import program_states
 from adagen.executor.trial import accelerations, carried_out, tried
 from adagen.model import SPHERICAL, Model
 from adagen.plan import Plan, make_plan
+from adagen.plan.own_axes import OwnAxes, balls_lose, joints_in_own_axes
 from adagen.plan.steps import Join
-from adagen.plan.turned import Turned, balls_lose, turned_joints
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.schedule import Schedule, load_profile
 from adagen.search import best_schedule
@@ -110,7 +110,7 @@ def test_digits_lost_in_inverting_among_light_links_are_predicted(
     # Mobilities are inverted without subtracting: by differences, 1e-3 was lost here.
     assert error < 1e-7
     plan = make_plan(model, schedule)
-    growth, swept = predicted_growth(plan).error, tried(plan, turned_joints(plan)).error
+    growth, swept = predicted_growth(plan).error, tried(plan, joints_in_own_axes(plan)).error
     # Joins add no more than the executor loses in the program's states.
     most = 3 * carried_out(plan).error
     assert digits.error <= max(1e2 * error, 1e-13, growth, swept, most)
@@ -141,7 +141,7 @@ def test_what_loops_lose_where_one_process_holds_the_ground_is_predicted(
     errors = [energy_norm_error(joint_space_inertia(model, q), x - t, t) for q, x, t in rows]
     predicted = predicted_digits("both", model, plan).error
     assert predicted / 10 < max(errors) < predicted * 10**0.5
-    assert max(errors) > 3 * tried(plan, turned_joints(plan)).error
+    assert max(errors) > 3 * tried(plan, joints_in_own_axes(plan)).error
 
 
 def test_what_acts_on_joints_and_links_changes_nothing() -> None:
@@ -203,7 +203,7 @@ def test_one_process_joins_nothing() -> None:
     digits = predicted_digits("accuracy", model, plan)
     assert digits.joint is None
     assert predicted_growth(plan).error < 1e-15
-    assert digits.error == tried(plan, Turned(frozenset(), frozenset())).error
+    assert digits.error == tried(plan, OwnAxes(frozenset(), frozenset())).error
 
 
 @pytest.mark.parametrize("objective", all_but(OBJECTIVES, "time", "accuracy"))
@@ -238,7 +238,7 @@ def test_accuracy_takes_the_fastest_of_shapes_that_lose_alike() -> None:
 def test_accuracy_and_time_differ_on_a_real_robot(scalar: str) -> None:
     path = real_robot("icub_description/robots/icub.urdf")
     plan = plan_of(read_robot(path, floating=True).model, 1, scalar=scalar)
-    errors = [tried(plan, turned_joints(plan)).error, tried(plan, None).error]
+    errors = [tried(plan, joints_in_own_axes(plan)).error, tried(plan, None).error]
     assert errors[0] > 10 * errors[1]
     assert chosen_shape(plan, suited_shape("both", plan)) == "kernels"
     assert chosen_shape(plan, suited_shape("accuracy", plan)) == "unrolled"

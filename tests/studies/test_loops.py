@@ -16,7 +16,7 @@ from adagen.studies.bench import Judge
 from adagen.studies.bench.peers import contestants, missing
 from adagen.studies.bench.peers.pinocchio_loops import constraint_lines
 from adagen.studies.chart.motion import Played, drifts
-from adagen.studies.drawn import drawn_states
+from adagen.studies.random_states import drawn_states
 from tests.mechanisms import four_bar, geared, looped_tree, quadruped, slider_crank
 
 MODELS = Path(__file__).resolve().parents[2] / "generated_examples" / "models"

@@ -52,7 +52,7 @@ def test_coaxial_joints_with_nothing_between(refusal: Refusal) -> None:
 
 
 def test_coaxial_up_to_the_rounding_of_a_rotation(refusal: Refusal) -> None:
-    # Turned about the axis that both share: the product of rounded rotations is not exact.
+    # OwnAxes about the axis that both share: the product of rounded rotations is not exact.
     said = refusal(ball(Z, Z, tilt="0 0 0.7"))
     assert 'joint "j1" can move together with "j2"' in said
 

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from adagen.errors import InputError, UsageError
 from adagen.exact import rotation_from_rpy, rounded
 from adagen.model import FLOATING, KINDS, Model
-from adagen.urdf import Reading, peer
+from adagen.urdf import Reading, yourdfpy_check
 from adagen.urdf.bodies import build, gather
 from adagen.urdf.description import describe
 from adagen.urdf.document import parse
@@ -169,7 +169,7 @@ def test_inertia_of_one_link_keeps_its_digits(read: Read) -> None:
 
 
 def test_yourdfpy_must_agree(monkeypatch: pytest.MonkeyPatch, refusal: Callable[..., str]) -> None:
-    honest = peer._load
+    honest = yourdfpy_check._load
 
     def spoilt(change: Callable[[Any], object]) -> str:
         def load(document: bytes, notes: Notes) -> Any:
@@ -177,7 +177,7 @@ def test_yourdfpy_must_agree(monkeypatch: pytest.MonkeyPatch, refusal: Callable[
             change(loaded)
             return loaded
 
-        monkeypatch.setattr(peer, "_load", load)
+        monkeypatch.setattr(yourdfpy_check, "_load", load)
         return refusal(pair())
 
     changes: list[Callable[[Any], object]] = [
@@ -200,13 +200,13 @@ def test_yourdfpy_must_agree(monkeypatch: pytest.MonkeyPatch, refusal: Callable[
 
 def test_yourdfpy_gets_no_visuals(monkeypatch: pytest.MonkeyPatch, read: Read) -> None:
     seen: list[bytes] = []
-    honest = peer._load
+    honest = yourdfpy_check._load
 
     def load(document: bytes, notes: Notes) -> Any:
         seen.append(document)
         return honest(document, notes)
 
-    monkeypatch.setattr(peer, "_load", load)
+    monkeypatch.setattr(yourdfpy_check, "_load", load)
     mesh = '<visual><geometry><mesh filename="x.stl"/></geometry></visual>'
     read(pair(BODY + mesh, Y + '<limit lower="x"/>'))
     assert b"mesh" not in seen[0]

@@ -5,12 +5,12 @@ It takes every plan but those that gather, and is how the paper's form is writte
 
 from __future__ import annotations
 
-from adagen.emit.effects import has_effects
+from adagen.emit.forces import has_effects
 from adagen.emit.joints.refine import add_corrections, corrections
 from adagen.emit.joints.rows import joint_rows
 from adagen.emit.joints.steps import step_rows
 from adagen.emit.refine import refinement_values
-from adagen.emit.words import Words
+from adagen.emit.symbols import Symbols
 from adagen.plan import Plan
 from adagen.plan.steps import FusedJoin, StartLink
 
@@ -34,22 +34,22 @@ def why_not(plan: Plan) -> str | None:
     return None
 
 
-def values(words: Words) -> dict[str, object]:
+def values(symbols: Symbols) -> dict[str, object]:
     """Return the values of joints.cpp.j2, its runtime headers among them."""
-    segments = any(words.plan.steps_of(StartLink))
-    fused = any(words.plan.steps_of(FusedJoin))
+    segments = any(symbols.plan.steps_of(StartLink))
+    fused = any(symbols.plan.steps_of(FusedJoin))
     runtime = ["articulated.hpp" if segments else "joins.hpp"]
     runtime += ["fused.hpp"] * fused
-    if has_effects(words.plan):
+    if has_effects(symbols.plan):
         runtime += ["effects.hpp", *["geared.hpp"] * segments]
-    rows = joint_rows(words)
-    if words.refine:
+    rows = joint_rows(symbols)
+    if symbols.refine:
         runtime += ["wide.hpp", "refine.hpp", "refine_joins.hpp"]
         runtime += ["refine_segment.hpp"] * segments + ["refine_fused.hpp"] * fused
-        add_corrections(words, rows)
+        add_corrections(symbols, rows)
     return {
         "runtime": runtime,
         "joint_functions": rows,
-        "steps": step_rows(words),
-        **(refinement_values(words, corrections(words), []) if words.refine else {}),
+        "steps": step_rows(symbols),
+        **(refinement_values(symbols, corrections(symbols), []) if symbols.refine else {}),
     }

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from adagen.emit import effects
+from adagen.emit import forces
 from adagen.emit.joints.joins import store, torques, velocity_product
-from adagen.emit.words import Words
+from adagen.emit.symbols import Symbols
 from adagen.plan.steps import (
     Accelerate,
     Articulate,
@@ -16,33 +16,33 @@ from adagen.plan.steps import (
 )
 
 
-def ends(words: Words, step: Articulate | Propagate | Deliver | Accelerate) -> tuple[int, int]:
+def ends(symbols: Symbols, step: Articulate | Propagate | Deliver | Accelerate) -> tuple[int, int]:
     """The near and the far link of a joint, seen from the segment's root."""
-    parent, child = words.plan.joints[step.joint].parent, step.joint + 1
+    parent, child = symbols.plan.joints[step.joint].parent, step.joint + 1
     return (child, parent) if step.reversed else (parent, child)
 
 
-def of_link(words: Words, j: int, link: int) -> str:
+def of_link(symbols: Symbols, j: int, link: int) -> str:
     """Where a link's part of the memory is, seen from a joint's function (``i`` is its own)."""
-    return "i" if link == j + 1 else words.link_memory(link)
+    return "i" if link == j + 1 else symbols.link_memory(link)
 
 
-def articulate(words: Words, step: Articulate) -> list[str]:
+def articulate(symbols: Symbols, step: Articulate) -> list[str]:
     """I^A and p^A of the far link, through the joint, onto the near link."""
     j = step.joint
-    joint = words.plan.joints[j]
-    near, far = ends(words, step)
-    own, beyond = of_link(words, step.joint, near), of_link(words, step.joint, far)
+    joint = symbols.plan.joints[j]
+    near, far = ends(symbols, step)
+    own, beyond = of_link(symbols, step.joint, near), of_link(symbols, step.joint, far)
     sigma = "-1" if step.reversed else "1"
     inertia, force = f"{beyond}.IA", f"{beyond}.pA"
     lines = [
-        f"auto& i = {words.memory(j)};",
-        *torques(words, j, "i.body.tau"),
-        *velocity_product(words, j, "i.body.c"),
-        *effects.prescribe(words, j, "i.body.c"),
+        f"auto& i = {symbols.memory(j)};",
+        *torques(symbols, j, "i.body.tau"),
+        *velocity_product(symbols, j, "i.body.c"),
+        *forces.prescribe(symbols, j, "i.body.c"),
     ]
     if joint.rotor_inertia:
-        lines.append(f"i.body.J = {words.printer.number(joint.rotor_inertia)};")
+        lines.append(f"i.body.J = {symbols.printer.number(joint.rotor_inertia)};")
     if step.reversed:
         lines += [
             "i.body.c = -i.body.c;",
@@ -57,27 +57,27 @@ def articulate(words: Words, step: Articulate) -> list[str]:
     return [*lines, f"{add}{call}, {own}.IA, {own}.pA);"]
 
 
-def propagate(words: Words, step: Propagate) -> list[str]:
+def propagate(symbols: Symbols, step: Propagate) -> list[str]:
     """Omega and Psi of the far link from the near link's."""
-    lines = [f"auto& i = {words.memory(step.joint)};"]
-    target = words.block(step.block)
+    lines = [f"auto& i = {symbols.memory(step.joint)};"]
+    target = symbols.block(step.block)
     if step.near is None:
         lines.append("Mat6 Omega = kZero;")
     elif step.reversed:
-        lines.append(f"Mat6 Omega = {words.block(step.near)};")
+        lines.append(f"Mat6 Omega = {symbols.block(step.near)};")
     else:
-        lines.append(f"Mat6 Omega = from_right(i.X * {words.block(step.near)}, i.X);")
+        lines.append(f"Mat6 Omega = from_right(i.X * {symbols.block(step.near)}, i.X);")
     lines.append("carry(i.body, Omega);")
     lines.append(f"{target} = {'congruent_in_parent(i.X, Omega)' if step.reversed else 'Omega'};")
-    near = "w.ground" if step.near_bias is None else words.bias(step.near_bias)
-    lines += far_acceleration(step, near, words.bias(step.bias))
+    near = "w.ground" if step.near_bias is None else symbols.bias(step.near_bias)
+    lines += far_acceleration(step, near, symbols.bias(step.bias))
     for number, spread in enumerate(step.spreads):
-        lines += _spread(words, step, spread, f"Psi_{number}")
+        lines += _spread(symbols, step, spread, f"Psi_{number}")
     return lines
 
 
-def _spread(words: Words, step: Propagate, spread: Spread, name: str) -> list[str]:
-    source = words.block(spread.source)
+def _spread(symbols: Symbols, step: Propagate, spread: Spread, name: str) -> list[str]:
+    source = symbols.block(spread.source)
     if step.reversed:
         start = f"{source}.transpose()" if spread.source_transposed else source
     elif spread.source_transposed:
@@ -87,9 +87,9 @@ def _spread(words: Words, step: Propagate, spread: Spread, name: str) -> list[st
     end = f"motion_in_parent(i.X, {name})" if step.reversed else name
     transposed = ".transpose()" if spread.target_transposed else ""
     return [
-        f"Mat6 {name} = {start};  // with link {words.quoted_link(spread.handle)}",
+        f"Mat6 {name} = {start};  // with link {symbols.quoted_link(spread.handle)}",
         f"share(i.body, {name});",
-        f"{words.block(spread.target)} = {end}{transposed};",
+        f"{symbols.block(spread.target)} = {end}{transposed};",
     ]
 
 
@@ -101,86 +101,86 @@ def far_acceleration(step: Propagate | Accelerate, near: str, target: str) -> li
     return [f"{target} = i.X * {near};", f"accelerate(i.body, {target});"]
 
 
-def deliver(words: Words, step: Deliver) -> list[str]:
+def deliver(symbols: Symbols, step: Deliver) -> list[str]:
     """The load on the far link, through the joint, onto the near link."""
-    near, far = ends(words, step)
-    load = f"{of_link(words, step.joint, far)}.load"
+    near, far = ends(symbols, step)
+    load = f"{of_link(symbols, step.joint, far)}.load"
     lines = [
-        f"auto& i = {words.memory(step.joint)};",
+        f"auto& i = {symbols.memory(step.joint)};",
         f"Columns6 load = {f'wrench_in_child(i.X, {load})' if step.reversed else load};",
         "deliver(i.body, load);",
     ]
     if near > 0:
         passed = "load" if step.reversed else "i.X.transposed_times(load)"
-        lines.append(f"{of_link(words, step.joint, near)}.load += {passed};")
+        lines.append(f"{of_link(symbols, step.joint, near)}.load += {passed};")
     return lines
 
 
-def accelerate(words: Words, step: Accelerate) -> list[str]:
+def accelerate(symbols: Symbols, step: Accelerate) -> list[str]:
     """Qdd of the joint and the acceleration of its far link."""
-    near, far = ends(words, step)
-    start = "w.ground" if near == 0 else f"{of_link(words, step.joint, near)}.a"
-    lines = [f"auto& i = {words.memory(step.joint)};"]
-    target = f"{of_link(words, step.joint, far)}.a"
-    if words.plan.joints[step.joint].prescribed:
+    near, far = ends(symbols, step)
+    start = "w.ground" if near == 0 else f"{of_link(symbols, step.joint, near)}.a"
+    lines = [f"auto& i = {symbols.memory(step.joint)};"]
+    target = f"{of_link(symbols, step.joint, far)}.a"
+    if symbols.plan.joints[step.joint].prescribed:
         lines += far_acceleration(step, start, target)
-        given = effects.given_acceleration(words, step.joint)
-        return [*lines, *given, store(words, step.joint, "qdd")]
+        given = forces.given_acceleration(symbols, step.joint)
+        return [*lines, *given, store(symbols, step.joint, "qdd")]
     moved = f"accelerate(i.body, {'a' if step.reversed else target})"
     if step.reversed:
-        lines += [f"Columns6 a = {start};", store(words, step.joint, f"negated({moved})")]
+        lines += [f"Columns6 a = {start};", store(symbols, step.joint, f"negated({moved})")]
         lines.append(f"{target} = motion_in_parent(i.X, a);")
     else:
-        lines += [f"{target} = i.X * {start};", store(words, step.joint, moved)]
-    return [*lines, *_force(words, step, far)] if words.refine else lines
+        lines += [f"{target} = i.X * {start};", store(symbols, step.joint, moved)]
+    return [*lines, *_force(symbols, step, far)] if symbols.refine else lines
 
 
-def _force(words: Words, step: Accelerate, far: int) -> list[str]:
+def _force(symbols: Symbols, step: Accelerate, far: int) -> list[str]:
     """The joint's force on its child link, to be refined."""
-    beyond = of_link(words, step.joint, far)
-    load = f" - {beyond}.load" if far in words.loaded else ""
+    beyond = of_link(symbols, step.joint, far)
+    load = f" - {beyond}.load" if far in symbols.loaded else ""
     force = f"effort({beyond}.IA, {beyond}.a, {beyond}.pA){load}"
     return [
         f"Columns6& f = w.refinement.f[{step.joint}];",
         f"f = {f'-wrench_in_child(i.X, {force})' if step.reversed else force};",
-        f"along<{words.type_of(step.joint)}>(i.body.tau, f);",
+        f"along<{symbols.type_of(step.joint)}>(i.body.tau, f);",
     ]
 
 
-def free_base(words: Words, step: FreeBase) -> list[str]:
+def free_base(symbols: Symbols, step: FreeBase) -> list[str]:
     """The torque of a floating joint on the ground, straight onto its link."""
     j = step.joint
     return [
-        f"auto& i = {words.memory(j)};",
+        f"auto& i = {symbols.memory(j)};",
         "std::array<std::array<Real, kColumns>, 6> tau;",
-        *torques(words, j, "tau"),
+        *torques(symbols, j, "tau"),
         "for (std::size_t k = 0; k < 6; ++k)",
         "  for (int c = 0; c < kColumns; ++c)",
         "    i.pA(Floating::Free::row[k], c) -= tau[k][static_cast<std::size_t>(c)];",
     ]
 
 
-def free_acceleration(words: Words, step: FreeAcceleration) -> list[str]:
+def free_acceleration(symbols: Symbols, step: FreeAcceleration) -> list[str]:
     """Qdd of a floating joint on the ground, from the acceleration of its link."""
     j = step.joint
     return [
-        f"auto& i = {words.memory(j)};",
+        f"auto& i = {symbols.memory(j)};",
         "const Columns6 a = i.a - i.X * w.ground;",
         "std::array<std::array<Real, kColumns>, 6> qdd;",
         "for (std::size_t k = 0; k < 6; ++k)",
         "  for (int c = 0; c < kColumns; ++c)",
         "    qdd[k][static_cast<std::size_t>(c)] = a(Floating::Free::row[k], c);",
-        store(words, j, "qdd"),
-        *_free_force(words, j),
+        store(symbols, j, "qdd"),
+        *_free_force(symbols, j),
     ]
 
 
-def _free_force(words: Words, j: int) -> list[str]:
+def _free_force(symbols: Symbols, j: int) -> list[str]:
     """The torque of a floating joint on the ground, all the force that it has."""
-    if not words.refine:
+    if not symbols.refine:
         return []
     return [
         "std::array<std::array<Real, kColumns>, 6> tau;",
-        *torques(words, j, "tau"),
+        *torques(symbols, j, "tau"),
         f"along<Floating>(tau, w.refinement.f[{j}]);",
     ]

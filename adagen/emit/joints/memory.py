@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections import defaultdict
 
-from adagen.emit import effects
+from adagen.emit import forces
 from adagen.emit.joints.fused import freedoms, type_of
-from adagen.emit.words import Words
+from adagen.emit.symbols import Symbols
 from adagen.plan.steps import (
     Articulate,
     Bias,
@@ -24,9 +24,9 @@ from adagen.plan.steps import (
 )
 
 
-def _of_started_link(words: Words, link: int) -> list[str]:
+def _of_started_link(symbols: Symbols, link: int) -> list[str]:
     return [
-        f"Inertia IA;  // articulated-body inertia of link {words.quoted_link(link)}",
+        f"Inertia IA;  // articulated-body inertia of link {symbols.quoted_link(link)}",
         "Columns6 pA;  // and its bias force",
         "Columns6 a;  // acceleration of the link, relative to free fall",
     ]
@@ -35,84 +35,84 @@ def _of_started_link(words: Words, link: int) -> list[str]:
 class Members:
     """Collects the members of every joint's memory from all processes' steps."""
 
-    def __init__(self, words: Words) -> None:
-        self.words = words
-        plan = words.plan
+    def __init__(self, symbols: Symbols) -> None:
+        self.symbols = symbols
+        plan = symbols.plan
         self.lines: list[list[str]] = [
             [
                 "Transform X;  // parent link's to child link's frame",
-                f"Vec6 v;  // velocity of link {words.quoted_link(j + 1)}",
+                f"Vec6 v;  // velocity of link {symbols.quoted_link(j + 1)}",
             ]
             for j in range(len(plan.joints))
         ]
         self.bases = [""] * len(plan.joints)
         """What a joint's memory is derived from, instead of these members."""
-        forces: dict[int, set[Force]] = defaultdict(set)
+        handle_forces: dict[int, set[Force]] = defaultdict(set)
         for step in plan.steps:
-            self._add(step, forces)
-        for joint, named in forces.items():
+            self._add(step, handle_forces)
+        for joint, named in handle_forces.items():
             for force in sorted(named):
-                member = words.force_member(force)
+                member = symbols.force_member(force)
                 self.lines[joint].append(f"Columns6 {member};  // outer wrench on that chain")
         for j in range(len(plan.joints)):
             self._derive(j)
         if plan.right_hand_sides > 1:
             for j, lines in enumerate(self.lines):
-                lines.append(f"{effects.freedoms_type(words, j)} qdd;")
+                lines.append(f"{forces.freedoms_type(symbols, j)} qdd;")
 
     def _derive(self, j: int) -> None:
         """Leave to ArticulatedJoint what a joint has whose link starts an articulated body."""
-        lines, body = self.lines[j], effects.body_type(self.words, j)
-        kept = [*lines[:2], *_of_started_link(self.words, j + 1), f"{body} body;"]
+        lines, body = self.lines[j], forces.body_type(self.symbols, j)
+        kept = [*lines[:2], *_of_started_link(self.symbols, j + 1), f"{body} body;"]
         if all(line in lines for line in kept):
             self.lines[j] = [line for line in lines if line not in kept]
             self.bases[j] = f"ArticulatedJoint<{body}>"
 
-    def _add(self, step: Step, forces: dict[int, set[Force]]) -> None:
-        words = self.words
+    def _add(self, step: Step, handle_forces: dict[int, set[Force]]) -> None:
+        symbols = self.symbols
         for block in blocks_set_by(step):
             self._block(block)
         for bias in biases_set_by(step):
             self._bias(bias)
         match step:
             case LinkBias():
-                name = words.quoted_link(step.link)
+                name = symbols.quoted_link(step.link)
                 self.lines[step.link - 1].append(f"Columns6 b;  // bias of the bare link {name}")
             case Join():
                 self._joined(step)
             case Disassemble():
                 for update in step.updates:
-                    forces[update.target.joint].add(update.target)
+                    handle_forces[update.target.joint].add(update.target)
             case StartLink():
-                self.lines[step.link - 1] += _of_started_link(words, step.link)
+                self.lines[step.link - 1] += _of_started_link(symbols, step.link)
             case Articulate():
-                self.lines[step.joint].append(f"{effects.body_type(words, step.joint)} body;")
+                self.lines[step.joint].append(f"{forces.body_type(symbols, step.joint)} body;")
             case Load():
                 self.lines[step.link - 1].append("Columns6 load;  // what handle forces add")
 
     def _joined(self, step: Join) -> None:
-        words = self.words
-        kind = effects.joined_type(words, step.joint)
+        symbols = self.symbols
+        kind = forces.joined_type(symbols, step.joint)
         if isinstance(step, FusedJoin):
-            kind = type_of(words, step)
-            run = f"Run<{freedoms(words, step)}> run;"
+            kind = type_of(symbols, step)
+            run = f"Run<{freedoms(symbols, step)}> run;"
             self.lines[step.joint].append(f"{run}  // that it is joined with")
-            if words.refine:
-                own = f"Eigen::Matrix<Real, {freedoms(words, step)}, {freedoms(words, step)}>"
+            if symbols.refine:
+                own = f"Eigen::Matrix<Real, {freedoms(symbols, step)}, {freedoms(symbols, step)}>"
                 self.lines[step.joint].append(f"{own} P;  // mobility along the run")
         self.lines[step.joint].append(f"Joined<{kind}> joined;")
-        if words.plan.joints[step.joint].rotor_inertia:
-            own = effects.freedoms_type(words, step.joint)
+        if symbols.plan.joints[step.joint].rotor_inertia:
+            own = forces.freedoms_type(symbols, step.joint)
             self.lines[step.joint].append(f"{own} tau;  // drives rotor and joint")
         for coupling in step.couplings:
-            handle = words.links[coupling.handle]
+            handle = symbols.links[coupling.handle]
             self.lines[step.joint].append(f"Coupled<{kind}> at_{handle};")
 
     def _block(self, block: Block) -> None:
         assert block.joint is not None  # bare links' blocks are constants
-        member = self.words.block_member(block)
+        member = self.symbols.block_member(block)
         self.lines[block.joint].append(f"Mat6 {member};  // of the chain it completes")
 
     def _bias(self, bias: Bias) -> None:
         assert bias.joint is not None  # a bare link's bias belongs to the link
-        self.lines[bias.joint].append(f"Columns6 b_{self.words.links[bias.handle]};")
+        self.lines[bias.joint].append(f"Columns6 b_{self.symbols.links[bias.handle]};")

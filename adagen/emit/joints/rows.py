@@ -8,7 +8,7 @@ from typing import Any
 from adagen.emit.joints import articulated, fused, joins
 from adagen.emit.joints.kinematics import kinematics_lines
 from adagen.emit.joints.memory import Members
-from adagen.emit.words import Words
+from adagen.emit.symbols import Symbols
 from adagen.plan.steps import (
     Accelerate,
     Articulate,
@@ -37,7 +37,7 @@ VERBS: dict[type, str] = {
     FreeAcceleration: "free_acceleration",
 }
 
-_LINES: dict[type, Callable[[Words, Any], list[str]]] = {
+_LINES: dict[type, Callable[[Symbols, Any], list[str]]] = {
     FreeBase: articulated.free_base,
     Articulate: articulated.articulate,
     Propagate: articulated.propagate,
@@ -47,33 +47,33 @@ _LINES: dict[type, Callable[[Words, Any], list[str]]] = {
 }
 
 
-def function_of(words: Words, step: Step) -> str | None:
+def function_of(symbols: Symbols, step: Step) -> str | None:
     """Return the name of the emitted function that does a step, if it is a joint's."""
     verb = VERBS.get(type(step))
     joint = getattr(step, "joint", None)
-    return None if verb is None or joint is None else f"{verb}_{words.joints[joint]}"
+    return None if verb is None or joint is None else f"{verb}_{symbols.joints[joint]}"
 
 
-def joint_rows(words: Words) -> list[dict[str, object]]:
+def joint_rows(symbols: Symbols) -> list[dict[str, object]]:
     """Return a row for each joint: names, memory, functions in the order of their first use."""
-    plan = words.plan
-    members = Members(words)
+    plan = symbols.plan
+    members = Members(symbols)
     functions: list[dict[str, dict[str, object]]] = [{} for _ in plan.joints]
     ends = {step.joint: step for step in plan.steps_of(Disassemble)}
     joined = {step.joint: step for step in plan.steps_of(Join)}
     for step in plan.steps:
-        name = function_of(words, step)
+        name = function_of(symbols, step)
         if name is not None:
             of_joint = functions[getattr(step, "joint", -1)]
-            of_joint.setdefault(name, _function(words, step, name, joined, ends))
+            of_joint.setdefault(name, _function(symbols, step, name, joined, ends))
     return [
         {
-            "id": f"j_{words.joints[j]}",
-            "type": f"Joint_{words.joints[j]}",
-            "quoted": words.quoted_joint(j),
+            "id": f"j_{symbols.joints[j]}",
+            "type": f"Joint_{symbols.joints[j]}",
+            "quoted": symbols.quoted_joint(j),
             "kind": joint.kind,
-            "parent_quoted": words.quoted_link(joint.parent),
-            "child_quoted": words.quoted_link(j + 1),
+            "parent_quoted": symbols.quoted_link(joint.parent),
+            "child_quoted": symbols.quoted_link(j + 1),
             "base": members.bases[j],
             "members": members.lines[j],
             "functions": list(functions[j].values()),
@@ -83,24 +83,24 @@ def joint_rows(words: Words) -> list[dict[str, object]]:
 
 
 def _function(
-    words: Words, step: Step, name: str, joined: dict[int, Join], ends: dict[int, Disassemble]
+    symbols: Symbols, step: Step, name: str, joined: dict[int, Join], ends: dict[int, Disassemble]
 ) -> dict[str, object]:
     comment = ""
     match step:
         case Kinematics():
-            lines = kinematics_lines(words, step.joint)
+            lines = kinematics_lines(symbols, step.joint)
         case FusedJoin():
-            comment = joins.parts(words, step, ends[step.joint])
-            lines = fused.assembly(words, step)
+            comment = joins.parts(symbols, step, ends[step.joint])
+            lines = fused.assembly(symbols, step)
         case Join():
-            comment = joins.parts(words, step, ends[step.joint])
-            lines = joins.assembly(words, step)
+            comment = joins.parts(symbols, step, ends[step.joint])
+            lines = joins.assembly(symbols, step)
         case Disassemble():
             join = joined[step.joint]
             if isinstance(join, FusedJoin):
-                lines = fused.disassembly(words, join, step)
+                lines = fused.disassembly(symbols, join, step)
             else:
-                lines = joins.disassembly(words, join, step)
+                lines = joins.disassembly(symbols, join, step)
         case _:
-            lines = _LINES[type(step)](words, step)
+            lines = _LINES[type(step)](symbols, step)
     return {"name": name, "comment": comment, "lines": lines}

@@ -7,40 +7,40 @@ from __future__ import annotations
 
 from adagen.emit.joints.fused import felt, fused, joined, named, released, rows_of
 from adagen.emit.joints.joins import store
-from adagen.emit.words import Words
+from adagen.emit.symbols import Symbols
 from adagen.plan.steps import Disassemble, FusedJoin
 
 
-def assembly(words: Words, join: FusedJoin) -> list[str]:
+def assembly(symbols: Symbols, join: FusedJoin) -> list[str]:
     """Eq. (3)-(7) of the run in its coordinates."""
-    lines = [named(words, join)]
-    for j, first, count in rows_of(words, join):
+    lines = [named(symbols, join)]
+    for j, first, count in rows_of(symbols, join):
         lines += [
             "{",
-            f"  extend<{words.type_of(j)}, {first}>(i.run, own_transform(w, {j}));",
+            f"  extend<{symbols.type_of(j)}, {first}>(i.run, own_transform(w, {j}));",
             f"  std::array<std::array<Real, kColumns>, {count}> tau;",
-            f"  load_torque(w, {j}, {words.plan.joints[j].v}, tau);",
+            f"  load_torque(w, {j}, {symbols.plan.joints[j].v}, tau);",
             f"  place<{first}>(tau, i.joined.tau);",
             "}",
         ]
     lines += fused(join)
     if join.a_bias is None:
-        return lines + joined(words, join, "kGround")
-    lines.append(f"i.run.BX = for_expressed(w, {parent(words, join)}, i.run.BX);")
-    return lines + joined(words, join, words.bias(join.a_bias))
+        return lines + joined(symbols, join, "kGround")
+    lines.append(f"i.run.BX = for_expressed(w, {parent(symbols, join)}, i.run.BX);")
+    return lines + joined(symbols, join, symbols.bias(join.a_bias))
 
 
-def disassembly(words: Words, join: FusedJoin, end: Disassemble) -> list[str]:
+def disassembly(symbols: Symbols, join: FusedJoin, end: Disassemble) -> list[str]:
     """Eq. (8)-(10) of the run: the accelerations of its joints, and what its ends get to feel."""
-    lines = released(words, join, end)
-    if words.refine:
+    lines = released(symbols, join, end)
+    if symbols.refine:
         lines.append(f"w.refinement.f[{join.joint}].col(w.refinement.side) = f;")
-    for j, first, count in rows_of(words, join):
-        lines.append(f"{store(words, j, f'part<{first}, {count}>(release.qdd())')}  // Eq. (9)")
-    on_a = f"to_expressed(w, {parent(words, join)}, i.run.X.transposed_times(f))"
-    return lines + felt(words, end, on_a)
+    for j, first, count in rows_of(symbols, join):
+        lines.append(f"{store(symbols, j, f'part<{first}, {count}>(release.qdd())')}  // Eq. (9)")
+    on_a = f"to_expressed(w, {parent(symbols, join)}, i.run.X.transposed_times(f))"
+    return lines + felt(symbols, end, on_a)
 
 
-def parent(words: Words, join: FusedJoin) -> int:
+def parent(symbols: Symbols, join: FusedJoin) -> int:
     """Return the link that a run begins at."""
-    return words.plan.joints[join.run[0]].parent
+    return symbols.plan.joints[join.run[0]].parent

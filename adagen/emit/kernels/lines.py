@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from adagen.emit import guards
-from adagen.emit.effects import push_calls
+from adagen.emit.forces import push_calls
 from adagen.emit.kernels import messages, mobility, shared_bound
 from adagen.emit.kernels.weighing import Weighing, blocks_of, links_looked_at, word
 from adagen.emit.stages import stamped
-from adagen.emit.words import Words
+from adagen.emit.symbols import Symbols
 from adagen.plan.edges import is_base
 from adagen.plan.simd_groups import Limbs, placed_links
 from adagen.plan.steps import (
@@ -34,7 +34,7 @@ class KernelLines:
     """Turns the operations of one process into lines.
 
     Args:
-        words: the plan's names.
+        symbols: the C++ names of the plan's joints, links and buffers.
         p: the process that the calls name; beyond the last one for what recovers.
         process: the process.
         operations: what it runs.
@@ -44,19 +44,19 @@ class KernelLines:
 
     def __init__(
         self,
-        words: Words,
+        symbols: Symbols,
         p: int,
         process: Process,
         operations: tuple[Operation, ...],
         slots: Slots,
         turned: frozenset[int],
     ) -> None:
-        self.words, self.p, self.process, self.slots = words, p, process, slots
+        self.symbols, self.p, self.process, self.slots = symbols, p, process, slots
         self.turned = turned
         self.operations = operations
         self.responded = False  # whether responses to slaved joints' torques are found
-        self.joints = words.plan.joints
-        self.placed = placed_links(words.plan)
+        self.joints = symbols.plan.joints
+        self.placed = placed_links(symbols.plan)
         self.gathers = set(self.placed)  # links at which paths meet inwards
         self.parts: set[int] = set()  # links at which paths part outwards
         self.oriented: set[int] = set()  # joints whose quaternions are read
@@ -71,18 +71,18 @@ class KernelLines:
 
     def all_lines(self) -> list[str]:
         """Return the lines of the process."""
-        follows = ["slave(kJoints, w.q.data(), w.v.data());"] if self.words.plan.slaved else []
+        follows = ["slave(kJoints, w.q.data(), w.v.data());"] if self.symbols.plan.slaved else []
         return [
             *follows,
-            *guards.checks(self.words, self.process),
+            *guards.checks(self.symbols, self.process),
             *self._reaches(),
             *stamped(self.process, self.operations, self._lines_in_turn),
-            *guards.results(self.words, self.process),
+            *guards.results(self.symbols, self.process),
         ]
 
     def _reaches(self) -> list[str]:
         """What is known of accelerations before all others, where answers are weighed."""
-        if not self.words.plan.weighed:
+        if not self.symbols.plan.weighed:
             return []
         falls = [f"reach_fall<{j}>(w);" for j, joint in enumerate(self.joints) if is_base(joint)]
         return ["reach_ground(w);", *falls]
@@ -94,7 +94,7 @@ class KernelLines:
         """
         again = [op for op in self.operations if op.does not in PREPARED or self._couples(op)]
         lines = [line for operation in again for line in self.lines(operation)]
-        return [*lines, *guards.corrections(self.words, self.process)]
+        return [*lines, *guards.corrections(self.symbols, self.process)]
 
     def responses(self) -> list[str]:
         """Return the lines that answer to other torques and forces on links alone."""
@@ -107,7 +107,7 @@ class KernelLines:
             if isinstance(step, SolveCoupling | ApplyCoupling):
                 return True
             if isinstance(step, Send | Receive):
-                return self.words.plan.messages[step.message].joint is None
+                return self.symbols.plan.messages[step.message].joint is None
         return False
 
     def _lines_in_turn(self, operation: Operation) -> list[str]:
@@ -131,7 +131,7 @@ class KernelLines:
                 "parts": k in self.parts,
                 "oriented": k - 1 in self.oriented,
             }
-            for k in range(len(self.words.plan.links))
+            for k in range(len(self.symbols.plan.links))
         ]
 
     def lines(self, operation: Operation) -> list[str]:
@@ -140,7 +140,7 @@ class KernelLines:
         if write is not None:
             return list(write(operation))
         (step,) = operation.steps
-        return mobility.lines_of(self.words, self.p, step)
+        return mobility.lines_of(self.symbols, self.p, step)
 
     def _angles(self, operation: Operation) -> list[str]:
         """Sines and cosines, and orientations from quaternions, as many at once as there are."""
@@ -150,7 +150,7 @@ class KernelLines:
         oriented = [
             j
             for j in joints
-            if self.words.kind(j).quaternion is not None and not is_base(self.joints[j])
+            if self.symbols.kind(j).quaternion is not None and not is_base(self.joints[j])
         ]
         self.oriented.update(oriented)
         return [
@@ -208,21 +208,21 @@ class KernelLines:
         assert isinstance(step, Traverse)
         assert isinstance(run, Run)
         verb = "traverse" + "_in_strips" * (operation.method == "strips")
-        own = self.words.passage(step.passage)
+        own = self.symbols.passage(step.passage)
         found = f"const auto starts_{run.first} = " * (run in self.traversed)
         return [f"{found}{verb}<{run.first}, {run.last}>(w, {own});" + self._names(run)]
 
     def _append(self, operation: Operation) -> list[str]:
         (step,) = operation.steps
         assert isinstance(step, Append)
-        whole, near, far = map(self.words.passage, (step.passage, step.near, step.far))
+        whole, near, far = map(self.symbols.passage, (step.passage, step.near, step.far))
         return [f"{whole} = appended({near}, {far});"]
 
     def _arrive(self, operation: Operation) -> list[str]:
         (step,) = operation.steps
         assert isinstance(step, Arrive)
-        name = self.words.quoted_link(step.passage.link)
-        own = self.words.passage(step.passage)
+        name = self.symbols.quoted_link(step.passage.link)
+        own = self.symbols.passage(step.passage)
         return [f"arrive<{step.near}, {step.passage.link}>(w, {own});  // {name}"]
 
     def _number(self, limbs: Limbs) -> str:
@@ -236,13 +236,13 @@ class KernelLines:
         blocks = blocks_of(self.slots, (link - 1 for link in links))
         return [
             *(f"set_up_links<{a}, {b}>(w);" for a, b in blocks),
-            *push_calls(self.words, links),
+            *push_calls(self.symbols, links),
         ]
 
     def _place_inertia(self, operation: Operation) -> list[str]:
         assert isinstance(operation.block, Links)
         (link,) = operation.block.numbers
-        name = self.words.quoted_link(link)
+        name = self.symbols.quoted_link(link)
         return [f"place<{link}, {word(operation.first[0])}>(w);  // {name} itself"]
 
     def _link_columns(self, operation: Operation) -> list[str]:
@@ -256,20 +256,20 @@ class KernelLines:
         return []  # what comes first takes its place
 
     def _send(self, operation: Operation) -> list[str]:
-        if shared_bound.tells(self.words, operation):
-            return shared_bound.told(self.words, self.process, operation)
-        return messages.sent(self.words, operation)
+        if shared_bound.tells(self.symbols, operation):
+            return shared_bound.told(self.symbols, self.process, operation)
+        return messages.sent(self.symbols, operation)
 
     def _receive(self, operation: Operation) -> list[str]:
-        if shared_bound.tells(self.words, operation):
-            return shared_bound.heard(self.words, operation)
-        return messages.received(self.words, operation)
+        if shared_bound.tells(self.symbols, operation):
+            return shared_bound.heard(self.symbols, operation)
+        return messages.received(self.symbols, operation)
 
     def _solve_coupling(self, _: Operation) -> list[str]:
-        return messages.solved_coupling(self.words)
+        return messages.solved_coupling(self.symbols)
 
     def _apply_coupling(self, _: Operation) -> list[str]:
-        return messages.applied_coupling(self.words, self.process)
+        return messages.applied_coupling(self.symbols, self.process)
 
     def _free_base(self, operation: Operation) -> list[str]:
         assert isinstance(operation.block, Run)
@@ -318,7 +318,7 @@ class KernelLines:
         return ["{", f"  const auto X = {sweep}", *left, "}"] if left else [sweep]
 
     def _propagate(self, operation: Operation) -> list[str]:
-        return mobility.propagation(self.words, operation)
+        return mobility.propagation(self.symbols, operation)
 
     def _deliver(self, operation: Operation) -> list[str]:
         assert isinstance(operation.block, Run)
@@ -326,29 +326,29 @@ class KernelLines:
         if operation.method == "along":
             call = f"deliver_along<{run.first}, {run.last}>(w, {mobility.way_of(run)});"
         else:
-            call = mobility.delivery(self.words, run, through=operation.method == "through")
+            call = mobility.delivery(self.symbols, run, through=operation.method == "through")
         return [call + self._names(run)]
 
     def _load(self, operation: Operation) -> list[str]:
         if operation.method == "through":
             return []  # nothing but what runs deliver, which their loops carry along
-        return mobility.lines_of(self.words, self.p, operation.steps[0])
+        return mobility.lines_of(self.symbols, self.p, operation.steps[0])
 
     def _solve_root(self, operation: Operation) -> list[str]:
         link = _link(operation.steps[0])
-        reaches = [f"reach_root<{link}>(w);"] if self.words.plan.weighed else []
+        reaches = [f"reach_root<{link}>(w);"] if self.symbols.plan.weighed else []
         return [f"solve_root<{self.p}, {link}>(w);", *reaches]
 
     def _solve_mobility(self, operation: Operation) -> list[str]:
         (step,) = operation.steps
-        reaches = [f"reach_root<{_link(step)}>(w);"] if self.words.plan.weighed else []
-        return [*mobility.lines_of(self.words, self.p, step), *reaches]
+        reaches = [f"reach_root<{_link(step)}>(w);"] if self.symbols.plan.weighed else []
+        return [*mobility.lines_of(self.symbols, self.p, step), *reaches]
 
     def _certify(self, operation: Operation) -> list[str]:
         """Sweep inwards once more, block by block, for what the equations of motion leave over."""
         (step,) = operation.steps
         self.parts |= links_looked_at(step)
-        weighing = Weighing(self.words, self.p, self.slots)
+        weighing = Weighing(self.symbols, self.p, self.slots)
         return weighing.lines(step, self.operations)
 
     def _refine(self, operation: Operation) -> list[str]:
@@ -359,7 +359,7 @@ class KernelLines:
                 lines += self._accelerate(op)
             elif op.does == "free_acceleration":
                 lines += self._free_acceleration(op)
-            elif op.does == "solve_root" and self.words.plan.corrections > 1:
+            elif op.does == "solve_root" and self.symbols.plan.corrections > 1:
                 lines.append(f"reach_root<{_link(op.steps[0])}>(w);")
         lines.append("end_own_correction(w);")
         return ["for (int k = 0; k < kRefine; ++k) {", *(f"  {line}" for line in lines), "}"]
@@ -368,8 +368,8 @@ class KernelLines:
         (step,) = operation.steps
         assert isinstance(step, LoadRoot)
         self.parts.add(step.link)
-        kept = [f"keep_held(w, {step.link});"] if self.words.plan.weighed else []
-        return [*kept, *mobility.lines_of(self.words, self.p, step)]
+        kept = [f"keep_held(w, {step.link});"] if self.symbols.plan.weighed else []
+        return [*kept, *mobility.lines_of(self.symbols, self.p, step)]
 
     def _accelerate(self, operation: Operation) -> list[str]:
         run = operation.block
@@ -395,7 +395,7 @@ class KernelLines:
 
     def _names(self, run: Run) -> str:
         """Which joints a run is of, as a comment."""
-        return f"  // {self.words.span(run.first, run.last)}"
+        return f"  // {self.symbols.span(run.first, run.last)}"
 
 
 def _link(step: Step) -> int:

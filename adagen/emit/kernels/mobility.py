@@ -10,11 +10,11 @@ from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import replace
 
-from adagen.emit import effects
+from adagen.emit import forces
 from adagen.emit.joints import joins
 from adagen.emit.joints.fused import freedoms, type_of
 from adagen.emit.kernels import fused
-from adagen.emit.words import Words
+from adagen.emit.symbols import Symbols
 from adagen.plan import Plan
 from adagen.plan.edges import is_free_base
 from adagen.plan.steps import (
@@ -98,25 +98,25 @@ def passes_free(plan: Plan) -> bool:
     )
 
 
-def members(words: Words) -> dict[int, list[str]]:
+def members(symbols: Symbols) -> dict[int, list[str]]:
     """Return the members of the memory of each joint that has any."""
     lines: dict[int, dict[str, None]] = defaultdict(dict)
     forces: set[Force] = set()
-    for step in _computed(words.program):
+    for step in _computed(symbols.program):
         for block in blocks_set_by(step):
             assert block.joint is not None  # bare links' blocks are constants
-            lines[block.joint][f"Mat6 {words.block_member(block)};"] = None
+            lines[block.joint][f"Mat6 {symbols.block_member(block)};"] = None
         for bias in biases_set_by(step):
             assert bias.joint is not None
-            lines[bias.joint][f"Columns6 b_{words.links[bias.handle]};"] = None
+            lines[bias.joint][f"Columns6 b_{symbols.links[bias.handle]};"] = None
         if isinstance(step, LinkBias):
             lines[step.link - 1]["Columns6 b;"] = None
         if isinstance(step, Join):
-            lines[step.joint].update(dict.fromkeys(_members_of_join(words, step)))
+            lines[step.joint].update(dict.fromkeys(_members_of_join(symbols, step)))
         if isinstance(step, Disassemble):
             forces |= {update.target for update in step.updates}
     for force in sorted(forces):
-        lines[force.joint][f"Columns6 {words.force_member(force)};"] = None
+        lines[force.joint][f"Columns6 {symbols.force_member(force)};"] = None
     return {joint: list(lines[joint]) for joint in sorted(lines)}
 
 
@@ -127,73 +127,75 @@ def _computed(program: Program) -> Iterator[Step]:
             yield from operation.steps[-1:] if operation.method in CARRIED else operation.steps
 
 
-def _members_of_join(words: Words, join: Join) -> list[str]:
+def _members_of_join(symbols: Symbols, join: Join) -> list[str]:
     if isinstance(join, FusedJoin):
-        kind = type_of(words, join)
-        lines = [f"Run<{freedoms(words, join)}> run;"]
+        kind = type_of(symbols, join)
+        lines = [f"Run<{freedoms(symbols, join)}> run;"]
     else:
-        kind = effects.joined_type(words, join.joint)
+        kind = forces.joined_type(symbols, join.joint)
         lines = ["Transform X, Y;  // to the joint's frame, about its two links' origins"]
-        if words.plan.joints[join.joint].rotor_inertia:
-            torque = effects.freedoms_type(words, join.joint)
+        if symbols.plan.joints[join.joint].rotor_inertia:
+            torque = forces.freedoms_type(symbols, join.joint)
             lines.append(f"{torque} tau;  // drives rotor and joint")
-    handles = [words.links[coupling.handle] for coupling in join.couplings]
+    handles = [symbols.links[coupling.handle] for coupling in join.couplings]
     return [*lines, f"Joined<{kind}> joined;", *(f"Coupled<{kind}> at_{h};" for h in handles)]
 
 
-def lines_of(words: Words, p: int, step: Step) -> list[str]:
+def lines_of(symbols: Symbols, p: int, step: Step) -> list[str]:
     """Return the lines of one of ``STEPS`` on process p.
 
     What is carried out run by run has functions of its own: ``propagation``, ``delivery``.
     """
     match step:
         case InvertRoot():
-            phi, b = words.block(step.block), words.bias(step.bias)
+            phi, b = symbols.block(step.block), symbols.bias(step.bias)
             return [f"invert_root<{p}, {step.link}>(w, {phi}, {b});"]
         case LinkBias():
-            phi, b = words.bare_block(step.link), words.bias(Bias(None, step.link))
+            phi, b = symbols.bare_block(step.link), symbols.bias(Bias(None, step.link))
             return [f"bare_link<{step.link}>(w, {phi}, {b});"]
         case Join():
-            return _scoped(_assembly(words, step))
+            return _scoped(_assembly(symbols, step))
         case Disassemble():
-            return _scoped(_disassembly(words, step))
+            return _scoped(_disassembly(symbols, step))
         case Load(link, force):
             load = (
-                "Columns6::Zero()" if force is None else f"in_base(w, {link}, {words.force(force)})"
+                "Columns6::Zero()"
+                if force is None
+                else f"in_base(w, {link}, {symbols.force(force)})"
             )
             return [f"w.loads[{link}] = {load};"]
         case LoadRoot():
             sign = "" if step.held else "-"
             return [f"w.loads[{step.link}] = {sign}force_on<{step.link}>(w);"]
         case HoldMobility():
-            phi, b = words.block(step.block), words.bias(step.bias)
+            phi, b = symbols.block(step.block), symbols.bias(step.bias)
             return [f"hold<{step.link}>(w, {phi}, {b});"]
         case AccelerateRoot():
-            b, phi = words.bias(step.bias), words.block(step.block)
+            b, phi = symbols.bias(step.bias), symbols.block(step.block)
             return [f"accelerate_root<{step.link}>(w, {phi}, {b});"]
         case SolveMobility():
-            phi, b = words.block(step.block), words.bias(step.bias)
+            phi, b = symbols.block(step.block), symbols.bias(step.bias)
             return [f"solve_mobility<{step.link}>(w, {phi}, {b});"]
     raise AssertionError(f"no code for {step}")
 
 
-def _assembly(words: Words, step: Join) -> list[str]:
+def _assembly(symbols: Symbols, step: Join) -> list[str]:
     if isinstance(step, FusedJoin):
-        return fused.assembly(words, step)
+        return fused.assembly(symbols, step)
     turned = replace(step, velocity_product=False)
     return [
-        f"auto& i = {words.memory(step.joint)};",
+        f"auto& i = {symbols.memory(step.joint)};",
         f"set_transforms(w, {step.joint}, i.X, i.Y);",
-        *joins.assembly(words, turned, turned=True)[1:],
+        *joins.assembly(symbols, turned, turned=True)[1:],
     ]
 
 
-def _disassembly(words: Words, step: Disassemble) -> list[str]:
-    join = _join_of(words.plan, step.joint)
+def _disassembly(symbols: Symbols, step: Disassemble) -> list[str]:
+    join = _join_of(symbols.plan, step.joint)
     if isinstance(join, FusedJoin):
-        return fused.disassembly(words, join, step)
-    lines = joins.disassembly(words, join, step, turned=True)
-    if is_free_base(words.plan.joints[step.joint]):
+        return fused.disassembly(symbols, join, step)
+    lines = joins.disassembly(symbols, join, step, turned=True)
+    if is_free_base(symbols.plan.joints[step.joint]):
         lines.append(f"as_joint_acceleration<{step.joint}>(w);")
     return lines
 
@@ -203,52 +205,54 @@ def way_of(run: Run) -> str:
     return f"way_{run.first}"
 
 
-def propagation(words: Words, operation: Operation) -> list[str]:
+def propagation(symbols: Symbols, operation: Operation) -> list[str]:
     """Return the lines of an operation that takes mobilities outwards."""
     steps = [step for step in operation.steps if isinstance(step, Propagate)]
     first, last = steps[0], steps[-1]
     if operation.method not in CARRIED:
-        return _propagate(words, first)
+        return _propagate(symbols, first)
     run = operation.block
     assert isinstance(run, Run)
-    target = f"{words.block(last.block)}, {words.bias(last.bias)}"
+    target = f"{symbols.block(last.block)}, {symbols.bias(last.bias)}"
     way = way_of(run)
     if first.near is None or first.near_bias is None:
         shown = f"show<{run.last + 1}>(w, {way}, {target});"
     else:
-        shown = f"show({way}, {words.block(first.near)}, {words.bias(first.near_bias)}, {target});"
-    lines = [shown, *_coupled(words, run, first, last)]
+        shown = (
+            f"show({way}, {symbols.block(first.near)}, {symbols.bias(first.near_bias)}, {target});"
+        )
+    lines = [shown, *_coupled(symbols, run, first, last)]
     if operation.method == "along":
         return lines
     turned = "true" if run.reversed else "false"
     return [
-        f"{{  // {words.span(run.first, run.last)}",
+        f"{{  // {symbols.span(run.first, run.last)}",
         f"  const Way {way} = carry<{turned}, {run.first}, {run.last}>(w);",
         *(f"  {line}" for line in lines),
         "}",
     ]
 
 
-def _coupled(words: Words, run: Run, first: Propagate, last: Propagate) -> Iterator[str]:
+def _coupled(symbols: Symbols, run: Run, first: Propagate, last: Propagate) -> Iterator[str]:
     """How handles that a run's first link is coupled with feel its last one."""
     for spread, begun in zip(last.spreads, first.spreads, strict=True):
-        source = words.block(begun.source) + ".transpose()" * begun.source_transposed
+        source = symbols.block(begun.source) + ".transpose()" * begun.source_transposed
         product = f"{way_of(run)}.moved * {source}"
         if spread.target_transposed:
             product = f"({product}).transpose()"
-        handle = words.quoted_link(spread.handle)
-        yield f"{words.block(spread.target)} = {product};  // with link {handle}"
+        handle = symbols.quoted_link(spread.handle)
+        yield f"{symbols.block(spread.target)} = {product};  // with link {handle}"
 
 
-def delivery(words: Words, run: Run, *, through: bool = False) -> str:
+def delivery(symbols: Symbols, run: Run, *, through: bool = False) -> str:
     """Return the call that brings handle forces back through a run.
 
     Args:
-        words: the plan's names.
+        symbols: the C++ names of the plan's joints, links and buffers.
         run: the run.
         through: whether nothing else acts on the links between its ends.
     """
-    joints = words.plan.joints
+    joints = symbols.plan.joints
     if not joints[run.first].prescribed:
         ends = f"{run.first}, {run.last}{', true' * through}"
         return f"deliver{'_reversed' * run.reversed}<{ends}>(w);"
@@ -261,9 +265,9 @@ def _scoped(lines: list[str]) -> list[str]:
     return ["{", *(f"  {line}" for line in lines), "}"]
 
 
-def _of(words: Words, step: Propagate, verb: str) -> str:
+def _of(symbols: Symbols, step: Propagate, verb: str) -> str:
     """The function that takes something across a joint."""
-    prescribed = "_prescribed" if words.plan.joints[step.joint].prescribed else ""
+    prescribed = "_prescribed" if symbols.plan.joints[step.joint].prescribed else ""
     return f"{verb}{prescribed}<{'true' if step.reversed else 'false'}>"
 
 
@@ -271,20 +275,20 @@ def _join_of(plan: Plan, joint: int) -> Join:
     return next(step for step in plan.steps_of(Join) if step.joint == joint)
 
 
-def _propagate(words: Words, step: Propagate) -> list[str]:
-    near = "kZero" if step.near is None else words.block(step.near)
-    near_bias = "kGround" if step.near_bias is None else words.bias(step.near_bias)
-    far = f"{words.block(step.block)}, {words.bias(step.bias)}"
-    call = _of(words, step, "propagate")
+def _propagate(symbols: Symbols, step: Propagate) -> list[str]:
+    near = "kZero" if step.near is None else symbols.block(step.near)
+    near_bias = "kGround" if step.near_bias is None else symbols.bias(step.near_bias)
+    far = f"{symbols.block(step.block)}, {symbols.bias(step.bias)}"
+    call = _of(symbols, step, "propagate")
     lines = [f"{call}(w, {step.joint}, {near}, {near_bias}, {far});"]
-    passed = _of(words, step, "passed")
+    passed = _of(symbols, step, "passed")
     for spread in step.spreads:
-        source = words.block(spread.source)
+        source = symbols.block(spread.source)
         source += ".transpose()" if spread.source_transposed else ""
         target = ".transpose()" if spread.target_transposed else ""
-        handle = words.quoted_link(spread.handle)
+        handle = symbols.quoted_link(spread.handle)
         lines.append(
-            f"{words.block(spread.target)} = {passed}(w, {step.joint}, {source}){target};"
+            f"{symbols.block(spread.target)} = {passed}(w, {step.joint}, {source}){target};"
             f"  // with link {handle}"
         )
     return lines

@@ -16,19 +16,19 @@ from adagen.emit.kernels import mobility
 from adagen.emit.kernels.lines import KernelLines
 from adagen.emit.refine import refinement_values
 from adagen.emit.settings import overridden
-from adagen.emit.words import Words
+from adagen.emit.symbols import Symbols
 from adagen.plan import Plan
 from adagen.plan.certificate import ROUNDING, own_links
 from adagen.plan.digits import EPSILON
 from adagen.plan.edges import is_base
 from adagen.plan.gather import why_not_gather
+from adagen.plan.own_axes import ENOUGH, OwnAxes
 from adagen.plan.robot import PlanLink
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.turned import ENOUGH, Turned
 from adagen.plan.types import CERTIFICATE, Process
+from adagen.program.own_axes import own_axes_in_loops
 from adagen.program.slots import Slots
 from adagen.program.strips import LANES
-from adagen.program.turned import turned_in_loops
 
 
 def why_not(plan: Plan) -> str | None:
@@ -62,21 +62,21 @@ def why_not_weighed(plan: Plan) -> str | None:
     return None
 
 
-def values(words: Words) -> dict[str, object]:
+def values(symbols: Symbols) -> dict[str, object]:
     """Return the values of kernels.cpp.j2."""
-    plan = words.plan
+    plan = symbols.plan
     cuts = mobility.has_cuts(plan)
-    program = words.program
+    program = symbols.program
     slots = program.slots
-    turned = turned_in_loops(plan, slots.limbs, program.batch)
+    turned = own_axes_in_loops(plan, slots.limbs, program.batch)
     writers = [
-        KernelLines(words, p, process, own.operations, slots, turned.always)
+        KernelLines(symbols, p, process, own.operations, slots, turned.always)
         for p, (process, own) in enumerate(zip(plan.processes, program.processes, strict=True))
     ]
     if any(process.recovery for process in plan.processes):
         again = zip(plan.recovering().processes, program.processes, strict=True)
         writers += [
-            KernelLines(words, p, process, own.recovery, slots, turned.always)
+            KernelLines(symbols, p, process, own.recovery, slots, turned.always)
             for p, (process, own) in enumerate(again, start=len(plan.processes))
         ]
     lines = [writer.all_lines() for writer in writers]
@@ -86,12 +86,12 @@ def values(words: Words) -> dict[str, object]:
     if plan.slaved:
         runtime += [part for part in ("spatial.hpp", "joins.hpp") if part not in runtime]
     refined: dict[str, object] = {}
-    if words.refine:
+    if symbols.refine:
         eigen = ("spatial.hpp", "joins.hpp", "wide.hpp", "refine.hpp")
         runtime += [part for part in eigen if part not in runtime]
         corrections = [writer.corrections() for writer in writers]
         count = len(plan.processes)
-        refined = refinement_values(words, corrections[:count], corrections[count:])
+        refined = refinement_values(symbols, corrections[:count], corrections[count:])
     return {
         "runtime": runtime,
         "copied": bool(plan.slaved),
@@ -102,14 +102,14 @@ def values(words: Words) -> dict[str, object]:
         "holds": mobility.holds_ground(plan),
         "carries": mobility.carries(program),
         "carries_along": along,
-        "passages": [words.span(run.first, run.last) for run in words.passages],
+        "passages": [symbols.span(run.first, run.last) for run in symbols.passages],
         "cut_joints": [
-            {"type": f"Joint_{words.joints[j]}", "id": f"j_{words.joints[j]}", "members": lines}
-            for j, lines in mobility.members(words).items()
+            {"type": f"Joint_{symbols.joints[j]}", "id": f"j_{symbols.joints[j]}", "members": lines}
+            for j, lines in mobility.members(symbols).items()
         ],
         "turned": bool(turned.always or turned.if_lost),
-        "loop_settings": _loop_settings(words, turned, by_columns, along),
-        "inertias": [_inertia(words, link) for link in plan.links[1:]],
+        "loop_settings": _loop_settings(symbols, turned, by_columns, along),
+        "inertias": [_inertia(symbols, link) for link in plan.links[1:]],
         "roles": [writer.roles() for writer in writers],
         "starts": [_starts(plan, writer.process) for writer in writers] if plan.weighed else [],
         "shares": sum(message.sweep == CERTIFICATE for message in plan.messages),
@@ -119,14 +119,14 @@ def values(words: Words) -> dict[str, object]:
         "in_strips": bool(slots.in_strips),
         "quaternions": any(writer.oriented for writer in writers),
         "by_columns": by_columns,
-        "limbs": [_limbs(words, slots, limbs) for limbs in slots.numbers],
+        "limbs": [_limbs(symbols, slots, limbs) for limbs in slots.numbers],
     }
 
 
-def _loop_settings(words: Words, turned: Turned, by_columns: bool, along: bool) -> list[str]:
+def _loop_settings(symbols: Symbols, turned: OwnAxes, by_columns: bool, along: bool) -> list[str]:
     """What a solver's settings say of its loops: how they lie in memory, and what they do."""
-    plan, slots = words.plan, words.program.slots
-    block_kinds = _block_kinds(words)
+    plan, slots = symbols.plan, symbols.program.slots
+    block_kinds = _block_kinds(symbols)
     joints = range(len(plan.joints))
     grouped = [j for limbs in slots.numbers for j in limbs.members()]
     lines = overridden(
@@ -154,7 +154,7 @@ def _loop_settings(words: Words, turned: Turned, by_columns: bool, along: bool) 
         ]
     )
     if plan.weighed:
-        unit = words.printer.number(ROUNDING * EPSILON[plan.scalar])
+        unit = symbols.printer.number(ROUNDING * EPSILON[plan.scalar])
         floats = ("bool", "kFloats", any(map(is_base, plan.joints)), False)
         lines += overridden([floats, ("double", "kUnit", unit, "")])
     return lines
@@ -184,8 +184,8 @@ def pseudo_inertia(link: PlanLink) -> tuple[Fraction, ...]:
     )
 
 
-def _inertia(words: Words, link: PlanLink) -> dict[str, str]:
-    number, numbers = words.printer.number, words.printer.numbers
+def _inertia(symbols: Symbols, link: PlanLink) -> dict[str, str]:
+    number, numbers = symbols.printer.number, symbols.printer.numbers
     mass = Fraction(link.mass)
     return {
         "mass": number(link.mass),
@@ -194,9 +194,9 @@ def _inertia(words: Words, link: PlanLink) -> dict[str, str]:
     }
 
 
-def _block_kinds(words: Words) -> dict[str, list[int]]:
+def _block_kinds(symbols: Symbols) -> dict[str, list[int]]:
     """Which blocks of slots hold equal constants."""
-    plan = words.plan
+    plan = symbols.plan
     if plan.sets_inertias:
         return {"kinds": [], "first": []}
     links = ((link.mass, link.com, link.tensor) for link in plan.links[1:])
@@ -204,12 +204,12 @@ def _block_kinds(words: Words) -> dict[str, list[int]]:
         (joint.rotation, joint.translation, link)
         for joint, link in zip(plan.joints, links, strict=True)
     ]
-    width = 1 if words.program.batch else LANES[plan.scalar]
-    kinds, first = words.program.slots.block_kinds(own, width)
+    width = 1 if symbols.program.batch else LANES[plan.scalar]
+    kinds, first = symbols.program.slots.block_kinds(own, width)
     return {"kinds": kinds, "first": first}
 
 
-def _limbs(words: Words, slots: Slots, limbs: Limbs) -> dict[str, object]:
+def _limbs(symbols: Symbols, slots: Slots, limbs: Limbs) -> dict[str, object]:
     return {
         "lanes": limbs.lanes,
         "joints": len(limbs.rows),
@@ -217,5 +217,5 @@ def _limbs(words: Words, slots: Slots, limbs: Limbs) -> dict[str, object]:
         "idle": limbs.idle,
         # An idle lane goes by the name of the next one's joint, which has the last word.
         "rows": [(row[0],) * limbs.idle + row for row in limbs.rows],
-        "names": [words.span(*ends) for ends in zip(limbs.rows[0], limbs.rows[-1], strict=True)],
+        "names": [symbols.span(*ends) for ends in zip(limbs.rows[0], limbs.rows[-1], strict=True)],
     }

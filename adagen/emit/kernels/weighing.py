@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from adagen.emit.kernels import shared_bound
-from adagen.emit.words import Words
+from adagen.emit.symbols import Symbols
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import (
     Articulate,
@@ -44,14 +44,14 @@ class Weighing:
     """Turns operations of a process into the lines that sweep what its answer leaves over.
 
     Args:
-        words: the plan's names.
+        symbols: the C++ names of the plan's joints, links and buffers.
         p: the process that the calls name.
         slots: where joints lie in memory.
     """
 
-    def __init__(self, words: Words, p: int, slots: Slots) -> None:
-        self.words, self.p, self.slots = words, p, slots
-        self.joints = words.plan.joints
+    def __init__(self, symbols: Symbols, p: int, slots: Slots) -> None:
+        self.symbols, self.p, self.slots = symbols, p, slots
+        self.joints = symbols.plan.joints
 
     def lines(self, step: Step, operations: Sequence[Operation]) -> list[str]:
         """Return the lines of a step that certifies or refines, block by block.
@@ -105,7 +105,7 @@ class Weighing:
     def _held(self, operation: Operation) -> list[str]:
         (step,) = operation.steps
         assert isinstance(step, HoldMobility)
-        beyond = shared_bound.beyond(self.words, self.steps, step.link)
+        beyond = shared_bound.beyond(self.symbols, self.steps, step.link)
         return ["begin_rest(w);", f"weigh_held<{step.link}>(w, {beyond});"]
 
     def _cleared(self, operation: Operation) -> list[str]:
@@ -119,8 +119,8 @@ class Weighing:
         assert isinstance(step, SolveMobility)
         if step.link not in self.held:
             return []
-        phi = self.words.block(step.block)
-        beyond = shared_bound.beyond(self.words, self.steps, step.link)
+        phi = self.symbols.block(step.block)
+        beyond = shared_bound.beyond(self.symbols, self.steps, step.link)
         return [f"weigh_shown<{self.p}, {step.link}>(w, {phi}, {beyond});"]
 
     def _free_base(self, operation: Operation) -> list[str]:
@@ -134,9 +134,9 @@ class Weighing:
 
     def _received(self, operation: Operation) -> list[str]:
         """What others' limbs leave over comes where their inertias came."""
-        if shared_bound.tells(self.words, operation):
+        if shared_bound.tells(self.symbols, operation):
             return []
-        return shared_bound.at_links(self.words, operation)
+        return shared_bound.at_links(self.symbols, operation)
 
     def _sweep(self, operation: Operation) -> list[str]:
         block, first = operation.block, operation.first
@@ -152,7 +152,7 @@ class Weighing:
         assert isinstance(block, Run)
         ends = f"{self.p}, {block.first}, {block.last}, {word(first[0])}"
         verb = "weigh_reversed" if block.reversed else "weigh"
-        return [f"{verb}<{ends}>(w);  // {self.words.span(block.first, block.last)}"]
+        return [f"{verb}<{ends}>(w);  // {self.symbols.span(block.first, block.last)}"]
 
 
 def _is_own(share: Certify, operation: Operation) -> bool:

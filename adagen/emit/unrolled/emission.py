@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from adagen.emit import guards
 from adagen.emit.entries import entries_of, given_entries, ranges, read_joints
 from adagen.emit.processes import describe_message, message_size
+from adagen.emit.symbols import Symbols
 from adagen.emit.unrolled.arrangement import (
     Arrangement,
     Chunk,
@@ -20,7 +21,6 @@ from adagen.emit.unrolled.arrangement import (
 from adagen.emit.unrolled.describe import describe_step
 from adagen.emit.unrolled.results import Results, names_state
 from adagen.emit.unrolled.text import FUNCTIONS, TYPES, Text
-from adagen.emit.words import Words
 from adagen.executor import Simulated, simulate
 from adagen.executor.checks import exceeds
 from adagen.executor.lanes import Grouping
@@ -40,26 +40,26 @@ _NAMED = ("reciprocal", "pack", "lane", "across")
 _ANGLES_AT_ONCE = 16  # the most that registers hold
 
 
-def values(words: Words, chunk: int = 0) -> dict[str, object]:
+def values(symbols: Symbols, chunk: int = 0) -> dict[str, object]:
     """Return the template's values for a plan.
 
     Args:
-        words: the plan's names.
-        chunk: values that one function computes at most; by default what the words say, or as
+        symbols: the C++ names of the plan's joints, links and buffers.
+        chunk: values that one function computes at most; by default what the program says, or as
             many as are best for one state or many.
     """
-    chunk = chunk or words.chunk or (CHUNK_OF_BATCHES if words.batch else CHUNK)
-    plan = words.plan
+    chunk = chunk or symbols.chunk or (CHUNK_OF_BATCHES if symbols.batch else CHUNK)
+    plan = symbols.plan
     plans = plan.alternatives
-    groupings = [words.program.slots.limbs, *_recovering(words, plans[1:])]
+    groupings = [symbols.program.slots.limbs, *_recovering(symbols, plans[1:])]
     line = [
         one for each, limbs in zip(plans, groupings, strict=True) for one in simulate(each, limbs)
     ]
     processes = [process for each in plans for process in each.processes]
     wide = any(simulated.machine.rows.rows for simulated in line)
-    sines_in_lanes = wide or (plan.reproducible and not words.batch)
+    sines_in_lanes = wide or (plan.reproducible and not symbols.batch)
     rows = [
-        _ProcessText(words, p, process, simulated, chunk, wide=sines_in_lanes)
+        _ProcessText(symbols, p, process, simulated, chunk, wide=sines_in_lanes)
         for p, (process, simulated) in enumerate(zip(processes, line, strict=True))
     ]
     angles = max(len(row.machine.angles) for row in rows)
@@ -70,11 +70,11 @@ def values(words: Words, chunk: int = 0) -> dict[str, object]:
     return {
         "runtime": [
             *["reproducible.hpp"] * own,
-            *lanes * (words.batch or sines_in_lanes),
+            *lanes * (symbols.batch or sines_in_lanes),
         ],
         "functions": ["tanh_own.hpp" if own else "tanh_library.hpp", "unrolled_functions.hpp"]
         * functions
-        + ["unrolled_lane_functions.hpp"] * (functions and words.batch),
+        + ["unrolled_lane_functions.hpp"] * (functions and symbols.batch),
         "unrolled": texts[: len(plan.processes)],
         "recovery": texts[len(plan.processes) :],
         "places": max((row.arrangement.places for row in rows), default=0),
@@ -82,20 +82,20 @@ def values(words: Words, chunk: int = 0) -> dict[str, object]:
         if sines_in_lanes
         else angles,
         "wide": wide,
-        "as_it_stands": not words.batch,
+        "as_it_stands": not symbols.batch,
         "wide_functions": ["unrolled_wide_functions.hpp"] * (functions and wide),
         "sines_in_lanes": sines_in_lanes,
-        "near_lock": not words.batch and any(c.near for s in line for c in s.machine.checks),
+        "near_lock": not symbols.batch and any(c.near for s in line for c in s.machine.checks),
         "wide_results": max((row.results.lanes for row in rows), default=0),
     }
 
 
-def _recovering(words: Words, plans: Sequence[Plan]) -> list[Grouping]:
+def _recovering(symbols: Symbols, plans: Sequence[Plan]) -> list[Grouping]:
     """Return the limbs that share code in what is done instead, in each of several ways."""
     return [
         tuple(
             tuple(without_unlike(plan, process.steps, limbs))
-            for process, limbs in zip(plan.processes, words.program.recovering, strict=False)
+            for process, limbs in zip(plan.processes, symbols.program.recovering, strict=False)
         )
         for plan in plans
     ]
@@ -106,7 +106,7 @@ class _ProcessText:
 
     def __init__(
         self,
-        words: Words,
+        symbols: Symbols,
         p: int,
         process: Process,
         simulated: Simulated,
@@ -114,30 +114,30 @@ class _ProcessText:
         *,
         wide: bool,
     ) -> None:
-        self.words, self.p, self.machine, self.wide = words, p, simulated.machine, wide
+        self.symbols, self.p, self.machine, self.wide = symbols, p, simulated.machine, wide
         self.process = process
-        self.owner = p % len(words.plan.processes)  # processes come again for their recovery
+        self.owner = p % len(symbols.plan.processes)  # processes come again for their recovery
         self.graph = simulated.machine.graph
         self.operations = simulated.operations
         self.arrangement: Arrangement = arranged(
-            self.process, simulated, chunk, None if words.batch else words.costs
+            self.process, simulated, chunk, None if symbols.batch else symbols.costs
         )
-        self.text = Text(self.graph, words.plan.scalar, self._only_users())
-        self.results = Results(words, process, self.owner, self.machine, self.text)
+        self.text = Text(self.graph, symbols.plan.scalar, self._only_users())
+        self.results = Results(symbols, process, self.owner, self.machine, self.text)
         self.followers = self._followers()
         self.functions: list[dict[str, object]] = []
 
     def values(self) -> dict[str, object]:
         """Return the template's values for the process."""
         owned = list(self.process.owns)
-        batch = self.words.batch
+        batch = self.symbols.batch
         return {
             "begin": self._prologue() if batch else [],
             "run": self._run(),
             "end": self.results.give() if batch else [],
             "functions": self.functions,
             "operations": self.operations,
-            "read": read_joints(self.words, self.process),
+            "read": read_joints(self.symbols, self.process),
             "owned": owned,
             "angles": self._places_of_angles() if self.wide else [],
         }
@@ -172,12 +172,12 @@ class _ProcessText:
                 line = f"require_more(w, {names}, {check.failure}, {blamed});"
                 after = lines[(looked_at(check, self.arrangement.turns) or [pivot.index])[-1]]
                 after.append(line)
-                if check.near and not self.words.batch:
+                if check.near and not self.symbols.batch:
                     name, near = self.text.name(pivot.index), f"Real({check.near!r})"
                     after.append(f"if ({name} < {near}) w.near_lock = {check.joint + 1};")
         for number, content in self.machine.sent.items():
-            if not self.words.plan.reproducible:  # else these were counted
-                room = message_size(self.words, self.words.plan.messages[number])
+            if not self.symbols.plan.reproducible:  # else these were counted
+                room = message_size(self.symbols, self.symbols.plan.messages[number])
                 assert len(content) <= room, f"{len(content)} numbers in a message for {room}"
             for k, x in enumerate(content):
                 lines[x.index].append(f"w.to[{number}][{k}] = {self.text.name(x.index)};")
@@ -210,7 +210,9 @@ class _ProcessText:
             if stage is not None and stage.message is not None:
                 lines += [self._message(stage.what, stage.message), f"stamp({place + 1});"]
         lines += ["judge_corrections(w);"] * bool(self.machine.energies)
-        return [*lines, *self.results.give()] if given_entries(self.words, self.process) else lines
+        return (
+            [*lines, *self.results.give()] if given_entries(self.symbols, self.process) else lines
+        )
 
     def _prologue(self) -> list[str]:
         """The state is read; sines and cosines of all angles are computed at once."""
@@ -261,12 +263,12 @@ class _ProcessText:
 
     def _look_at_state(self) -> list[str]:
         """The state looked at before all: as a whole where it is sent, or what nothing tells of."""
-        words, process = self.words, self.process
-        read = read_joints(words, process)
+        symbols, process = self.symbols, self.process
+        read = read_joints(symbols, process)
         looked_at = {
-            "q": entries_of(words, "q", read),
-            "v": entries_of(words, "v", read),
-            "tau": entries_of(words, "v", process.owns),
+            "q": entries_of(symbols, "q", read),
+            "v": entries_of(symbols, "v", read),
+            "tau": entries_of(symbols, "v", process.owns),
         }
         if not guards.talks(process):
             stored = self._stored_in()
@@ -307,7 +309,7 @@ class _ProcessText:
         return names
 
     def _look_at_outer_forces(self) -> list[str]:
-        plan = self.words.plan
+        plan = self.symbols.plan
         steps = self.process.steps
         links = {step.link for step in steps if isinstance(step, LinkBias | StartLink)}
         return [
@@ -318,8 +320,8 @@ class _ProcessText:
         ]
 
     def _message(self, what: str, number: int) -> str:
-        message = self.words.plan.messages[number]
-        about = describe_message(self.words, message)
+        message = self.symbols.plan.messages[number]
+        about = describe_message(self.symbols, message)
         if what == "send":
             return f"channel.send({number}, w.status);  // to process {message.target}: {about}"
         return (
@@ -345,7 +347,7 @@ class _ProcessText:
             if node.mark != mark:
                 mark = node.mark
                 lines.append(f"// {self._described(mark)}")
-            if self.words.batch and self._known(node):
+            if self.symbols.batch and self._known(node):
                 right = f"Value{{}} + {right}"  # no number in any lane
             if index in chunk.stores:
                 right = self._stored(index, right, chunk.stores[index])
@@ -366,10 +368,10 @@ class _ProcessText:
         return used | (set(chunk.values) - set(chunk.stores))
 
     def _described(self, mark: int) -> str:
-        return describe_step(self.words, self.process.steps[mark], self.machine.rows.own)
+        return describe_step(self.symbols, self.process.steps[mark], self.machine.rows.own)
 
     def _type(self, index: int) -> str:
-        return "Lanes" if self.words.batch else TYPES[self.graph.nodes[index].width]
+        return "Lanes" if self.symbols.batch else TYPES[self.graph.nodes[index].width]
 
     def _load(self, index: int, place: int) -> str:
         if self.graph.nodes[index].width == 1:

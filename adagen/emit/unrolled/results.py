@@ -6,8 +6,8 @@ from collections import defaultdict
 
 from adagen.emit import guards
 from adagen.emit.entries import entries_of, given_entries, ranges
+from adagen.emit.symbols import Symbols
 from adagen.emit.unrolled.text import TYPES, Text
-from adagen.emit.words import Words
 from adagen.executor import Machine
 from adagen.plan.types import Process
 
@@ -16,7 +16,7 @@ class Results:
     """Puts down what one process computes, and gives it where all went well.
 
     Args:
-        words: the plan's names.
+        symbols: the C++ names of the plan's joints, links and buffers.
         process: the process.
         owner: whose results they are: what recovers counts on from the last process.
         machine: what simulated it.
@@ -24,11 +24,11 @@ class Results:
     """
 
     def __init__(
-        self, words: Words, process: Process, owner: int, machine: Machine, text: Text
+        self, symbols: Symbols, process: Process, owner: int, machine: Machine, text: Text
     ) -> None:
-        self.words, self.process, self.owner = words, process, owner
+        self.symbols, self.process, self.owner = symbols, process, owner
         self.machine, self.text = machine, text
-        self.forces = words.plan.force_entries(process)
+        self.forces = symbols.plan.force_entries(process)
         self.lanes = 0
         self.places = self._places_of_results()
 
@@ -39,9 +39,9 @@ class Results:
             for k, x in enumerate(force):
                 lines[x.index].append(f"w.result[{first + k}] = {self.value(x.index)};")
         # A reproducible zero has no sign: whether one does depends on what is known beforehand.
-        zero = " + Real(0)" if self.words.plan.reproducible else ""
+        zero = " + Real(0)" if self.symbols.plan.reproducible else ""
         for joint, values in self.machine.results.items():
-            v = self.words.plan.joints[joint].v
+            v = self.symbols.plan.joints[joint].v
             for k, x in enumerate(values):
                 place = self.places.get((joint, k))
                 if place is None:
@@ -52,7 +52,7 @@ class Results:
                         value = f"{TYPES[self._width(joint)]}{{}} + {value}"
                     lines[x.index].append(f"put({value}{zero}, w.lanes.data() + {place});")
         for number, values in self.machine.outputs.items():
-            first = self.words.plan.entry_of_output(number)
+            first = self.symbols.plan.entry_of_output(number)
             for k, x in enumerate(values):
                 lines[x.index].append(f"w.result[{first + k}] = {self.value(x.index)}{zero};")
         return lines
@@ -101,8 +101,8 @@ class Results:
     def _single_results(self) -> list[tuple[int, int]]:
         """Ranges of accelerations that are computed by themselves."""
         rows = {j for joint, _ in self.places for j in self.machine.rows.own(joint)}
-        wide = set(entries_of(self.words, "v", rows))
-        own = [k for k in given_entries(self.words, self.process) if k not in wide]
+        wide = set(entries_of(self.symbols, "v", rows))
+        own = [k for k in given_entries(self.symbols, self.process) if k not in wide]
         return ranges([*own, *self.forces])
 
     def _scattered(self) -> list[tuple[int, int]]:
@@ -110,7 +110,7 @@ class Results:
 
         Where a process does all by itself, lanes may be of joints that others answer for.
         """
-        joints, given = self.words.plan.joints, set(given_entries(self.words, self.process))
+        joints, given = self.symbols.plan.joints, set(given_entries(self.symbols, self.process))
         return sorted(
             (joints[j].v + k, place + lane)
             for (joint, k), place in self.places.items()

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from adagen.build import Toolchain, build_executable
 from adagen.errors import EnvironmentFault
 from adagen.model import Model
-from adagen.run import laid_anew, launch
+from adagen.run import fresh_copy, launch
 from adagen.states import States, read_result, write_states
 from adagen.studies.bench.contest import Contestant, Turn, cores, from_stretches
 
@@ -75,7 +75,7 @@ class Emitted:
 
         def turn(repeat: int) -> dict[str, Turn]:
             words = ["--time", "--json", "--repeat", str(repeat)]
-            with laid_anew(program) as copy:
+            with fresh_copy(program) as copy:
                 found = _turn(json.loads(run(words, copy))["time"], self.processes)
                 if stretches and 1 < self.processes <= cores():
                     output = run([*words, "--stretches"], copy)

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from adagen.build import Toolchain, build_executable
 from adagen.build.toolchain import STANDARD
 from adagen.errors import EnvironmentFault, printable
-from adagen.run import laid_anew
+from adagen.run import fresh_copy
 from adagen.studies.bench.contest import Turn
 
 Array = NDArray[np.float64]
@@ -107,7 +107,7 @@ class Program:
 
     def turn(self, states: Path, repeat: int) -> dict[str, Turn]:
         """Time each of the states in a file ``repeat`` times."""
-        with laid_anew(self.executable) as copy:
+        with fresh_copy(self.executable) as copy:
             output, _ = replace(self, executable=copy)._run(
                 states, copy.with_name("result"), repeat
             )

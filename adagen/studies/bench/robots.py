@@ -16,7 +16,7 @@ from adagen.studies.bench.contest import Contestant, Progress, Rules, Times, hol
 from adagen.studies.bench.peers import entered
 from adagen.studies.bench.record import ModelRecord, Row
 from adagen.studies.bench.variants import Variant, built
-from adagen.studies.drawn import drawn_states
+from adagen.studies.random_states import drawn_states
 
 
 def measured(

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from adagen.atomic_files import write_whole
 from adagen.errors import InputError
 from adagen.studies.bench.contest import Rules
-from adagen.wholefile import write_whole
 
 CLOCK, STRETCHES = "clock", "stretches"
 PREDICTED = "predicted"

@@ -18,7 +18,7 @@ from adagen.model import Model
 from adagen.reference import kinetic_energy, momentum, potential_energy
 from adagen.run import launch
 from adagen.states import States, write_states
-from adagen.studies.drawn import drawn_states
+from adagen.studies.random_states import drawn_states
 
 Array = NDArray[np.float64]
 INTEGRATORS = ("euler", "semi-implicit", "implicit", "rk4", "rkmk4")

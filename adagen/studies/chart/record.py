@@ -13,9 +13,9 @@ from pathlib import Path
 
 import numpy as np
 
+from adagen.atomic_files import write_whole
 from adagen.errors import InputError
 from adagen.model import Model
-from adagen.wholefile import write_whole
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ from adagen.reference import (
     residual,
 )
 from adagen.states import States
-from adagen.studies.drawn import check_closed, drawn_states
+from adagen.studies.random_states import check_closed, drawn_states
 
 Array = NDArray[np.float64]
 DIGITS = 100

@@ -27,7 +27,7 @@ from adagen.model import (
     Model,
 )
 from adagen.states import States, hardened
-from adagen.studies.drawn import drawn_states
+from adagen.studies.random_states import drawn_states
 from adagen.studies.stability.robots import rod
 
 Array = NDArray[np.float64]

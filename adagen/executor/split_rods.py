@@ -1,0 +1,243 @@
+"""Rods split in two halves by a weld (adagen/plan/split_rods.py).
+
+The body of the half on the ball joint is added to the other half's link. Torques of the ball joint
+act on that link, and oppositely on the link that the ball joint is on. The rotation of the ball
+joint follows at the end. For three hinges with axes z_1, z_2, z_3 it needs their inverse,
+(z_2 x z_3, z_3 x z_1, z_1 x z_2) / det, which exists unless the axes are in one plane.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Sequence
+from dataclasses import replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from adagen.executor.checks import Check
+from adagen.executor.elimination_checks import LEAST, failure_of
+from adagen.executor.frames import Dense, Rotation, Transform, columnwise, constant_turn
+from adagen.executor.front import Front
+from adagen.executor.kinematics import Motion
+from adagen.executor.state import State
+from adagen.graph import Expression, cross, dot, matrix_times
+from adagen.plan.closure_steps import ClosureSteps
+from adagen.plan.robot import PlanLoop
+from adagen.plan.split_rods import RodHalf, rod_halves_in
+from adagen.plan.steps import CloseLoop, Eliminate
+
+Array = NDArray[Any]
+
+
+class RodHalfMotion:
+    """One of them; of closures that go side by side, those of all lanes.
+
+    Args:
+        state: whose process it is.
+        motion: its kinematics.
+        hung: the link.
+        loops: returns the weld that fixes it, in each lane.
+    """
+
+    def __init__(
+        self,
+        state: State,
+        motion: Motion,
+        hung: RodHalf,
+        loops: Callable[[CloseLoop], Sequence[PlanLoop]],
+    ) -> None:
+        self.state, self.motion, self.hung = state, motion, hung
+        self._read_loops = loops
+        self.known = False
+
+    @cached_property
+    def loops(self) -> Sequence[PlanLoop]:
+        """The weld, in each lane."""
+        return self._read_loops(self.hung.closing)
+
+    def _packed(self, read: Callable[[PlanLoop, int], Any], side: int) -> Array:
+        """Numbers of one side of the welds."""
+        each = [self.state.constants(read(loop, side)) for loop in self.loops]
+        return self.state.rows.packed(each)
+
+    @property
+    def carriers(self) -> list[int]:
+        """The links that carry it, by lanes."""
+        return [(loop.link1, loop.link2)[1 - self.hung.side] for loop in self.loops]
+
+    @cached_property
+    def fixed(self) -> Transform:
+        """Where it is on its carrier."""
+        own, other = (self._packed(_rotation, s) for s in (self.hung.side, 1 - self.hung.side))
+        turn = matrix_times(other, own.T)
+        place = self._packed(_translation, 1 - self.hung.side)
+        return Transform(Rotation((constant_turn(turn) or Dense(turn),)), place)
+
+    # -- bodies and torques -----------------------------------------------------------------------
+
+    def inertia_at_carrier(self, own: Array) -> Array:
+        """Return its inertia as the carrier feels it, shape (6, 6)."""
+        return self.fixed.rigid_inertia(own)
+
+    def push_on(self, number: int) -> Array:
+        """Return what the torques of its ball do to the carrier, or else by itself to the ball."""
+        none = self.state.zeros(3)
+        if number == self.hung.carrier:
+            return np.concatenate([self.fixed.rotation.vector(self._moment), none])
+        return np.concatenate([-self._moment, none])
+
+    @cached_property
+    def _moment(self) -> Array:
+        """What the torques of its ball do to it, in its axes, shape (3,)."""
+        pulls = [self.state.torques(j)[:, 0] for j in self.hung.joints]
+        if len(pulls) == 1:
+            return pulls[0]
+        return self._by_hinges(self._hinges[0].T, np.concatenate(pulls))
+
+    @cached_property
+    def _hinges(self) -> tuple[Array, Expression]:
+        """The inverse of the hinges' axes, shape (3, 3), times their determinant; this."""
+        axes, x = [], [self.state.memory["X", j] for j in self.hung.joints]
+        for k in range(len(x)):
+            axis = self.state.constants([0.0, 0.0, 1.0])
+            for joint in x[k + 1 :]:
+                axis = joint.rotation.transposed().vector(axis)
+            axes.append(axis)
+        rows = [cross(axes[(k + 1) % 3], axes[(k + 2) % 3]) for k in range(3)]
+        return np.array(rows, dtype=object), dot(axes[0], rows[0])
+
+    def _by_hinges(self, rows: Array, values: Array) -> Array:
+        """Rows of the inverse, or of its transpose, times values."""
+        inverse = self.state.graph.reciprocal(self._hinges[1])
+        found: Array = matrix_times(rows, values) * inverse
+        return found
+
+    def look_at(self, place: int) -> None:
+        """Check that the hinges are not in one plane, nor so near that digits are lost."""
+        if len(self.hung.joints) > 1:
+            determinant, how = self._hinges[1], self.hung.eliminate
+            least = max(LEAST[self.state.plan.scalar], 1 / how.limit) ** 2
+            limit = self.state.graph.constant(least)
+            check = Check(determinant * determinant, limit, place, failure_of(how))
+            self.state.checks.append(check)
+
+    # -- how it turns -----------------------------------------------------------------------------
+
+    def turning_apart(self) -> Array:
+        """Return its angular velocity less that of its carrier, in its axes, shape (3,)."""
+        own = self.motion.field_of_all(self._links).omega
+        return own - self.fixed.rotation.transposed().vector(self._carrier_field.omega)
+
+    @property
+    def _links(self) -> list[int]:
+        return [(loop.link1, loop.link2)[self.hung.side] for loop in self.loops]
+
+    @property
+    def _carrier_field(self) -> Any:
+        return self.motion.field_of_all(self.carriers)
+
+    def find(self, front: Front) -> bool:
+        """Find accelerations of its ball, once those of what it joins are known."""
+        near = self.state.rows.near_links(self.hung.joints[0])
+        if self.known or not all(self._is_known(link) for link in (*near, *self.carriers)):
+            return self.known
+        back = self.fixed.rotation.transposed()
+        turning = columnwise(back.vector, self._turns(self.carriers)) - self._seen()
+        if len(self.hung.joints) > 1:
+            turning = self._by_hinges(self._hinges[0], turning)
+        front.found.update(zip(self.hung.freedoms, turning, strict=True))
+        self.known = True
+        return True
+
+    def _turns(self, links: Sequence[int]) -> Array:
+        """Angular accelerations of links, one for each lane, shape (3, columns)."""
+        moved = self.state.rows.of_links("a", links, self.state.zeros(6, self.state.columns))
+        turned: Array = moved[:3] + self.state.column(self.motion.field_of_all(links).alpha)
+        return turned
+
+    def _seen(self) -> Array:
+        """Its angular acceleration if its ball did not accelerate, shape (3, columns)."""
+        near = self.state.rows.near_links(self.hung.joints[0])
+        turns, omega = self._turns(near), self.motion.field_of_all(near).omega
+        for j in self.hung.joints:
+            back, own = self.state.memory["X", j].rotation.transposed(), self.state.zeros(6)
+            own[list(self.state.kind(j).free)] = self.state.configuration(j)[1]
+            omega = back.vector(omega)
+            turns = columnwise(back.vector, turns) + self.state.column(cross(omega, own[:3]))
+            omega = omega + own[:3]
+        return turns
+
+    def _is_known(self, link: int) -> bool:
+        """Whether a link's acceleration is."""
+        if link == 0:
+            return True
+        try:
+            self.state.rows.kept("a", link)
+        except KeyError:
+            return False
+        return True
+
+
+class RodHalves:
+    """All of them in a process.
+
+    Args:
+        state: whose process it is.
+        motion: its kinematics, which counts their bodies to others from now on.
+        closures: that are not treated as others are, whose lanes they are in.
+        apart: joints that are not to be treated so.
+        loops: returns a loop in each lane.
+    """
+
+    def __init__(
+        self,
+        state: State,
+        motion: Motion,
+        closures: Iterable[ClosureSteps],
+        apart: Collection[int],
+        loops: Callable[[CloseLoop], Sequence[PlanLoop]],
+    ) -> None:
+        found = [hung for one in closures for hung in rod_halves_in(state.plan, one)]
+        self.links = tuple(
+            RodHalfMotion(state, motion, hung, loops)
+            for hung in found
+            if not {*hung.joints, hung.carrier - 1}.intersection(apart)
+        )
+        motion.hung = self.links
+
+    def by(self, step: CloseLoop) -> RodHalfMotion | None:
+        """Return the link that a weld fixes; None where it fixes none."""
+        return next((each for each in self.links if each.hung.closing == step), None)
+
+    def at(self, j: int) -> RodHalfMotion | None:
+        """Return the link at whose ball a joint is; None where it is at none."""
+        return next((each for each in self.links if j in each.hung.joints), None)
+
+    def without(self, steps: Iterable[Eliminate], closure: int) -> list[Eliminate]:
+        """Return how a closure's unknowns are eliminated, lane by lane, but for those of balls."""
+        own = [each.hung for each in self.links if each.hung.closing.closure == closure]
+        moved = {k for hung in own for k in hung.freedoms}
+        rows = {k for hung in own for k in hung.turns}
+        return [
+            replace(
+                step,
+                moved=tuple(k for k in step.moved if k not in moved),
+                rows=tuple(row for row in step.rows if row not in rows),
+                scales=tuple(
+                    scale
+                    for row, scale in zip(step.rows, step.scales, strict=True)
+                    if row not in rows
+                ),
+            )
+            for step in steps
+        ]
+
+
+def _rotation(loop: PlanLoop, side: int) -> Any:
+    return (loop.rotation1, loop.rotation2)[side]
+
+
+def _translation(loop: PlanLoop, side: int) -> Any:
+    return (loop.translation1, loop.translation2)[side]

@@ -1,0 +1,78 @@
+"""Passive joint forces of an MJCF: rotors always, damping and friction if a scene asks for them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator
+from typing import Any
+
+from adagen.mjcf.compiled import BALL, FREE, Compiled
+from adagen.model import Passive
+from adagen.urdf.notes import Notes
+from adagen.urdf.passive import tell_dropped
+
+Decided = Callable[[str, str], bool]
+
+_HELD = {BALL: ("damping", "rotor inertia")}
+"""What a Model holds of joints with several degrees of freedom; of a free joint, nothing."""
+
+
+def passives(
+    robot: Compiled, wanted: Collection[str], decided: Decided, notes: Notes
+) -> dict[int, Passive]:
+    """Return what each joint does by itself, by MuJoCo's numbers, and warn of the rest.
+
+    Args:
+        robot: the compiled file.
+        wanted: some of "damping", "friction".
+        decided: of an effect and a joint's name, whether what the model holds is what was asked
+            for, so that there is nothing to warn of.
+        notes: takes the warnings.
+    """
+    result: dict[int, Passive] = {}
+    dropped: dict[str, dict[str, int | None]] = {}
+    for j, name in enumerate(robot.joints):
+        kind, held = int(robot.model.jnt_type[j]), {}
+        for effect, value in _effects(robot, j):
+            fits = kind not in (BALL, FREE) or effect in _HELD.get(kind, ())
+            if fits and (effect in wanted or effect == "rotor inertia"):
+                held[effect.replace(" ", "_")] = value
+            elif not fits or not decided(effect, name):
+                dropped.setdefault(effect, {})[name] = robot.lines.joints.get(name)
+        if held:
+            result[j] = Passive(**held)
+    tell_dropped(dropped, notes)
+    return result
+
+
+def _effects(robot: Compiled, joint: int) -> Iterator[tuple[str, float]]:
+    """Name what a joint does by itself, with its size; SI units."""
+    model = robot.model
+    dof = int(model.jnt_dofadr[joint])
+    found = {
+        "damping": float(model.dof_damping[dof]) + _of_drive(model, joint, "damping"),
+        "friction": float(model.dof_frictionloss[dof]),
+        "stiffness": _first(model.jnt_stiffness[joint]),
+        "rotor inertia": float(model.dof_armature[dof]) + _of_drive(model, joint, "armature"),
+        "damping of higher order": _largest(model, "dof_dampingpoly", dof),
+        "stiffness of higher order": _largest(model, "jnt_stiffnesspoly", joint),
+    }
+    return ((effect, value) for effect, value in found.items() if value)
+
+
+def _of_drive(model: Any, joint: int, what: str) -> float:
+    """Return the "armature" (kg m^2, kg) or "damping" that a joint has from its actuator."""
+    drives = getattr(model, "jnt_actuatorid", None)  # from MuJoCo 4 on
+    if drives is None or drives[joint] < 0:
+        return 0.0
+    drive = int(drives[joint])
+    gear = float(model.actuator_gear[drive][0])
+    return gear * gear * float(getattr(model, f"actuator_{what}")[drive])
+
+
+def _first(value: Any) -> float:
+    return float(value if getattr(value, "ndim", 0) == 0 else value[0])
+
+
+def _largest(model: Any, name: str, row: int) -> float:
+    table = getattr(model, name, None)
+    return 0.0 if table is None else float(abs(table[row]).max(initial=0.0))
