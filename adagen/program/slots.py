@@ -9,7 +9,7 @@ from itertools import chain
 
 from adagen.plan import Plan
 from adagen.plan.simd_groups import Limbs
-from adagen.program.runs import Run
+from adagen.program.runs import OF_ONE_FREEDOM, Run
 from adagen.program.strips import LANES, runs_in_strips, slots_of
 from adagen.program.tiles import TILE, fits_tiles, tiles_of
 from adagen.schedule.costs import StepCosts
@@ -115,13 +115,26 @@ class Slots:
                     for lane, j in enumerate(row, start=side_by_side.idle):
                         slots[j] = next_ + lane
                     next_ += side_by_side.lanes
-            for j in process.owns:
-                if slots[j] < 0:
-                    slots[j], next_ = next_, next_ + 1
+            for j in _packed(plan, [j for j in process.owns if slots[j] < 0], next_):
+                slots[j], next_ = next_, next_ + 1
         for j in range(count):
             if slots[j] < 0:
                 slots[j], next_ = next_, next_ + 1
         return Slots(tuple(slots), next_, limbs, in_strips, tile)
+
+
+def _packed(plan: Plan, joints: list[int], first: int) -> list[int]:
+    """Order joints from a slot on so that those of one freedom lie in as few blocks as they can.
+
+    Links beyond such joints are set up by columns, where those pay: all of a block or none.
+    """
+    one = [j for j in joints if plan.joints[j].kind in OF_ONE_FREEDOM]
+    others = [j for j in joints if plan.joints[j].kind not in OF_ONE_FREEDOM]
+
+    def blocks(order: list[int]) -> int:
+        return len({slot // COLUMNS for slot, j in enumerate(order, first) if j in one})
+
+    return min((joints, one + others, others + one), key=blocks)
 
 
 def _lay_strips(in_strips: Iterable[Run], width: int, slots: list[int]) -> int:
@@ -135,6 +148,8 @@ def _lay_strips(in_strips: Iterable[Run], width: int, slots: list[int]) -> int:
     return next_
 
 
+COLUMNS = 8
+"""Slots whose links are set up by columns at once (set_up_columns in kernels/inward_columns.hpp)."""
 _MANY_BLOCKS = 32
 _WIDEST = 16  # joints in the widest block: two apart by less may share one
 
