@@ -149,7 +149,7 @@ def _lay_strips(in_strips: Iterable[Run], width: int, slots: list[int]) -> int:
 
 
 COLUMNS = 8
-"""Slots whose links are set up by columns at once (set_up_columns in kernels/inward_columns.hpp)."""
+"""Slots whose links are set up by columns at once (set_up_columns, kernels/inward_columns.hpp)."""
 _MANY_BLOCKS = 32
 _WIDEST = 16  # joints in the widest block: two apart by less may share one
 
