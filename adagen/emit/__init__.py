@@ -65,57 +65,55 @@ def emit(
         shape: shape of the code, one of ``adagen.emit.shapes.SHAPES``, or "auto".
         refine: steps of iterative refinement that each evaluation takes, 0 to 9; None: as many as
             the scalar needs.
-        residual: what these find residuals in: the solver's "own" numbers, "wide" ones, or its own
-            where loops have them ("auto").
+        residual: precision of the residuals: "own" (the solver's), "wide", or "auto" (own where
+            loops have it).
         batch: if not 0, solve many states at once on so many processes, each by the plan of one.
         chunk: values that one function of shape unrolled computes; 0 for its default.
-        compiler: what the MPI wrapper is to call; "" for its own choice.
-        profile: what the shape, the methods and the limbs that are computed side by side are chosen
-            by, and what messages cost where the program plays stretches of computing through
-            instead of timing itself; without it, or if it prices joins alone, the shipped one.
-        limbs: those that each process takes side by side, one in each SIMD lane; None for those
-            of least price.
-        single_file: whether NAME_pP.cpp holds the program, too, and stands alone.
+        compiler: the compiler behind the MPI wrapper; "" for the wrapper's choice.
+        profile: prices shapes, methods, limbs in lanes, and messages in times from stretches;
+            without it, or if it has no costs of steps, the shipped one.
+        limbs: limbs in SIMD lanes, for each process; None for those of least price.
+        single_file: whether NAME_pP.cpp contains the runtime and the program, too.
         target: "host", or "embedded" for a solver that needs no operating system.
 
     Returns:
-        NAME_pP.cpp, NAME_pP.h, NAME_pP.plan.json, NAME_pP.pc and, if given, NAME_pP.svg; and for
-        all the same adagen_program.cpp, the program around them, Makefile and CMakeLists.txt, which
-        build all in their folder. Of an embedded solver source, header, plan and drawing alone.
+        NAME_pP.cpp, NAME_pP.h, NAME_pP.plan.json, NAME_pP.pc and, if given, NAME_pP.svg; the
+        runtime; and adagen_program.cpp, Makefile and CMakeLists.txt, which build all solvers of
+        their folder. For an embedded solver only source, header, plan, drawing and runtime.
 
     Raises:
         UsageError: the plan cannot be emitted in this shape, or not refined, or not for batches.
     """
     plan = plan.for_batches if batch else plan
-    stem = stem_of(plan, name, batch)
-    steps = checked_steps(refine)
-    processes = batch or len(plan.processes)
-    check_target(target, processes, steps, batch=bool(batch), single_file=single_file)
+    steps, many = checked_steps(refine), bool(batch)
+    check_target(target, batch or len(plan.processes), steps, batch=many, single_file=single_file)
     program = program_of(
-        plan, shape, refine, residual=residual, batch=bool(batch), profile=profile, limbs=limbs
+        plan, shape, refine, residual=residual, batch=many, profile=profile, limbs=limbs
     )
     check(program)
-    embedded = target == "embedded"
+    stem, embedded = stem_of(plan, name, batch), target == "embedded"
     solver = Solver(program, stem, steps, batch, chunk, compiler, profile, embedded)
+    data = {f"{stem}.plan.json": plan_to_json(replace(plan, profile=with_steps(profile).name))}
+    drawing = {} if svg is None else {f"{stem}.svg": svg}
+    return _files(solver, data | drawing, single_file=single_file)
+
+
+def _files(solver: Solver, data: dict[str, str], *, single_file: bool) -> dict[str, str]:
+    """Source and header of a solver, its data, the runtime, and what builds a program."""
+    stem = solver.stem
     header, text = solver.texts()
-    files = {
-        f"{stem}.cpp": text,
-        f"{stem}.h": header,
-        f"{stem}.plan.json": plan_to_json(replace(plan, profile=with_steps(profile).name)),
-    }
-    if svg is not None:
-        files[f"{stem}.svg"] = svg
+    files = {f"{stem}.cpp": text, f"{stem}.h": header, **data}
     if not single_file:
         files |= runtime_files()
-    if embedded:
+    if solver.embedded:
         return files
     files |= {
         f"{stem}.pc": render(
             "solver.pc.j2",
             stem=stem,
-            process_count=processes,
+            process_count=solver.processes,
             mpi=solver.mpi,
-            threads=plan.threads,
+            threads=solver.plan.threads,
             version=__version__,
         ),
         "Makefile": template("Makefile"),

@@ -47,9 +47,9 @@ def _summary(symbols: Symbols, process: Process) -> str:
 
 
 def describe_message(symbols: Symbols, message: Message) -> str:
-    """Return what a message is about, in a few words."""
+    """Return the contents of a message, in a few words."""
     if message.sweep == ENERGIES:
-        return "how large corrections are"
+        return "sizes of corrections"
     if message.sweep == CERTIFICATE:
         return "its share of the certificate"
     if message.joint is None:
@@ -57,13 +57,13 @@ def describe_message(symbols: Symbols, message: Message) -> str:
         return f"{what} of slaved joints"
     if message.inertias:
         links = ", ".join(symbols.quoted_link(link) for link in message.inertias)
-        return f"what hangs on {links}"
+        return f"I^A and p^A at {links}"
     if message.passages:
         spans = (symbols.span(own.first, own.last) for own in message.passages)
-        return f"how {', '.join(spans)} move their last link"
+        return f"motion of the last link of {', '.join(spans)}"
     if message.sides:
         bases = ", ".join(symbols.quoted_joint(side.joints[0]) for side in message.sides)
-        return f"what hangs on {bases} does to loops"
+        return f"loop rows of the trees at {bases}"
     what = "assembled" if message.sweep == "assembly" else "forces on"
     return f"{what}: chain of {symbols.quoted_joint(message.joint)}"
 

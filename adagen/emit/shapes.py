@@ -135,7 +135,7 @@ def why_not_own(plan: Plan, shape: str) -> str | None:
     if plan.closed:
         return why_not_in_lines(plan)
     if shape != "kernels":
-        return f"shape {shape} has residuals in wider numbers alone"
+        return f"shape {shape} computes residuals in higher precision only"
     reason = why_not_corrected(plan) or kernels.why_not_weighed(plan)
     if reason is None and plan.several:
         reason = "several processes share the robot"

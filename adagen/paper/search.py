@@ -63,26 +63,22 @@ def find_schedule(
     Args:
         topology: the robot.
         processes: P, 1 to 1024.
-        profile: what a join costs by Eq. (11); costs of steps are left aside, and the schedule's
-            profile says so.
-        tie: among schedules that are equally long, ``work``: the least total work; ``lex``: the
-            smallest sequence of joints, slots filled level by level with the root side first (what
-            Table I shows; with P not a power of two, of pairs of joint and processes for its root
-            side). A chain on one process is always in the order of III-D.
+        profile: costs of joins by Eq. (11); its costs of steps are ignored.
+        tie: among equally long schedules, ``work``: the least total work; ``lex``: the smallest
+            sequence of joints, slots filled level by level, root side first (as in Table I; with P
+            not a power of two, of pairs of joint and processes of its root side). A chain on one
+            process is always in the order of III-D.
         strategy: ``exact``: branch and bound over partial chains; ``astar``: A* over sequences
-            with an admissible estimate; ``paper``: the same with the paper's, which is not
-            admissible, so that the schedule may be longer than the best.
+            with an admissible estimate; ``paper``: A* with the paper's estimate, which is not
+            admissible, so the schedule may be longer than the best.
         improved: for A*, the improved NextNodes() instead of the naive one.
-        split: ``always``: two descendants divide their range (III-C); ``free``: they may share it
-            instead, one after the other; ``any``: the same, and ranges are divided in any way also
-            where P is a power of two: best where many limbs meet (both ``exact`` only).
+        split: ``always``: two descendants divide their range (III-C); ``free``: they may share
+            it, one after the other; ``any``: also, ranges are divided in any way (both ``exact``).
         expansions: states or nodes the search may expand; the answer depends on nothing else.
-        time_budget: seconds after which the search ends too; None for no such limit. Where it
-            strikes, the answer depends on the machine.
-        progress: called now and then with what is known.
-        cuttable: for each joint whether two processes may meet there. Where the schedule found has
-            them meet elsewhere, a beam search over the allowed cuts takes its place, and no more
-            is proven than the bound of all cuts.
+        time_budget: seconds, None for no limit; if it ends the search, results are not repeatable.
+        progress: called now and then with the best schedule and bound so far.
+        cuttable: for each joint whether two processes may meet there. If the best schedule has
+            others, a beam search over the allowed cuts replaces it; the bound stays.
 
     Returns:
         The schedule; its verdict is ``optimal`` only where that is proven.
@@ -95,8 +91,7 @@ def find_schedule(
     deadline = None if time_budget is None else monotonic() + time_budget
     if profile.steps is not None:
         profile = replace(profile.joins_only(), name=f"Eq. (11) of the {profile.name}")
-    rules = Rules.of(processes, split)
-    space = Space(topology, profile, rules)
+    space = Space(topology, profile, rules := Rules.of(processes, split))
     searched = processes if rules.halving else rules.useful(processes, len(topology))
     request = Request(space, searched, tie, improved, expansions, deadline, progress)
     found = _found(request, strategy)
@@ -104,10 +99,18 @@ def find_schedule(
     schedule = found.schedule(topology, processes, profile, tie, strategy, split)
     if cuttable is None or all(cuttable[j] for j in joined_between_processes(schedule.root)):
         return schedule
-    draft, spent = restricted_draft(topology, searched, profile, rules, cuttable, expansions)
-    _give_all(draft, searched, processes)
-    restricted = Found(draft, found.lower, found.expanded + spent)
-    return restricted.schedule(topology, processes, profile, tie, strategy, split)
+    found = _restricted(request, found, cuttable)
+    _give_all(found.draft, searched, processes)
+    return found.schedule(topology, processes, profile, tie, strategy, split)
+
+
+def _restricted(request: Request, found: Found, cuttable: Sequence[bool]) -> Found:
+    """The best schedule of a beam search over the allowed cuts, with the bound over all cuts."""
+    space = request.space
+    draft, spent = restricted_draft(
+        space.topology, request.processes, space.profile, space.rules, cuttable, request.expansions
+    )
+    return Found(draft, found.lower, found.expanded + spent)
 
 
 def _found(request: Request, strategy: Strategy) -> Found:

@@ -26,6 +26,7 @@ from adagen.plan.gather import GatherPlanner, why_not_gather
 from adagen.plan.grounded_closures import grounded_closures_of
 from adagen.plan.parameters import parameters_of, refuse_inverted
 from adagen.plan.requested_outputs import handles_of, refuse_outputs, refuse_sharing, with_outputs
+from adagen.plan.robot import PlanParameter
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.separate_trees import closures_between_trees
 from adagen.plan.serial import check_reproducible
@@ -67,7 +68,7 @@ def make_plan(
     runtime: str = "",
     loop_forces: bool = False,
 ) -> Plan:
-    """Return what each process of a schedule does.
+    """Return the plan of a schedule: the steps of each process.
 
     Args:
         model: the robot.
@@ -94,6 +95,30 @@ def make_plan(
     parameters = parameters_of(model, runtime)
     refuse_outputs(model, form)
     planner = planner_of(model, schedule, form, meeting)
+    plan = _plan(model, schedule, planner, parameters, loop_forces=loop_forces)
+    plan = replace(
+        plan,
+        source_hash=source_hash,
+        form=form,
+        scalar=scalar,
+        channel=channel,
+        reproducible=reproducible,
+    )
+    if reproducible:
+        gathered = planner.gathered() if isinstance(planner, GatherPlanner) else None
+        check_reproducible(plan, gathered)
+    return plan
+
+
+def _plan(
+    model: Model,
+    schedule: Schedule,
+    planner: AdaPlanner,
+    parameters: tuple[PlanParameter, ...],
+    *,
+    loop_forces: bool,
+) -> Plan:
+    """The plan that a planner makes, without the options of its code."""
     planner.asked = handles_of(model)
     outputs = outputs_of(model)
     refuse_sharing(outputs, schedule)
@@ -103,12 +128,12 @@ def make_plan(
         model = settled(model, planner.fusions.fused)
     bare = {step.link for p in processes for step in p.steps if isinstance(step, LinkBias)}
     refuse_inverted(parameters, bare)
-    plan = Plan(
+    return Plan(
         name=model.name,
-        source_hash=source_hash,
-        form=form,
-        scalar=scalar,
-        channel=channel,
+        source_hash="",
+        form="segment",
+        scalar="double",
+        channel="auto",
         schedule=_line(planner, schedule, Topology.of(model)),
         floating=model.floating,
         gravity=tuple(float(g) + 0.0 for g in model.gravity),
@@ -120,7 +145,6 @@ def make_plan(
         wrenches=wrenches_of(model),
         loops=loops_of(model) if loop_forces else with_points(model),
         couplings=couplings_of(model),
-        reproducible=reproducible,
         parameters=parameters,
         loop_forces=loop_forces,
         tied_rows=planner.tied_rows(),
@@ -128,10 +152,6 @@ def make_plan(
         outputs=outputs,
         at_rest=model.at_rest,
     )
-    if reproducible:
-        gathered = planner.gathered() if isinstance(planner, GatherPlanner) else None
-        check_reproducible(plan, gathered)
-    return plan
 
 
 def _check_words(form: str, scalar: str, channel: str, meeting: str) -> None:

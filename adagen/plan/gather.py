@@ -41,7 +41,7 @@ def why_not_gather(joints: Sequence[PlanJoint]) -> str | None:
             return f'joint "{joint.name}" is slaved to another'
         own = joint.damping or joint.friction or joint.stiffness or joint.rotor_inertia
         if own and joint.kind in ("planar", "floating"):
-            return f'joint "{joint.name}" has several freedoms and effects of its own'
+            return f'joint "{joint.name}" has several degrees of freedom and passive torques'
     return None
 
 
@@ -107,7 +107,7 @@ class GatherPlanner(SegmentPlanner):
         ways = ways_told(self.joints, trees, processes)
         if not ways:
             raise InputError(
-                "no process hangs on a run of joints from the ground that another one has: "
+                "no process needs the motion of joints at the ground that another one has: "
                 'leave "told" out'
             )
         return telling(self.joints, ways, processes, self.messages)

@@ -143,11 +143,12 @@ def why_not_in_lines(plan: Plan) -> str | None:
             f'joint "{plan.joints[plan.slaved[0]].name}" is slaved to another: that is not refined'
         )
     if plan.wanted or plan.outputs:
-        return "a scene wants other outputs than all accelerations: that is not refined"
+        return "the scene requests other results than all accelerations: that is not refined"
     if plan.form == "ada" and plan.several:
         return "closed loops are refined in form ada on one process alone"
     if plan.lent:
-        return f'joint "{plan.joints[plan.lent[0][0]].name}" is lent inertia: that is not refined'
+        name = plan.joints[plan.lent[0][0]].name
+        return f'only loops resist the motion of joint "{name}": that is not refined'
     for joint in plan.joints if plan.form == "ada" else ():
         if joint.prescribed or joint.rotor_inertia:
             return (
@@ -177,7 +178,7 @@ def refinable(plan: Plan) -> Plan:
         )
     if plan.wanted or plan.outputs:
         raise UsageError(
-            "what is refined are all accelerations: leave out --refine, or accelerations and"
+            "refinement needs all accelerations: leave out --refine, or accelerations and"
             " [outputs] of the scene"
         )
     if plan.wrenches:

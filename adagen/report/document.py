@@ -32,7 +32,7 @@ class Measured:
     Attributes:
         median: of an evaluation, microseconds.
         least: of an evaluation, microseconds.
-        source: "clock", or "stretches" of computing, played through.
+        source: "clock", or "stretches" of computing.
         error: largest forward error of the answers that were checked, or None.
         digits: certain digits of the accelerations, or None.
         right: whether the check was passed.
@@ -220,7 +220,7 @@ def _verdict(measured: Measured | None) -> list[dict[str, Any]]:
         return []
     verdict = "right" if measured.right else "wrong"
     if measured.source != "clock":
-        verdict += "; times from stretches of computing, played through"
+        verdict += "; times computed from measured stretches of computing"
     return [{"what": "answers", "predicted": None, "measured": verdict, "unit": ""}]
 
 

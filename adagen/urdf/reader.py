@@ -17,6 +17,7 @@ from adagen.urdf.bodies import build, gather
 from adagen.urdf.checks import Lines, check_model
 from adagen.urdf.description import Description, describe
 from adagen.urdf.document import parse
+from adagen.urdf.elements import Element
 from adagen.urdf.expansion import Arguments, description_text
 from adagen.urdf.loops import read_closing, warn_effects, with_closing
 from adagen.urdf.mimics import resolve
@@ -25,7 +26,7 @@ from adagen.urdf.numbers import LARGEST
 from adagen.urdf.passive import read_effects, warn_dropped, with_effects
 from adagen.urdf.remarks import remark_ignored, warn_foreign, warn_held, warn_inertias, warn_limits
 from adagen.urdf.source import model_stem
-from adagen.urdf.tree import make_tree
+from adagen.urdf.tree import Tree, make_tree
 from adagen.urdf.yourdfpy_check import agreed
 
 
@@ -70,23 +71,20 @@ def read_robot(
     Args:
         path: of the file.
         floating: put a floating joint ``__base__`` between the world and the root link.
-        mimic: slave mimic joints to what they follow; otherwise they are independent, with a
-            warning each.
-        gravity: acceleration of free fall in ground coordinates, three numbers, m/s^2;
-            (0, 0, -9.81) by default.
-        effects: what of joints' <dynamics> is modelled: "damping", "friction".
-        decided: whether an effect of a joint, by their names, was decided on: of the others in
-            <dynamics> a warning says that they are not modelled.
-        check: refuse a robot whose forward dynamics has no answer; if not, ``check_reduced`` has to
-            judge what is made of it.
-        strict: refuse slips that readers of URDF overlook, too (repairs.py), instead of warning.
-        held: whether a fixed base was asked for; if not, of a root link that looks as if it should
-            float a warning says that it is held.
+        mimic: slave mimic joints to their sources; otherwise they are free, with a warning each.
+        gravity: in ground axes, three numbers, m/s^2; (0, 0, -9.81) by default.
+        effects: parts of joints' <dynamics> that are modelled: "damping", "friction".
+        decided: whether the caller decided on an effect of a joint, by their names; a warning
+            says of the others in <dynamics> that they are not modelled.
+        check: refuse a robot whose forward dynamics has no answer; if not, the caller checks the
+            final model by ``check_reduced``.
+        strict: refuse slips that other readers accept (repairs.py), instead of warning.
+        held: whether a fixed base was requested; if not, a root link that looks as if it should
+            float gets a warning.
         arguments: values of <xacro:arg>, for a file whose name ends in ".xacro" (expansion.py).
 
     Returns:
-        The model, in which fixed joints are lumped, axes are normalised and every number is
-        rounded once, with warnings.
+        The model, with warnings: fixed joints are lumped, axes normalised, numbers rounded once.
 
     Raises:
         InputError: the file is not a URDF of a robot whose forward dynamics has an answer.
@@ -98,6 +96,25 @@ def read_robot(
     description = describe(root, model_stem(path), notes)
     _check_base(description, floating, notes)
     tree = make_tree(description, notes)
+    model = _model(root, description, tree, floating, mimic, effects, decided, notes)
+    if not (held or floating):
+        warn_held(model, notes)
+    if gravity is not None:
+        model = model.with_gravity(checked_gravity(gravity))
+    return _reading(model, description, tree, notes, check=check)
+
+
+def _model(
+    root: Element,
+    description: Description,
+    tree: Tree,
+    floating: bool,
+    mimic: bool,
+    effects: Collection[str],
+    decided: Callable[[str, str], bool],
+    notes: Notes,
+) -> Model:
+    """The model of a description, with warnings about what is not modelled."""
     mimics = resolve(description, mimic, notes)
     closing = read_closing(root, description, tree, mimics, notes)
     warn_limits(root, notes)
@@ -114,11 +131,13 @@ def read_robot(
     passive = read_effects(root, effects, notes)
     description = agreed(root, description, notes)
     model = build(description.name, gather(description, tree, floating), mimics, floating)
-    model = with_closing(with_effects(model, passive), closing, notes)
-    if not (held or floating):
-        warn_held(model, notes)
-    if gravity is not None:
-        model = model.with_gravity(checked_gravity(gravity))
+    return with_closing(with_effects(model, passive), closing, notes)
+
+
+def _reading(
+    model: Model, description: Description, tree: Tree, notes: Notes, *, check: bool
+) -> Reading:
+    """A model with all notes about it; refused if ``check`` finds no forward dynamics."""
     lines = Lines(None, {}, {}) if notes.without_lines else _lines(description)
     if check:
         check_model(model, lines, notes)

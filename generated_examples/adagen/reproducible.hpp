@@ -30,7 +30,7 @@ namespace {
     return "this solver is reproducible, and the processor does not round to the nearest number: "
            "say fesetround(FE_TONEAREST)";
   if (least / 2 * 2 != least)
-    return "this solver is reproducible, and the processor takes numbers next to zero for zero: "
+    return "this solver is reproducible, and the processor flushes subnormal numbers to zero: "
            "link without -ffast-math, or clear the bits FTZ and DAZ of MXCSR";
   if (above * below - one != 0)
     return "this solver is reproducible, and was compiled to fuse products and sums: compile it "

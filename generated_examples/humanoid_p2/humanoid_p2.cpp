@@ -164,8 +164,8 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
      {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0}, {0.0, 0.0, -0.04}}}};
 
 [[maybe_unused]] constexpr std::array<MessageInfo, 4> kMessages{ {
-    {0, 1, 27},  // 0: what hangs on "torso"
-    {1, 0, 27},  // 1: what hangs on "torso"
+    {0, 1, 27},  // 0: I^A and p^A at "torso"
+    {1, 0, 27},  // 1: I^A and p^A at "torso"
     {0, 1, 61},  // 2: state
     {1, 0, 14}}};  // 3: accelerations
 
@@ -271,13 +271,13 @@ static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   }
   inward_in_columns_reversed<0, 13, 15, true>(w);  // "waist_yaw" .. "waist_pitch"
   stamp(2);
-  {  // to process 1: what hangs on "torso"
+  {  // to process 1: I^A and p^A at "torso"
     Number* to = channel.outgoing(0, w.status);
     put(to, w.bodies[16]);
     channel.send(0, w.status);
   }
   stamp(3);
-  {  // from process 1: what hangs on "torso"
+  {  // from process 1: I^A and p^A at "torso"
     const Number* from = channel.receive(1, w.status);
     add(from, w.bodies[16]);
   }
@@ -316,13 +316,13 @@ static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   }
   inward<1, 22, 23, false>(w);  // "neck_yaw" .. "neck_pitch"
   stamp(2);
-  {  // to process 0: what hangs on "torso"
+  {  // to process 0: I^A and p^A at "torso"
     Number* to = channel.outgoing(1, w.status);
     put(to, w.bodies[16]);
     channel.send(1, w.status);
   }
   stamp(3);
-  {  // from process 0: what hangs on "torso"
+  {  // from process 0: I^A and p^A at "torso"
     const Number* from = channel.receive(0, w.status);
     add(from, w.bodies[16]);
   }

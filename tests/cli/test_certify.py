@@ -190,7 +190,7 @@ def test_closed_loops_are_certified_as_straight_lines(
     assert bounds
     assert all(1e-17 < bound < 1e-12 for bound in bounds)
     assert main([*given, "--shape", "kernels", "--out", str(tmp_path / "loops")]) == 2
-    assert "the robot has closed loops, which are straight lines" in capsys.readouterr().err
+    assert "robots with closed loops are emitted as straight lines" in capsys.readouterr().err
 
 
 def test_loops_refuse_what_straight_lines_certify(
@@ -200,7 +200,7 @@ def test_loops_refuse_what_straight_lines_certify(
     beside.write_text(BESIDE)
     given = [str(beside), "--certify", "--procs", "1", "--out", str(tmp_path / "out")]
     assert main([*given, "--shape", "kernels"]) == 2
-    assert "they certify one floating robot, with nothing beside it" in capsys.readouterr().err
+    assert "they certify a floating robot only if it is the only one" in capsys.readouterr().err
     assert main(given) == 0
 
 

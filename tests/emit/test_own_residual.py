@@ -91,7 +91,9 @@ def test_only_loops_of_one_process_have_residuals_of_their_own() -> None:
     assert program_of(two, refine=1).plan.corrections == 0
     with pytest.raises(UsageError, match="several processes share the robot"):
         program_of(two, refine=1, residual="own")
-    with pytest.raises(UsageError, match="shape joints has residuals in wider numbers alone"):
+    with pytest.raises(
+        UsageError, match="shape joints computes residuals in higher precision only"
+    ):
         emit(plan_of(model, 1, form="ada"), refine=1, residual="own")
 
 

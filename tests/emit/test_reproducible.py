@@ -196,7 +196,7 @@ int main(void) {{
 
 
 @pytest.mark.parametrize(
-    ("flags", "said"), [((), "opened"), (("-ffast-math",), "takes numbers next to zero for zero")]
+    ("flags", "said"), [((), "opened"), (("-ffast-math",), "flushes subnormal numbers to zero")]
 )
 def test_a_program_that_flushes_small_numbers_is_refused(
     flags: tuple[str, ...], said: str, builder: Builder, tmp_path: Path

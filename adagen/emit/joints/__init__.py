@@ -28,9 +28,9 @@ def why_not(plan: Plan) -> str | None:
     if plan.certified:
         return "its answers are not certified"
     if plan.closed:
-        return "the robot has closed loops, which are straight lines"
+        return "robots with closed loops are emitted as straight lines"
     if plan.outputs:
-        return "outputs beside accelerations are found in straight lines"
+        return "outputs beside accelerations are computed in straight lines only"
     return None
 
 

@@ -36,9 +36,9 @@ def why_not(plan: Plan) -> str | None:
     if plan.form != "segment":
         return f"it is for form segment, not {plan.form}"
     if plan.closed:
-        return "the robot has closed loops, which are straight lines"
+        return "robots with closed loops are emitted as straight lines"
     if plan.outputs:
-        return "outputs beside accelerations are found in straight lines"
+        return "outputs beside accelerations are computed in straight lines only"
     if plan.weighed:
         return why_not_weighed(plan)
     return why_not_gather([replace(joint, mimic=None) for joint in plan.joints])
@@ -50,12 +50,12 @@ def why_not_weighed(plan: Plan) -> str | None:
     Certificates and corrections in the solver's own numbers need that.
     """
     if plan.wanted or plan.outputs:
-        return "a scene wants other outputs than all accelerations"
+        return "the scene requests other results than all accelerations"
     if plan.wrenches:
         return "outer forces act on links"
     at_ground = [joint for joint in plan.joints if joint.parent == 0]
     if len(at_ground) > 1 and any(map(is_base, at_ground)):
-        return "they certify one floating robot, with nothing beside it"
+        return "they certify a floating robot only if it is the only one"
     for joint in plan.joints:
         if joint.kind == "spherical" and joint.rotor_inertia:
             return f'they do not certify ball joint "{joint.name}" with a rotor'

@@ -156,8 +156,8 @@ class Timing {
                    many, about.batch || threads ? "says little" : "would mean nothing");
     if (!work_.empty())
       std::fprintf(out,
-                   "       (from measured stretches of computing, one process at a time, played "
-                   "through\n        with what messages cost: %.0f ns each and %.2f per number)\n",
+                   "       (computed from the stretches of each process, measured by itself, and "
+                   "from\n        messages of %.0f ns each and %.2f per number)\n",
                    hop().send + hop().latency, hop().number);
     std::fprintf(out, "       state and result in place       %8.0f %8.0f %8.0f\n",
                  in_place_.median, in_place_.least, in_place_.percentile99);
