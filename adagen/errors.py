@@ -1,4 +1,4 @@
-"""What can go wrong, by whose fault it is, and the exit status that says so."""
+"""Failures, by whose fault they are, with their exit status."""
 
 from __future__ import annotations
 

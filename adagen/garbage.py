@@ -1,4 +1,4 @@
-"""Python's search for garbage in cycles, less often while expressions are made."""
+"""Fewer runs of Python's garbage collector while expressions are made."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""JSON files of people and programs, read strictly and written whole."""
+"""JSON files, read strictly and written completely or not at all."""
 
 from __future__ import annotations
 

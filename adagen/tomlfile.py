@@ -1,4 +1,4 @@
-"""TOML files of people, read strictly: ``tomllib`` tells values, not where they stand."""
+"""TOML files, read strictly, with line numbers that ``tomllib`` does not give."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From C++ to an executable: the compiler, MPI and Eigen to use, and a cache of what was built."""
+"""From C++ to an executable: compiler, MPI and Eigen, and a cache of executables."""
 
 from adagen.build.cache import build_executable, cache_folder
 from adagen.build.toolchain import Toolchain, find_toolchain, mpi_environment

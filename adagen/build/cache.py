@@ -1,4 +1,4 @@
-"""Executables by content: the same source, compiler, options and Eigen are compiled once."""
+"""Cache of executables: the same source, compiler, options and Eigen are compiled once."""
 
 from __future__ import annotations
 

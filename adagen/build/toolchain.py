@@ -1,4 +1,4 @@
-"""Which compiler, MPI and Eigen to use: the user's choice, else the wheels, else the system's."""
+"""The compiler, MPI and Eigen: the user's choice, else the wheels, else the system's."""
 
 from __future__ import annotations
 

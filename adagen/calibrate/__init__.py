@@ -1,4 +1,4 @@
-"""Measuring what a machine takes for the steps of a plan, by timing emitted programs."""
+"""Measurement of a machine's costs of plan steps, by timing emitted programs."""
 
 from adagen.calibrate.run import Calibration, Progress, calibrate, calibrate_network
 from adagen.calibrate.write import profile_text

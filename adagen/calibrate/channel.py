@@ -1,6 +1,6 @@
-"""What a message takes, by sending messages of several sizes there and back.
+"""Costs of messages, from messages of several sizes sent there and back.
 
-The program that does it goes through the very channel of emitted code, window or MPI messages.
+The program uses the same channel as emitted code, window or MPI messages.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """From measured times to the coefficients of a cost profile.
 
-Every stage of work of every measured process is an equation: the sum of what its steps are made of,
-times the coefficients, is its time. They are solved by least squares of relative errors; no
-coefficient may be negative, so that costs never fall with the number of handles.
+Every stage of every measured process is an equation: the sum of its features times the coefficients
+is its time. They are solved by least squares of relative errors; no coefficient may be negative, so
+that costs never fall with the number of handles.
 """
 
 from __future__ import annotations

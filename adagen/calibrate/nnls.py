@@ -1,4 +1,4 @@
-"""Least squares under the constraint that nothing is negative (Lawson and Hanson 1974, ch. 23)."""
+"""Non-negative least squares (Lawson and Hanson 1974, ch. 23)."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Robots made up to be timed: chains, hubs and trees of chosen joint kinds.
+"""Artificial robots for calibration: chains, hubs and trees of chosen joint kinds.
 
-Their times do not depend on their masses and lengths, only on what is joined to what by which kind
-of joint; bodies are drawn at random so that nothing can be folded or cancelled.
+Their times do not depend on masses and lengths, only on the topology and the joint kinds; bodies
+are random so that nothing can be folded or cancelled.
 """
 
 from __future__ import annotations

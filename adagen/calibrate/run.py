@@ -1,4 +1,4 @@
-"""A whole calibration: build, time in turn, fit."""
+"""A complete calibration: build, time by turns, fit."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""Which programs a calibration builds and times: few, small, and different in every coefficient.
+"""Programs that a calibration builds and times: few, and all different in some coefficient.
 
-Nearly all of its time is the compiler's, so that each program must earn its place.
+Nearly all of the time goes into compiling, so there are as few as possible.
 """
 
 from __future__ import annotations

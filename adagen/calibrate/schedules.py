@@ -1,4 +1,4 @@
-"""Schedules made at random, so that measurements cover more than what a search would choose."""
+"""Random schedules, so that measurements cover more than a search would choose."""
 
 from __future__ import annotations
 

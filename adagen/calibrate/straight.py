@@ -1,4 +1,4 @@
-"""From measured times of straight lines to what their statements cost."""
+"""Costs of statements, fitted to measured times of straight lines."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The command line: the only place that knows all stages."""
+"""The command line: the only package that uses all stages."""
 
 from adagen.cli.main import main
 

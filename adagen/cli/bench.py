@@ -1,4 +1,4 @@
-"""``adagen bench``: emitted solvers beside other people's, on the user's own robots."""
+"""``adagen bench``: emitted solvers beside other libraries, on the user's own robots."""
 
 from __future__ import annotations
 

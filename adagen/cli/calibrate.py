@@ -1,4 +1,4 @@
-"""``adagen calibrate``: what the steps of a plan take on this machine."""
+"""``adagen calibrate``: measures the costs of steps on this machine."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``adagen chart``: accuracy beside speed, and the variant that keeps a budget."""
+"""``adagen chart``: error against time, and the variant that meets a budget."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``adagen chart --simulate``: integrators and steps of a robot, charted."""
+"""``adagen chart --simulate``: integrators and step sizes of a robot."""
 
 from __future__ import annotations
 

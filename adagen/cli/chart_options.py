@@ -1,4 +1,4 @@
-"""The words of ``adagen chart``."""
+"""The options of ``adagen chart``."""
 
 from __future__ import annotations
 

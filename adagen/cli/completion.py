@@ -1,4 +1,4 @@
-"""``adagen completion``: a script with which a shell completes adagen's words."""
+"""``adagen completion``: a completion script for a shell."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What people see while the tool works: on stderr, and nothing that a program would read."""
+"""Messages and progress on standard error, for people."""
 
 from __future__ import annotations
 

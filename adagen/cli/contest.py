@@ -1,4 +1,4 @@
-"""One robot after another: everybody's solvers built, timed by turns, and judged."""
+"""Benchmarks of several robots: all solvers of each are built, timed by turns, and checked."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``make demo``: the main job on two robots, with the commands that a user would type.
+"""``make demo``: two robots, with the commands that a user would type.
 
 A humanoid, whose limbs share SIMD lanes so that a second process does not pay, and a long snake,
 for which it does.

@@ -1,4 +1,4 @@
-"""``adagen env``: the toolchain that would be used; emitted Makefiles ask it."""
+"""``adagen env``: the toolchain in use; emitted Makefiles call it."""
 
 from __future__ import annotations
 

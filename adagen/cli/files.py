@@ -1,4 +1,4 @@
-"""Writing a file that the user named."""
+"""Writes a file that the user named."""
 
 from __future__ import annotations
 

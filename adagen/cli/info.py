@@ -1,4 +1,4 @@
-"""``adagen info``: what was read of a robot, and a states file to fill in."""
+"""``adagen info``: what was read from a robot file, and a states file to fill in."""
 
 from __future__ import annotations
 

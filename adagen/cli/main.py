@@ -1,4 +1,4 @@
-"""Choosing the subcommand, and turning what went wrong into one line and an exit status."""
+"""Chooses the subcommand, and turns failures into one line and an exit status."""
 
 from __future__ import annotations
 

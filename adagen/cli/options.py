@@ -1,4 +1,4 @@
-"""The options that subcommands share, in groups, and what goes together."""
+"""The options that subcommands share, in groups, and their checks."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A parser that fails in one line, with help in the shape that all subcommands have.
+"""An argument parser with one-line errors and common help for all subcommands.
 
 ``--help`` shows what is used often, ``--help-all`` everything.
 """

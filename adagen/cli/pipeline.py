@@ -1,4 +1,4 @@
-"""The stages one after another, timed, as the subcommands share them."""
+"""The stages one after another, timed, shared by the subcommands."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is predicted of a schedule, in words and as JSON."""
+"""Predictions for a schedule, as text and as JSON."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``adagen report``: one page about a robot and its program, to look at and to pass on."""
+"""``adagen report``: one HTML page about a robot and its program."""
 
 from __future__ import annotations
 

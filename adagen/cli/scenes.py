@@ -1,4 +1,4 @@
-"""A robot read as a scene wants it, and what the scene saved."""
+"""Reads a robot with a scene, and reports what the scene saves."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``adagen schedule``: which joint is joined when and by whom, and what that should cost."""
+"""``adagen schedule``: the schedule of a robot and its predicted time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``adagen solve``: joint accelerations for given states, from a robot description in one go."""
+"""``adagen solve``: joint accelerations for the states in a file."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""``adagen stability``: where forward dynamics loses its digits, and what becomes of it here."""
+"""``adagen stability``: cases in which forward dynamics loses digits."""
 
 from __future__ import annotations
 

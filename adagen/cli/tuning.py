@@ -1,4 +1,4 @@
-"""``--tune``: the fastest shape, function length and compiler, found by trying."""
+"""``--tune``: the fastest shape, function length and compiler, by trial."""
 
 from __future__ import annotations
 

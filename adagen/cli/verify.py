@@ -1,4 +1,4 @@
-"""``adagen verify``: emitted files are what adagen emits now, or how they differ."""
+"""``adagen verify``: compares emitted files with what adagen would emit now."""
 
 from __future__ import annotations
 

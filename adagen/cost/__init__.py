@@ -1,4 +1,4 @@
-"""What a program takes on a machine: the one price that is searched by, drawn and printed."""
+"""Predicted time of a program on a machine: the only price, for search, drawings and reports."""
 
 from adagen.cost.features import Features, operation_features, step_features
 from adagen.cost.lanes import programmed, with_recovery

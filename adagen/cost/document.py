@@ -1,4 +1,4 @@
-"""The schedule's file: what was chosen, what runs, what that is predicted to take and proven."""
+"""The JSON file of a schedule: the choice, its program, predicted times and bounds."""
 
 from __future__ import annotations
 

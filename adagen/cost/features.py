@@ -1,7 +1,6 @@
-"""What operations are made of, in the coefficients of a cost profile.
+"""Operations as counts of the coefficients of a cost profile.
 
-This is the one place that defines it: of what is predicted, and of what is fitted to measured
-times.
+Both predictions and the fit of measured times use these counts.
 """
 
 from __future__ import annotations

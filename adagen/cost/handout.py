@@ -1,4 +1,4 @@
-"""A batch distributed by process 0, played through in time: templates/runtime/handout.hpp."""
+"""Predicted time of a batch that process 0 distributes (templates/include/adagen/handout.hpp)."""
 
 from __future__ import annotations
 

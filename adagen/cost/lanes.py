@@ -1,4 +1,4 @@
-"""The program that a plan takes least time as in a shape: which limbs are computed side by side."""
+"""The program of least predicted time for a plan in one shape: choice of limbs in SIMD lanes."""
 
 from __future__ import annotations
 

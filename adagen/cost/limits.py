@@ -1,4 +1,4 @@
-"""What limits an evaluation: the way back from its end, along what was waited for."""
+"""The critical path of an evaluation: from its end back, along what was waited for."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A program played through in time: who works, who waits, what is under way when."""
+"""The timeline of a program: simulated execution of its processes and messages."""
 
 from __future__ import annotations
 

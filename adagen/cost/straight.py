@@ -1,4 +1,4 @@
-"""What straight lines of statements take: shape `unrolled`."""
+"""Predicted time of straight lines (shape `unrolled`)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A tree as an outline: one row per joint, so that names never overlap however many there are."""
+"""A tree as an outline, one row per joint, so that names never overlap."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A picture as a whole: title, chart of what runs when, and two outlines beside each other."""
+"""A complete picture: title, timeline, and two outlines beside each other."""
 
 from __future__ import annotations
 

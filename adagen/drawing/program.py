@@ -1,4 +1,4 @@
-"""A program as a picture: operations in time, what meets where, and who has which joint."""
+"""A program as a picture: operations in time, and owners of joints."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The little of SVG that the drawings need, with the same bytes for the same picture."""
+"""The parts of SVG that the drawings need, with the same bytes for the same picture."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Gantt charts of what a machine does, predicted and measured, on one scale of time."""
+"""Timelines of a machine, predicted and measured, on one scale of time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The program around a solver: one file, the same for all robots, that is linked with each."""
+"""The program around a solver: one source file for all robots, linked with each solver."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Textbook algorithms as loops over any tree, to compare with; their templates do the work."""
+"""Textbook algorithms as loops over any tree, to compare with (their templates contain them)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which options of an emission go together, whatever the robot."""
+"""Options of code generation that cannot be combined, for any robot."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Target `embedded`: solvers for a program without operating system, heap or clock."""
+"""Target `embedded`: solvers for programs without operating system, heap or clock."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which entries of q and v joints have, as ranges, and which joints' a process reads."""
+"""Index ranges of joints in q and v, and the joints that a process reads."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""What a process refuses: states and accelerations that are not finite.
+"""Tests of a process: states and accelerations that are not finite are refused.
 
-A process that sends nothing looks at what it was given only if an acceleration or a pivot is
-spoilt; before, it looks at what none of them depends on. One that sends must not send a NaN.
+A process that sends nothing tests its inputs only if an acceleration or a pivot fails its test; it
+tests beforehand the inputs on which none of them depends. A process that sends must not send a NaN.
 """
 
 from __future__ import annotations

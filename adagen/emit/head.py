@@ -1,4 +1,4 @@
-"""What the head of an emitted file says of the program, read off the program itself."""
+"""The head of an emitted file, from its program."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which headers of the runtime stand for several in a source, and which ones need Eigen."""
+"""Headers that a source includes, and whether they need Eigen."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The C interface of an emitted file: sizes, places of joints, reasons of failures, functions."""
+"""The C interface of an emitted file: sizes, indices of joints, reasons for failure, functions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The model's constants as the template model.cpp.j2 takes them: joints, links and outer forces."""
+"""The model's constants for the template model.cpp.j2: joints, links and outer forces."""
 
 from __future__ import annotations
 

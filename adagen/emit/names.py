@@ -1,4 +1,4 @@
-"""Names from a robot description are data: one sanitiser and one escaper let them near code."""
+"""Sanitised and quoted names: names from a robot description are untrusted data."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The time of a plan, as the program in which it is emitted takes it."""
+"""Predicted time of a plan, for the program that is emitted for it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What each process reads and owns of the state, and what its messages are about."""
+"""Values for the templates about processes: their joints, messages and comments."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What every shape that refines needs: how many steps, who sends to whom, and tables of it all."""
+"""Values for the templates about refinement: number of steps, messages and tables."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The runtime: C++ headers that all emitted sources share, and sources with them joined."""
+"""The runtime: C++ headers that all emitted sources share, and single-file sources."""
 
 from __future__ import annotations
 

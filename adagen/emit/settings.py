@@ -1,4 +1,4 @@
-"""What a source tells the runtime's headers of itself, where it is not as they take it to be."""
+"""A solver's settings for the runtime's headers, where they differ from the defaults."""
 
 from __future__ import annotations
 

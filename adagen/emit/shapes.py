@@ -1,9 +1,9 @@
-"""Code shapes: how the steps of a plan become functions.
+"""Code shapes: the forms in which the steps of a plan become C++ functions.
 
-* ``kernels``: loops over runs of joints in axes that all links of a base share, several links at
-  once where nothing is carried along. It takes plans of form segment.
-* ``joints``: joint-local frames, a function for each joint and step, one call after the other: how
-  the paper's form is written. It takes every plan that joins.
+* ``kernels``: loops over runs of joints in base axes, several links at once where there is no
+  recursion. It takes plans of form segment.
+* ``joints``: joint-local frames, a function for each joint and step, one call after the other: the
+  shape of the paper's form. It takes every plan that joins.
 * ``unrolled``: a straight line of scalar statements from an expression graph, the fastest up to
   about 10 joints.
 """

@@ -1,4 +1,4 @@
-"""The source and the header of a solver: what their templates take, from a program."""
+"""The source and the header of a solver: the values of their templates."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The stages between which a process's time is stamped, as rows and lines of C++."""
+"""Time stamps between the stages of a process, as tables and lines of C++."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""What the steps of a plan mean: the one place where it is defined.
+"""Definition of a plan's steps: each step's meaning is defined here, and only here.
 
-The steps run over expressions (adagen/graph), one graph for each process; whoever wants numbers,
-text or counts takes them from the graphs.
+The steps run over expressions (adagen/graph), one graph for each process. Numbers, text and
+operation counts are all taken from the graphs.
 """
 
 from __future__ import annotations

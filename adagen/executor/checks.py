@@ -1,4 +1,4 @@
-"""What is looked at during an evaluation."""
+"""Run-time checks of an evaluation: pivots, poses, loops."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""In which order sweeps of a robot with closed loops are done, where rows and closures share lanes.
+"""Order of the sweeps of a robot with closed loops, with rows of joints and closures in SIMD lanes.
 
-What stands for several joints or closures waits for what all of them wait for. Inwards a joint
-waits for all that hangs on its far link, closures that end there among it, and a closure for its
-joints. Outwards a joint waits for its near link, and for its closure, which waits for its top.
+A row of joints, or closures side by side, wait for everything that any of them waits for. Inwards,
+a joint waits for all joints and closures that end at its far link, and a closure for its joints.
+Outwards, a joint waits for its near link and its closure, and a closure for its top.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""How many digits a plan keeps on a robot with closed loops, found by a trial in a few states."""
+"""Predicted digits of a plan with closed loops, from a trial in a few states."""
 
 from __future__ import annotations
 

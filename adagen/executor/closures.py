@@ -1,9 +1,9 @@
-"""What the steps of closed loops mean (adagen/plan/steps/closed.py).
+"""The steps of closed loops (adagen/plan/steps/closed.py).
 
-A closure is the stationary point of a quadratic function of its links' accelerations a, and of its
-unknowns w, accelerations held back and constraint forces: a^T I^A a / 2 + a^T p^A + w^T (C^T a)
-+ w^T E w / 2 + w^T e. Whatever is eliminated leaves such a function of what is left. A column of C
-is kept for each link and unknown that act on each other.
+A closure is the stationary point of a quadratic function of its links' accelerations a and its
+unknowns w (accelerations of joints and constraint forces): a^T I^A a / 2 + a^T p^A + w^T (C^T a)
++ w^T E w / 2 + w^T e. Every elimination leaves such a function of the remaining variables. C has a
+column for each pair of a link and an unknown that are coupled.
 """
 
 from __future__ import annotations

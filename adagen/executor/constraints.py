@@ -1,6 +1,6 @@
-"""What loops and couplings demand of the joints that they close, row by row.
+"""Constraint rows of loops and couplings, and their biases.
 
-Loops and couplings that go side by side (adagen/plan/similar_closures.py) are treated as one.
+Loops and couplings in SIMD lanes (adagen/plan/similar_closures.py) are treated as one.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""How the unknowns of a closure are eliminated at its top (adagen/plan/steps/closed.py).
+"""Elimination of a closure's unknowns at its top (adagen/plan/steps/closed.py).
 
-Unknowns w are eliminated in one of three ways: some accelerations follow from the others by the
-rows, z = G y + g; all follow from an orthogonal basis of what the rows leave free, w = N y + g; or
-all are solved for at once, where rows push each other through articulated joints. The first two
+There are three methods. Dependent accelerations follow from independent ones by the rows,
+z = G y + g; or all follow from an orthogonal basis of the null space of the rows, w = N y + g; or
+all unknowns are solved for at once, where rows are coupled through eliminated joints. The first two
 leave y, whose inertia is positive definite.
 """
 

@@ -1,6 +1,6 @@
-"""What is looked at when a closure's unknowns are eliminated (elimination.py).
+"""Run-time checks of the elimination of a closure's unknowns (elimination.py).
 
-Each check is one comparison at run time. Where it fails, another way to eliminate is taken, or the
+Each check is one comparison at run time. If it fails, another method of elimination is used, or the
 pose is refused.
 """
 

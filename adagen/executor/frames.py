@@ -1,11 +1,11 @@
-"""Changes of frame over expressions, by as few operations as their structure allows.
+"""Changes of frame over expressions, with as few operations as their structure allows.
 
-A rotation is a product of turns about coordinate axes, joined with whatever permutes axes; only
-orientations by quaternions and oblique axes need a dense matrix. A turn of a symmetric 2x2 block
-[[a, b], [b, d]] by [[p, q], [-q, p]] is written with t = p (a - d) + 2 q b as [[d + p t, b - q t],
-[., a - p t]]: 7 operations for 12. That is exact to a unit in the last place of the block, not of
-its entries: where one of them comes to be what a joint has of inertia near gimbal lock, the turn is
-``exact``, and takes p (p a + q b) + q (p b + q d) and the like.
+A rotation is a product of rotations about coordinate axes and a permutation of axes; only
+quaternions and oblique axes need a dense matrix. A symmetric 2x2 block [[a, b], [b, d]] is rotated
+by [[p, q], [-q, p]] with t = p (a - d) + 2 q b as [[d + p t, b - q t], [., a - p t]]: 7 operations
+instead of 12. That is accurate to a unit in the last place of the block, not of its entries. Where
+an entry may become the inertia that a joint has near gimbal lock, the rotation is ``exact``, and
+computes p (p a + q b) + q (p b + q d) and so on.
 """
 
 from __future__ import annotations

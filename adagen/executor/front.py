@@ -1,4 +1,4 @@
-"""A closure on its way inwards, as the executor keeps it."""
+"""State of a closure during the inward sweep: its unknowns, their couplings and biases."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which limbs of a plan share a straight line, and whether that is less work."""
+"""Limbs of a plan that share straight-line code in SIMD lanes, where that saves work."""
 
 from __future__ import annotations
 

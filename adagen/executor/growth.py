@@ -1,8 +1,8 @@
-"""How many digits the joins of a plan will keep on a robot, predicted before it is emitted.
+"""Digits that the joins of a plan lose on a robot, predicted before code is emitted.
 
 A link that is much lighter than its neighbours loses most of its mobility when they are attached:
-Phi_C = Phi - Z^T Z then subtracts nearly equal numbers. With g the mobility that is lost, about
-log10(g) digits go with it, in whatever order the joints are assembled.
+Phi_C = Phi - Z^T Z then subtracts nearly equal numbers. If g is the factor of mobility that is
+lost, about log10(g) digits are lost, in any order of assembly.
 """
 
 from __future__ import annotations

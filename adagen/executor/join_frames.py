@@ -1,8 +1,8 @@
-"""The frame that a join is done in: a joint's own, or one in which a run of joints is a joint.
+"""The frame of a join: a joint's own, or the coordinates in which a run of joints is one joint.
 
 With S the motions of a run's joints in the last link's frame, one in each column, B S = [1; 0]: the
-first rows of B are a left inverse of S, the others its left null space. In the coordinates B a of a
-motion a the run is joined and released as a joint whose freedoms are the first rows.
+first rows of B are a left inverse of S, the others its left null space. In the coordinates B a of
+an acceleration a, the run is joined and released as a joint whose freedoms are the first rows.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What joining and releasing joints means: Eq. (3)-(10)."""
+"""Joins and releases of joints: Eq. (3)-(10)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Kinematics over expressions: frames, velocities, the reference field, and what it takes."""
+"""Kinematics over expressions: frames, velocities, and the reference field with its wrenches."""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
-"""Which joints share straight-line code, one in each SIMD lane, and in which order that is done.
+"""Joints that share straight-line code, one in each SIMD lane, and the order of their steps.
 
-Limbs that are alike go together row by row: the k-th joints of all limbs are one joint whose
-constants are wide. It is known by its first lane's joint. Lanes beyond the last limb repeat that.
+Similar limbs are computed together row by row: the k-th joints of all limbs are one joint whose
+constants are wide. A row is named by the joint in its first lane. Lanes beyond the last limb repeat
+that limb.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The straight line of one process, number by number: what each of them is made of.
+"""The straight line of one process, number by number, with the operands of each number.
 
 A number is a *pair*: a value of the graph and a lane of it, 0 where it is a single number.
 """

@@ -1,8 +1,8 @@
-"""Forces of closed loops, where they are asked for: of rows, then of loops and couplings.
+"""Constraint forces of closed loops, if requested: of rows, then of loops and couplings.
 
-The forces w of the kept rows follow from what moves. Rows that were left out follow from these by
-F: any forces l with l_kept + F^T l_left_out = w do the same to the robot. Given are those of least
-squares, l_kept = (1 + F^T F)^-1 w and l_left_out = F l_kept.
+The forces w of the kept rows follow from the motion. Redundant rows follow from kept ones by F: any
+forces l with l_kept + F^T l_redundant = w have the same effect. The result is the least-squares
+solution, l_kept = (1 + F^T F)^-1 w and l_redundant = F l_kept.
 """
 
 from __future__ import annotations

@@ -1,9 +1,8 @@
-"""The two frames of a loop joint over expressions: how far apart, and along what they are held.
+"""The two frames of a loop joint over expressions: their distance and their constrained directions.
 
-What frame 1 holds stays in its axes: a row of a loop is a direction fixed in frame 1, along which
-the places where frame 2 is, seen as points of both links, do not part, or about which the links do
-not turn against each other. All links between the two are passed by way of the last link that they
-have in common.
+Constrained directions are fixed in frame 1. A row constrains the distance of the two frames along
+such a direction, measured between points of both links at frame 2, or the rotation about it. The
+relative pose is computed along the path through the last link that both have in common.
 """
 
 from __future__ import annotations

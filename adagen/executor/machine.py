@@ -1,10 +1,10 @@
-"""Runs a process's steps: what each of them means, over expressions.
+"""Runs the steps of a process over expressions.
 
-Frames are the links' own, with every joint axis z: a joint's inertia D is an entry of a matrix,
-what a joint hands on has structural zeros, and link inertias are constants. Accelerations are
-deviations from a reference field, the accelerations that the links would have with q-double-dot
-zero: no velocity product and no gravity enters the sweeps. The reference is classical (that of a
-point, not the spatial one), so that no linear velocity is needed but that of a floating base.
+Frames are the links' own, with every joint axis z: a joint's inertia D is an entry of a matrix, a
+projected inertia has structural zeros, and link inertias are constants. Accelerations are
+deviations from a reference field, the accelerations that the links would have with zero joint
+accelerations: no velocity product and no gravity enters the sweeps. The reference is classical
+(that of a point, not the spatial one), so no linear velocity is needed except a floating base's.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What is asked for of links and joints beside accelerations (adagen.model.Output)."""
+"""Outputs beside accelerations: of links and joints (adagen.model.Output)."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
-"""Passages over expressions: how runs of joints move their last links, passed on and combined.
+"""Passages over expressions: pose and motion of a run's last link, computed and combined.
 
-A passage is 24 numbers in axes of the link that the run hangs on, as if that were at rest:
-orientation of the last link by rows, its angular velocity and acceleration, place, velocity and
-acceleration of its origin. Beyond a link that moves itself, velocities and accelerations add up as
-for a point in a moving frame, the acceleration of Coriolis included.
+A passage is 24 numbers in axes of the link before the run's first joint, as if that link were at
+rest: orientation of the last link by rows, its angular velocity and acceleration, and position,
+velocity and acceleration of its origin. If that link moves, velocities and accelerations add up as
+for a point in a moving frame, Coriolis acceleration included.
 """
 
 from __future__ import annotations

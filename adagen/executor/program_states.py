@@ -1,4 +1,4 @@
-"""The random states that an emitted program solves when it checks or times itself, drawn anew."""
+"""The random states that an emitted program uses for its check and timing, generated in Python."""
 
 from __future__ import annotations
 

@@ -1,10 +1,10 @@
-"""Iterative refinement of a plan's answer: the residual of every link, then a correction.
+"""Iterative refinement of a plan's answer: residuals of all links, then a correction.
 
-The unknowns are the accelerations and the joint forces together. From the joints' accelerations
-follow the links', a_l = X a_parent + S qdd + c, and with the joint forces f what is left over at
-each link, rho_l = f_l - sum X_c^T f_c - I_l a_l - v_l x* I_l v_l. The plan is carried out once
-more, with the same factors, for links that rho alone acts on: no velocities, no gravity, no
-torques. What it answers is added to both, and its size is the error that the answer had.
+The unknowns are the joint accelerations and the joint forces together. The links' accelerations
+follow from the joints', a_l = X a_parent + S qdd + c, and with the joint forces f the residual of
+each link is rho_l = f_l - sum X_c^T f_c - I_l a_l - v_l x* I_l v_l. The plan is carried out once
+more, with the same factors, with rho as the only forces: no velocities, no gravity, no torques. Its
+answer is added to both unknowns, and the size of it is the error that the answer had.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What the steps at a segment's root mean: mobilities from inertias, inertias from mobilities."""
+"""Steps at a segment's root: mobilities from inertias, inertias from mobilities."""
 
 from __future__ import annotations
 

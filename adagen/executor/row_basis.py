@@ -1,4 +1,4 @@
-"""Rows of a closure by an orthogonal basis: what they leave free, and what they push."""
+"""Orthogonal basis of a closure's constraint rows and of their null space (J^T = Q R)."""
 
 from __future__ import annotations
 

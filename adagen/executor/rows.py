@@ -1,6 +1,6 @@
-"""What a process keeps of joints in one row, and how single joints and rows meet.
+"""Memory of joints in one row of SIMD lanes, and moves between single joints and rows.
 
-A row's values are wide. They are kept in the name of its first joint, and of the link beyond that.
+The values of a row are wide. They are stored under its first joint and that joint's far link.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Lets all processes of a plan run over expressions."""
+"""Runs all processes of a plan over expressions, messages included."""
 
 from __future__ import annotations
 

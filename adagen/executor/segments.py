@@ -1,6 +1,6 @@
-"""What the steps inside a segment mean.
+"""Steps inside a segment: articulated bodies, mobilities and accelerations.
 
-A joint is treated in its own frame, the child link's. Seen from the segment's root the far link's
+A joint is computed in its own frame, the child link's. Seen from the segment's root, the far link's
 acceleration is a_far = a_near + sigma (S qdd + c), sigma being -1 where the far link is the parent,
 and the force f on it obeys sigma tau = S^T f.
 """

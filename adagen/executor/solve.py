@@ -1,4 +1,4 @@
-"""Carries a plan out in numbers: what its processes compute together, without a compiler."""
+"""Carries a plan out in numbers, without a compiler."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Vectors, bodies and turns in numpy, of many states at once: arrays have the states first."""
+"""Vectors, bodies and rotations in numpy for many states: arrays have the states first."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a process has while its steps run: a graph, a memory, and what is wanted of both."""
+"""State of a process while its steps run: graph, memory, checks and options."""
 
 from __future__ import annotations
 

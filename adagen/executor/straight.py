@@ -1,4 +1,4 @@
-"""A plan's straight lines: each process's own, or for all processes shares of one."""
+"""A plan's straight lines: one for each process, or shares of one line for all processes."""
 
 from __future__ import annotations
 

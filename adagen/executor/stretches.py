@@ -1,10 +1,10 @@
-"""What the statements of straight lines are made of, in the coefficients of a cost profile.
+"""Costs of straight lines, counted in the coefficients of a cost profile.
 
-They are an expression graph, so that what a robot's structure saves is known exactly. Between two
-messages a process's statements are one stretch. Its time is that of its operations or of its
-longest chain of operations that wait for each other, whichever is longer, and of its sines and
-cosines. Where both are alike, neither fills the other's gaps wholly: the time is the fourth root of
-the sum of their fourth powers.
+The statements are an expression graph, so the effect of a robot's structure is known exactly.
+Between two messages a process's statements are one stretch. Its time is the larger of the time of
+its operations and the time of its longest dependency chain, plus its sines and cosines. Where both
+are about equal, neither hides the other completely: the time is the fourth root of the sum of their
+fourth powers.
 """
 
 from __future__ import annotations

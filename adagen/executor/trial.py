@@ -1,10 +1,9 @@
-"""How many digits a way of sweeping keeps on a robot, found by a trial in random states.
+"""Predicted digits of a sweep on a robot, from a trial in random states.
 
-Articulated bodies are swept in numpy as emitted code sweeps them (trial_sweep.py): in straight
-lines each body is in its link's axes, in which a joint's projection is exact, and turned by as few
-operations (frames.py); in loops in axes of the base, but for joints that are swept in their own
-(adagen/plan/own_axes.py). The same is done in more digits than the scalar has; what differs is the
-rounding error of that way. Joining is no part of it.
+Articulated bodies are swept in numpy as in emitted code (trial_sweep.py): for straight lines in
+link axes, where a joint's projection is exact, with the same few operations for rotations
+(frames.py); for loops in base axes, except joints in their own axes (adagen/plan/own_axes.py). The
+same sweep in higher precision gives the rounding error. Joins are not included.
 """
 
 from __future__ import annotations

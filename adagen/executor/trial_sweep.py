@@ -1,4 +1,4 @@
-"""Articulated bodies swept in numpy, in many states at once, as emitted code sweeps them."""
+"""Sweeps of articulated bodies in numpy, in many states at once, rounded as in emitted code."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Expression graphs: formulas run symbolically, without anything that is there twice or unused."""
+"""Expression graphs: symbolic evaluation, without duplicate or unused values."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is alive in a graph, and what its evaluation costs."""
+"""Live values of a graph, and the operations of its evaluation."""
 
 from __future__ import annotations
 

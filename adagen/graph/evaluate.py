@@ -1,4 +1,4 @@
-"""Evaluates expressions: in double or float as a processor does, or in balls that hold the truth.
+"""Evaluates expressions: in double or float as a processor does, or in ball arithmetic.
 
 Each operation of a graph is one operation of the arithmetic, and constants are rounded once, so
 that values are those of emitted code to the last bit where that is compiled without contraction.

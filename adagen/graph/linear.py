@@ -1,7 +1,7 @@
 """Vectors and small matrices of expressions: numpy arrays of dtype object.
 
-Sums are added up in the order in which their terms are ready, so that whatever comes last in an
-evaluation waits for one addition only.
+Terms of a sum are added in the order in which they are ready, so that the last one waits for one
+addition only.
 """
 
 from __future__ import annotations

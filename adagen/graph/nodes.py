@@ -1,9 +1,9 @@
-"""Expressions as a graph: each value is there once, and what is known beforehand is folded.
+"""Expressions as a graph: each value exists once, and constants are folded.
 
 Constants are rational numbers, folded without rounding and rounded once, when they are printed.
 Only identities that hold for every finite number to the last bit are used: x + 0, 1 x, 0 x, -(-x),
-x - x, and signs drawn out of products. A product that is structurally zero is zero; a product that
-is merely tiny is not touched.
+x - x, and signs moved out of products. A product that is structurally zero is zero; a product that
+is merely tiny is kept.
 
 A value has a width: one number, or as many as there are SIMD lanes. Operations on wide values work
 lane by lane, and a single number beside them stands for all lanes. A constant that is the same in

@@ -1,7 +1,7 @@
-"""Numbers in place of expressions: what steps mean carried out at once, for whom one state will do.
+"""Numbers in place of expressions: steps evaluated directly, for a single state.
 
-A graph is worth its making where it is printed, counted or evaluated often. Carried out in numbers
-a plan takes a tenth of the time; sums are added in another order, so that last digits differ.
+A graph pays where it is printed, counted or evaluated often. With numbers a plan is evaluated in a
+tenth of the time; sums are added in another order, so last digits differ.
 """
 
 from __future__ import annotations

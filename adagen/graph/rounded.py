@@ -1,4 +1,4 @@
-"""Expressions whose constants are rounded as soon as they are made, as a processor rounds them."""
+"""Expressions whose constants are rounded operation by operation, as a processor rounds them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""adagen from Python: read a robot, compile it, solve. The command line does the same."""
+"""adagen from Python: read a robot, compile it, solve. The command line uses it."""
 
 from adagen.errors import (
     AdagenError,

@@ -1,4 +1,4 @@
-"""What is predicted of a schedule, and of the digits of what is emitted of it."""
+"""Predicted time of a schedule, and predicted digits of its program."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The schedule of a request, on as many processes as pay where their number is left open."""
+"""The schedule of a request, and its number of processes if that is left open."""
 
 from __future__ import annotations
 

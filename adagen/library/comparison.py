@@ -1,4 +1,4 @@
-"""What is different between files that are there and files that should be, in words and diffs."""
+"""Differences between existing files and expected ones, in words and diffs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From a robot and a request to all that is emitted."""
+"""From a robot and a request to all emitted files."""
 
 from __future__ import annotations
 

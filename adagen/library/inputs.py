@@ -1,4 +1,4 @@
-"""What a solver is made from beside the robot: scene, frame pairs, schedule file, cost profile."""
+"""Inputs of a solver beside the robot: scene, frame pairs, schedule file, cost profile."""
 
 from __future__ import annotations
 

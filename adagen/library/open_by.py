@@ -1,4 +1,4 @@
-"""How far a loop or coupling is open in a state, in the words of a solver's failure."""
+"""How far a loop or coupling is open in a state, as in a solver's failure message."""
 
 from __future__ import annotations
 

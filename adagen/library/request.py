@@ -1,4 +1,4 @@
-"""What is asked of a compilation."""
+"""The options of a compilation."""
 
 from __future__ import annotations
 

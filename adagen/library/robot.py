@@ -1,4 +1,4 @@
-"""A robot read from its description, as a scene leaves it."""
+"""A robot read from its description, reduced by its scene."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a scene saves of a robot, and what that costs in accuracy."""
+"""What a scene saves, and its effect on accuracy."""
 
 from __future__ import annotations
 

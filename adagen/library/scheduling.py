@@ -1,4 +1,4 @@
-"""The schedule that a request asks for: searched, of a name, or given."""
+"""The schedule of a request: searched, by name, or from a file."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a scene's simplifications do to accelerations in states in which they do not hold."""
+"""Errors of a scene's simplifications, in states in which they do not hold."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The fastest shape, function length and compiler of a request, found by trying."""
+"""The fastest shape, function length and compiler of a request, by trial."""
 
 from __future__ import annotations
 

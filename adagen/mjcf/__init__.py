@@ -1,4 +1,4 @@
-"""From an MJCF to a Model, as MuJoCo's own compiler settles it."""
+"""From an MJCF file to a Model, by MuJoCo's own compiler."""
 
 from adagen.mjcf.reader import is_mjcf, read_mjcf, whole_bytes
 

@@ -1,4 +1,4 @@
-"""An MJCF as MuJoCo compiles it: defaults, angles and inertias settled, and a name for everything.
+"""An MJCF as MuJoCo compiles it: defaults, angles, inertias and names resolved.
 
 The package ``mujoco`` is imported nowhere else, and only where there is an MJCF to read.
 """

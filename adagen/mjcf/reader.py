@@ -1,4 +1,4 @@
-"""The entry of the MJCF stage: from a path to the same Reading that a URDF gives."""
+"""The entry of the MJCF stage: from a path to a Reading, as for a URDF."""
 
 from __future__ import annotations
 

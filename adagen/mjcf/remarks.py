@@ -1,4 +1,4 @@
-"""What of an MJCF is not modelled: refused where it holds bodies together, else reported."""
+"""Parts of an MJCF that are not modelled: refused if they connect bodies, else reported."""
 
 from __future__ import annotations
 

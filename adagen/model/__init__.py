@@ -1,4 +1,4 @@
-"""The robot as adagen sees it: links, joints and inertias, and nothing of code."""
+"""The robot model: links, joints and inertias, independent of code."""
 
 from adagen.model.closing import (
     WORLD,

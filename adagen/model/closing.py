@@ -1,4 +1,4 @@
-"""Loops and couplings as files tell them, by names, and what they are in a model."""
+"""Loops and couplings by names, as in files, and their conversion to a model."""
 
 from __future__ import annotations
 

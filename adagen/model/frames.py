@@ -1,4 +1,4 @@
-"""Link frames turned so that every joint axis is z."""
+"""Link frames rotated so that every joint axis is z."""
 
 from __future__ import annotations
 

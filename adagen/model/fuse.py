@@ -1,8 +1,8 @@
-"""Runs of joints through links without mass, which are one joint where their links would be alone.
+"""Runs of joints through massless links, which are joined as one joint.
 
-A link without mass has no inverse inertia: nothing can be joined to it by Eq. (3)-(10) of the
-paper. The joints on its two sides then count as one, with S = [X_(last<-j) S_j], in the frame of
-the last link. A point mass on the axis of a joint is at rest in both links of that joint: it may
+A massless link has no inverse inertia, so Eq. (3)-(10) of the paper cannot join anything to it. The
+joints on its two sides are then treated as one, with S = [X_(last<-j) S_j], in the frame of the
+last link. A point mass on the axis of a joint moves equally with both links of that joint: it may
 be assigned to either, which leaves the other without mass, exactly.
 """
 

@@ -1,4 +1,4 @@
-"""Where a joint puts its child link at a given configuration, exactly."""
+"""Pose of a joint's child link at a configuration, in exact arithmetic."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rigidly joined bodies: poses composed and inertias lumped, exactly and rounded once."""
+"""Rigidly joined bodies: composed poses and lumped inertias, exact and rounded once."""
 
 from __future__ import annotations
 

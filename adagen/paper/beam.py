@@ -1,4 +1,4 @@
-"""A quick good schedule: at every state only the few most promising options are followed."""
+"""Beam search for a first schedule."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rules for dividing processes, and how long a partial chain takes at the very least under them."""
+"""Rules for dividing processes, and lower bounds on the time of a partial chain under them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a search may spend, and how it recurses without depth."""
+"""Budgets of a search, and recursion without a deep call stack."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Canonical names of partial chains: equal for chains that no schedule can tell apart."""
+"""Canonical names of partial chains: equal for isomorphic chains."""
 
 from __future__ import annotations
 

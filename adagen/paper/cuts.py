@@ -1,4 +1,4 @@
-"""All cuts of a partial chain at once: what each costs and how much work is left on either side."""
+"""All cuts of a partial chain at once: their costs and the work on either side."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The cheapest contraction of a few links of degree 3 and more: step 3 of one process's work."""
+"""The cheapest contraction of a few links of degree 3 or more: step 3 for one process."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What can be done at a node: every cut of a chain with every way to divide its processes."""
+"""Successors of a search state: every cut of a chain, with every division of its processes."""
 
 from __future__ import annotations
 

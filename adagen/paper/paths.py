@@ -1,4 +1,4 @@
-"""How long a partial chain takes at least because of a link that its joints meet at.
+"""Lower bound on the time of a partial chain from a link at which many joints meet.
 
 The nodes whose chains contain a link v are on one path of the schedule tree. Each of them cuts off
 a *piece*: the side without v, which lies within one branch at v. When the range of processes is

@@ -1,4 +1,4 @@
-"""Schedules of robots that must not be cut at every joint.
+"""Schedules of robots that must not be cut at some joints.
 
 Where some joints have to stay inside one process (links without mass beside them, say), the beam
 search follows only the cuts that are allowed, and leaves a chain without any to its first process.

@@ -1,4 +1,4 @@
-"""The paper's search: from a topology and the prices of Eq. (11) to a schedule."""
+"""The paper's search: from a topology and costs by Eq. (11) to a schedule."""
 
 from __future__ import annotations
 

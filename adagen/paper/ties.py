@@ -1,4 +1,4 @@
-"""From the optimal time to a schedule: one of many equally long ones, chosen by a preference."""
+"""From the optimal time to one of the optimal schedules, chosen by the tie-break."""
 
 from __future__ import annotations
 

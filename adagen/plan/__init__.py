@@ -1,4 +1,4 @@
-"""From a schedule to a plan: the frozen, printable answer that is tested and emitted."""
+"""From a schedule to a plan: the steps of each process, frozen and serialisable."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
 """From a schedule to the steps of the assembly-disassembly algorithm, joint by joint (form `ada`).
 
-Form `segment` shares all of this and replaces what one process does alone: see segment.py. The
+Form `segment` uses the same tree walk and replaces the work of a single process (segment.py). The
 schedule tree is walked once upwards (assembly, Eq. 3-7) and once downwards (disassembly,
 Eq. 8-10). Every process does its steps in the order of one global walk, so that sends and receives
-cannot wait for each other in a circle.
+cannot deadlock.
 """
 
 from __future__ import annotations

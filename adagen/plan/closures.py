@@ -1,13 +1,12 @@
-"""Closures: which loops and couplings are solved together, where, and what follows from what.
+"""Closures: loops and couplings that are solved together, and their independent accelerations.
 
-Loops that share joints are one closure. Its constraints are J qdd = -Jdot v; often some rows follow
-from others (planar loops, mechanisms that move though they are overconstrained). Which do, and
-which freedoms follow from the rest, is found at consistent states that are drawn at random, by
-elimination with complete pivoting of J: masses decide only between choices that this offers, where
-one would hide the inertia of light links behind that of heavy ones. Solved is then
-z = G y + g for the freedoms that follow. In poses in which G is large, they follow from an
-orthogonal basis of what the rows leave free instead. Where a closure has many freedoms, those of z
-alone are held back, and all others are articulated on the way inwards.
+Loops that share joints are one closure. Its constraints are J qdd = -Jdot v. Often some rows are
+redundant (planar loops, overconstrained mechanisms). Redundant rows and dependent accelerations are
+chosen at random closed states, by elimination with complete pivoting of J. Masses only decide
+between choices that this offers, where the inertia of a heavy link would hide that of light ones.
+The dependent accelerations are z = G y + g. In poses in which G is large, an orthogonal basis of
+the null space of the rows is used instead. In a closure with many degrees of freedom, only the
+joints of z stay unknowns, and all others are eliminated by the inward sweep.
 """
 
 from __future__ import annotations

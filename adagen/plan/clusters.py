@@ -1,9 +1,9 @@
-"""Links of singular inertia in form `ada`: joined to their neighbours by articulated bodies.
+"""Clusters in form `ada`: links of singular inertia with their neighbours, as articulated bodies.
 
-Where a link's inertia cannot be inverted and the link is not inside a run of joints that is fused,
-the link is no chain of its own. It forms a cluster with the link before it, and with those beyond
-it where it would not even resist its own joint. A cluster is treated by the articulated-body
-algorithm as a segment is, by one process; its mobility is finite where the link's own is not.
+A link whose inertia cannot be inverted, and which is not inside a fused run of joints, cannot be a
+partial chain of its own. It forms a cluster with the link before it, and with the links beyond it
+if it does not resist its own joint either. A cluster is computed by the articulated-body algorithm
+like a segment, by one process; its mobility is finite where the link's own is not.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A model's constants as the plan holds them: canonical frames, inverse inertias."""
+"""A model's constants as a plan needs them: canonical frames, inverse inertias."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
-"""Where a robot can be cut between processes without losing digits.
+"""Joints where a robot can be cut between processes without losing digits.
 
-At a cut, Eq. (3)-(10) need the mobility of the side that does not hold the ground, (I^A)^-1. Where
-the link at the cut has no mass, or is much lighter than what is attached to it, I^A cannot be
-inverted or loses digits: form `segment` keeps such joints inside a segment, where nothing of the
-kind is needed. The joins themselves subtract, too, where a light link's mobility is used up by its
+At a cut, Eq. (3)-(10) need the mobility (I^A)^-1 of the side without the ground. If the link at the
+cut has no mass, or is much lighter than what is attached to it, I^A cannot be inverted or loses
+digits: form `segment` keeps such joints inside a segment, where no inverse is needed. A join also
+subtracts mobilities, and loses digits where a light link loses most of its mobility to its
 neighbours.
 """
 

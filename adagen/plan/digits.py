@@ -1,4 +1,4 @@
-"""What rounding may take of mobilities: how much has to be left, and how much joining takes."""
+"""Loss of digits in mobilities: limits for pivots and for joins."""
 
 from __future__ import annotations
 

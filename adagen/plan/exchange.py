@@ -1,16 +1,16 @@
-"""Form `segment` by pairwise exchanges: both sides of a cut join it, so no answer is waited for.
+"""Form `segment` by pairwise exchanges: the processes of both sides of a cut join it.
 
-The schedule's tree says what is joined when, as for the paper's joins. But where two chains meet,
-processes of either side tell a process of the other one what its chain shows, and all of them join
-the two. After the last join every process knows all forces on its own part. There are log2(P)
-exchanges, where joins on one side take as many messages up and as many back.
+The schedule's tree gives the order of joins, as for the paper's joins. But where two chains meet,
+processes of both sides exchange their mobilities and bias accelerations, and all of them join the
+two chains. After the last join every process knows all forces on its own part. There are log2(P)
+exchanges, instead of log2(P) messages up and as many back.
 
-Along a serial chain motions are sent likewise. Each process finds how its own joints move their
-last link, seen from the link that they hang on (a passage), and groups of processes put passages
-together, level by level: two groups at a time, or as many as the schedule's fan says, of which each
-sends its passage to all others that ask for it. So nobody passes joints of others on the way to its
-own. What a process asks only for the joints that it shares with others it takes when it has told
-them of its own part, and waits for them anyway.
+Along a serial chain, motions are exchanged likewise. Each process computes the passage of its own
+joints (pose and motion of their last link relative to the link before the first), and groups of
+processes combine passages level by level: two groups at a time, or as many as the schedule's fan
+says, each sending its passage to all processes that need it. So no process computes joints of
+others on the path to its own. Work for the joints at the cuts is done after a process has sent its
+own passage, while it would wait for the others.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""Which runs of joints a schedule joins as one.
+"""Runs of joints that a schedule joins as one.
 
-A schedule names every joint. Where the joints of a run follow each other in its tree on one
-process, so that the links between them would be joined bare, the run is joined as one joint.
+A schedule names every joint. If the joints of a run follow each other in its tree on one process,
+so that the links between them would be partial chains by themselves, the run is joined as one.
 """
 
 from __future__ import annotations

@@ -1,17 +1,17 @@
-"""Form `segment` with one exchange: every process's articulated bodies gathered at a small core.
+"""Form `segment` with one exchange: all processes gather their articulated bodies at a core.
 
 A root link is chosen for each tree of moving links. Joints with two or more processes beyond them,
-seen from the root, are its *core*; all else is branches of one process each. A process sweeps its
-branches onto the core's links and tells the others what it found there: inertias and bias forces,
-27 numbers for each link. Then each sweeps the core for itself, solves for the root's acceleration
-and goes outwards, through the core and its own branches. With two processes and one cut the core is
-a single link, and the work is the serial algorithm's, shared out, with one handshake. Inertias are
+seen from the root, are its *core*; all other joints are in branches of one process each. A process
+sweeps its branches to the core's links and sends the results: inertias and bias forces, 27 numbers
+for each link. Then each process sweeps the core, solves for the root's acceleration and sweeps
+outwards, through the core and its own branches. With two processes and one cut, the core is a
+single link, and the total work is that of the serial algorithm, with one exchange. Inertias are
 only added, so nothing needs to be inverted at a cut.
 
-Where the ground is beyond the root, its side is swept outwards from the ground: the mobility of the
+If the ground is beyond the root, its side is swept outwards from the ground: the mobility of the
 first link that enough joints hold is inverted, and from there on the ground is a body like others.
-In a pose where that mobility is all but singular, the evaluation is done again without: then the
-root shows its mobility Phi and bias b, and (1 + Phi I) a = b - Phi p is solved.
+In a pose where that mobility is nearly singular, the evaluation is repeated without this inverse:
+the mobility Phi and bias b are carried to the root, and (1 + Phi I) a = b - Phi p is solved.
 """
 
 from __future__ import annotations

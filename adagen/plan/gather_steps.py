@@ -1,7 +1,7 @@
-"""What one process does where processes gather, from the trees' layout alone (gather.py).
+"""Steps of one process where processes gather, from the layout of the trees alone (gather.py).
 
-Nothing here depends on what the other processes own, but for who takes part in a tree and what its
-core is: so a search can price the share of one process by itself.
+They depend on other processes only through the core and the set of processes that share a tree, so
+a search can price the work of one process by itself.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""How processes gather: for each tree of moving links a root, a core, and who owns which branch.
+"""Layouts of gathering processes: root, core and owners of branches for each tree of moving links.
 
-See adagen/plan/gather.py for what is done with it.
+See adagen/plan/gather.py for their use.
 """
 
 from __future__ import annotations

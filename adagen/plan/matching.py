@@ -1,7 +1,6 @@
-"""Which joint of a closure corresponds to which of another that it is like.
+"""Correspondence between the joints and links of two similar closures.
 
-Joints need not come in the same order: legs that mirror each other name their rods the other way
-round, and the two links of a weld.
+Joints may be in a different order, and so may the two links of a weld, as in mirrored legs.
 """
 
 from __future__ import annotations

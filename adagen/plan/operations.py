@@ -1,8 +1,8 @@
-"""How much arithmetic a plan is: multiplications and additions of its steps, counted one by one.
+"""Number of operations of a plan: multiplications and additions of its steps.
 
-Counted is what the formulas take with dense 3x3 blocks, symmetric 6x6 matrices as 21 numbers and
-selections for free; zeros and ones in constants save nothing, so that counts compare
-plans and do not depend on how their code is shaped. A sine or cosine counts as one operation.
+The formulas are counted with dense 3x3 blocks, symmetric 6x6 matrices as 21 numbers, and selections
+for free. Zeros and ones in constants save nothing, so counts compare plans independently of the
+shape of their code. A sine or cosine counts as one operation.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""In which order joints are swept, single ones and limbs side by side.
+"""Order of joints in a sweep, single joints and limbs side by side.
 
-A sweep inwards takes limbs from their outermost joints on, and adds what it finds to the links that
-they hang on; one outwards takes to each link what its joints need of it.
+An inward sweep takes limbs from their outermost joints on, and adds the results to the links that
+they are attached to. An outward sweep takes a link's data before that of its joints.
 """
 
 from __future__ import annotations

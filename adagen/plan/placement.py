@@ -1,4 +1,4 @@
-"""Spatial transforms and where joints put their child links, in numpy."""
+"""Spatial transforms and poses of child links, in numpy."""
 
 from __future__ import annotations
 

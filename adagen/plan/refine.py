@@ -1,8 +1,8 @@
-"""What processes need of each other to refine an answer; adagen/executor/refine.py: how.
+"""Messages for iterative refinement (the refinement itself: adagen/executor/refine.py).
 
 Each link's residual is computed by the process that brought the link into its chain. It needs the
-accelerations of all joints on the way to the ground, and the forces of all joints at the link.
-Those that another process computes come in one message from it before each residual.
+accelerations of all joints on the path to the ground, and the forces of all joints at the link.
+Those of other processes come in one message from each of them before each residual.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The robot's constants as a plan holds them: links, joints, what acts, what closes loops."""
+"""The robot's constants in a plan: links, joints, outer forces, loops and couplings."""
 
 from __future__ import annotations
 

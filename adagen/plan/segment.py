@@ -1,11 +1,11 @@
-"""Form `segment`: inside one process the articulated-body algorithm, joins only at the cuts.
+"""Form `segment`: the articulated-body algorithm inside a process, joins only at the cuts.
 
-A segment is what one process assembles without anyone else: a maximal subtree of the schedule.
-Inside it no order needs to be searched (III-D): articulated-body inertias are swept towards the
-segment's root with exact projection, and where the segment has more handles than its root, the
-mobility is carried outwards along the paths to them, by products and sums alone. Nothing is
-subtracted, so that light links cost no digits, and only links at the cuts need an invertible
-inertia. With one process this is the serial articulated-body algorithm.
+A segment is what one process assembles alone: a maximal subtree of the schedule. Its order of
+assembly needs no search (III-D): articulated-body inertias are swept towards the segment's root
+with exact projection. If the segment has more handles than its root, the mobility is carried
+outwards along the paths to them, by products and sums alone. Nothing is subtracted, so light links
+cost no digits, and only links at the cuts need an invertible inertia. With one process this is the
+serial articulated-body algorithm.
 """
 
 from __future__ import annotations

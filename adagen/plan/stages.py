@@ -1,7 +1,7 @@
-"""The stages of a process's work: runs of steps of one sort, between which time is measured.
+"""Stages of a process's work: successive steps of one kind, between which time is measured.
 
-What is predicted, traced, calibrated and drawn is given stage by stage, so that figures of all four
-can be laid side by side.
+Predictions, traces, calibrations and drawings are all given stage by stage, so that they can be
+compared.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The plan: what each process does, step by step, frozen and printable.
+"""The plan: the steps of each process, frozen and serialisable.
 
 A plan is the whole input of the emitter and of the executor. Its steps and the buffers that they
 name are in adagen/plan/steps/.

@@ -1,4 +1,4 @@
-"""The program of a plan: what runs, operation by operation. See adagen/program/types.py."""
+"""The program of a plan: its operations in order. See adagen/program/types.py."""
 
 from adagen.program.check import ProgramError, check
 from adagen.program.lower import lower

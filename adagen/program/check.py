@@ -1,10 +1,9 @@
-"""Proves a program well formed, on every emission, in time linear in its operations.
+"""Proof that a program is well formed, on every emission, in linear time.
 
-What is proven: every value is set before it is read, and none is overwritten or added to at a wrong
-time; every message is sent once by its source, holds what its source has computed, and is received
-once by its target; processes do not wait for each other in a circle; every joint's acceleration is
-computed by its owner, and has one owner; loops store the first inertia that they leave at a link
-and add all others.
+It proves: every value is set before it is read, and none is overwritten or added to at a wrong
+time; every message is sent once by its source, contains what its source has computed, and is
+received once by its target; processes do not deadlock; every joint's acceleration is computed by
+its owner, and has one owner; loops store the first inertia at a link and add all others.
 """
 
 from __future__ import annotations

@@ -1,17 +1,18 @@
-"""What a step reads and sets of its process's memory: what the checker goes by.
+"""Effects of each step: the buffers of its process that it reads and sets.
 
-A place is a name: a ``Block``, ``Bias`` or ``Force`` of the plan, or a pair of a word and a number:
+A buffer is named by a ``Block``, ``Bias`` or ``Force`` of the plan, or by a pair of a word and a
+number:
 
-* ``("velocity", link)``, ``("transform", joint)``: its motion, as kinematics finds it, and a
-  ``Passage`` of the plan;
+* ``("velocity", link)``, ``("transform", joint)``: its motion, from kinematics, and a ``Passage``
+  of the plan;
 * ``("inertia", link)``: I^A and p^A of a link;
 * ``("projected", joint)``: U, D and u of a joint that was swept inwards;
 * ``("load", link)``, ``("acceleration", link)``, ``("joined", joint)``, ``("qdd", joint)``;
 * ``("torques", 0)``: of slaved joints;
-* ``("certificate", 0)``: the bound of the error; ``("share", p)``: what a process adds to it;
+* ``("certificate", 0)``: the bound of the error; ``("share", p)``: the contribution of a process;
 * ``("correction", k)``: a correction of the answer;
-* ``("loop", k)``, ``("coupling", k)``, ``("held", joint)``, ``("carried", joint)``: what they add
-  to their closure; ``("closure", k)``: it, eliminated; ``("released", k)``: it, solved for.
+* ``("loop", k)``, ``("coupling", k)``, ``("held", joint)``, ``("carried", joint)``: contributions
+  to their closure; ``("closure", k)``: after elimination; ``("released", k)``: solved for.
 """
 
 from __future__ import annotations

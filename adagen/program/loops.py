@@ -1,4 +1,4 @@
-"""The operations of a process in shape kernels: steps put together to loops over runs and limbs."""
+"""Operations of a process in shape kernels: steps combined to loops over runs and limbs."""
 
 from __future__ import annotations
 

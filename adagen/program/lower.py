@@ -1,4 +1,4 @@
-"""From a plan to a program: which steps are carried out together, and by which method."""
+"""From a plan to a program: steps combined to operations, with their methods."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What operations are called that carry out no step of their own; others by ``step.does``."""
+"""Names of operations that carry out no step of their own; others have ``step.does``."""
 
 from __future__ import annotations
 

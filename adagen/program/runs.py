@@ -1,4 +1,4 @@
-"""Runs of joints, each on the link of the one before: what loops of shape kernels pass."""
+"""Runs of joints, each on the link of the one before: the loops of shape kernels."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where the joints of shape kernels lie in memory: those that are passed together, side by side."""
+"""Memory layout of joints in shape kernels: joints that are computed together are adjacent."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Long runs that are passed outwards in strips, one in each lane of the widest registers.
+"""Long runs computed outwards in strips, one in each lane of the widest registers.
 
 See templates/include/adagen/kernels/strips.hpp.
 """

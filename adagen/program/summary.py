@@ -1,4 +1,4 @@
-"""Summaries of a program: how its processes meet, who has what, what lies side by side."""
+"""Summaries of a program: how its processes meet, owners of joints, limbs in lanes."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Runs longer than what the second-level cache holds, swept tile by tile.
+"""Runs that exceed the second-level cache, computed tile by tile.
 
-See templates/include/adagen/kernels/tiles.hpp. Joints of a tile use the memory that those of the
-tile before have used, so that little more than what joints are accelerated with is kept of each.
+See templates/include/adagen/kernels/tiles.hpp. All tiles use the same memory; beyond that, only the
+data of the outward sweep is stored for each joint.
 """
 
 from __future__ import annotations

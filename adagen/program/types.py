@@ -1,8 +1,8 @@
-"""The program: what runs, operation by operation, as it is emitted, priced, drawn and checked.
+"""The program: operations in order, as they are emitted, priced, drawn and checked.
 
-A plan (adagen/plan) says what each process computes, joint by joint. A program says how: which
-steps are carried out together, over which block of joints, by which method, and where joints lie in
-memory. Everything that is reported of a solver is read from its program.
+A plan (adagen/plan) says what each process computes, joint by joint. A program says how: the steps
+that are carried out together, over which block of joints, by which method, and the place of joints
+in memory. All reports about a solver are made from its program.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Independent answers: they share no arithmetic with the algorithm that is emitted."""
+"""Independent answers: they share no arithmetic with the emitted algorithm."""
 
 from adagen.reference.certified import (
     Certified,

@@ -1,4 +1,4 @@
-"""States of a model, checked; joints slaved to others (mimic joints), projected out."""
+"""Checked states of a model, and slaved (mimic) joints projected out."""
 
 from __future__ import annotations
 

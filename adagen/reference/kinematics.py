@@ -1,4 +1,4 @@
-"""Where each joint puts its child link, straight from the original model.
+"""Poses of all child links, directly from the original model.
 
 Everything is written with plain 3-vectors in the child link's own frame, never with spatial vectors
 and never in the canonical frames that the emitted code uses.

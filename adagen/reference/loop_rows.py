@@ -1,4 +1,4 @@
-"""Rows of closed loops in any numbers: J, and how J v changes along the motion.
+"""Rows of closed loops in any number type: J, and its change along the motion.
 
 As in `adagen.reference.closed`, link by link in ground axes; but there in many configurations at
 once, here to any precision, and with the second derivative of the gaps.

@@ -1,4 +1,4 @@
-"""Where the links are and how they move, and the momenta of the whole robot."""
+"""Poses and motions of links, and momenta of the whole robot."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a number is: the formulas of this stage serve doubles and balls of any precision alike.
+"""Number types: the same formulas for doubles and for balls of any precision.
 
 Arrays are numpy arrays, of float64 or of python-flint ``arb`` objects; formulas use ``+ - * /`` and
 ``dot`` only, and what differs between the two kinds of numbers is collected here.

@@ -1,4 +1,4 @@
-"""What joints do by themselves, and what acts on links from outside."""
+"""Passive joint torques, and outer forces on links."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""One page about a robot and the program that solves it; it needs no network."""
+"""One HTML page about a robot and its solver, without network access."""
 
 from adagen.report.accuracy import Accuracy, accuracy_of
 from adagen.report.document import Measured, Scene, document

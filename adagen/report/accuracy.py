@@ -1,4 +1,4 @@
-"""Errors of a solver's answers beside what bounds them, for the page of a report."""
+"""Errors of a solver's answers beside their bounds, for a report."""
 
 from __future__ import annotations
 

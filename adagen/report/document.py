@@ -1,7 +1,7 @@
-"""What the page of a report shows, as one document of plain data.
+"""The data of a report's page.
 
-All of it is read off what was compiled: the model, the program and its timeline. The page draws it
-and computes nothing but where joints are as they move.
+All of it is taken from the compiled solver: the model, the program and its timeline. The page draws
+it and computes only the poses of joints while they are moved.
 """
 
 from __future__ import annotations

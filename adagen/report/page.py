@@ -1,4 +1,4 @@
-"""The page itself: the template with its style, its script and the document."""
+"""The page of a report: the template with its style, its script and the data."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The robot of a report: links, joints and loops as plain data, and a pose in which loops close."""
+"""The robot of a report: links, joints and loops as plain data, and a pose with closed loops."""
 
 from __future__ import annotations
 

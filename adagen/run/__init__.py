@@ -1,4 +1,4 @@
-"""Running an emitted executable under mpiexec."""
+"""Runs emitted executables, with mpiexec for several processes."""
 
 from adagen.run.launch import Completed, launch
 from adagen.run.noise import without_launcher_noise

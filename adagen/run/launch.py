@@ -1,4 +1,4 @@
-"""Starting P processes, waiting for them for a bounded time, and saying what became of them."""
+"""Starts P processes, waits for them up to a time limit, and reports how they ended."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What mpiexec says around a program's own words, removed."""
+"""Removes mpiexec's own messages from a program's output."""
 
 from __future__ import annotations
 

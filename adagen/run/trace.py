@@ -1,4 +1,4 @@
-"""What an emitted program's --trace has written, as a timeline beside the predicted one."""
+"""The file of an emitted program's --trace, as a timeline beside the predicted one."""
 
 from __future__ import annotations
 

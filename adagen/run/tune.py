@@ -1,4 +1,4 @@
-"""Which shape, function length and compiler make the fastest code here: builds all, times all."""
+"""Shape, function length and compiler of the fastest code here, found by building and timing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""No more model than the scene needs: a scene file, and what it makes of a robot."""
+"""Scenes: a scene file, and the reduced robot for it."""
 
 from adagen.scene.apply import Reduction, apply_scene
 from adagen.scene.read import read_scene

@@ -1,4 +1,4 @@
-"""The scene stage: from a robot and a scene to just the robot that the scene needs."""
+"""The scene stage: from a robot and a scene to the reduced robot."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Joints locked: what they hold together becomes one link, exactly and rounded once."""
+"""Locked joints: the links that they connect become one link, exact and rounded once."""
 
 from __future__ import annotations
 

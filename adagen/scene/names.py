@@ -1,4 +1,4 @@
-"""Names in a scene, looked up in the robot; and what a joint's kind can have."""
+"""Names in a scene, looked up in the robot, and the keys that joint kinds accept."""
 
 from __future__ import annotations
 

@@ -1,9 +1,10 @@
-"""Parts that cannot influence the accelerations that are wanted.
+"""Removes parts that cannot influence the requested accelerations.
 
-Links whose motion is known, the ground and what hangs on it by prescribed joints only, hold limbs
-that do not feel each other: each limb's accelerations follow from its own torques and the known
-motion of its root. A limb in which nothing is wanted can therefore be left out, exactly. Inside a
-limb everything influences everything, through forces, and nothing can be left out.
+Some links have a known motion: the ground, and links that only prescribed joints connect to it.
+Limbs on such links are independent of each other: each limb's accelerations depend only on its own
+torques and on the known motion of its root. A limb without requested accelerations can therefore be
+left out, exactly. Inside a limb everything influences everything through forces, and nothing can be
+left out.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""From a scene file to a Scene: every key known, every value of its type, each slip by its line."""
+"""From a scene file to a Scene: known keys, checked types, and lines in error messages."""
 
 from __future__ import annotations
 

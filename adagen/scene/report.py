@@ -1,4 +1,4 @@
-"""What a scene removed from a robot and what that saves, in lines for people."""
+"""What a scene removed and saved, as lines for people."""
 
 from __future__ import annotations
 

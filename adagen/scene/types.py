@@ -1,4 +1,4 @@
-"""What a scene file says, as plain data, with the file's lines for later complaints."""
+"""A scene file as plain data, with line numbers for messages."""
 
 from __future__ import annotations
 

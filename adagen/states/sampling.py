@@ -1,4 +1,4 @@
-"""States that nobody gave: drawn at random, or at rest."""
+"""Random states, and states at rest."""
 
 from __future__ import annotations
 

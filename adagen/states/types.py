@@ -1,4 +1,4 @@
-"""States of a model, and where each joint has its numbers in them."""
+"""States of a model, and the columns of each joint in them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Can forward dynamics of the model be computed at all?"""
+"""Checks whether the forward dynamics of a model has an answer."""
 
 from __future__ import annotations
 

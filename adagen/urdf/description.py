@@ -1,4 +1,4 @@
-"""What a URDF says about links and joints, element by element, with the line that says it."""
+"""Links and joints of a URDF, element by element, with their line numbers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Elements and attributes, looked up so that nothing counts as absent that is only misspelt."""
+"""Elements and attributes, looked up so that misspelt ones are not taken for missing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Robot descriptions that are written in xacro, expanded by ROS's own package ``xacro``.
+"""Robot descriptions in xacro, expanded by ROS's own package ``xacro``.
 
 xacro computes what a file says in ${...}: expand only files that you trust.
 """

@@ -1,4 +1,4 @@
-"""Mimic joints: what they follow, resolved to joints that follow none."""
+"""Mimic joints, resolved to sources that follow no other joint."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Is the joint-space inertia H positive definite, and if not, which joints move no mass?
+"""Whether the joint-space inertia H is positive definite, and which joints move no mass.
 
 Forward dynamics is well posed exactly where H is positive definite: no motion leaves every massive
 link at rest. H = L D L^T where the blocks of D are those of the articulated-body recursion

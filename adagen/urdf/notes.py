@@ -1,4 +1,4 @@
-"""What the reader has to say: refusals, warnings and what it leaves out, always in one line."""
+"""Messages of the reader: refusals, warnings and parts left out, one line each."""
 
 from __future__ import annotations
 

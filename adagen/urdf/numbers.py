@@ -1,4 +1,4 @@
-"""The numbers of a URDF: decimal, in ASCII, finite, and of a size that can be computed with."""
+"""The numbers of a URDF: decimal, in ASCII, finite, and of a reasonable size."""
 
 from __future__ import annotations
 

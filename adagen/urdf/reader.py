@@ -1,4 +1,4 @@
-"""The entry of the URDF stage: from a path to a model, or to one line that says why not."""
+"""The entry of the URDF stage: from a path to a model, or to a one-line refusal."""
 
 from __future__ import annotations
 

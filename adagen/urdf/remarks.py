@@ -1,4 +1,4 @@
-"""What is read and not modelled, and what is odd but harmless."""
+"""Remarks about parts of a URDF that are not modelled, or odd but harmless."""
 
 from __future__ import annotations
 

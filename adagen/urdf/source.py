@@ -1,4 +1,4 @@
-"""From a path to text: only a regular file of a sane size and a known encoding gets through."""
+"""From a path to text: only a regular file of reasonable size and known encoding is read."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The tree that links and joints form, or why they form none."""
+"""The tree that links and joints form, or the reason why they form none."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a process keeps of each joint: the members of its part of the workspace."""
+"""Memory of each joint in a process: the members of its part of the workspace."""
 
 from __future__ import annotations
 

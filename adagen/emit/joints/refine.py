@@ -1,4 +1,4 @@
-"""Iterative refinement in shape joints: the steps of a plan again, for biases alone."""
+"""Iterative refinement in shape joints: the steps of a plan repeated for biases alone."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the templates say of each joint: its memory, and a function for each step that it takes."""
+"""Values of the template for each joint: its memory, and a function for each step."""
 
 from __future__ import annotations
 

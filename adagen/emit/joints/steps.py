@@ -1,4 +1,4 @@
-"""Each process's list of steps in shape joints, as C++ lines."""
+"""The steps of each process in shape joints, as C++ lines."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The lines of a process in shape kernels: calls of what the runtime defines (adagen/kernels)."""
+"""The C++ lines of a process in shape kernels: calls of the runtime (adagen/kernels)."""
 
 from __future__ import annotations
 

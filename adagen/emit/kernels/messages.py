@@ -1,4 +1,4 @@
-"""What processes of shape kernels send each other, and the torques that hold slaved joints."""
+"""Messages in shape kernels, and coupling torques of slaved joints, as C++ lines."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Shape `kernels` where segments meet: mobilities outwards, joins, and forces back as C++ lines.
+"""Joins in shape `kernels`: mobilities outwards, joins, and forces back, as C++ lines.
 
-Blocks and biases are in the same axes as their links' bodies; a join turns what it reads
-into its joint's frame (adagen/kernels/mobility.hpp) and then is that of shape `joints`.
+Blocks and biases are in the same axes as their links' bodies; a join rotates its operands into its
+joint's frame (adagen/kernels/mobility.hpp) and then is that of shape `joints`.
 """
 
 from __future__ import annotations

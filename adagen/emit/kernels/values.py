@@ -1,9 +1,9 @@
-"""Code shape `kernels`: a plan's steps as loops over runs of joints, in axes that all links share.
+"""Code shape `kernels`: a plan's steps as loops over runs of joints, in base axes.
 
-A run is a sequence of joints each on the link of the one before. What needs no recursion (sines and
-cosines, inertias and bias forces of bare links) is done for as many joints at once as registers
-hold; what does is carried along a run in registers, or along several limbs at once, one in each
-lane of a register (templates/include/adagen/kernels/).
+A run is a sequence of joints, each on the link of the one before. Work without recursion (sines and
+cosines, inertias and bias forces of bare links) is done for as many joints at once as a register
+has lanes; recursive work is carried along a run in registers, or along several limbs at once, one
+in each lane (templates/include/adagen/kernels/).
 """
 
 from __future__ import annotations

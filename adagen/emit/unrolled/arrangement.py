@@ -1,7 +1,7 @@
-"""In which order a process's values are computed, in which function, and where they are kept.
+"""Order of a process's values, their division into functions, and their places in memory.
 
 Between two messages a process's values form one stretch: a straight line, divided into functions of
-limited length. What a message needs comes before it is sent; everything else waits until then.
+limited length. The contents of a message are computed before it is sent; everything else waits.
 """
 
 from __future__ import annotations

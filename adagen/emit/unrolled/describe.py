@@ -1,4 +1,4 @@
-"""What a step does, in a line of comment."""
+"""A step as a one-line comment."""
 
 from __future__ import annotations
 

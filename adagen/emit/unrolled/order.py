@@ -1,11 +1,11 @@
-"""In which order the values of a function are computed.
+"""Order of the values of a function.
 
-By step, where many states are solved at once: a value is used soon, and registers and the
-first-level cache hold what is alive; what a link takes of the reference field is computed as soon
-as the link has it. Functions are parted so, too. For a single state a function's values are
-then ordered by what still follows, so that nothing on the longest chain of values that wait for
-each other is begun late. A processor looks some hundred statements ahead, so that what belongs to
-one step may still stand together as long as it is near.
+For many states at once, the order is by step: a value is used soon after it is computed, and
+registers and the first-level cache hold all live values; the reference field's terms of a link are
+computed as soon as its motion is known. Functions are cut in this order. For a single state the
+values of a function are then ordered by the length of the chain that depends on them, so that no
+value on the longest chain is computed late. A processor looks some hundred statements ahead, so the
+values of one step may stay together within that distance.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What a straight line gives: accelerations, outputs and forces, by themselves or in lanes."""
+"""Results of a straight line: accelerations, outputs and forces, single or in lanes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Expressions as C++ text: a value that is used once stands where it is used."""
+"""Expressions as C++ text: a value that is used once is written inline."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
-"""Steps of closed loops: what they hold back on the way inwards, and let go on the way outwards.
+"""Steps of closed loops.
 
-A *closure* is a set of loops and couplings that share joints. Its *unknowns* are accelerations of
-joints that are held back, freedom by freedom, then the constraint forces of its rows. They travel
-inwards with the articulated inertia to the closure's top, the last link that all its joints have in
-common, and are eliminated there: above it nobody knows of them.
+A *closure* is a set of loops and couplings that share joints. Its *unknowns* are the accelerations
+of its joints, freedom by freedom, then the constraint forces of its rows. They are carried inwards
+with the articulated inertia to the closure's top, the last link that all its joints have in common,
+and are eliminated there. Links above the top are not affected.
 """
 
 from __future__ import annotations

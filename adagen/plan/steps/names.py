@@ -1,18 +1,17 @@
-"""Names of what steps read and set: blocks, biases and forces of partial chains.
+"""Names of the buffers that steps read and set.
 
-Five kinds of buffers are named, each living in the memory of the process that computes or receives
-it:
+Five kinds of buffers are named, each in the memory of the process that computes or receives it:
 
 * ``Block``: Phi_gh of a partial chain, 6x6, row handle g and column handle h (links), g <= h;
 * ``Bias``: b_h of a partial chain, 6 numbers for each right-hand side;
-* ``Force``: the wrench that acts on handle h of a partial chain from outside, likewise.
-* ``Passage``: how a run of joints lies and moves seen from the link that it hangs on, 24 numbers.
-* ``SideOfLoops``: what one of the trees between which loops close does to their rows.
+* ``Force``: the wrench that acts on handle h of a partial chain from outside, likewise;
+* ``Passage``: pose and motion of a run's last link relative to the link before it, 24 numbers;
+* ``SideOfLoops``: the contribution of one of the trees between which loops close to their rows.
 
 Handles are links, in the link's own frame: all joints at one link share its block, seen through
 their constant or joint-dependent transforms. A partial chain is named by the joint that completed
-it; ``joint is None`` names a bare link. Blocks between handles that do not feel each other (they
-meet in the ground only) do not exist.
+it; ``joint is None`` names a bare link. Blocks between handles that are coupled only through the
+ground do not exist.
 """
 
 from __future__ import annotations

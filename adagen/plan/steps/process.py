@@ -1,4 +1,4 @@
-"""Steps of every form: motion of the joints, messages, and slaved joints held in step."""
+"""Steps of every form: kinematics, messages, slaved joints, outputs, refinement, certificates."""
 
 from __future__ import annotations
 
