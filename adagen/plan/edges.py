@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from adagen.plan.robot import PlanJoint, ways
+from adagen.plan.robot import PlanJoint, paths_to_ground
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ def joints_at(joints: Sequence[PlanJoint], members: Iterable[int]) -> dict[int, 
 
 def on_the_way(joints: Sequence[PlanJoint], wanted: Iterable[int]) -> tuple[int, ...]:
     """Return some joints and those between them and the ground, ascending."""
-    return tuple(sorted(ways(joints, wanted)))
+    return tuple(sorted(paths_to_ground(joints, wanted)))
 
 
 def edges_from(

@@ -55,8 +55,8 @@ class PlanJoint:
         rest: rad or m.
         rotor_inertia: J in D = S^T U + J, kg m^2 or kg.
         prescribed: whether tau holds its acceleration instead of its torque.
-        lent: inertia that form ada adds to that of its rotor for the tree without loops, and takes
-            back by a right-hand side of its own (adagen/plan/artificial_inertia.py), kg m^2 or kg.
+        lent: artificial inertia that form ada adds to the tree without loops, and compensates by a
+            right-hand side of its own (adagen/plan/artificial_inertia.py), kg m^2 or kg.
     """
 
     name: str
@@ -83,7 +83,7 @@ class PlanWrench:
 
     Attributes:
         name: of the link in whose frame it is expressed.
-        link: the link that feels it.
+        link: the link that it acts on.
         rotation: of that frame in the link's, 3x3.
         translation: of that frame in the link's, 3 numbers, m.
     """
@@ -96,7 +96,7 @@ class PlanWrench:
 
 @dataclass(frozen=True)
 class PlanOutput:
-    """What is computed beside accelerations: in qdd behind all of them (``model.Output``).
+    """An output beside accelerations: in qdd behind all of them (``model.Output``).
 
     Attributes:
         what: a key of ``adagen.model.OUTPUT_SIZES``.
@@ -161,7 +161,7 @@ class PlanLoop:
 
 @dataclass(frozen=True)
 class PlanCoupling:
-    """Joints whose coordinates are tied: the sum of factor * q is ``offset``.
+    """Coupled joint coordinates: the sum of factor * q is ``offset``.
 
     Attributes:
         name: its name.
@@ -199,7 +199,7 @@ class PlanParameter:
     turn: tuple[tuple[float, ...], ...] = field(default=(), metadata=OPTIONAL)
 
 
-def ways(joints: Sequence[PlanJoint], wanted: Iterable[int]) -> set[int]:
+def paths_to_ground(joints: Sequence[PlanJoint], wanted: Iterable[int]) -> set[int]:
     """Return the joints from the ground down to some joints, these included."""
     found: set[int] = set()
     for joint in wanted:
@@ -215,7 +215,7 @@ def bound_by_loops(
     """Return the joints that a loop or coupling is at, or beyond."""
     links = {link for loop in loops for link in (loop.link1, loop.link2)}
     coupled = {j for coupling in couplings for j, _ in coupling.terms}
-    return frozenset(ways(joints, {link - 1 for link in links} | coupled))
+    return frozenset(paths_to_ground(joints, {link - 1 for link in links} | coupled))
 
 
 def first_rows(loops: Sequence[PlanLoop], couplings: Sequence[PlanCoupling] = ()) -> list[int]:

@@ -23,7 +23,7 @@ from adagen.plan.robot import (
     PlanParameter,
     PlanWrench,
     bound_by_loops,
-    ways,
+    paths_to_ground,
 )
 from adagen.plan.steps import (
     Bias,
@@ -48,39 +48,39 @@ SCALARS = ("double", "float")
 """Types of all numbers of a solver."""
 
 ENERGIES = "energies"
-"""Messages that tell how large corrections are."""
+"""Messages with the sizes of corrections."""
 MOST_ENERGIES = 11
-"""Energies in them: of the answer, of all that accelerates, and of up to nine corrections."""
+"""Energies in them: of the answer, of all link accelerations, and of up to nine corrections."""
 
 CERTIFICATE = "certificate"
-"""Messages that tell another process what it needs to finish a certificate."""
+"""Messages with a process's part of a certificate."""
 NUMBERS_OF_SHARE, NUMBERS_AT_LINK = 3, 22
 """Most numbers in them, and at each link (adagen/executor/certificate.py)."""
 
 
 @dataclass(frozen=True)
 class Message:
-    """What one process tells another once in an evaluation.
+    """The contents of a message between two processes, sent once in an evaluation.
 
     Attributes:
         source: sending process.
         target: receiving process.
         sweep: "kinematics", "assembly", "disassembly", "slaved" (accelerations of slaved joints
-            and their sources, to be solved for), "torques" (the answer), "energies" or
+            and their sources), "torques" (their coupling torques), "energies" or
             "certificate".
-        joint: the joint that completed the chain that is spoken of; None for the last two.
+        joint: the joint that completed the chain concerned; None for the last two.
         blocks: blocks in it, 36 numbers each.
         biases: biases in it, 6 numbers for each right-hand side.
         forces: wrenches in it, likewise.
         joints: joints whose accelerations are in it, for every right-hand side.
-        inertias: links whose I^A and p^A, as far as the source knows them, are in it: 21 numbers,
+        inertias: links whose I^A and p^A, summed over the source's limbs, are in it: 21 numbers,
             and 6 for each right-hand side. The target adds them to its own.
-        passages: how runs of joints move their last links, 24 numbers each.
-        sides: what the source's joints do to the rows of closures, which the target adds to what
-            its own do: of n rows n (n + 1) / 2 numbers, and n for each right-hand side.
-        repeats: number of the message that it repeats for a correction: of blocks and inertias
-            nothing is sent again, and of motions nothing.
-        weighed: of a certificate, links at which limbs hang that its source has looked at.
+        passages: passages of runs, 24 numbers each.
+        sides: contributions of the source's joints to the rows of closures, which the target adds
+            to its own: for n rows n (n + 1) / 2 numbers, and n for each right-hand side.
+        repeats: number of the message that it repeats for a correction, without blocks, inertias
+            and motions.
+        weighed: in a certificate, core links of the source's limbs.
     """
 
     source: int
@@ -116,18 +116,18 @@ class Message:
 
 @dataclass(frozen=True)
 class Process:
-    """What one process does.
+    """The steps of one process, and its joints.
 
     Attributes:
         steps: in order.
         reads: joints whose q and v it reads, ascending.
         owns: joints whose torque it reads and whose acceleration it gives, ascending.
         shares: further joints whose torque it reads and whose acceleration it computes for itself.
-        recovery: what is done instead in a pose in which that cannot be done: a mobility cannot be
-            held, or a closure's choice is poor there; empty where there is nothing else.
-        others: what is done where that cannot be done either, in the order in which it is tried.
+        recovery: steps that replace ``steps`` in poses in which these fail: a mobility cannot be
+            inverted, or a closure's choice is poor; empty if there is no replacement.
+        others: further replacements, in the order in which they are tried.
         spares: further joints whose torque it reads, and whose acceleration it computes, only in
-            what is done instead.
+            replacements.
     """
 
     steps: tuple[Step, ...]
@@ -417,4 +417,4 @@ class Plan:
 
     def paths(self, joints: Iterable[int]) -> set[int]:
         """Return the joints from the ground down to some joints, these included."""
-        return ways(self.joints, joints)
+        return paths_to_ground(self.joints, joints)

@@ -150,7 +150,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x167 = x161 + x162;
   const Two x160 = 1.0 - (x157 + x158);
   const Two x170 = 1.0 - (x158 + x168);
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Two x443 = x85 + v[2] * v[2] + x99 * x99;
   const Two x445 = x142 * x142 + x443 + x143 * x143;
   const Two x530 = load<Two>(cosine + 0) * x175 - load<Two>(sine + 0) * x163;
@@ -159,9 +159,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x533 = load<Two>(sine + 0) * x175 + load<Two>(cosine + 0) * x163;
   const Two x456 = load<Two>(cosine + 0) * x174 - load<Two>(sine + 0) * x160;
   const Two x459 = load<Two>(sine + 0) * x174 + load<Two>(cosine + 0) * x160;
-  // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
+  // joint 3 "ankle_roll": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1292 = sine[5] * 0.05;
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Two x588 = cosine[4] * x582 + sine[4] * x585;
   const Two x536 = cosine[4] * x530 + sine[4] * x533;
   const Two x462 = cosine[4] * x456 + sine[4] * x459;
@@ -174,7 +174,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x469 = cosine[5] * x167 + sine[5] * x462;
   const Two x473 = cosine[5] * x462 - sine[5] * x167;
   const Two x540 = cosine[4] * x533 - sine[4] * x530;
-  // joints 5 "left_ball", 7 "right_ball": inertia and bias force of what is beyond, their motion left open
+  // joints 5 "left_ball", 7 "right_ball": inertia and bias force of what is beyond; their accelerations are unknowns
   const Two x800 = x177 * 0.06;
   const Two x653 = x167 * Two{0.00112635, 0.00264635};
   const Two x710 = x173 * 2.7e-06;
@@ -183,7 +183,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x857 = -0.009 - x822;
   const Two x728 = x170 * Two{0.15, 0.23} - x174 * 0.06;
   const Two x771 = x167 * Two{0.15, 0.23} + x175 * 0.06;
-  // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
+  // joint 3 "ankle_roll": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1433 = 0.06 * (sine[5] * x595[0] + cosine[5] * x599[0]);
   const Real x1435 = x592[0] * x1292 + x1433;
   const Real x1463 = 0.06 * (sine[5] * x595[1] + cosine[5] * x599[1]);
@@ -212,11 +212,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x182 = x142 + x179;
   const Two x183 = x143 + x180;
   const Two x184 = x144 + x181;
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Two x613 = Two{0.05, -0.05} * x599;
   const Two x561 = Two{0.05, -0.05} * x547;
   const Two x509 = Two{0.05, -0.05} * x473;
-  // joints 5 "left_ball", 7 "right_ball": inertia and bias force of what is beyond, their motion left open
+  // joints 5 "left_ball", 7 "right_ball": inertia and bias force of what is beyond; their accelerations are unknowns
   const Two x654 = x175 * Two{0.01125, 0.01725};
   const Two x678 = x174 * Two{0.01125, 0.01725};
   const Two x855 = x167 * x653 + x173 * x710 + x170 * x677;
@@ -226,7 +226,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x655 = x163 * Two{0.01125, 0.01725};
   const Two x820 = x177 * Two{0.01125, 0.01725};
   const Two x914 = 0.006 - x857;
-  // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
+  // joint 3 "ankle_roll": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1317 = 0.06 * (sine[5] * x469[0] + cosine[5] * x473[0]);
   const Real x1319 = x466[0] * x1292 + x1317;
   const Real x1349 = 0.06 * (sine[5] * x469[1] + cosine[5] * x473[1]);
@@ -273,18 +273,18 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x230 = x192 + x228;
   const Two x209 = x115 * x177 + x166 * x200;
   const Two x226 = x182 * x182 + x183 * x183;
-  // links 6 "left_rod", 8 "right_rod": force that the reference field takes
+  // links 6 "left_rod", 8 "right_rod": bias force in the reference field
   const Two x385 = x203 * 0.15 - x230 * Two{0.01125, 0.01725};
   const Two x389 = x206 * 0.15 - x224 * Two{0.01125, 0.01725};
   const Two x374 = (x143 * x179 - x142 * x180) * 2.7e-06;
   const Two x378 = x188 * Two{0.00112635, 0.00264635} - x223 * Two{0.00112365, 0.00264365} + x206 * Two{0.01125, 0.01725};
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Two x488 = x77 - (x83 + x85) * Two{0.05, -0.05};
   const Two x496 = 2.0 * x75 * Two{0.05, -0.05} + x94 * 0.06 - x60;
   const Two x491 = x78 - x88 * Two{0.05, -0.05};
-  // joints 5 "left_ball", 7 "right_ball": inertia and bias force of what is beyond, their motion left open
+  // joints 5 "left_ball", 7 "right_ball": inertia and bias force of what is beyond; their accelerations are unknowns
   const Two x680 = x160 * Two{0.01125, 0.01725};
-  // joints 4 "left_motor", 6 "right_motor": inertia and bias force of what is beyond, their motion left open
+  // joints 4 "left_motor", 6 "right_motor": inertia and bias force of what is beyond; their accelerations are unknowns
   const Two x939 = load<Two>(cosine + 0) * x820;
   const Two x941 = load<Two>(sine + 0) * x914 - x939;
   const Two x973 = load<Two>(sine + 0) * x654 + load<Two>(cosine + 0) * x655;
@@ -292,7 +292,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x949 = x913 - Two{0.25, 0.17} * x941;
   const Two x984 = x662 - Two{0.25, 0.17} * x973;
   const Two x1023 = x689 + Two{0.25, 0.17} * x1011;
-  // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
+  // joint 3 "ankle_roll": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1494 = 0.00630833 + cosine[5] * (cosine[5] * 0.0019583400000000003) + 2.4e-05;
   const Real x1288 = sine[5] * 0.002;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
@@ -307,26 +307,26 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joint 3 "ankle_roll": placement, velocity and reference acceleration of its link
   const Real x73 = v[3] * x71;
   const Real x90 = x82 + x85;
-  // links 6 "left_rod", 8 "right_rod": force that the reference field takes
+  // links 6 "left_rod", 8 "right_rod": bias force in the reference field
   const Two x393 = x209 * 0.15 + x226 * Two{0.01125, 0.01725};
   const Two x381 = x192 * Two{0.00112635, 0.00264635} + x228 * Two{0.00112365, 0.00264365} - x203 * Two{0.01125, 0.01725};
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Two x605 = x488 * x595 + x496 * x592 + x491 * x599;
   const Two x501 = x469 * x488 + x466 * x496 + x473 * x491;
   const Two x553 = x488 * x543 + x496 * x540 + x491 * x547;
-  // joints 5 "left_ball", 7 "right_ball": inertia and bias force of what is beyond, their motion left open
+  // joints 5 "left_ball", 7 "right_ball": inertia and bias force of what is beyond; their accelerations are unknowns
   const Two x893 = x174 * x385 + x175 * x389 + x177 * x393;
   const Two x911 = -0.006 + x857;
   const Two x888 = x167 * x378 + x173 * x374 + x170 * x381;
-  // joints 4 "left_motor", 6 "right_motor": inertia and bias force of what is beyond, their motion left open
+  // joints 4 "left_motor", 6 "right_motor": inertia and bias force of what is beyond; their accelerations are unknowns
   const Two x935 = load<Two>(sine + 0) * x820;
   const Two x937 = load<Two>(cosine + 0) * x914 + x935;
   const Two x970 = load<Two>(cosine + 0) * x654 - load<Two>(sine + 0) * x655;
   const Two x1196 = x939 + load<Two>(sine + 0) * x911;
   const Two x1006 = load<Two>(sine + 0) * x680 - load<Two>(cosine + 0) * x678;
-  // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
+  // joint 3 "ankle_roll": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1291 = cosine[5] * 0.05;
-  // joint 2 "ankle_pitch": inertia and bias force of what is beyond, its own motion left open
+  // joint 2 "ankle_pitch": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1517 = sine[4] * 0.04 + cosine[4] * x1291;
   const Real x1530 = sine[4] * x1292;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
@@ -340,22 +340,22 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x2225 = x1989 * x2192;
   const Real x2275 = 0.003308333 + across<2>(x2001) - across<2>(x2207);
   const Real x2310 = x2275 - x2274 * x2307;
-  // link 4 "foot": force that the reference field takes
+  // link 4 "foot": bias force in the reference field
   const Real x292 = x73 * 0.002999997 - x73 * 0.00826667;
   const Real x312 = 0.002 * (x94 - x90) + x292 + x60 * 0.05;
   const Real x302 = x75 * 0.004958337 - x75 * 0.00630833 + x88 * 0.002;
-  // joints 5 "left_ball", 7 "right_ball": inertia and bias force of what is beyond, their motion left open
+  // joints 5 "left_ball", 7 "right_ball": inertia and bias force of what is beyond; their accelerations are unknowns
   const Two x640 = x378 - Two{tau[5], tau[9]};
   const Two x645 = x381 - Two{tau[6], tau[10]};
   const Two x916 = x888 + 0.06 * x893 + x115 * 0.006;
-  // joints 4 "left_motor", 6 "right_motor": inertia and bias force of what is beyond, their motion left open
+  // joints 4 "left_motor", 6 "right_motor": inertia and bias force of what is beyond; their accelerations are unknowns
   const Two x1214 = Two{-0.0875, -0.059500000000000004} - x1196;
   const Two x922 = x916 - Two{tau[4], tau[8]};
   const Two x1234 = x913 - Two{0.25, 0.17} * (x1214 - x1196);
-  // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
+  // joint 3 "ankle_roll": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1478 = cosine[5] * (x312 - x78 * 0.04);
   const Real x1481 = x1478 - sine[5] * (x302 + x77 * 0.04);
-  // joint 2 "ankle_pitch": inertia and bias force of what is beyond, its own motion left open
+  // joint 2 "ankle_pitch": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1796 = -0.46 - x1517;
   const Real x1512 = sine[4] * x1291 - cosine[4] * 0.04;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
@@ -379,23 +379,23 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x2092 = across<2>(x2067) - x1517;
   const Two x2129 = x1892 * x1961 + x1928 * x1967 - x1910 * x1975;
   const Two x2230 = x1976 * x2193;
-  // joints 5 "left_ball", 7 "right_ball": inertia and bias force of what is beyond, their motion left open
+  // joints 5 "left_ball", 7 "right_ball": inertia and bias force of what is beyond; their accelerations are unknowns
   const Two x917 = x115 * 0.2 + x893;
   const Two x898 = x160 * x385 + x163 * x389 + x166 * x393;
   const Two x918 = x122 * 0.006 - x120 * 0.2 + x898;
-  // joints 4 "left_motor", 6 "right_motor": inertia and bias force of what is beyond, their motion left open
+  // joints 4 "left_motor", 6 "right_motor": inertia and bias force of what is beyond; their accelerations are unknowns
   const Two x1255 = load<Two>(sine + 0) * x917 + load<Two>(cosine + 0) * x918;
   const Two x1199 = load<Two>(cosine + 0) * x911 - x935;
   const Two x1266 = x916 - Two{0.25, 0.17} * x1255;
-  // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
+  // joint 3 "ankle_roll": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1489 = sine[5] * (x77 + x88 * 0.05);
   const Real x1491 = x1489 + cosine[5] * (x78 + x90 * 0.05);
   const Real x1496 = x55 * 0.15 + x1491;
-  // link 4 "foot": force that the reference field takes
+  // link 4 "foot": bias force in the reference field
   const Real x330 = 2.0 * x73 * 0.05 - x94 * 0.04 - x60;
-  // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
+  // joint 3 "ankle_roll": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1497 = x330 - x60 * 0.15;
-  // joint 2 "ankle_pitch": inertia and bias force of what is beyond, its own motion left open
+  // joint 2 "ankle_pitch": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1824 = sine[4] * x1496 + cosine[4] * x1497;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Real x2091 = x1512 + across<2>(x2055);
@@ -417,11 +417,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x2349 = x2311 * (x2133 + across<2>(x2129) - across<2>(x2231) - x2282 * x2307);
   // joint 1 "knee": articulated-body inertia and bias force through it
   const Real x2529 = 1 / x2520;
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Two x399 = sine[5] * Two{0.05, -0.05};
   const Two x410 = x177 * Two{0.15, 0.23};
   const Two x416 = -0.06 - x166 * Two{0.15, 0.23};
-  // joints 4 "left_motor", 6 "right_motor": inertia and bias force of what is beyond, their motion left open
+  // joints 4 "left_motor", 6 "right_motor": inertia and bias force of what is beyond; their accelerations are unknowns
   const Two x1252 = load<Two>(cosine + 0) * x917 - load<Two>(sine + 0) * x918;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Real x2481 = across<2>(x1199) - x1512 + (x2278 * x2361 + x2281 * x2346);
@@ -453,7 +453,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x2527 = across<2>(x1255) + x1824 + across<2>(x2170) - x2501 - x37 * 3.5;
   // joint 1 "knee": articulated-body inertia and bias force through it
   const Real x2652 = x2570 - cosine[3] * (x2643 - x2573 * (sine[3] * 2.0));
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Two x407 = sine[4] * x399 - cosine[4] * 0.06;
   const Two x430 = x407 - (load<Two>(cosine + 0) * x416 - load<Two>(sine + 0) * x410);
   const Two x431 = cosine[5] * Two{0.05, -0.05} - (Two{0.05, -0.05} - x173 * Two{0.15, 0.23});
@@ -568,11 +568,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x251 = q[12] * x248;
   const Real x249 = q[10] * x248;
   const Real x252 = q[11] * x250;
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x572 = v[2] * v[2];
   const Real x574 = v[4] * v[4] + v[5] * v[5] + v[6] * v[6];
   const Real x531 = sine[3] * 0.05;
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x757 = v[8] * v[8] + v[9] * v[9] + v[10] * v[10];
   // joint 5 "left_ball": placement, velocity and reference acceleration of its link
   const Real x155 = 1.0 - (x135 + x146);
@@ -585,7 +585,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x269 = x259 - x260;
   const Real x257 = q[13] * x251;
   const Real x266 = q[12] * x250;
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x587 = cosine[4] * x152 - sine[4] * x138;
   const Real x590 = sine[4] * x152 + cosine[4] * x138;
   const Real x642 = cosine[4] * x153 - sine[4] * x141;
@@ -607,11 +607,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x691 = cosine[3] * x151 + sine[3] * x684;
   const Real x695 = cosine[3] * x684 - sine[3] * x151;
   const Real x709 = 0.05 * x695;
-  // joint 5 "left_ball": inertia and bias force of what is beyond, its own motion left open
+  // joint 5 "left_ball": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1369 = x148 * 0.15 - x152 * 0.06;
   const Real x1384 = x145 * 0.15 + x153 * 0.06;
   const Real x1391 = x155 * 0.06;
-  // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
+  // joint 3 "ankle_roll": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1796 = 0.06 * (sine[3] * x600 + cosine[3] * x604);
   const Real x1798 = x531 * x597 + x1796;
   const Real x1823 = 0.06 * (sine[3] * x655 + cosine[3] * x659);
@@ -635,7 +635,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x261 = x259 + x260;
   const Real x268 = x266 - x267;
   const Real x272 = 1.0 - (x252 + x263);
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x767 = cosine[5] * x269 - sine[5] * x255;
   const Real x770 = sine[5] * x269 + cosine[5] * x255;
   const Real x773 = cosine[2] * x767 + sine[2] * x770;
@@ -653,9 +653,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x835 = cosine[3] * x824 - sine[3] * x265;
   const Real x849 = 0.05 * x835;
   const Real x861 = cosine[2] * x855 + sine[2] * x858;
-  // joint 7 "right_ball": inertia and bias force of what is beyond, its own motion left open
+  // joint 7 "right_ball": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x936 = x265 * 0.23 - 0.06 * x269;
-  // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
+  // joint 3 "ankle_roll": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1850 = 0.06 * (sine[3] * x691 + cosine[3] * x695);
   const Real x1852 = x531 * x688 + x1850;
   const Real x1879 = 0.06 * (sine[3] * x780 + cosine[3] * x784);
@@ -692,18 +692,18 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   // joint 5 "left_ball": placement, velocity and reference acceleration of its link
   const Real x157 = x99 * x145;
   const Real x159 = x99 * x151;
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x620 = 2.0 * x70 * 0.05;
   const Real x621 = x89 * 0.06;
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x865 = cosine[2] * x858 - sine[2] * x855;
   const Real x868 = cosine[3] * x268 + sine[3] * x861;
   const Real x872 = cosine[3] * x861 - sine[3] * x268;
   const Real x886 = 0.05 * x872;
-  // joint 7 "right_ball": inertia and bias force of what is beyond, its own motion left open
+  // joint 7 "right_ball": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x958 = 0.06 * x272;
   const Real x951 = x262 * 0.23 + 0.06 * x270;
-  // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
+  // joint 3 "ankle_roll": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1908 = 0.06 * (sine[3] * x831 + cosine[3] * x835);
   const Real x1910 = x1908 - x531 * x828;
   const Real x1937 = 0.06 * (sine[3] * x868 + cosine[3] * x872);
@@ -770,9 +770,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x275 = x216 * x268;
   const Real x276 = v[9] + x273;
   const Real x278 = v[11] + x275;
-  // link 4 "foot": force that the reference field takes
+  // link 4 "foot": bias force in the reference field
   const Real x412 = x83 * 0.05;
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x616 = (x78 + x80) * 0.05;
   const Real x618 = x72 - x616;
   const Real x624 = x620 + x621 - x55;
@@ -804,10 +804,10 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x316 = x277 * x278;
   const Real x317 = x316 - x282;
   const Real x299 = x224 * x270 + x258 * x293;
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x665 = x618 * x655 + x624 * x652 + x619 * x659;
   const Real x701 = x618 * x691 + x624 * x688 + x619 * x695;
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x795 = x72 + x616;
   const Real x799 = x621 - x620 - x55;
   const Real x796 = x73 + x412;
@@ -838,10 +838,10 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   // joint 7 "right_ball": placement, velocity and reference acceleration of its link
   const Real x319 = x276 * x276 + x277 * x277;
   const Real x302 = x224 * x272 + x261 * x293;
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x841 = x795 * x831 + x799 * x828 + x796 * x835;
   const Real x878 = x795 * x868 + x799 * x865 + x796 * x872;
-  // joint 7 "right_ball": inertia and bias force of what is beyond, its own motion left open
+  // joint 7 "right_ball": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x897 = x262 * 0.00264635;
   const Real x924 = x268 * 2.7e-06;
   const Real x962 = x261 * 0.01725;
@@ -851,7 +851,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x910 = x269 * 0.01725;
   const Real x906 = x897 + 0.06 * x898;
   const Real x995 = x262 * x897 + x268 * x924 + x265 * x909;
-  // joint 5 "left_ball": inertia and bias force of what is beyond, its own motion left open
+  // joint 5 "left_ball": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1330 = x145 * 0.00112635;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Real x2783 = x2755 + (x2388 - x2418 * x2445) * x2767;
@@ -877,22 +877,22 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x2643 = x2592 - x2532 * x2637;
   const Real x2642 = x2585 - x2526 * x2637;
   const Real x2647 = x2619 * x2619;
-  // link 8 "right_rod": force that the reference field takes
+  // link 8 "right_rod": bias force in the reference field
   const Real x519 = x296 * 0.15 - x323 * 0.01725;
   const Real x523 = x299 * 0.15 - x317 * 0.01725;
   const Real x508 = (v[10] * x273 - v[9] * x274) * 2.7e-06;
   const Real x512 = x282 * 0.00264635 - x316 * 0.00264365 + x299 * 0.01725;
   const Real x527 = x302 * 0.15 + x319 * 0.01725;
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x530 = cosine[3] * 0.05;
-  // joint 7 "right_ball": inertia and bias force of what is beyond, its own motion left open
+  // joint 7 "right_ball": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x921 = x909 - 0.06 * x910;
   const Real x1053 = x995 - 0.06 * (x997 - x962) + 0.0002466667;
   const Real x899 = x258 * 0.01725;
   const Real x960 = x272 * 0.01725;
   const Real x1054 = 0.006 - x997;
   const Real x912 = x255 * 0.01725;
-  // joint 6 "right_motor": inertia and bias force of what is beyond, its own motion left open
+  // joint 6 "right_motor": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1073 = cosine[5] * x960;
   const Real x1098 = sine[5] * x898 + cosine[5] * x899;
   const Real x1075 = sine[5] * x1054 - x1073;
@@ -900,7 +900,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x1110 = x906 - 0.17 * x1098;
   const Real x1084 = x1053 - 0.17 * x1075;
   const Real x1140 = x921 + 0.17 * x1127;
-  // joint 5 "left_ball": inertia and bias force of what is beyond, its own motion left open
+  // joint 5 "left_ball": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1357 = x151 * 2.7e-06;
   const Real x1395 = x144 * 0.01125;
   const Real x1331 = x153 * 0.01125;
@@ -914,9 +914,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x1485 = x1428 - 0.06 * (x1429 - x1395) + 0.0002466667;
   const Real x1393 = x155 * 0.01125;
   const Real x1486 = 0.006 - x1429;
-  // joint 4 "left_motor": inertia and bias force of what is beyond, its own motion left open
+  // joint 4 "left_motor": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1528 = sine[4] * x1331 + cosine[4] * x1332;
-  // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
+  // joint 3 "ankle_roll": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1769 = sine[3] * 0.002;
   const Real x1968 = 0.00630833 + cosine[3] * (cosine[3] * 0.0019583400000000003) + 2.4e-05;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
@@ -930,30 +930,30 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   // joint 3 "ankle_roll": placement, velocity and reference acceleration of its link
   const Real x68 = v[3] * x66;
   const Real x85 = x77 + x80;
-  // link 4 "foot": force that the reference field takes
+  // link 4 "foot": bias force in the reference field
   const Real x385 = x68 * 0.002999997 - x68 * 0.00826667;
-  // link 6 "left_rod": force that the reference field takes
+  // link 6 "left_rod": bias force in the reference field
   const Real x463 = (v[6] * x157 - v[5] * x158) * 2.7e-06;
   const Real x474 = x181 * 0.15 - x208 * 0.01125;
   const Real x478 = x184 * 0.15 - x202 * 0.01125;
-  // link 8 "right_rod": force that the reference field takes
+  // link 8 "right_rod": bias force in the reference field
   const Real x515 = x286 * 0.00264635 + x321 * 0.00264365 - x296 * 0.01725;
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x536 = sine[2] * x531;
-  // joint 7 "right_ball": inertia and bias force of what is beyond, its own motion left open
+  // joint 7 "right_ball": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1033 = x269 * x519 + x270 * x523 + x272 * x527;
-  // joint 6 "right_motor": inertia and bias force of what is beyond, its own motion left open
+  // joint 6 "right_motor": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1069 = sine[5] * x960;
   const Real x1071 = cosine[5] * x1054 + x1069;
   const Real x1095 = cosine[5] * x898 - sine[5] * x899;
-  // joint 5 "left_ball": inertia and bias force of what is beyond, its own motion left open
+  // joint 5 "left_ball": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1345 = x138 * 0.01125;
-  // joint 4 "left_motor": inertia and bias force of what is beyond, its own motion left open
+  // joint 4 "left_motor": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1504 = cosine[4] * x1393;
   const Real x1539 = x1339 - 0.25 * x1528;
   const Real x1506 = sine[4] * x1486 - x1504;
   const Real x1556 = sine[4] * x1343 + cosine[4] * x1345;
-  // joint 2 "ankle_pitch": inertia and bias force of what is beyond, its own motion left open
+  // joint 2 "ankle_pitch": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1991 = sine[2] * 0.04 + cosine[2] * x530;
   const Real x1995 = x1968 + 0.4 * x1991;
   const Real x2008 = x1769 + 0.4 * x536;
@@ -973,27 +973,27 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x2696 = x2674 * x2674;
   const Real x2816 = x2815 - (x2571 - x2602 * x2625) * x2787;
   const Real x2835 = x2834 - (x2591 - x2602 * x2637) * x2787;
-  // link 4 "foot": force that the reference field takes
+  // link 4 "foot": bias force in the reference field
   const Real x405 = 0.002 * (x89 - x85) + x385 + x55 * 0.05;
   const Real x395 = x70 * 0.004958337 - x70 * 0.00630833 + x83 * 0.002;
-  // link 6 "left_rod": force that the reference field takes
+  // link 6 "left_rod": bias force in the reference field
   const Real x467 = x166 * 0.00112635 - x201 * 0.00112365 + x184 * 0.01125;
   const Real x482 = x187 * 0.15 + x204 * 0.01125;
   const Real x470 = x170 * 0.00112635 + x206 * 0.00112365 - x181 * 0.01125;
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x532 = cosine[2] * x531;
-  // joint 7 "right_ball": inertia and bias force of what is beyond, its own motion left open
+  // joint 7 "right_ball": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1028 = x262 * x512 + x268 * x508 + x265 * x515;
   const Real x892 = x512 - tau[9];
   const Real x1056 = x1028 + 0.06 * x1033 + x224 * 0.006;
   const Real x893 = x515 - tau[10];
   const Real x1051 = -0.006 + x997;
-  // joint 6 "right_motor": inertia and bias force of what is beyond, its own motion left open
+  // joint 6 "right_motor": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1122 = sine[5] * x912 - cosine[5] * x910;
   const Real x1060 = x1056 - tau[8];
   const Real x1248 = x1073 + sine[5] * x1051;
   const Real x1266 = -0.059500000000000004 - x1248;
-  // joint 5 "left_ball": inertia and bias force of what is beyond, its own motion left open
+  // joint 5 "left_ball": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1327 = x463 - tau[7];
   const Real x1465 = x152 * x474 + x153 * x478 + x155 * x482;
   const Real x1325 = x467 - tau[5];
@@ -1001,7 +1001,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x1326 = x470 - tau[6];
   const Real x1483 = -0.006 + x1429;
   const Real x1487 = x1460 + 0.06 * x1465 + x107 * 0.006;
-  // joint 4 "left_motor": inertia and bias force of what is beyond, its own motion left open
+  // joint 4 "left_motor": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1514 = x1485 - 0.25 * x1506;
   const Real x1568 = x1354 + 0.25 * x1556;
   const Real x1525 = cosine[4] * x1331 - sine[4] * x1332;
@@ -1011,11 +1011,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x1491 = x1487 - tau[4];
   const Real x1677 = x1504 + sine[4] * x1483;
   const Real x1695 = -0.0875 - x1677;
-  // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
+  // joint 3 "ankle_roll": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1952 = cosine[3] * (x405 - x73 * 0.04);
   const Real x1955 = x1952 - sine[3] * (x395 + x72 * 0.04);
   const Real x1768 = x83 * 0.0019583400000000003 + x72 * 0.05 - tau[3];
-  // joint 2 "ankle_pitch": inertia and bias force of what is beyond, its own motion left open
+  // joint 2 "ankle_pitch": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1986 = sine[2] * x530 - cosine[2] * 0.04;
   const Real x1973 = x1955 - tau[2];
   const Real x2259 = -0.46 - x1991;
@@ -1025,42 +1025,42 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x2708 = x2696 + x2700 + x2705 * x2705;
   const Real x2818 = 1 / x2704 * ((x2630 - x2655 * x2667) * x2801 + x2816);
   const Real x2710 = 2.0 * (1 / x2708);
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x541 = x155 * 0.15;
   const Real x547 = -0.06 - x144 * 0.15;
   const Real x533 = sine[2] * 0.06;
   const Real x537 = cosine[2] * 0.06;
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x721 = x272 * 0.23;
   const Real x727 = -0.06 - x261 * 0.23;
-  // joint 7 "right_ball": inertia and bias force of what is beyond, its own motion left open
+  // joint 7 "right_ball": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1057 = x224 * 0.2 + x1033;
   const Real x1038 = x255 * x519 + x258 * x523 + x261 * x527;
   const Real x1058 = x231 * 0.006 - x229 * 0.2 + x1038;
-  // joint 6 "right_motor": inertia and bias force of what is beyond, its own motion left open
+  // joint 6 "right_motor": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1309 = sine[5] * x1057 + cosine[5] * x1058;
-  // joint 5 "left_ball": inertia and bias force of what is beyond, its own motion left open
+  // joint 5 "left_ball": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1488 = x107 * 0.2 + x1465;
   const Real x1470 = x138 * x474 + x141 * x478 + x144 * x482;
   const Real x1489 = x114 * 0.006 - x112 * 0.2 + x1470;
-  // joint 6 "right_motor": inertia and bias force of what is beyond, its own motion left open
+  // joint 6 "right_motor": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1288 = x1053 - 0.17 * (x1266 - x1248);
-  // joint 4 "left_motor": inertia and bias force of what is beyond, its own motion left open
+  // joint 4 "left_motor": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1736 = sine[4] * x1488 + cosine[4] * x1489;
-  // joint 6 "right_motor": inertia and bias force of what is beyond, its own motion left open
+  // joint 6 "right_motor": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1306 = cosine[5] * x1057 - sine[5] * x1058;
-  // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
+  // joint 3 "ankle_roll": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1964 = cosine[3] * (x73 + x85 * 0.05);
   const Real x1970 = sine[3] * (x72 + x412) + x1964 + x50 * 0.15;
-  // link 4 "foot": force that the reference field takes
+  // link 4 "foot": bias force in the reference field
   const Real x423 = 2.0 * x68 * 0.05 - x89 * 0.04 - x55;
-  // joint 3 "ankle_roll": inertia and bias force of what is beyond, its own motion left open
+  // joint 3 "ankle_roll": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1971 = x423 - x55 * 0.15;
-  // joint 4 "left_motor": inertia and bias force of what is beyond, its own motion left open
+  // joint 4 "left_motor": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1758 = x1485 - 0.25 * (x1695 - x1677) + x1288;
-  // joint 2 "ankle_pitch": inertia and bias force of what is beyond, its own motion left open
+  // joint 2 "ankle_pitch": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x2287 = sine[2] * x1970 + cosine[2] * x1971;
-  // joint 4 "left_motor": inertia and bias force of what is beyond, its own motion left open
+  // joint 4 "left_motor": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x1753 = cosine[5] * x1051 - x1069 + (cosine[4] * x1483 - x1500);
   const Real x1764 = cosine[4] * x1488 - sine[4] * x1489 + x1306;
   const Real x1763 = x1056 - 0.17 * x1309 + (x1487 - 0.25 * x1736);
@@ -1075,10 +1075,10 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x2735 = sqrt_of(x2734);
   const Real x2736 = x2735 * x2735;
   require_more(w, x2736, 9.999999999999998e-15, kLoopSingular, 9);
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x561 = x536 - x537 - (cosine[4] * x547 - sine[4] * x541);
   const Real x562 = x530 - (0.05 - x151 * 0.15);
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x741 = x536 + x537 + (cosine[5] * x727 - sine[5] * x721);
   const Real x743 = -0.05 - x268 * 0.23 + x530;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
@@ -1384,7 +1384,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x4352 = x4180 * (x4319 - x4156 * x4213 - x4170 * x4255);
   const Real x4603 = x4005 * x4361 + x924 * x4345 + x3987 * x4391;
   const Real x4397 = x4154 * x4204 + x4156 * x4346 - x4155 * x4364;
-  // joint 2 "ankle_pitch": inertia and bias force of what is beyond, its own motion left open
+  // joint 2 "ankle_pitch": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x2304 = x1968 - 0.4 * (x2259 - x1991) + x1758;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Real x4459 = x4071 * x4141 + x4144 * x4348 - x4143 * x4367;
@@ -1419,7 +1419,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x3579 = x1955 - 0.4 * x2287 + x1763 + x3532;
   const Real x3546 = x532 * x3242 + x3544 + x1502 * x3243;
   const Real x3564 = x536 * x3242 + x3562 + x1506 * x3243;
-  // joint 2 "ankle_pitch": inertia and bias force of what is beyond, its own motion left open
+  // joint 2 "ankle_pitch": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x2310 = cosine[2] * x1970 - sine[2] * x1971 + x1764;
   // link 2 "shank": accelerations and constraint forces of loops below it are eliminated
   const Real x4712 = x4037 * x4415 + x4053 * x4373 + x4021 * x4478;
@@ -1448,14 +1448,14 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x4879 = 0.4 * (x4788 - cosine[1] * (cosine[1] * x4860 - x4862));
   const Real x4922 = 0.32735000000000003 + 0.4 * x4879;
   require_more(w, x4922, 0.0, kFactorization, 0);
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x558 = -0.25 - (cosine[4] * x541 + sine[4] * x547);
   const Real x560 = x532 + x533 + -0.4 - x558;
   const Real x580 = v[7] * v[7] + x574 + x572 + x80 + 1.0;
   const Real x567 = x561 * x561 + x562 * x562 + x560 * x560;
   const Real x579 = 1e-08 - x567;
   require_more(w, x579, 0.0, kLoopOpen, 8);
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x738 = -0.17 - (cosine[5] * x721 + sine[5] * x727);
   const Real x740 = x533 - x532 + -0.4 - x738;
   const Real x762 = v[11] * v[11] + x757 + x572 + x80 + 1.0;

@@ -155,7 +155,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x256 = x211 + x254;
   const Lanes x259 = x183 * x188;
   const Lanes x260 = x214 + x259;
-  // link 4 "forearm": force that the reference field takes
+  // link 4 "forearm": bias force in the reference field
   const Lanes x808 = x199 * 0.037748300000000005 - x249 * 0.023998300000000004;
   const Lanes x790 = x211 * 0.03224830000000001 + x254 * 0.029498300000000005 - x260 * 0.011000000000000003;
   const Lanes x800 = x256 * 0.011000000000000003 - (x214 * 0.00825 + x259 * 0.005500000000000001);
@@ -184,7 +184,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x374 = x356 + x287 * x287;
   const Lanes x376 = x282 * x289;
   const Lanes x378 = x313 + x376;
-  // link 5 "wrist_housing": force that the reference field takes
+  // link 5 "wrist_housing": bias force in the reference field
   const Lanes x867 = x369 * 0.01347604 + 0.00136 * (x374 - x367);
   const Lanes x889 = x310 * 0.01553729 + x867 + x341 * 0.017;
   const Lanes x876 = x376 * 0.01364604 - x364 * 0.00136 + x313 * 0.01536729;
@@ -213,7 +213,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x459 = x423 + x457;
   const Lanes x462 = x395 * x400;
   const Lanes x463 = x426 + x462;
-  // link 6 "wrist": force that the reference field takes
+  // link 6 "wrist": bias force in the reference field
   const Lanes x957 = x411 * 0.00351 + x452 * 0.0019500000000000001;
   const Lanes x938 = x423 * 0.0014299999999999998 + x457 * 0.00013000000000000002 + x463 * 0.0005200000000000001;
   const Lanes x949 = x426 * 0.00338 + x462 * 0.0020800000000000003 + x459 * 0.0005200000000000001;
@@ -250,7 +250,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x553 = x483 * x488;
   const Lanes x554 = x553 - x509;
   const Lanes x555 = x509 + x553;
-  // link 7 "hand": force that the reference field takes
+  // link 7 "hand": bias force in the reference field
   const Lanes x1025 = x553 * 0.006916 - 0.00014399999999999992 * (x541 - x551);
   const Lanes x1018 = x506 * 0.01009033 - (x548 * 0.00506167 + x545 * 0.00014399999999999992);
   const Lanes x1043 = x509 * 0.008236 + x1025 + x525 * 0.007199999999999999;
@@ -263,7 +263,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x574 = 2.0 * x488;
   const Lanes x576 = x550 * q[7] - x571 + 2.0 * x483 * v[7];
   const Lanes x579 = x529 + x544 * q[7] + x560 - v[7] * x574;
-  // link 8 "left_finger": force that the reference field takes
+  // link 8 "left_finger": bias force in the reference field
   const Lanes x1082 = x497 * 8.33333e-06;
   const Lanes x1097 = x548 * 5.333337e-05 + (x551 - x546) * 1.5e-05;
   const Lanes x1089 = x1082 - x543 * 5e-06 - x555 * 1.5e-05;
@@ -292,7 +292,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x662 = x497 + x660;
   const Lanes x665 = x540 + x650;
   const Lanes x667 = x488 * x598;
-  // link 9 "right_finger": force that the reference field takes
+  // link 9 "right_finger": bias force in the reference field
   const Lanes x1147 = x667 * 5.333337e-05 - 1.5e-05 * (x653 - x665);
   const Lanes x1140 = x1082 + x660 * 5e-06 - x657 * 1.5e-05;
   const Lanes x1163 = x603 * 6.66667e-05 + x1147 + x646 * 0.0005;
@@ -322,11 +322,11 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x1357 = 0.007199999999999999 + x1244;
   const Lanes x1336 = x588 * x1172 + 0.13 * x1329 + x1314;
   const Lanes x1343 = x585 * x1172 - 0.13 * x1324 + x1319;
-  // link 7 "hand": force that the reference field takes
+  // link 7 "hand": bias force in the reference field
   const Lanes x1052 = x555 * 0.0754 - x541 * 0.007199999999999999 + x529 * 0.85;
   const Lanes x1057 = x545 * 0.007199999999999999 + x549 * 0.0754 + x533 * 0.85;
   const Lanes x1065 = x554 * 0.007199999999999999 - (x525 * 0.85 + x551 * 0.0754);
-  // link 8 "left_finger": force that the reference field takes
+  // link 8 "left_finger": bias force in the reference field
   const Lanes x1133 = x549 * 0.0015 - x546 * 0.0005 + x567 * 0.05;
   // joint 7 "left_finger_slide": articulated-body inertia and bias force through it
   const Lanes x1369 = 20.0 * (tau[7] - x1133);
@@ -447,7 +447,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x1636 = 3.673205103346574e-06 * x1606 + 0.9999999999932537 * tau[6] + 0.09 * x1633;
   const Lanes x1640 = 0.9999999999932537 * x1606 - 3.673205103346574e-06 * tau[6] - 0.09 * x1628;
   const Lanes x1620 = cosine[6] * x1465 - sine[6] * x1467;
-  // link 6 "wrist": force that the reference field takes
+  // link 6 "wrist": bias force in the reference field
   const Lanes x981 = x454 * 0.052000000000000005 - x455 * 0.013000000000000001 + x443 * 1.3;
   const Lanes x986 = x436 * 1.3 + x463 * 0.052000000000000005 + x459 * 0.013000000000000001;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
@@ -521,11 +521,11 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x1843 = cosine[5] * x1718 - sine[5] * x1720;
   const Lanes x1851 = 3.673205103346574e-06 * x1846 + 0.9999999999932537 * tau[5];
   const Lanes x1856 = 0.9999999999932537 * x1846 - 3.673205103346574e-06 * tau[5];
-  // link 5 "wrist_housing": force that the reference field takes
+  // link 5 "wrist_housing": bias force in the reference field
   const Lanes x902 = x364 * 0.017 - x378 * 0.136 + x345 * 1.7;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
   const Lanes x1868 = 3.673205103346574e-06 * x1863 + 0.9999999999932537 * x1726;
-  // link 5 "wrist_housing": force that the reference field takes
+  // link 5 "wrist_housing": bias force in the reference field
   const Lanes x916 = (x310 - x369) * 0.017 + x915;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
   const Lanes x1892 = 1 / x1880;
@@ -633,7 +633,7 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x2200 = -0.11000000000000001 - x2091;
   const Lanes x2181 = cosine[4] * x1948 - sine[4] * x1950 - 0.38 * x2177;
   const Lanes x2184 = 0.9999999999932537 * tau[4] - 3.673205103346574e-06 * x2151 - 0.08 * x2177;
-  // link 4 "forearm": force that the reference field takes
+  // link 4 "forearm": bias force in the reference field
   const Lanes x827 = x247 * 0.11000000000000001 + x250 * 0.22000000000000003 + x235 * 2.2;
   const Lanes x835 = x239 * 2.2 - (x251 * 0.11000000000000001 + x252 * 0.22000000000000003);
   const Lanes x843 = x256 * 0.22000000000000003 - (x231 * 2.2 + x260 * 0.11000000000000001);
@@ -721,13 +721,13 @@ ADAGEN_NOINLINE void part_0_0(Workspace& w) {
   const Lanes x2426 = x2333 - x2341 - 0.08 * x2315 + 0.08 * x2398;
   const Lanes x2472 = 0.0039325 + x2426;
   require_more(w, x2472, 0.0, kFactorization, 2);
-  // link 3 "elbow_housing": force that the reference field takes
+  // link 3 "elbow_housing": bias force in the reference field
   const Lanes x750 = x111 * 0.01132625 - x157 * 0.007393749999999999 + x143 * 0.078;
   const Lanes x753 = x114 * 0.01132625 + x162 * 0.007393749999999999 - x139 * 0.078;
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
   const Lanes x2463 = 3.673205103346574e-06 * x2433 + 0.9999999999932537 * tau[3] + 0.08 * x2460;
   const Lanes x2467 = 0.9999999999932537 * x2433 - 3.673205103346574e-06 * tau[3] - 0.08 * x2455;
-  // link 3 "elbow_housing": force that the reference field takes
+  // link 3 "elbow_housing": bias force in the reference field
   const Lanes x757 = x139 * 2.6 - (x114 + x162) * 0.078;
   const Lanes x766 = (x89 * x89 + x148) * 0.078 - x134 * 2.6;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it

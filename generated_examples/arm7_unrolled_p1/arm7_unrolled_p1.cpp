@@ -396,7 +396,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x629 = x627 + x578 * x578;
   const Two x639 = x540 + x627;
   const Two x618 = Two{1.0, -0.9999999999964793} * x601 - Two{0.0, 2.65358979335273e-06} * x592;
-  // links 8 "left_finger", 9 "right_finger": force that the reference field takes
+  // links 8 "left_finger", 9 "right_finger": bias force in the reference field
   const Two x1102 = x633 * 0.0015 + x637 * 0.0005 + x626 * 0.05;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
   const Real x1665 = 0.9999999999932537 * x1659;
@@ -425,7 +425,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x609 = x525 + x551 * 0.13 + x554 * x569;
   const Two x611 = (x506 + x548) * x571 - x609;
   const Two x623 = x611 + x561 * (2.0 * x574);
-  // links 8 "left_finger", 9 "right_finger": force that the reference field takes
+  // links 8 "left_finger", 9 "right_finger": bias force in the reference field
   const Two x1107 = (x641 - x581) * 0.0015 - x639 * 0.0005;
   const Two x1071 = x641 * 5.333337e-05 + 1.5e-05 * (x629 - x639);
   const Two x1062 = x497 * 8.33333e-06 - x636 * 5e-06 - x633 * 1.5e-05;
@@ -470,7 +470,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1935 = 1.9999999999865075 * x1909 - 3.673205103346574e-06 * (x1920 - x1823);
   // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
   const Real x455 = x395 * x395 + x449;
-  // link 7 "hand": force that the reference field takes
+  // link 7 "hand": bias force in the reference field
   const Real x1008 = x497 * 0.00317433 - x543 * 0.0018543300000000004 + x549 * 0.00014399999999999992;
   const Real x997 = x553 * 0.006916 - 0.00014399999999999992 * (x541 - x551);
   const Real x990 = x506 * 0.01009033 - (x548 * 0.00506167 + x545 * 0.00014399999999999992);
@@ -480,7 +480,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Two x1247 = x571 * x1097 - 0.13 * x1242 + x1232;
   const Two x1235 = Two{0.0, 2.65358979335273e-06} * x1119 + Two{1.0, -0.9999999999964793} * x1091;
   const Two x1252 = 0.13 * x1239 + x569 * x1097 + x1235;
-  // link 7 "hand": force that the reference field takes
+  // link 7 "hand": bias force in the reference field
   const Real x1024 = x555 * 0.0754 - x541 * 0.007199999999999999 + x529 * 0.85;
   const Real x1029 = x545 * 0.007199999999999999 + x549 * 0.0754 + x533 * 0.85;
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
@@ -506,10 +506,10 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joint 5 "wrist_pitch": placement, velocity and reference acceleration of its link
   const Real x457 = x399 * x400;
   const Real x459 = x423 + x457;
-  // link 6 "wrist": force that the reference field takes
+  // link 6 "wrist": bias force in the reference field
   const Real x929 = x411 * 0.00351 + x452 * 0.0019500000000000001;
   const Real x940 = x929 - 0.0005200000000000001 * (x455 - x450) + x443 * 0.052000000000000005;
-  // link 7 "hand": force that the reference field takes
+  // link 7 "hand": bias force in the reference field
   const Real x1037 = x554 * 0.007199999999999999 - (x525 * 0.85 + x551 * 0.0754);
   // joints 7 "left_finger_slide", 8 "right_finger_slide": articulated-body inertia and bias force through them
   const Real x1298 = x1037 + across<2>(x1097);
@@ -553,7 +553,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x356 = x282 * x282;
   const Real x362 = x282 * x287;
   const Real x376 = x282 * x289;
-  // link 6 "wrist": force that the reference field takes
+  // link 6 "wrist": bias force in the reference field
   const Real x910 = x423 * 0.0014299999999999998 + x457 * 0.00013000000000000002 + x463 * 0.0005200000000000001;
   const Real x921 = x426 * 0.00338 + x462 * 0.0020800000000000003 + x459 * 0.0005200000000000001;
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
@@ -600,17 +600,17 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x378 = x313 + x376;
   const Real x369 = x287 * x289;
   const Real x364 = x299 - x362;
-  // link 5 "wrist_housing": force that the reference field takes
+  // link 5 "wrist_housing": bias force in the reference field
   const Real x857 = x362 * 0.00017 - x299 * 0.00189125 + x378 * 0.00136;
   const Real x839 = x369 * 0.01347604 + 0.00136 * (x374 - x367);
   const Real x861 = x310 * 0.01553729 + x839 + x341 * 0.017;
   const Real x848 = x376 * 0.01364604 - x364 * 0.00136 + x313 * 0.01536729;
   const Real x881 = (x310 + x369) * 0.136 - x367 * 0.017;
-  // link 6 "wrist": force that the reference field takes
+  // link 6 "wrist": bias force in the reference field
   const Real x946 = (x452 - x411) * 0.013000000000000001 - x450 * 0.052000000000000005;
   // joint 6 "flange_roll": articulated-body inertia and bias force through it
   const Real x1497 = cosine[6] * x1342 - sine[6] * x1344;
-  // link 6 "wrist": force that the reference field takes
+  // link 6 "wrist": bias force in the reference field
   const Real x953 = x454 * 0.052000000000000005 - x455 * 0.013000000000000001 + x443 * 1.3;
   const Real x958 = x436 * 1.3 + x463 * 0.052000000000000005 + x459 * 0.013000000000000001;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
@@ -635,18 +635,18 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x2192 = 0.9999999999932537 * x2190;
   const Real x2218 = 3.673205103346574e-06 * x2214;
   const Real x2275 = 0.08 * x2263 - x2192;
-  // link 4 "forearm": force that the reference field takes
+  // link 4 "forearm": bias force in the reference field
   const Real x780 = x199 * 0.037748300000000005 - x249 * 0.023998300000000004;
-  // link 5 "wrist_housing": force that the reference field takes
+  // link 5 "wrist_housing": bias force in the reference field
   const Real x887 = x341 * 1.7 + x374 * 0.136;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
   const Real x1720 = cosine[5] * x1595 - sine[5] * x1597;
   const Real x1728 = 3.673205103346574e-06 * x1723 + 0.9999999999932537 * tau[5];
-  // link 5 "wrist_housing": force that the reference field takes
+  // link 5 "wrist_housing": bias force in the reference field
   const Real x874 = x364 * 0.017 - x378 * 0.136 + x345 * 1.7;
   // joint 5 "wrist_pitch": articulated-body inertia and bias force through it
   const Real x1745 = 3.673205103346574e-06 * x1740 + 0.9999999999932537 * x1603;
-  // link 5 "wrist_housing": force that the reference field takes
+  // link 5 "wrist_housing": bias force in the reference field
   const Real x888 = (x310 - x369) * 0.017 + x887;
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
   const Real x1771 = x1769 * (tau[4] - (x857 - x345 * 0.017 + x1733));
@@ -690,7 +690,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x2286 = 0.9999999999932537 * x2207 - 0.08 * x2180;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it
   const Real x2360 = 1 / x2349;
-  // link 4 "forearm": force that the reference field takes
+  // link 4 "forearm": bias force in the reference field
   const Real x792 = 0.011000000000000003 * (x252 - x247) + x780 - x239 * 0.11000000000000001;
   const Real x762 = x211 * 0.03224830000000001 + x254 * 0.029498300000000005 - x260 * 0.011000000000000003;
   const Real x772 = x256 * 0.011000000000000003 - (x214 * 0.00825 + x259 * 0.005500000000000001);
@@ -730,13 +730,13 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x2401 = x2246 - x2270 * x2366;
   // joint 2 "upper_arm_roll": placement, velocity and reference acceleration of its link
   const Real x157 = x93 * x94;
-  // link 4 "forearm": force that the reference field takes
+  // link 4 "forearm": bias force in the reference field
   const Real x799 = x247 * 0.11000000000000001 + x250 * 0.22000000000000003 + x235 * 2.2;
   const Real x807 = x239 * 2.2 - (x251 * 0.11000000000000001 + x252 * 0.22000000000000003);
   // joint 4 "forearm_roll": articulated-body inertia and bias force through it
   const Real x2058 = cosine[4] * x1825 - sine[4] * x1827 - 0.38 * x2054;
   const Real x2061 = 0.9999999999932537 * tau[4] - 3.673205103346574e-06 * x2028 - 0.08 * x2054;
-  // link 4 "forearm": force that the reference field takes
+  // link 4 "forearm": bias force in the reference field
   const Real x815 = x256 * 0.22000000000000003 - (x231 * 2.2 + x260 * 0.11000000000000001);
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
   const Real x2148 = x799 + x2042 + x2076 * x2090;
@@ -776,12 +776,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
   const Real x2337 = 0.9999999999932537 * x2327 - 3.673205103346574e-06 * x2152;
   const Real x2344 = 0.9999999999932537 * x2310 - 3.673205103346574e-06 * tau[3] - 0.08 * x2332;
-  // link 3 "elbow_housing": force that the reference field takes
+  // link 3 "elbow_housing": bias force in the reference field
   const Real x722 = x111 * 0.01132625 - x157 * 0.007393749999999999 + x143 * 0.078;
   const Real x725 = x114 * 0.01132625 + x162 * 0.007393749999999999 - x139 * 0.078;
   // joint 3 "elbow_pitch": articulated-body inertia and bias force through it
   const Real x2340 = 3.673205103346574e-06 * x2310 + 0.9999999999932537 * tau[3] + 0.08 * x2337;
-  // link 3 "elbow_housing": force that the reference field takes
+  // link 3 "elbow_housing": bias force in the reference field
   const Real x729 = x139 * 2.6 - (x114 + x162) * 0.078;
   const Real x738 = (x89 * x89 + x148) * 0.078 - x134 * 2.6;
   // joint 2 "upper_arm_roll": articulated-body inertia and bias force through it

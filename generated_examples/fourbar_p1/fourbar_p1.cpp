@@ -89,9 +89,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joint 2 "rocker_pin": placement, velocity and reference acceleration of its link
   const Real x47 = v[2] * v[2];
   const Real x44 = 9.81 * cosine[2];
-  // link 2 "coupler": force that the reference field takes
+  // link 2 "coupler": bias force in the reference field
   const Real x76 = x27 * 0.25;
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x137 = cosine[0] * cosine[1] - sine[0] * sine[1];
   const Real x140 = sine[0] * cosine[1] + cosine[0] * sine[1];
   const Real x157 = 9.81 * sine[2] + x47 * 0.4;
@@ -105,7 +105,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x121 = cosine[0] * x106 + sine[0] * x109 - sine[2] * 0.4;
   const Real x119 = cosine[0] * x109 - sine[0] * x106;
   const Real x120 = 0.45 + cosine[2] * 0.4 - x119;
-  // joint 1 "coupler_pin": inertia and bias force of what is beyond, its own motion left open
+  // joint 1 "coupler_pin": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x198 = sine[1] * 0.2;
   const Real x187 = cosine[1] * 0.25;
   const Real x197 = 0.5 + cosine[1] * 0.2;
@@ -121,24 +121,24 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x253 = v[2] * x178 - v[0] * x198;
   const Real x265 = x178 * x178 * 16.0;
   require_more(w, x265, 9.999999999999998e-15, kSingularPose, 3);
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x129 = 1e-08 - (x120 * x120 + x121 * x121);
   require_more(w, x129, 0.0, kLoopOpen, 3);
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x286 = 0.042726700000000006 * x260;
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x165 = x44 * x143 - x147 * x157 - x27;
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x272 = 2.0 * (x197 - x163 * x260);
   const Real x273 = 2.0 * (x165 + x163 * x262);
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x133 = (x11 + v[1] * v[1] + x47 + 1.0) * 1.0000000000000002e-06;
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x257 = x133 - (x249 * x249 + x253 * x253);
   require_more(w, x257, 0.0, kLoopTorn, 3);
   const Real x287 = x193 - 0.0834083 * x272;
   const Real x298 = (x44 * 0.16000000000000003 + tau[2]) * x260;
-  // joint 0 "crank_pin": inertia and bias force of what is beyond, its own motion left open
+  // joint 0 "crank_pin": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x242 = x76 + 0.2 * x222 + x8 * 0.04000000000000001 + tau[0];
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x283 = 40000.0 - (x272 * x272 + x260 * x260);
@@ -175,9 +175,9 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   // joint 2 "rocker_pin": placement, velocity and reference acceleration of its link
   const Real x47 = v[2] * v[2];
   const Real x44 = 9.81 * cosine[2];
-  // link 2 "coupler": force that the reference field takes
+  // link 2 "coupler": bias force in the reference field
   const Real x76 = x27 * 0.25;
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x137 = cosine[0] * cosine[1] - sine[0] * sine[1];
   const Real x140 = sine[0] * cosine[1] + cosine[0] * sine[1];
   const Real x157 = 9.81 * sine[2] + x47 * 0.4;
@@ -188,7 +188,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x106 = sine[1] * 0.5;
   const Real x109 = 0.2 + cosine[1] * 0.5;
   const Real x176 = x44 * x147 + x143 * x157;
-  // joint 1 "coupler_pin": inertia and bias force of what is beyond, its own motion left open
+  // joint 1 "coupler_pin": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x198 = sine[1] * 0.2;
   const Real x187 = cosine[1] * 0.25;
   const Real x197 = 0.5 + cosine[1] * 0.2;
@@ -201,7 +201,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x260 = 2.0 * x163;
   const Real x264 = x178 * 4.0;
   const Real x267 = x260 * x260;
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x121 = cosine[0] * x106 + sine[0] * x109 - sine[2] * 0.4;
   const Real x119 = cosine[0] * x109 - sine[0] * x106;
   const Real x120 = 0.45 + cosine[2] * 0.4 - x119;
@@ -211,7 +211,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x253 = v[2] * x178 - v[0] * x198;
   const Real x249 = v[1] * 0.5 + v[0] * x197 - v[2] * x163;
   const Real x272 = sign_of(x259) * sqrt_of(1.0 + x259 * x259 + x267);
-  // directions in which a loop holds its two links
+  // constraint rows of a loop at its two links
   const Real x133 = (x11 + v[1] * v[1] + x47 + 1.0) * 1.0000000000000002e-06;
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x257 = x133 - (x249 * x249 + x253 * x253);
@@ -248,7 +248,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
   const Real x349 = x331 - x260 * x342;
   const Real x359 = x317 - x273 * x355;
   const Real x361 = x260 * x355 - x335;
-  // joint 0 "crank_pin": inertia and bias force of what is beyond, its own motion left open
+  // joint 0 "crank_pin": inertia and bias force of what is beyond; its acceleration is an unknown
   const Real x242 = x76 + 0.2 * x222 + x8 * 0.04000000000000001 + tau[0];
   // link 0 "ground": accelerations and constraint forces of loops below it are eliminated
   const Real x364 = x234 * x344 + x193 * x348;

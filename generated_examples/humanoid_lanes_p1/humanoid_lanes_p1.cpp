@@ -744,7 +744,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x779 = load<Four>(cosine + 20) * x688 + load<Four>(sine + 20) * x697 + x758 * x769;
   const Four x795 = (x688 + x676 * x680) * Four{0.02, 0.02, 0.0, 0.0} + x747 * Four{0.0, 0.0, 0.04, 0.04};
   const Four x797 = x732 - x795;
-  // links 7 "left_foot", 13 "right_foot", 22 "left_hand", 30 "right_hand": force that the reference field takes
+  // links 7 "left_foot", 13 "right_foot", 22 "left_hand", 30 "right_hand": bias force in the reference field
   const Four x1352 = x806 * Four{0.024, 0.024, 0.0, 0.0};
   const Four x1345 = x700 * Four{0.001206667, 0.001206667, 0.002003333, 0.002003333} - x818 * Four{0.00035334, 0.00035334, -0.0018366659999999998, -0.0018366659999999998} + x830 * Four{0.0007199999999999999, 0.0007199999999999999, 0.0, 0.0};
   // joint 23 "neck_pitch": articulated-body inertia and bias force through it
@@ -785,7 +785,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2851 = load<Four>(cosine + 0) * (x2750 - x2765) - x2753 * x2847;
   const Four x2886 = x2777 - x2884;
   const Four x2825 = Four{1.0, 1.0, 0.0, 0.0} * x2818;
-  // links 7 "left_foot", 13 "right_foot", 22 "left_hand", 30 "right_hand": force that the reference field takes
+  // links 7 "left_foot", 13 "right_foot", 22 "left_hand", 30 "right_hand": bias force in the reference field
   const Four x1327 = Four{0.0007199999999999999, 0.0007199999999999999, 0.0, 0.0} * (x826 - x821) - x823 * Four{0.002606663, 0.002606663, 0.00013000000000000002, 0.00013000000000000002};
   const Four x1336 = x828 * Four{0.002960003, 0.002960003, -0.001706666, -0.001706666} - x819 * Four{0.0007199999999999999, 0.0007199999999999999, 0.0, 0.0} + x782 * Four{0.00381333, 0.00381333, 0.002133333, 0.002133333};
   const Four x1368 = (x814 + x815) * Four{0.0, 0.0, 0.024, 0.024} - x819 * Four{0.024, 0.024, 0.0, 0.0};
@@ -815,11 +815,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1656 = Four{828.7290528372782, 828.7290528372782, 499.16813630085466, 499.16813630085466} * (x1653 - (x1345 - x810 * Four{0.0, 0.0, 0.024, 0.024} + x1352));
   const Four x1673 = x1336 + x797 * Four{0.0, 0.0, 0.024, 0.024} + x1352 + Four{0.0007199999999999999, 0.0007199999999999999, 0.0, 0.0} * x1656;
-  // links 7 "left_foot", 13 "right_foot", 22 "left_hand", 30 "right_hand": force that the reference field takes
+  // links 7 "left_foot", 13 "right_foot", 22 "left_hand", 30 "right_hand": bias force in the reference field
   const Four x1370 = x830 * Four{0.024, 0.024, 0.0, 0.0} + x1368 + x806 * Four{0.8, 0.8, 0.4, 0.4};
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1675 = x1370 + Four{0.024, 0.024, 0.0, 0.0} * x1656;
-  // links 7 "left_foot", 13 "right_foot", 22 "left_hand", 30 "right_hand": force that the reference field takes
+  // links 7 "left_foot", 13 "right_foot", 22 "left_hand", 30 "right_hand": bias force in the reference field
   const Four x1379 = (x823 - x779) * Four{0.024, 0.024, 0.0, 0.0} + x1377 + x810 * Four{0.8, 0.8, 0.4, 0.4};
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1678 = x1379 - Four{0.0, 0.0, 0.024, 0.024} * x1656;
@@ -858,11 +858,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1775 = load<Four>(cosine + 20) * x1675 - load<Four>(sine + 20) * x1678;
   const Four x1790 = load<Four>(cosine + 20) * x1351 - load<Four>(sine + 20) * x1673 - Four{0.02, 0.02, 0.0, 0.0} * x1389;
-  // links 6 "left_ankle", 12 "right_ankle", 21 "left_wrist", 29 "right_wrist": force that the reference field takes
+  // links 6 "left_ankle", 12 "right_ankle", 21 "left_wrist", 29 "right_wrist": bias force in the reference field
   const Four x1276 = x697 * Four{7.2e-05, 7.2e-05, 0.00010666669999999999, 0.00010666669999999999} - x746 * Four{0.0, 0.0, 1.666669999999999e-05, 1.666669999999999e-05} + x732 * Four{0.0, 0.0, 0.002, 0.002};
   // joints 6 "left_ankle_roll", 12 "right_ankle_roll", 21 "left_wrist_pitch", 29 "right_wrist_pitch": articulated-body inertia and bias force through them
   const Four x1781 = load<Four>(sine + 20) * x1351 + load<Four>(cosine + 20) * x1673 + Four{0.0, 0.0, 0.04, 0.04} * x1389;
-  // links 6 "left_ankle", 12 "right_ankle", 21 "left_wrist", 29 "right_wrist": force that the reference field takes
+  // links 6 "left_ankle", 12 "right_ankle", 21 "left_wrist", 29 "right_wrist": bias force in the reference field
   const Four x1279 = x700 * Four{7.2e-05, 7.2e-05, 0.00010666669999999999, 0.00010666669999999999} + x751 * Four{0.0, 0.0, 1.666669999999999e-05, 1.666669999999999e-05} - x728 * Four{0.0, 0.0, 0.002, 0.002};
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x1812 = x1810 * (x1809 - (x688 * Four{7.2e-05, 7.2e-05, 9e-05, 9e-05} + x1790));
@@ -894,7 +894,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2955 = x2844 - x2907 + x2930;
   const Four x2997 = x2866 + Four{0.05, 0.05, -0.15, 0.15} * x2823 + Four{0.05, 0.05, -0.15, 0.15} * x2918;
   const Four x3011 = x3009 - Four{0.0, 0.0, 0.29, 0.29} * x2844 + Four{0.0, 0.0, 0.29, 0.29} * x2933;
-  // links 5 "left_shank", 11 "right_shank", 20 "left_forearm", 28 "right_forearm": force that the reference field takes
+  // links 5 "left_shank", 11 "right_shank", 20 "left_forearm", 28 "right_forearm": bias force in the reference field
   const Four x1217 = x643 * Four{0.0410888, 0.0410888, -0.004428960000000001, -0.004428960000000001} + Four{0.00234, 0.00234, -0.00098, -0.00098} * (x646 - x641);
   const Four x1228 = x542 * Four{0.043271300000000006, 0.043271300000000006, 0.005417710000000001, 0.005417710000000001} + x1217 - x635 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999};
   // joint 23 "neck_pitch": articulated-body inertia and bias force through it
@@ -927,14 +927,14 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": placement, velocity and reference acceleration of their links
   const Four x497 = x451 * x451;
   const Four x499 = x497 + x498;
-  // links 5 "left_shank", 11 "right_shank", 20 "left_forearm", 28 "right_forearm": force that the reference field takes
+  // links 5 "left_shank", 11 "right_shank", 20 "left_forearm", 28 "right_forearm": bias force in the reference field
   const Four x1202 = x615 * Four{0.0020025, 0.0020025, 0.00513771, 0.00513771} + x648 * Four{0.00018, 0.00018, 0.004708960000000001, 0.004708960000000001} - x654 * Four{0.00234, 0.00234, -0.00098, -0.00098};
   const Four x1211 = x618 * Four{0.043091300000000006, 0.043091300000000006, 0.00070875, 0.00070875} - x653 * Four{0.0412688, 0.0412688, 0.00028, 0.00028} + x650 * Four{0.00234, 0.00234, -0.00098, -0.00098};
   // joints 5 "left_ankle_pitch", 11 "right_ankle_pitch", 20 "left_wrist_roll", 28 "right_wrist_roll": articulated-body inertia and bias force through them
   const Four x2085 = Four{0.0, 0.0, 1.0, 1.0} * x2078 + Four{1.0, 1.0, 0.0, 0.0} * x1871;
   const Four x2087 = load<Four>(cosine + 16) * x1863 - load<Four>(sine + 16) * x1865 + Four{0.0, 0.0, 0.16, 0.16} * x2085;
   const Four x2090 = Four{1.0, 1.0, 0.0, 0.0} * x2064 - Four{0.0, 0.0, 1.0, 1.0} * x1809 + Four{0.3, 0.3, -0.01, -0.01} * x2085;
-  // links 5 "left_shank", 11 "right_shank", 20 "left_forearm", 28 "right_forearm": force that the reference field takes
+  // links 5 "left_shank", 11 "right_shank", 20 "left_forearm", 28 "right_forearm": bias force in the reference field
   const Four x1235 = x641 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x644 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049} + x631 * Four{1.8, 1.8, 0.7, 0.7};
   const Four x1243 = x635 * Four{1.8, 1.8, 0.7, 0.7} - (x645 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x646 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049});
   const Four x1249 = x625 * Four{1.8, 1.8, 0.7, 0.7} - x654 * Four{0.234, 0.234, -0.013999999999999999, -0.013999999999999999} + x650 * Four{0.018000000000000002, 0.018000000000000002, 0.049, 0.049};
@@ -969,15 +969,15 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x861 = x271 + x281 * 0.38;
   const Real x863 = x257 + x290 * 0.38;
   const Real x888 = x839 * x844;
-  // links 3 "left_groin", 9 "right_groin", 18 "left_shoulder_cap", 26 "right_shoulder_cap": force that the reference field takes
+  // links 3 "left_groin", 9 "right_groin", 18 "left_shoulder_cap", 26 "right_shoulder_cap": bias force in the reference field
   const Four x1081 = x459 * Four{0.00342, 0.00342, 0.0014, 0.0014} - x501 * Four{0.00192, 0.00192, 0.00056, 0.00056};
   const Four x1083 = Four{0.0, 0.0, 0.00020999999999999998, -0.00020999999999999998} * (x504 - x499) + x1081 + x513 * Four{0.00096, 0.00096, 0.0, 0.0};
   const Four x1060 = x506 * Four{0.0015500000000000002, 0.0015500000000000002, 0.0006299999999999999, 0.0006299999999999999} + Four{0.00096, 0.00096, 0.0, 0.0} * (x509 - x504);
-  // links 4 "left_thigh", 10 "right_thigh", 19 "left_upper_arm", 27 "right_upper_arm": force that the reference field takes
+  // links 4 "left_thigh", 10 "right_thigh", 19 "left_upper_arm", 27 "right_upper_arm": bias force in the reference field
   const Four x1154 = x539 * Four{0.0429867, 0.0429867, 0.0036266700000000002, 0.0036266700000000002} - x572 * Four{0.038306700000000006, 0.038306700000000006, 0.0029866700000000003, 0.0029866700000000003} + x559 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2279 = x597 * x2174 + x592 * x2176 + Four{0.24, 0.24, 0.11, 0.11} * x2183;
-  // links 4 "left_thigh", 10 "right_thigh", 19 "left_upper_arm", 27 "right_upper_arm": force that the reference field takes
+  // links 4 "left_thigh", 10 "right_thigh", 19 "left_upper_arm", 27 "right_upper_arm": bias force in the reference field
   const Four x1157 = x542 * Four{0.0429867, 0.0429867, 0.0036266700000000002, 0.0036266700000000002} + x577 * Four{0.038306700000000006, 0.038306700000000006, 0.0029866700000000003, 0.0029866700000000003} - x555 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2304 = x2302 * (x2301 - x2293);
@@ -1019,22 +1019,22 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x945 = x913 + x943;
   const Real x949 = x948 - x916;
   const Real x920 = x870 + x884 * 0.06;
-  // links 3 "left_groin", 9 "right_groin", 18 "left_shoulder_cap", 26 "right_shoulder_cap": force that the reference field takes
+  // links 3 "left_groin", 9 "right_groin", 18 "left_shoulder_cap", 26 "right_shoulder_cap": bias force in the reference field
   const Four x1071 = x511 * Four{0.00036999999999999994, 0.00036999999999999994, -7e-05, -7e-05} - x502 * Four{0.00096, 0.00096, 0.0, 0.0} + x471 * Four{0.00187, 0.00187, 0.00077, 0.00077};
   const Four x1115 = (x459 + x501) * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999} + x504 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998};
   const Four x1062 = x468 * Four{0.00379, 0.00379, 0.0013299999999999998, 0.0013299999999999998} + x1060 - x512 * Four{0.0, 0.0, 0.00020999999999999998, -0.00020999999999999998};
   const Four x1108 = x513 * Four{0.024, 0.024, 0.0, 0.0} - (x499 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999} + x502 * Four{0.048, 0.048, 0.020999999999999998, 0.020999999999999998});
   const Four x1093 = x508 * Four{0.0, 0.0, 0.00020999999999999998, -0.00020999999999999998} + x1071 - x485 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999};
   const Four x1125 = x485 * Four{1.2, 1.2, 0.7, 0.7} - x509 * Four{0.024, 0.024, 0.0, 0.0} + x512 * Four{0.0, 0.0, 0.006999999999999999, -0.006999999999999999};
-  // link 24 "head": force that the reference field takes
+  // link 24 "head": bias force in the reference field
   const Real x1605 = x856 * 0.028175999999999996 + x938 * 0.018479999999999996;
   // joint 15 "waist_pitch": placement, velocity and reference acceleration of its link
   const Real x282 = x238 * x238 + x276;
   const Real x284 = x242 * x243;
   const Real x286 = x252 + x284;
-  // link 16 "torso": force that the reference field takes
+  // link 16 "torso": bias force in the reference field
   const Real x1506 = x188 * 0.38728300000000004 + x279 * 0.34484970000000004;
-  // link 24 "head": force that the reference field takes
+  // link 24 "head": bias force in the reference field
   const Real x1615 = x1605 - 0.00432 * (x941 - x936) + x930 * 0.216;
   const Real x1589 = x913 * 0.008736 + x943 * 0.00096 + x949 * 0.00432;
   const Real x1608 = x1589 + x920 * 0.048;
@@ -1049,11 +1049,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x3292 = x930 * 2.4 + x1627 + 0.216 * x3277;
   const Real x3355 = sine[28] * x3290 + cosine[28] * x3292;
   const Real x3372 = x866 * 0.4 + x890 * 0.008 + x3355;
-  // link 23 "neck": force that the reference field takes
+  // link 23 "neck": bias force in the reference field
   const Real x1556 = x853 * 0.00037000000000000005 - x883 * 0.00019 - x870 * 0.008;
   // joint 23 "neck_pitch": articulated-body inertia and bias force through it
   const Real x3358 = sine[28] * x1608 + cosine[28] * x1611 - 0.06 * x1633;
-  // link 23 "neck": force that the reference field takes
+  // link 23 "neck": bias force in the reference field
   const Real x1558 = x856 * 0.00037000000000000005 + x888 * 0.00019 + x866 * 0.008;
   // joint 23 "neck_pitch": articulated-body inertia and bias force through it
   const Real x3370 = tau[28] + 0.06 * x3355 + x1558;
@@ -1069,12 +1069,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x66 = 1 / x63 * 2.0;
   const Real x67 = q[3] * x66;
   const Real x68 = q[4] * x66;
-  // link 16 "torso": force that the reference field takes
+  // link 16 "torso": bias force in the reference field
   const Real x1516 = x1506 - 0.01615 * (x282 - x277) + x271 * 1.6150000000000002;
   const Real x1489 = x252 * 0.0832833 - x284 * 0.040850000000000004 + x290 * 0.01615;
   const Real x1499 = x255 * 0.42813300000000004 - x289 * 0.30399970000000004 - x286 * 0.01615;
   const Real x1522 = (x279 - x188) * 0.095 - x277 * 1.6150000000000002;
-  // link 23 "neck": force that the reference field takes
+  // link 23 "neck": bias force in the reference field
   const Real x1568 = x859 * 0.4 - x886 * 0.008;
   // joint 22 "neck_yaw": articulated-body inertia and bias force through it
   const Real x3465 = cosine[27] * x3372 - sine[27] * x3393;
@@ -1095,7 +1095,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x3522 = x2999[2] + x2999[3] + 0.42813300000000004 + x3444 - x3475 * x3501;
   // joint 14 "waist_roll": articulated-body inertia and bias force through it
   const Real x3758 = 2.0 * sine[25];
-  // links 4 "left_thigh", 10 "right_thigh", 19 "left_upper_arm", 27 "right_upper_arm": force that the reference field takes
+  // links 4 "left_thigh", 10 "right_thigh", 19 "left_upper_arm", 27 "right_upper_arm": bias force in the reference field
   const Four x1169 = x549 * Four{2.6, 2.6, 0.8, 0.8} + x575 * Four{0.26, 0.26, 0.04000000000000001, 0.04000000000000001};
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2471 = load<Four>(cosine + 8) * x2357 - load<Four>(sine + 8) * x2360 + Four{0.12, 0.12, 0.1, 0.1} * x2465;
@@ -1207,7 +1207,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x3847 = 1 / x3837;
   // joints 4 "left_knee", 10 "right_knee", 19 "left_elbow", 27 "right_elbow": articulated-body inertia and bias force through them
   const Four x2296 = x592 * x2178 - x597 * x2180 + x1169;
-  // links 3 "left_groin", 9 "right_groin", 18 "left_shoulder_cap", 26 "right_shoulder_cap": force that the reference field takes
+  // links 3 "left_groin", 9 "right_groin", 18 "left_shoulder_cap", 26 "right_shoulder_cap": bias force in the reference field
   const Four x1117 = (x506 - x468) * Four{0.024, 0.024, 0.0, 0.0} + x1115 + x492 * Four{1.2, 1.2, 0.7, 0.7};
   // joints 3 "left_hip_yaw", 9 "right_hip_yaw", 18 "left_shoulder_yaw", 26 "right_shoulder_yaw": articulated-body inertia and bias force through them
   const Four x2468 = load<Four>(sine + 8) * x2357 + load<Four>(cosine + 8) * x2360 - Four{0.12, 0.12, 0.1, 0.1} * x2462;
@@ -1254,15 +1254,15 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Four x2694 = load<Four>(sine + 4) * x2545 + load<Four>(cosine + 4) * x2547;
   const Four x2712 = Four{1.0, 1.0, 0.0, 0.0} * x2708 - Four{0.0, 0.0, 1.0, 1.0} * x2553;
   const Four x2715 = Four{0.0, 0.0, 1.0, 1.0} * x2708 + Four{1.0, 1.0, 0.0, 0.0} * x2553;
-  // links 2 "left_hip", 8 "right_hip", 17 "left_shoulder", 25 "right_shoulder": force that the reference field takes
+  // links 2 "left_hip", 8 "right_hip", 17 "left_shoulder", 25 "right_shoulder": bias force in the reference field
   const Four x1009 = x367 * Four{0.00308, 0.00308, 0.001366667, 0.001366667} - x422 * Four{0.0013299999999999998, 0.0013299999999999998, 0.0007266669999999999, 0.0007266669999999999} - x408 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024};
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2718 = Four{1.0, 1.0, 0.0, 0.0} * x2694 - Four{0.0, 0.0, 1.0, 1.0} * x2491 - Four{0.04, -0.04, 0.05, -0.05} * x2715;
-  // links 2 "left_hip", 8 "right_hip", 17 "left_shoulder", 25 "right_shoulder": force that the reference field takes
+  // links 2 "left_hip", 8 "right_hip", 17 "left_shoulder", 25 "right_shoulder": bias force in the reference field
   const Four x1011 = x370 * Four{0.00308, 0.00308, 0.001366667, 0.001366667} + x427 * Four{0.0013299999999999998, 0.0013299999999999998, 0.0007266669999999999, 0.0007266669999999999} + x404 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024};
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2720 = Four{0.0, 0.0, 1.0, 1.0} * x2694 + Four{1.0, 1.0, 0.0, 0.0} * x2491 + Four{0.04, -0.04, 0.05, -0.05} * x2712;
-  // links 2 "left_hip", 8 "right_hip", 17 "left_shoulder", 25 "right_shoulder": force that the reference field takes
+  // links 2 "left_hip", 8 "right_hip", 17 "left_shoulder", 25 "right_shoulder": bias force in the reference field
   const Four x1021 = x397 * Four{1.4, 1.4, 0.8, 0.8} - x425 * Four{0.041999999999999996, -0.041999999999999996, 0.024, -0.024};
   // joints 2 "left_hip_roll", 8 "right_hip_roll", 17 "left_shoulder_roll", 25 "right_shoulder_roll": articulated-body inertia and bias force through them
   const Four x2731 = load<Four>(cosine + 4) * x2545 - load<Four>(sine + 4) * x2547 + x354 * Four{0.00175, 0.00175, 0.00064, 0.00064};
@@ -1322,11 +1322,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x4033 = x4012 * x4032;
   // joint 22 "neck_yaw": articulated-body inertia and bias force through it
   const Real x3471 = cosine[27] * x3391 - sine[27] * x3370 - 0.38 * x3468;
-  // link 16 "torso": force that the reference field takes
+  // link 16 "torso": bias force in the reference field
   const Real x1534 = x257 * 9.5 + x290 * 1.6150000000000002 + x286 * 0.095;
   // joints 1 "left_hip_pitch", 7 "right_hip_pitch", 16 "left_shoulder_pitch", 24 "right_shoulder_pitch": articulated-body inertia and bias force through them
   const Real x3271 = x267 * 9.5 + x1522 + (x3045[2] + x3045[3]);
-  // link 16 "torso": force that the reference field takes
+  // link 16 "torso": bias force in the reference field
   const Real x1529 = x281 * 1.6150000000000002 - x282 * 0.095 + x271 * 9.5;
   // joint 15 "waist_pitch": articulated-body inertia and bias force through it
   const Real x3499 = x3497 * (tau[20] - x3492);
@@ -1345,11 +1345,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x3556 = x3493 + x3481 * x3499;
   const Real x3558 = x3049[2] + x3049[3] + x1529 + x3465 + x3482 * x3499;
   const Real x3652 = sine[26] * x3556 + cosine[26] * x3558;
-  // link 15 "abdomen": force that the reference field takes
+  // link 15 "abdomen": bias force in the reference field
   const Real x1450 = x136 * 0.0014025 - x217 * 0.00027750000000000013 - x203 * 0.018000000000000002;
   // joint 15 "waist_pitch": articulated-body inertia and bias force through it
   const Real x3657 = sine[26] * x3552 + cosine[26] * x3554 - 0.04 * x3560;
-  // link 15 "abdomen": force that the reference field takes
+  // link 15 "abdomen": bias force in the reference field
   const Real x1447 = x188 * 0.0014025 + x222 * 0.00027750000000000013 + x193 * 0.018000000000000002;
   // joint 14 "waist_roll": articulated-body inertia and bias force through it
   const Real x3755 = x3689 - x3753;
@@ -1413,7 +1413,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x4093 = x4020 - x4013 * x4035 - x4046 * x4055;
   const Real x4094 = x4093 - x4069 * x4083;
   const Real x4113 = 1 / x4094;
-  // link 14 "waist_link": force that the reference field takes
+  // link 14 "waist_link": bias force in the reference field
   const Real x1411 = x136 * 0.00106 - x161 * 6e-05 - x149 * 0.016;
   const Real x1413 = x166 * 6e-05 - x137 * 0.00106 + x145 * 0.016;
   // joint 14 "waist_roll": articulated-body inertia and bias force through it

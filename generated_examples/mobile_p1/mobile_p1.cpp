@@ -277,12 +277,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1070 = x464 * tau[10] + x467 * tau[11] + x470 * tau[12];
   const Real x1109 = x329 * 0.9 + x362 * 0.09000000000000001 + x1080;
   const Real x1110 = x335 * 0.9 + x356 * 0.09000000000000001 + x1085;
-  // link 5 "bowl": force that the reference field takes
+  // link 5 "bowl": bias force in the reference field
   const Real x871 = x295 * 0.011107500000000001 - x355 * 0.0107325 - x335 * 0.09000000000000001;
   // joint 5 "loose": articulated-body inertia and bias force through it
   const Real x1106 = x1065 + x431 * x1090 - x439 * x1085 + x871;
   const Real x1111 = x341 * 0.9 - x358 * 0.09000000000000001 + x1090;
-  // link 5 "bowl": force that the reference field takes
+  // link 5 "bowl": bias force in the reference field
   const Real x873 = x360 * 0.009000000000000001 - x298 * 0.01284 + x329 * 0.09000000000000001;
   // joint 5 "loose": articulated-body inertia and bias force through it
   const Real x1107 = x1070 + x439 * x1080 - x427 * x1090 + x873;
@@ -308,7 +308,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1692 = x123 * x1625 - x127 * x1630 - 0.36514837167011077 * x1635;
   // joint 2 "lift": articulated-body inertia and bias force through it
   const Real x1841 = 1 / x1834;
-  // link 4 "boom": force that the reference field takes
+  // link 4 "boom": bias force in the reference field
   const Real x800 = x200 * 0.01829609650863162 - x194 * 0.09623387584880971 - x207 * 0.0022896193017263246;
   const Real x801 = x800 - 0.012234548981428322 * (x196 - x192);
   // joint 4 "wrist": articulated-body inertia and bias force through it
@@ -316,7 +316,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1307 = x1305 - 0.06937819061732105 * x1146 + 0.06937819061732105 * x1251;
   const Real x1327 = x1325 - 0.3707213992782555 * x1150 + 0.06937819061732105 * x1256;
   const Real x1370 = x251 * x1106 + 0.3627935462750979 * tau[6] - x255 * x1107;
-  // link 4 "boom": force that the reference field takes
+  // link 4 "boom": bias force in the reference field
   const Real x816 = x176 * 0.42145169602159566 - x170 * 0.05274151989202157 + x801;
   // joint 3 "shoulder": articulated-body inertia and bias force through it
   const Real x1429 = x1406 * x1426;
@@ -343,7 +343,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   // joint 2 "lift": articulated-body inertia and bias force through it
   const Real x1847 = x1692 * x1841;
   const Real x1887 = 4.2 + x1679 - x1692 * x1847;
-  // link 4 "boom": force that the reference field takes
+  // link 4 "boom": bias force in the reference field
   const Real x824 = x170 * 2.4 - x194 * 0.05274151989202157 - x192 * 0.42145169602159566;
   const Real x833 = x176 * 2.4 - x194 * 0.42145169602159566 - x196 * 0.05274151989202157;
   const Real x767 = x198 * 0.0018929379244048662 - x147 * 0.0068750620755951355 + x194 * 0.01829609650863162;
@@ -366,12 +366,12 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x1731 = x1568 + 0.15 * x1698;
   const Real x1484 = x207 * 0.07887204828074391 + x824 + x1375 + x1414 * x1428;
   const Real x1486 = x200 * 0.07887204828074391 + x833 + x1382 + x1415 * x1428;
-  // link 4 "boom": force that the reference field takes
+  // link 4 "boom": bias force in the reference field
   const Real x769 = x206 * 0.012234548981428322 + x767 - (x203 - x196) * 0.0022896193017263246;
   const Real x788 = x201 * 0.012234548981428322 - x785 - 0.01829609650863162 * (x192 - x203);
   // joint 4 "wrist": articulated-body inertia and bias force through it
   const Real x1364 = x246 * x1107 - (x240 * x1106 + 0.17988007001927067 * tau[6]);
-  // link 4 "boom": force that the reference field takes
+  // link 4 "boom": bias force in the reference field
   const Real x806 = x182 * 0.05274151989202157 - x176 * 0.07887204828074391 + x769;
   const Real x811 = x170 * 0.07887204828074391 - x182 * 0.42145169602159566 + x788;
   // joint 3 "shoulder": articulated-body inertia and bias force through it
@@ -419,7 +419,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x347 = x277 * x277;
   const Real x350 = x262 * x269;
   const Real x293 = x149 * 0.17988007001927067 - x147 * 0.9143434820629502;
-  // link 2 "laser": force that the reference field takes
+  // link 2 "laser": bias force in the reference field
   const Real x682 = (cosine[1] * x29 + x14 * sine[1]) * 0.35;
   const Real x684 = (sine[1] * x29 - x14 * cosine[1]) * 0.35;
   // joint 3 "shoulder": articulated-body inertia and bias force through it
@@ -535,7 +535,7 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
   const Real x603 = v[7] * v[12] - v[9] * v[10] + x588;
   const Real x593 = v[8] * x576 - v[7] * x577 + x575;
   const Real x608 = v[8] * v[10] - v[7] * v[11] + x593;
-  // link 6 "load": force that the reference field takes
+  // link 6 "load": bias force in the reference field
   const Real x921 = x529 * 0.000975 + x619 * 0.00010500000000000002 - x625 * 0.00012;
   const Real x934 = x534 * 0.0007949999999999999 + x624 * 7.499999999999998e-05 - x615 * 0.00017999999999999998;
   const Real x948 = x539 * 0.0009 - x614 * 0.00018 + x620 * 8.999999999999999e-05;

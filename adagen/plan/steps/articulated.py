@@ -13,14 +13,14 @@ class StartLink:
     """I^A and p^A of a link start as its own inertia and v x* I v (Featherstone, RBDA 7.3)."""
 
     does: ClassVar[str] = "link_inertia"
-    about: ClassVar[str] = "force that the reference field takes"
+    about: ClassVar[str] = "bias force in the reference field"
 
     link: int
 
 
 @dataclass(frozen=True)
 class StartEmpty:
-    """I^A and p^A of a link start as zero: the link itself is another process's to add."""
+    """I^A and p^A of a link start as zero: another process adds the link's own inertia."""
 
     does: ClassVar[str] = "clear_inertia"
     about: ClassVar[str] = "nothing: another process adds it"
@@ -30,7 +30,7 @@ class StartEmpty:
 
 @dataclass(frozen=True)
 class FreeBase:
-    """A floating joint on the ground only adds its torque to the link: nothing holds the link."""
+    """A floating joint on the ground only adds its torque to the link."""
 
     does: ClassVar[str] = "free_base"
     about: ClassVar[str] = "its torque on the base"
@@ -78,7 +78,7 @@ class SolveRoot:
 
 @dataclass(frozen=True)
 class SolveMobility:
-    """Acceleration of a link whose one side shows its mobility: (1 + Phi I^A) a = b - Phi p^A."""
+    """Acceleration of a link of known mobility Phi: (1 + Phi I^A) a = b - Phi p^A."""
 
     does: ClassVar[str] = "solve_mobility"
     about: ClassVar[str] = "acceleration from its mobility and its articulated-body inertia"
@@ -90,15 +90,15 @@ class SolveMobility:
 
 @dataclass(frozen=True)
 class HoldMobility:
-    """I^A and p^A of a link become those of what holds it: Phi^-1 and -Phi^-1 b.
+    """I^A = Phi^-1 and p^A = -Phi^-1 b of a link, from its mobility towards the ground.
 
-    The outward recursion from the ground: beyond the joints that make Phi regular, the ground is
-    only one more body. Where Phi is too near to a singular matrix (a straight arm), the evaluation
-    is done again by the processes' ``recovery`` steps.
+    This starts the outward recursion from the ground: beyond the joints that make Phi regular, the
+    ground is only one more body. If Phi is nearly singular (a straight arm), the evaluation is
+    repeated by the processes' ``recovery`` steps.
     """
 
     does: ClassVar[str] = "hold_mobility"
-    about: ClassVar[str] = "what holds it, treated as a body"
+    about: ClassVar[str] = "the ground's side of it, treated as a body"
 
     link: int
     block: Block
@@ -107,10 +107,10 @@ class HoldMobility:
 
 @dataclass(frozen=True)
 class Spread:
-    """Phi between the link reached and a handle passed before: L times the near link's.
+    """Phi between a joint's far link and an earlier handle: L times the near link's.
 
-    Where ``target_transposed`` (``source_transposed``) the block has the handle in its rows and
-    the link reached (the near link) in its columns.
+    With ``target_transposed`` (``source_transposed``) the block has the handle in its rows and the
+    far link (the near link) in its columns.
     """
 
     handle: int
@@ -129,9 +129,9 @@ class Propagate:
         reversed: as in ``Articulate``.
         block: Omega of the far link.
         near: Omega of the near link; None for the ground, which does not move.
-        bias: acceleration of the far link under no handle forces.
+        bias: acceleration of the far link without handle forces.
         near_bias: the near link's; None for the ground.
-        spreads: couplings with handles passed before.
+        spreads: couplings with earlier handles.
     """
 
     does: ClassVar[str] = "propagate"
@@ -148,7 +148,7 @@ class Propagate:
 
 @dataclass(frozen=True)
 class Load:
-    """What handle forces load a link with, before the joints beyond it add theirs."""
+    """Load of a link by handle forces, before the joints beyond it add theirs."""
 
     does: ClassVar[str] = "load"
     about: ClassVar[str] = "handle forces on it"
@@ -159,13 +159,13 @@ class Load:
 
 @dataclass(frozen=True)
 class LoadRoot:
-    """What I^A and p^A load a link with whose acceleration is known: -(I^A a + p^A).
+    """Load of a link with known acceleration: -(I^A a + p^A).
 
-    With ``held``, I^A and p^A are what holds the link, and its load is the opposite.
+    With ``held``, I^A and p^A are those of ``HoldMobility``, and the load is the opposite.
     """
 
     does: ClassVar[str] = "load_root"
-    about: ClassVar[str] = "force that its acceleration takes"
+    about: ClassVar[str] = "load from its known acceleration"
 
     link: int
     held: bool = False
@@ -173,7 +173,7 @@ class LoadRoot:
 
 @dataclass(frozen=True)
 class Deliver:
-    """The load on a joint's far link, through the joint, onto its near link: L^T."""
+    """Transfers the load of a joint's far link through the joint to its near link: L^T."""
 
     does: ClassVar[str] = "deliver"
     about: ClassVar[str] = "handle forces through it"

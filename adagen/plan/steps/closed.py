@@ -14,17 +14,17 @@ from typing import ClassVar
 
 @dataclass(frozen=True)
 class CloseLoop:
-    """A loop's rows, as they act on its two links; refuses a state in which the loop is open.
+    """The constraint rows of a loop at its two links; refuses a state in which the loop is open.
 
     Attributes:
         loop: its number in the plan.
-        closure: of which closure.
-        rows: which of its constraints are kept, by number; others follow from these.
-        first: number of the first one's force among the closure's unknowns.
+        closure: number of its closure.
+        rows: the kept rows, by number; the others are redundant.
+        first: number of the first kept row's force among the closure's unknowns.
     """
 
     does: ClassVar[str] = "close_loop"
-    about: ClassVar[str] = "directions in which a loop holds its two links"
+    about: ClassVar[str] = "constraint rows of a loop at its two links"
 
     loop: int
     closure: int
@@ -34,16 +34,16 @@ class CloseLoop:
 
 @dataclass(frozen=True)
 class CloseCoupling:
-    """Likewise of a coupling, whose row is its factors; one that follows from others is kept out.
+    """The constraint row of a coupling: its factors. A redundant one is only checked.
 
     Attributes:
         coupling: its number in the plan.
-        closure: of which closure.
-        unknown: number of its force among the closure's unknowns; None where it follows.
+        closure: number of its closure.
+        unknown: number of its force among the closure's unknowns; None if it is redundant.
     """
 
     does: ClassVar[str] = "close_coupling"
-    about: ClassVar[str] = "constraint that couples joints"
+    about: ClassVar[str] = "constraint row of a coupling"
 
     coupling: int
     closure: int
@@ -52,17 +52,21 @@ class CloseCoupling:
 
 @dataclass(frozen=True)
 class HoldBack:
-    """A joint is passed as if it were rigid; its acceleration becomes an unknown.
+    """Inward sweep through a joint without elimination: its acceleration becomes an unknown.
 
     Attributes:
         joint: the joint.
-        closure: of which closure.
+        closure: number of its closure.
         first: number of its first freedom among the closure's unknowns.
     """
 
     does: ClassVar[str] = "hold_back"
-    about: ClassVar[str] = "inertia and bias force of what is beyond, its own motion left open"
-    about_row: ClassVar[str] = "inertia and bias force of what is beyond, their motion left open"
+    about: ClassVar[str] = (
+        "inertia and bias force of what is beyond; its acceleration is an unknown"
+    )
+    about_row: ClassVar[str] = (
+        "inertia and bias force of what is beyond; their accelerations are unknowns"
+    )
 
     joint: int
     closure: int
@@ -71,7 +75,7 @@ class HoldBack:
 
 @dataclass(frozen=True)
 class CarryRows:
-    """What a closure holds back beyond a joint that was articulated, through that joint."""
+    """Carries a closure's unknowns from beyond an eliminated joint through that joint."""
 
     does: ClassVar[str] = "carry_rows"
     about: ClassVar[str] = "constraint forces of loops beyond it"
@@ -83,26 +87,27 @@ class CarryRows:
 
 @dataclass(frozen=True)
 class Eliminate:
-    """The unknowns of a closure are eliminated at its top.
+    """Elimination of a closure's unknowns at its top.
 
-    Where all joints of the closure are held back, some accelerations follow from the others by the
-    kept rows, z = G y + g; where the ground is at the other end of its loops, from that of the top,
-    too, z = A a + G y + g. Or all follow from what is orthogonal to the rows, w = N y + g, which is
-    more arithmetic, and loses nothing where every choice of z is poor. What y says has a positive
-    definite inertia. Where joints were articulated in between, rows push each other through these,
-    and all unknowns are solved for at once.
+    If all joints of the closure are unknowns, the dependent accelerations follow from the
+    independent ones by the kept rows, z = G y + g; if the ground is at the other end of its loops,
+    from that of the top, too, z = A a + G y + g. Or all accelerations follow from an orthogonal
+    basis of the null space of the rows, w = N y + g: more arithmetic, but it loses no digits where
+    every choice of z is poor. The inertia of y is positive definite. If joints of the closure were
+    eliminated by the inward sweep, rows are coupled through them, and all unknowns are solved for
+    at once.
 
     Attributes:
         link: the top; 0 is the ground.
-        closure: the closure.
-        moved: accelerations z that follow, as many as rows; none: by an orthogonal basis N.
+        closure: number of the closure.
+        moved: dependent accelerations z, as many as rows; none: use an orthogonal basis N.
         rows: forces of the kept rows.
-        scales: of these rows, powers of two that bring them to a size.
-        followers: forces of rows that follow from these: they are looked at, and left out.
-        singles: the other accelerations.
-        limit: on the size of G, beyond which digits would be lost in this pose.
-        recovers: whether there is another way to fall back on.
-        grounded: whether its rows act on the top, too: the ground is at their other end.
+        scales: powers of two that bring these rows to one size.
+        followers: forces of redundant rows, which are only checked.
+        singles: independent accelerations.
+        limit: largest size of G; beyond it digits would be lost in this pose.
+        recovers: whether there is another choice to fall back on.
+        grounded: whether the ground is at the other end of its loops, so that rows act on the top.
     """
 
     does: ClassVar[str] = "eliminate"
@@ -133,7 +138,7 @@ class Release:
 
 @dataclass(frozen=True)
 class AccelerateHeld:
-    """The acceleration of the link beyond a joint that was held back."""
+    """The acceleration of the link beyond a joint whose acceleration was an unknown."""
 
     does: ClassVar[str] = "accelerate_held"
     about: ClassVar[str] = "acceleration of the link beyond it"

@@ -57,7 +57,7 @@ class Join:
             gravity (all accelerations are relative to free fall).
         b: chain B's block at the child link.
         b_bias: chain B's bias there.
-        couplings: the handles of C that feel the joint, in the order of their links.
+        couplings: the handles of C that are coupled to the joint, in the order of their links.
         blocks: the blocks of C that change.
         biases: the biases of C that change.
         velocity_product: whether c = v x S qd can differ from zero: not next to the ground.
@@ -97,7 +97,7 @@ class FusedJoin(Join):
 
 @dataclass(frozen=True)
 class ForceUpdate:
-    """Wrench on the joined handle of a part: what acted on C there, and f_i or its reaction."""
+    """Wrench on the joined handle of a part: that on C there, and f_i or its reaction."""
 
     target: Force
     source: Force | None
@@ -111,7 +111,7 @@ class Disassemble:
     Attributes:
         joint: the joint i.
         forces: the outer wrenches on the handles that the join coupled, in its order.
-        updates: the wrenches that the two parts get to feel.
+        updates: the wrenches on the two parts.
     """
 
     does: ClassVar[str] = "disassemble"

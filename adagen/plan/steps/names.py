@@ -46,11 +46,11 @@ class Force:
 
 @dataclass(frozen=True, order=True)
 class Passage:
-    """How joints ``first`` .. ``last``, each on the link of the one before, move their last link.
+    """Pose and motion of the last link of joints ``first`` .. ``last``, a run.
 
-    Seen from the link that the first one hangs on, were that at rest and all joint accelerations
-    zero: orientation R (9 numbers), angular velocity and acceleration, place of the origin, its
-    velocity and its acceleration (3 each), in axes of that link, in radians, metres and seconds.
+    They are relative to the link before the run, as if that were at rest and all joint
+    accelerations zero: orientation R (9 numbers), angular velocity and acceleration, position of
+    the origin, its velocity and its acceleration (3 each), in axes of that link, SI units.
     """
 
     first: int
@@ -64,15 +64,15 @@ class Passage:
 
 @dataclass(frozen=True, order=True)
 class SideOfLoops:
-    """What some joints of a closure do to its rows, once they have carried them to the ground.
+    """Contribution of one tree to the rows of a closure between separate trees.
 
-    How the rows' forces push each other through these joints, a symmetric matrix, and how far the
-    joints part each row by themselves, for each right-hand side.
+    L, the accelerations of the rows for unit constraint forces (a symmetric matrix), and b, the
+    accelerations of the rows without constraint forces, for each right-hand side.
 
     Attributes:
-        closure: of which closure.
+        closure: number of the closure.
         joints: all its joints on that side, ascending.
-        rows: how many rows it has.
+        rows: number of its rows.
     """
 
     closure: int

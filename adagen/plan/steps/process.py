@@ -23,7 +23,7 @@ class Kinematics:
 
 @dataclass(frozen=True)
 class Traverse:
-    """How a run of joints moves its last link, seen from the link that it hangs on."""
+    """Passage of a run: pose and motion of its last link relative to the link before it."""
 
     does: ClassVar[str] = "traverse"
     about: ClassVar[str] = "motion of their last link, relative to the link that they hang on"
@@ -33,12 +33,12 @@ class Traverse:
 
 @dataclass(frozen=True)
 class Append:
-    """Two runs, one hanging on the last link of the other, as one.
+    """Passage of two successive runs, from the passages of both.
 
     Attributes:
         passage: of both together.
-        near: of the one that comes first.
-        far: of the other.
+        near: of the inner run.
+        far: of the outer run.
     """
 
     does: ClassVar[str] = "append"
@@ -51,11 +51,11 @@ class Append:
 
 @dataclass(frozen=True)
 class Arrive:
-    """The motion of a run's last link from that of the link that it hangs on.
+    """Motion of a run's last link, from that of the link before the run and its passage.
 
     Attributes:
-        passage: how the run moves it.
-        near: the link that the run hangs on; 0 is the ground.
+        passage: of the run.
+        near: the link before its first joint; 0 is the ground.
     """
 
     does: ClassVar[str] = "arrive"
@@ -87,7 +87,7 @@ class Receive:
 
 @dataclass(frozen=True)
 class GiveOutput:
-    """What is asked for beside accelerations: one of the plan's outputs."""
+    """One of the plan's outputs beside accelerations."""
 
     does: ClassVar[str] = "output"
     about: ClassVar[str] = "outputs other than accelerations"
@@ -97,30 +97,30 @@ class GiveOutput:
 
 @dataclass(frozen=True)
 class SolveCoupling:
-    """The torques that keep slaved joints in step, from all processes' accelerations."""
+    """Coupling torques of slaved joints, from all processes' accelerations."""
 
     does: ClassVar[str] = "solve_coupling"
-    about: ClassVar[str] = "torques that keep slaved joints in step"
+    about: ClassVar[str] = "coupling torques of slaved joints"
 
 
 @dataclass(frozen=True)
 class ApplyCoupling:
-    """Add what these torques do to this process's accelerations."""
+    """Adds the effect of the coupling torques to this process's accelerations."""
 
     does: ClassVar[str] = "apply_coupling"
-    about: ClassVar[str] = "accelerations under these torques"
+    about: ClassVar[str] = "accelerations with the coupling torques"
 
 
 @dataclass(frozen=True)
 class Correct:
-    """Steps of the process again, for what its answer leaves over: part of a correction.
+    """Repeats steps of the process for the residuals of its answer: part of a correction.
 
     Kinematics and factors are those of the answer. Messages between such parts have steps of their
     own.
 
     Attributes:
-        round: of which correction, from 0.
-        first: the first of these steps, by its place.
+        round: number of the correction, from 0.
+        first: index of the first of these steps.
         last: one past the last of them.
     """
 
@@ -134,12 +134,12 @@ class Correct:
 
 @dataclass(frozen=True)
 class Refine:
-    """The answer, corrected by what its links' equations of motion leave over.
+    """The answer, corrected by the residuals of the equations of motion.
 
-    Loops over runs do all of it here; in straight lines, corrections were found before.
+    Loops do all of it in this step; straight lines have steps ``Correct`` before it.
 
     Attributes:
-        count: how many times.
+        count: number of corrections.
     """
 
     count: int
@@ -149,11 +149,11 @@ class Refine:
 
 @dataclass(frozen=True)
 class Share:
-    """What one process finds of a certificate that another one needs to finish it.
+    """The part of a certificate that one process computes and another one needs.
 
     Attributes:
-        process: who finds it.
-        links: where its limbs hang on what all processes solve for, ascending.
+        process: the process that computes it.
+        links: core links to which its limbs are attached, ascending.
     """
 
     process: int
@@ -162,12 +162,12 @@ class Share:
 
 @dataclass(frozen=True)
 class Certify:
-    """A bound of the answer's error, from what its links' equations of motion leave over.
+    """A bound of the answer's error, from the residuals of the equations of motion.
 
     Attributes:
-        joints: those whose share the process finds, ascending; none stands for all.
-        tells: what it is for, where another process finishes the certificate.
-        hears: what other processes have found.
+        joints: joints whose part the process computes, ascending; none stands for all.
+        tells: the part that it sends, if another process finishes the certificate.
+        hears: the parts that it receives from other processes.
     """
 
     does: ClassVar[str] = "certify"
