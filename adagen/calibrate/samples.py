@@ -28,6 +28,7 @@ from adagen.plan import Plan, make_plan
 from adagen.plan.simd_groups import COUNTS, simd_groups
 from adagen.program import Program as Lowered
 from adagen.program import lower
+from adagen.program.strips import LANES
 from adagen.schedule import CostProfile, Topology, step_costs
 from adagen.schedule.costs import LIMIT
 
@@ -53,6 +54,8 @@ CHOSEN = (
     ("segment", "cable", 2, 1, "shared"),
     ("segment", "rope", 2, 1, "exchanged"),
     ("segment", "cable", 2, 1, "exchanged"),
+    ("segment", "hawser", 1, 1, "parted"),
+    ("segment", "rope", 1, 1, "parted"),
     ("segment", "legs", 1, 1, ""),
     ("segment", "paws", 1, 1, ""),
     ("segment", "wings", 1, 1, ""),
@@ -232,6 +235,7 @@ def _robots() -> Iterator[Model]:
     yield robot("arms", star(2, 6), ["revolute", *ROWS * 2], 10)
     yield robot("cable", chain(120), ["revolute"] * 90 + ["spherical"] * 30, 17)
     yield robot("rope", chain(40), ["revolute"], 12)
+    yield robot("hawser", chain(240), ["revolute"], 38)
     yield robot("fingers", star(8, 2), ["revolute"], 18)
     yield robot("toes", star(12, 1), ["revolute"], 19)
     yield robot("hands", star(4, 5), ["revolute"], 20)
@@ -312,6 +316,8 @@ def _plan(
         schedule = replace(schedule, meeting="gather")
     if how == "exchanged":
         schedule = replace(schedule, meeting="exchange")
+    if how == "parted":
+        schedule = replace(schedule, parts=LANES["double"])
     return make_plan(model, schedule, form=form)
 
 

@@ -152,6 +152,12 @@ def _turned(group: str, key: str, turned: bool) -> Features:
     return {f"{group}.{key}": 1, **({f"{group.split('_')[0]}.reversed": 1} if turned else {})}
 
 
+_IN_PARTS: dict[type, Features] = {
+    Articulate: {"parts.inwards": 1},  # unit wrenches carried along
+    Propagate: {},
+    Deliver: {},
+    Accelerate: {"parts.outwards": 1},
+}
 _LANES = {2: "two", 4: "four"}
 
 
@@ -165,7 +171,10 @@ def operation_features(operation: Operation, joints: Sequence[PlanJoint]) -> Fea
     block = operation.block
     if isinstance(block, Limbs):
         return _limbs_features(operation, block, joints)
-    found = [_of_step(step, operation, joints) for step in operation.steps]
+    if operation.method == "parts":
+        found = [_IN_PARTS[type(step)] for step in operation.steps]
+    else:
+        found = [_of_step(step, operation, joints) for step in operation.steps]
     if isinstance(block, Run):
         found.append(_run_features(operation, block, joints))
     return added(found)
@@ -186,6 +195,7 @@ _RUNS = {
     ("traverse", "strips"): "kinematics_strips.run",
     ("accelerate", "each"): "accelerate.run",
     ("accelerate", "along"): "accelerate.run",
+    ("articulate", "parts"): "parts.run",
 }
 
 
@@ -203,9 +213,10 @@ def _run_features(operation: Operation, run: Run, joints: Sequence[PlanJoint]) -
     if operation.method == "turned":
         found["articulate.turned"] = len(operation.steps)
     first, last = operation.steps[0], operation.steps[-1]
-    if isinstance(last, Propagate) and operation.method in ("carried", "along"):
+    if isinstance(last, Propagate) and operation.method in ("carried", "along", "parts"):
         from_ground = isinstance(first, Propagate) and first.near is None
-        found["propagate_run.run"] = 1
+        if operation.method != "parts":
+            found["propagate_run.run"] = 1
         found["propagate_run.product"] = (0 if from_ground else 2) + len(last.spreads)
     return found
 

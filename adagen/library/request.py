@@ -157,6 +157,16 @@ class Request:
         return self.shape in ("auto", "kernels") and not self.refinement
 
     @property
+    def may_part(self) -> bool:
+        """Whether a process may sweep a long chain in parts, one in each SIMD lane.
+
+        Loops for one state do, whose answers are neither certified nor the same on any number of
+        processes.
+        """
+        alone = self.batch or self.certify or self.reproducible or self.target != "host"
+        return self.may_gather and self.form == "segment" and not alone
+
+    @property
     def priced_shape(self) -> str:
         """The shape that a prediction is of: what is asked for, or comes with other wishes."""
         if self.reproducible:

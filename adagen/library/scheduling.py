@@ -40,6 +40,8 @@ def schedule_of(model: Model, request: Request) -> Schedule:
                 f"use --procs {found.processes}",
                 request.schedule,
             )
+        # Parts say how a process sweeps what is its own, which not all answers can be found by.
+        found = found if request.may_part else replace(found, parts=0)
         return as_gathered(model, found)
     return as_gathered(model, searched(model, request))
 
@@ -82,6 +84,7 @@ def _best(model: Model, request: Request, profile: CostProfile) -> Schedule:
         improved=not request.naive,
         gather=request.may_gather,
         shape=request.priced_shape,
+        in_parts=request.may_part,
         **({} if request.expansions is None else {"expansions": request.expansions}),
     )
 

@@ -54,7 +54,8 @@ class Chain:
         return self.blocks.get((min(g, h), max(g, h)))
 
 
-def _bare(link: int, process: int) -> Chain:
+def bare(link: int, process: int) -> Chain:
+    """Return a link by itself as a chain; the ground shows nothing."""
     if link == 0:
         return Chain(None, process)
     return Chain(None, process, {(link, link): Block(None, link, link)}, {link: Bias(None, link)})
@@ -154,7 +155,7 @@ class AdaPlanner:
             run = self.fusions.run_at(i)
             for side, link in zip(self.fusions.sides(node), self._ends(run), strict=True):
                 if side is None:
-                    part = _bare(link, p)
+                    part = bare(link, p)
                     if link > 0:
                         self.steps[p].append(LinkBias(link))
                 else:

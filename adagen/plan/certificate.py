@@ -23,6 +23,7 @@ from adagen.plan.steps import (
     FreeBase,
     FusedJoin,
     HoldMobility,
+    Join,
     Kinematics,
     Load,
     LoadRoot,
@@ -90,6 +91,8 @@ def why_not(plan: Plan) -> str | None:
     if plan.closed and (plan.wanted or plan.outputs):
         return "a scene wants other outputs than all accelerations of closed loops"
     steps = [step for each in plan.alternatives for step in each.steps]
+    if not plan.several and any(isinstance(step, Join) for step in steps):
+        return "its process joins parts of a chain, and has no factors of all that is beyond them"
     if any(isinstance(step, FusedJoin) for step in steps):
         return "joints are joined as one over links without mass"
     if any(isinstance(step, CarryRows) for step in steps):

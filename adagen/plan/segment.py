@@ -14,9 +14,10 @@ from collections.abc import Container, Mapping, Sequence, Set
 from dataclasses import dataclass
 from functools import cached_property
 
-from adagen.plan.ada import AdaPlanner, Chain
+from adagen.plan.ada import AdaPlanner, Chain, bare
 from adagen.plan.edges import Edge, edges_from, is_free_base, joints_at, ways_to
 from adagen.plan.fusions import Run
+from adagen.plan.parts import accelerated_last, parts_of, swept_first
 from adagen.plan.robot import PlanJoint
 from adagen.plan.steps import (
     Accelerate,
@@ -149,17 +150,48 @@ class SegmentPlanner(AdaPlanner):
         if node.joint not in self.members:
             return None
         members = {below.joint for below in preorder(node)}
+        strips = [] if self.asked else parts_of(self.joints, members, self.schedule.parts)
+        if strips:
+            return self._in_parts(strips, node.processes[0])
+        return self._whole(node.joint, members, node.processes[0])
+
+    def _in_parts(self, strips: Sequence[range], process: int) -> Chain:
+        """Join the parts of a chain outwards, each by the joint that it hangs on by.
+
+        What is joined before has one handle at the cut and one at most beside it: in any other
+        order there are as many updates of blocks, or more.
+        """
+        chain = bare(0, process) if self.joints[strips[0].start].parent == 0 else None
+        for strip in strips:
+            part = self._whole(strip[1], set(strip[1:]), process)
+            chain = part if chain is None else self._join((strip.start,), process, chain, part)
+        assert chain is not None
+        return chain
+
+    def _whole(self, name: int, members: set[int], process: int) -> Chain:
+        """Assemble joints without any join."""
         for j in members:
             self.open[self.joints[j].parent] -= 1
             self.open[j + 1] -= 1
         handles = {link for link, count in enumerate(self.open) if count > 0}
-        segment = segment_of(self.joints, node.joint, members, handles, self.asked)
+        segment = segment_of(self.joints, name, members, handles, self.asked)
         steps, couplings = segment.inwards()
-        self.steps[node.processes[0]] += steps
-        chain = Chain(node.joint, node.processes[0], segment=segment)
+        self.steps[process] += steps
+        chain = Chain(name, process, segment=segment)
         for component, coupled in zip(segment.components, couplings, strict=True):
             self._show(component, chain, coupled)
         return chain
+
+    def _assemble(self) -> Chain:
+        top = super()._assemble()
+        if self.schedule.parts:
+            self.steps = [swept_first(steps) for steps in self.steps]
+        return top
+
+    def _disassemble(self, top: Chain) -> None:
+        super()._disassemble(top)
+        if self.schedule.parts:
+            self.steps = [accelerated_last(steps) for steps in self.steps]
 
     @staticmethod
     def _show(component: Component, chain: Chain, couplings: set[tuple[int, int]]) -> None:

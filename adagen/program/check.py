@@ -31,7 +31,7 @@ from adagen.plan.steps import (
 from adagen.plan.types import ENERGIES, Plan
 from adagen.program.effects import Effects, Place, added_by, contents, effects, joined_runs
 from adagen.program.names import PREPARES
-from adagen.program.runs import Run, ends_of_run
+from adagen.program.runs import Run, ends_of_run, parts_in
 from adagen.program.types import Links, Operation, Program
 
 
@@ -246,6 +246,8 @@ class _Memory:
                 return ()
             case "articulate", Limbs() as limbs:
                 return tuple(self.plan.joints[j].parent for j in limbs.rows[0])
+            case "articulate", Run() if operation.method == "parts":
+                return tuple(part.first for part in parts_in(operation.steps))  # of a serial chain
             case "articulate", Run() as run:
                 return (ends_of_run(self.plan.joints, run)[0],)
             case "free_base", Run() as run:

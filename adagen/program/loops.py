@@ -8,6 +8,7 @@ from typing import Any
 
 from adagen.plan.edges import is_base
 from adagen.plan.order import inward_order, outward_order
+from adagen.plan.parts import strips_of
 from adagen.plan.requested_outputs import needed_outwards
 from adagen.plan.simd_groups import Limbs, placed_links
 from adagen.plan.stages import stages
@@ -43,7 +44,7 @@ from adagen.program.runs import (
     units_of_sweep,
 )
 from adagen.program.slots import Slots
-from adagen.program.strips import split
+from adagen.program.strips import LANES, split
 from adagen.program.types import Block, Links, Method, Operation
 from adagen.schedule.costs import StepCosts
 
@@ -93,6 +94,7 @@ class Loops:
         self.swept: set[Run] = set()  # runs that are swept inwards by columns
         self.along: set[Run] = set()  # those that unit wrenches are carried through meanwhile
         self.loaded: set[Run] = set()  # of these, those whose joints take a load when they move
+        self.parted: dict[Run, list[Run]] = {}  # runs, and their parts that are swept side by side
         # A sweep that is repeated with other forces leaves mobilities as they are.
         self.once = not (again or plan.slaved)
         self.found: list[Operation] = []
@@ -222,12 +224,20 @@ class Loops:
             return
         by_joint = {step.joint: step for step in steps}
         swept_inwards = list(units_of_sweep(self.joints, steps, self.limbs, inward_order))
+        self._find_parts(swept_inwards)
+        in_parts = {part for parts in self.parted.values() for part in parts}
         columns: set[int] = set()
         for unit in swept_inwards:
-            if isinstance(unit, Run) and self._in_columns(unit):
+            if isinstance(unit, Run) and unit not in in_parts and self._in_columns(unit):
                 columns |= set(links_of_run(self.joints, unit)) - {self._near(unit)}
         self._set_up_columns(columns & self.own)
+        for run, parts in self.parted.items():
+            own = [by_joint[j] for part in parts for j in _inwards(part)]
+            first = [self._first(self._near(part)) for part in parts]
+            self._add("articulate", run, "parts", own, first)
         for unit in swept_inwards:
+            if unit in in_parts:
+                continue
             if isinstance(unit, Limbs):
                 nears = [self.joints[j].parent for j in unit.rows[0]]
                 first = [near > 0 and self._first(near) for near in nears]
@@ -242,6 +252,35 @@ class Loops:
                 self._add("articulate", unit, "step", own)
                 continue
             self._add("articulate", unit, self._method(unit), own, [self._first(self._near(unit))])
+
+    def _find_parts(self, swept_inwards: Sequence[Limbs | Run]) -> None:
+        """Note which of the runs are parts that fill SIMD lanes from one end to the other."""
+        if self.batch or not self.once or self.plan.weighed:
+            return
+        units = {unit for unit in swept_inwards if not isinstance(unit, Limbs)}
+        whole, carried = self._accelerated(), self._carried()
+        for run in self.slots.in_strips:
+            strips = strips_of(range(run.first, run.last + 1), LANES[self.plan.scalar])
+            parts = [Run(strip.start + 1, strip.stop - 1) for strip in strips]
+            # The last one may end the chain, and shows nothing at its end then.
+            shown = carried | {parts[-1]} if parts[-1] not in carried else carried
+            if not units & whole & shown >= set(parts):
+                continue
+            links = range(run.first + 2, run.last + 2)
+            turned = self.told_apart | self.turned
+            if turned.isdisjoint(run.joints()) and self.own.issuperset(links):
+                self.parted[run] = parts
+
+    def _carried(self) -> set[Run]:
+        """Runs whose mobility is found at the far link only."""
+        found: set[Run] = set()
+        for kind, steps in groupby(self.process.steps, type):
+            if kind is Propagate:
+                own = [step for step in steps if isinstance(step, Propagate)]
+                for run in tip_mobility_runs(self.plan, own, self.named, self.told_apart):
+                    first, last = sorted((run[0].joint, run[-1].joint))
+                    found.add(Run(first, last, run[0].reversed))
+        return found
 
     def _method(self, run: Run) -> Method:
         if self._in_columns(run):
@@ -286,6 +325,9 @@ class Loops:
             if len(run) > 1:
                 first, last = sorted((run[0].joint, run[-1].joint))
                 block = Run(first, last, run[0].reversed)
+                if any(block in parts for parts in self.parted.values()):
+                    self._add("propagate", block, "parts", run)
+                    continue
                 if block in self.swept and self.once and not block.reversed:
                     self.along.add(block)
                 self._add("propagate", block, "along" if block in self.along else "carried", run)
@@ -321,6 +363,8 @@ class Loops:
             if method == "through" and run in self.along & whole and self._of_one_freedom(run):
                 method = "along"
                 self.loaded.add(run)
+            if any(run in parts for parts in self.parted.values()):
+                method = "parts"
             self._add("deliver", run, method, (by_joint[j] for j in _inwards(run)))
 
     def _accelerated(self) -> set[Run]:
@@ -331,7 +375,13 @@ class Loops:
 
     def _accelerate(self, steps: list[Accelerate]) -> None:
         by_joint = {step.joint: step for step in steps}
+        in_parts = {part for parts in self.parted.values() for part in parts}
+        for run, parts in self.parted.items():
+            in_lanes = [by_joint[j] for part in parts for j in part.joints()]
+            self._add("accelerate", run, "parts", in_lanes)
         for unit in units_of_sweep(self.joints, steps, self.limbs, outward_order):
+            if unit in in_parts:
+                continue
             if isinstance(unit, Limbs):
                 if not self.needed.isdisjoint(unit.members()):
                     members = (by_joint[j] for j in unit.members())

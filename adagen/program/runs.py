@@ -10,7 +10,7 @@ from adagen.plan.edges import is_base
 from adagen.plan.order import Ends, Unit, ends_of, outward_order
 from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import Limbs
-from adagen.plan.steps import Accelerate, Articulate, Deliver
+from adagen.plan.steps import Accelerate, Articulate, Deliver, Step
 from adagen.schedule.costs import StepCosts
 
 OF_ONE_FREEDOM = ("revolute", "prismatic")
@@ -189,3 +189,9 @@ def spans(joints: Iterable[int]) -> list[tuple[int, int]]:
         else:
             found.append((j, j))
     return found
+
+
+def parts_in(steps: Iterable[Step]) -> list[Run]:
+    """Return the runs that a parted run's steps are of, outwards along their chain."""
+    sweep = (step for step in steps if isinstance(step, Articulate | Accelerate))
+    return [Run(*span) for span in spans(step.joint for step in sweep)]

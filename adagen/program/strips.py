@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby, pairwise
 
 from adagen.plan import Plan
+from adagen.plan.parts import strips_of
 from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Kinematics, Traverse
@@ -91,9 +92,8 @@ def slots_of(run: Run, lanes: int) -> list[int]:
 
     The last strips may be a joint shorter than the first.
     """
-    rows = -(-run.length // lanes)
-    longer = run.length - (rows - 1) * lanes
-    return [row * lanes + lane for lane in range(lanes) for row in range(rows - (lane >= longer))]
+    strips = strips_of(range(run.first, run.last + 1), lanes)
+    return [row * lanes + lane for lane, strip in enumerate(strips) for row in range(len(strip))]
 
 
 def split(run: Run, in_strips: Iterable[Run]) -> list[tuple[Run, bool]]:

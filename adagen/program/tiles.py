@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from adagen.plan import Plan
+from adagen.plan.steps import Join
 from adagen.program.own_axes import own_axes_in_loops
 from adagen.program.runs import Run, pays_columns
 from adagen.schedule.costs import StepCosts
@@ -34,7 +35,12 @@ def fits_tiles(plan: Plan, in_strips: Sequence[Run], costs: StepCosts) -> bool:
     """
     joints = plan.joints
     whole = Run(0, len(joints) - 1)
-    if len(plan.processes) > 1 or list(in_strips) != [whole] or whole.length <= LONGEST:
+    if (
+        len(plan.processes) > 1
+        or any(plan.steps_of(Join))
+        or list(in_strips) != [whole]
+        or whole.length <= LONGEST
+    ):
         return False
     if plan.slaved or plan.wrenches or plan.parameters or plan.closed:
         return False

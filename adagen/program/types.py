@@ -28,6 +28,7 @@ Method = Literal[
     "carried",
     "along",
     "through",
+    "parts",
     "tiles",
     "straight",
 ]
@@ -46,6 +47,8 @@ Method = Literal[
   the run, one in each SIMD lane;
 * ``along``: the same along with the run's sweep inwards, by columns; a load of the last link is
   then brought to all joints at once, by what the unit wrenches did to each;
+* ``parts``: a run that is parted (adagen/plan/parts.py), one part in each SIMD lane; of one part,
+  what was found of it when all were swept;
 * ``tiles``: a long run outwards and inwards tile by tile, so that what it works on stays in the
   cache;
 * ``through``: a loop over a run on whose links between its ends nothing but the run itself acts;

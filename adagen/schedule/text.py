@@ -38,6 +38,8 @@ def schedule_to_dict(schedule: Schedule, topology: Topology) -> dict[str, Any]:
         meeting = {"gathered": _gathered_to_dict(schedule.gathered, topology)}
     elif schedule.fan != 2:
         meeting["fan"] = schedule.fan
+    if schedule.parts:
+        meeting["parts"] = schedule.parts
     return {
         "makespan": schedule.makespan,
         "verdict": schedule.verdict,

@@ -105,6 +105,8 @@ class Schedule:
         shape: the shape of the code that a document asks for; "auto" for that of least price.
         fan: how many groups of processes that exchange put together at once how their parts of a
             serial chain move, a power of two.
+        parts: in how many parts each process sweeps a long chain of hinges of its own at once, one
+            in each SIMD lane (adagen.plan.parts); 0: none.
     """
 
     root: Node
@@ -125,6 +127,7 @@ class Schedule:
     gathered: Gathered | None = None
     shape: str = "auto"
     fan: int = 2
+    parts: int = 0
 
     @property
     def verdict(self) -> Verdict:

@@ -9,10 +9,12 @@ from adagen.paper.search import EXPANSIONS
 from adagen.plan import can_gather
 from adagen.plan.clusters import fold_of
 from adagen.plan.cuts import cuttable_joints
+from adagen.program.strips import LANES
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.fold import Fold
 from adagen.search.closed import closed_schedule
 from adagen.search.families import Families, scaled
+from adagen.search.parted import parted
 from adagen.search.played import played_schedule
 from adagen.search.schedules import find_schedule
 
@@ -29,6 +31,7 @@ def best_schedule(
     limit: float | None = None,
     gather: bool = True,
     shape: str = "auto",
+    in_parts: bool = False,
     **search: Any,
 ) -> Schedule:
     """Return a schedule for a form of the algorithm.
@@ -47,6 +50,8 @@ def best_schedule(
         limit: largest growth g at a cut of form `segment`, instead of what suits the scalar.
         gather: whether processes may gather at a core instead of being joined.
         shape: of the code that is emitted, as ``adagen.emit.emit`` takes it.
+        in_parts: whether a process may sweep a long chain in parts, one in each SIMD lane; it does
+            in double.
         search: further arguments of ``find_schedule``.
 
     Raises:
@@ -60,16 +65,40 @@ def best_schedule(
         search["cuttable"] = [False] * len(topology)
     if model.outputs or model.closed:
         return _held_together(model, processes, profile, form, scalar, **search)
+    in_parts = in_parts and profile.steps is not None and scalar == "double"  # as it is priced
+    parts = LANES[scalar] if in_parts else 0
     if form == "segment" and processes == 1:
-        return find_schedule(topology, 1, profile=profile, **search)
+        whole = find_schedule(topology, 1, profile=profile, **search)
+        return _alone(model, whole, profile, scalar, limit, shape, parts)
     seen = fold_of(model, form)
     if form == "segment" and len(seen.topology):
-        return _by_families(model, seen, processes, profile, scalar, limit, gather, shape, **search)
+        rules = scalar, limit, gather, shape, parts
+        return _by_families(model, seen, processes, profile, *rules, **search)
     best = _joined(seen, processes, profile, **search)
     alone = not len(seen.topology)
     if alone or costs.steps is None or any(search.get(k, v) != v for k, v in _USUAL.items()):
         return best
     return played_schedule(model, best, costs, scalar)
+
+
+def _alone(
+    model: Model,
+    whole: Schedule,
+    profile: CostProfile,
+    scalar: str,
+    limit: float | None,
+    shape: str,
+    parts: int,
+) -> Schedule:
+    """The schedule of one process, with its chain in parts where that is predicted to pay."""
+    seen = fold_of(model, "segment")
+    if not (seen.trivial and parted(whole, model, parts)):
+        return whole
+    families = Families(model, seen, 1, profile, 0, shape, parts)
+    families.consider(whole, "alone")
+    families.part(cuttable_joints(model, scalar, None, limit))
+    found = families.taken()
+    return found if found.parts else whole
 
 
 def _by_families(
@@ -81,6 +110,7 @@ def _by_families(
     limit: float | None,
     gather: bool,
     shape: str,
+    parts: int,
     expansions: int = EXPANSIONS,
     **search: Any,
 ) -> Schedule:
@@ -89,9 +119,11 @@ def _by_families(
     if profile.steps is None:
         return _joined(seen, processes, profile, cuttable=cuttable, expansions=expansions, **search)
     search["expansions"] = scaled(expansions, len(model.joints))
-    families = Families(model, seen, processes, profile, expansions, shape)
+    parts *= seen.trivial
+    families = Families(model, seen, processes, profile, expansions, shape, parts)
     nowhere = [False] * len(seen.topology)
     families.consider(_joined(seen, processes, profile, cuttable=nowhere, **search), "alone")
+    families.part(cuttable)
     if families.settled:
         return families.taken()
     families.consider(_joined(seen, processes, profile, cuttable=cuttable, **search), "joined")

@@ -53,12 +53,19 @@ class ExchangedSchedules:
         profile: a profile with the costs of steps.
         cuttable: for each joint whether processes may meet there.
         tie: the preference among equals, for schedules.
+        parts: in how many parts each process sweeps its own joints at once (adagen/plan/parts.py);
+            0: not in parts.
     """
 
     def __init__(
-        self, topology: Topology, profile: CostProfile, cuttable: Sequence[bool], tie: Tie
+        self,
+        topology: Topology,
+        profile: CostProfile,
+        cuttable: Sequence[bool],
+        tie: Tie,
+        parts: int = 0,
     ) -> None:
-        self.topology, self.profile, self.tie = topology, profile, tie
+        self.topology, self.profile, self.tie, self.parts = topology, profile, tie, parts
         self.chains = Chains(topology, profile)
         # The joint of a cut is in neither part, and no part is empty.
         self.cuts = [j for j in range(1, len(topology) - 1) if cuttable[j]]
@@ -66,7 +73,7 @@ class ExchangedSchedules:
         self.costs = profile.measured
         self.kinds = kinds
         self.inner, self.outermost = (
-            [0.0, *accumulate(first_sweep(profile.measured, kind, last) for kind in kinds)]
+            [0.0, *accumulate(self._first_sweep(kind, last) for kind in kinds)]
             for last in (False, True)
         )
 
@@ -84,8 +91,10 @@ class ExchangedSchedules:
         for kind in set(self.kinds):
             second = costs[f"accelerate.{kind}"]
             forces = min(costs[f"deliver.{kind}"], costs["deliver.along"])
-            inner = first_sweep(costs, kind, outermost=False) + forces
-            own[kind] = first_sweep(costs, kind, outermost=True) + second, inner + second
+            if self.parts:
+                second, forces = costs["parts.outwards"], 0.0
+            inner = self._first_sweep(kind, outermost=False) + forces
+            own[kind] = self._first_sweep(kind, outermost=True) + second, inner + second
         spared = max(0.0, _sweep(costs, self.kinds[0]) - costs["articulate.ground"])
         whole = sum(own[kind][1] for kind in self.kinds) - spared
         share = min(outermost / inner for outermost, inner in own.values())
@@ -116,7 +125,7 @@ class ExchangedSchedules:
             + (levels - inside) * costs["kinematics.floating"]
             + run
             + min(run, costs["kinematics_traversed.run"])
-            + min(costs["articulate.run"], costs["articulate_columns.run"])
+            + min(costs[f"{of}.run"] for of in ("articulate", "articulate_columns", "parts"))
         )
 
     def best(self, processes: int, count: int, play: Play) -> Schedule | None:
@@ -150,6 +159,11 @@ class ExchangedSchedules:
                 ready[p] - self._time(p == count - 1, ends[p], ends[p + 1]) for p in range(count)
             ]
         return min(found)[2] if found else None
+
+    def _first_sweep(self, kind: str, outermost: bool) -> float:
+        """What a joint takes until its process tells others of it; microseconds."""
+        sweep = self.costs["parts.inwards"] if self.parts else None
+        return first_sweep(self.costs, kind, outermost, sweep)
 
     def _time(self, outermost: bool, first: int, beyond: int) -> float:
         sums = self.outermost if outermost else self.inner
@@ -198,7 +212,7 @@ class ExchangedSchedules:
         draft = Draft(len(self.topology))
         draft.root = self._part(draft, WHOLE, 0, cuts)
         found = Found(draft, 0, 0).schedule(self.topology, processes, self.profile, self.tie)
-        return replace(found, meeting="exchange")
+        return replace(found, meeting="exchange", parts=self.parts)
 
     def _part(self, draft: Draft, chain: Chain, first: int, cuts: Sequence[int]) -> int:
         if not cuts:
@@ -229,10 +243,22 @@ def passing(costs: StepCosts, kind: str) -> float:
     return min(costs[f"kinematics.{kind}"], costs[f"passing_strips.{kind}"])
 
 
-def first_sweep(costs: StepCosts, kind: str, outermost: bool) -> float:
-    """Return what a joint takes in a part until its process tells others of it; microseconds."""
+def first_sweep(
+    costs: StepCosts, kind: str, outermost: bool, in_lane: float | None = None
+) -> float:
+    """Return what a joint takes in a part until its process tells others of it; microseconds.
+
+    Args:
+        costs: what joints take.
+        kind: of the joint.
+        outermost: whether nothing is asked for beyond the part.
+        in_lane: what it is swept and carried through for where its process has it in a SIMD lane.
+    """
     placing = min(costs[f"{group}.{kind}"] for group in ("kinematics", "kinematics_traversed"))
-    own = passing(costs, kind) + placing + costs["link.start"] + _sweep(costs, kind)
+    placed = passing(costs, kind) + placing + costs["link.start"]
+    if in_lane is not None:
+        return placed + in_lane
+    own = placed + _sweep(costs, kind)
     return own if outermost else own + costs.carried(kind)
 
 

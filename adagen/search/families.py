@@ -1,11 +1,13 @@
 """Candidates of all families, compared at the price that is played, in the shape that is emitted.
 
 * ``alone``: one process does everything.
+* ``parts``: likewise, a long chain of hinges in parts, one in each SIMD lane (parted.py).
 * ``gathered``: processes gather at a core (layouts.py), searched by branch and bound; two of a
   long serial chain at the link that follows from what joints take (halved.py).
 * ``joined``: processes are joined at cuts: what the search by steps finds at its own prices, and at
   those that are played (joined.py).
-* ``exchanged``: of long serial chains, with both sides of each cut joining it (exchanged.py).
+* ``exchanged``: of long serial chains, with both sides of each cut joining it (exchanged.py); each
+  process has its own joints in parts, or not.
 * ``balanced``, ``sequential``, ``middle-out``: schedules that have a name (named.py), of robots of
   some tens of joints, where they cut no joint that loses digits.
 
@@ -42,6 +44,7 @@ from adagen.search.joined import LONG, JoinedFloor
 from adagen.search.layouts import Layout, LayoutPrices
 from adagen.search.limbs import Robot
 from adagen.search.named import named_schedule
+from adagen.search.parted import keeps_digits, parted
 from adagen.search.price import Pricing, played
 
 _FULL = 128
@@ -74,6 +77,7 @@ class Families:
         profile: a profile with the costs of steps.
         expansions: what each search may spend, for a robot of some tens of joints.
         shape: of the code that is emitted, "auto" for that of least price.
+        parts: in how many parts a process may sweep a long chain of its own; 0: not in parts.
     """
 
     def __init__(
@@ -84,9 +88,11 @@ class Families:
         profile: CostProfile,
         expansions: int,
         shape: str = "auto",
+        parts: int = 0,
     ) -> None:
         self.model, self.seen, self.processes = model, seen, processes
         self.profile, self.costs, self.shape = profile, profile.measured, shape
+        self.parts = parts
         self.most, self.expansions = expansions, scaled(expansions, len(model.joints))
         self.topology = Topology.of(model)
         self.best: Schedule | None = None
@@ -109,6 +115,17 @@ class Families:
         self.candidates += 1
         self.expanded += schedule.expanded
         self._try(schedule)
+
+    def part(self, cuttable: Sequence[bool]) -> None:
+        """Look at the chain of one process in parts, which it sweeps at once.
+
+        Args:
+            cuttable: for each joint whether mobilities may meet there.
+        """
+        assert self.best is not None  # one process comes first
+        found = parted(self.best, self.model, self.parts if self.loops else 0)
+        if found is not None and keeps_digits(found, self.model, cuttable):
+            self.consider(found, "parts")
 
     def _try(self, schedule: Schedule) -> None:
         plan = make_plan(self.model, schedule)
@@ -154,13 +171,22 @@ class Families:
         if slaved or not (self.loops and self.seen.trivial and counts):
             return
         assert self.best is not None  # one process comes first
-        chains = ExchangedSchedules(self.topology, self.profile, cuttable, self.best.tie)
+        for parts in (0, self.parts) if self.parts else (0,):
+            asked = self.topology, self.profile, cuttable, self.best.tie, parts
+            self._exchange_in(ExchangedSchedules(*asked), counts, cuttable)
+
+    def _exchange_in(
+        self, chains: ExchangedSchedules, counts: Sequence[int], cuttable: Sequence[bool]
+    ) -> None:
+        """Look at such schedules, on some numbers of processes, the largest first."""
         floors = {count: chains.least(self.processes, count) for count in counts}
         self.bounds.append(min(floors.values()))
         for count, floor in floors.items():
             if floor >= self.least:
                 continue  # messages take longer than they save
             found, before = chains.best(self.processes, count, self._played), self.least
+            if found is not None and not keeps_digits(found, self.model, cuttable):
+                continue  # parts are cut where they end
             if found is not None:
                 self.consider(found, "exchanged")
             if found is not None and self.least == before:

@@ -12,6 +12,9 @@ from adagen.schedule.draft import Draft
 from adagen.schedule.tree import Gathered, Meeting
 from adagen.search.named import as_schedule, named_schedule
 
+MOST_PARTS = 64
+"""Parts of a chain that a schedule may ask for; SIMD lanes are at most 16."""
+
 
 def schedule_from_json(
     text: str, topology: Topology, profile: CostProfile, file: str | None = None
@@ -47,7 +50,7 @@ def schedule_from_json(
         raise InputError('not a schedule: expected {"root": {"joint": ..., ...}}', file)
     try:
         found = as_schedule(_read(root, topology), topology, profile, "file", _meeting(data))
-        return replace(found, shape=_shape(data), fan=_fan(data))
+        return replace(found, shape=_shape(data), fan=_fan(data), parts=_parts(data))
     except InvalidSchedule as error:
         raise InputError(f"{error}: correct the schedule or leave it to adagen", file) from None
 
@@ -100,6 +103,13 @@ def _fan(data: dict[str, Any]) -> int:
     if type(fan) is not int or not (2 <= fan <= 1024 and fan & (fan - 1) == 0):
         raise InvalidSchedule('"fan" is a power of two from 2 to 1024')
     return fan
+
+
+def _parts(data: dict[str, Any]) -> int:
+    parts = data.get("parts", 0)
+    if type(parts) is not int or not (parts == 0 or 2 <= parts <= MOST_PARTS):
+        raise InvalidSchedule(f'"parts" is a number from 2 to {MOST_PARTS}, or 0')
+    return parts
 
 
 def _meeting(data: dict[str, Any]) -> Meeting:

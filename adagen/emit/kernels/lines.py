@@ -25,7 +25,7 @@ from adagen.plan.steps import (
 from adagen.plan.types import Process
 from adagen.program import Links, Operation
 from adagen.program.names import PASSING, PREPARED
-from adagen.program.runs import Run, ends_of_run, links_of_run, spans
+from adagen.program.runs import Run, ends_of_run, links_of_run, parts_in, spans
 from adagen.program.slots import Slots
 from adagen.program.strips import split
 
@@ -65,6 +65,8 @@ class KernelLines:
             op.block for op in operations if op.method == "strips" and isinstance(op.block, Run)
         )
         self.traversed = {op.block for op in operations if op.method == "traversed"}
+        self.parted = {op.block for op in operations if op.method == "parts"}
+        self.delivered = {op.block for op in operations if op.does == "deliver"}
         self.along = {
             op.block for op in operations if (op.does, op.method) == ("propagate", "along")
         }
@@ -195,11 +197,12 @@ class KernelLines:
         if operation.method == "base":
             return [f"free_base_frame<{block.first}>(w);"]
         verb = "pass_outward" if operation.does == PASSING else "outward"
+        ends = f"{block.first}, {block.last}{', true' * (block in self.parted)}"
         if operation.method == "traversed":
-            call = f"outward_traversed<{block.first}, {block.last}>(w, starts_{block.first});"
+            call = f"outward_traversed<{ends}>(w, starts_{block.first});"
             return [call + self._names(block)]
         in_strips = "_in_strips" * (operation.method == "strips")
-        return [f"{verb}{in_strips}<{block.first}, {block.last}>(w);" + self._names(block)]
+        return [f"{verb}{in_strips}<{ends}>(w);" + self._names(block)]
 
     _pass_kinematics = _kinematics
 
@@ -284,6 +287,8 @@ class KernelLines:
         assert isinstance(run, Run)
         if operation.method == "step":  # a prescribed joint on the ground
             return []
+        if operation.method == "parts":
+            return self._articulate_parts(operation, run)
         near = ends_of_run(self.joints, run)[0]
         self.gathers.add(near)
         if operation.method == "tiles":
@@ -300,6 +305,15 @@ class KernelLines:
         if run in self.along:
             verb, found = "inward_and_carry", f"const Way {mobility.way_of(run)} = "
         return [found + self._sweep(run, verb, word(operation.first[0])) + self._names(run)]
+
+    def _articulate_parts(self, operation: Operation, run: Run) -> list[str]:
+        """Sweep the parts of a run side by side; what wrenches find on each way has a name."""
+        assert all(operation.first)  # bodies are left, not added
+        parts = parts_in(operation.steps)
+        self.gathers.update(part.first for part in parts)
+        ways = ", ".join(map(mobility.way_of, parts))
+        sweep = f"inward_in_parts<{self.p}, {run.first}, {run.last}>(w);"
+        return [f"const auto [{ways}] = {sweep}{self._names(run)}"]
 
     def _articulate_limbs(self, limbs: Limbs, first: tuple[bool, ...]) -> list[str]:
         """Sweep limbs inwards and leave what is found at the links that they hang on."""
@@ -323,7 +337,7 @@ class KernelLines:
     def _deliver(self, operation: Operation) -> list[str]:
         assert isinstance(operation.block, Run)
         run = operation.block
-        if operation.method == "along":
+        if operation.method in ("along", "parts"):
             call = f"deliver_along<{run.first}, {run.last}>(w, {mobility.way_of(run)});"
         else:
             call = mobility.delivery(self.symbols, run, through=operation.method == "through")
@@ -377,6 +391,12 @@ class KernelLines:
             self.parts |= {self.joints[j].parent for j in run.rows[0]}
             return [f"accelerate_group<{self.p}, {self._number(run)}>(w);"]
         assert isinstance(run, Run)
+        if operation.method == "parts":
+            parts = parts_in(operation.steps)
+            self.parts.update(part.first for part in parts)
+            loaded = sum(part in self.delivered for part in parts)
+            call = f"accelerate_in_parts<{run.first}, {run.last}, {loaded}>(w);"
+            return [call + self._names(run)]
         self.parts.add(ends_of_run(self.joints, run)[0])
         verb = "accelerate" + "_along" * (operation.method == "along")
         return [self._sweep(run, verb) + self._names(run)]

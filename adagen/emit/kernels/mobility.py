@@ -39,7 +39,7 @@ from adagen.plan.steps import (
 from adagen.program import Operation, Program
 from adagen.program.runs import Run, ends_of_run
 
-CARRIED = ("carried", "along")
+CARRIED = ("carried", "along", "parts")
 """Methods by which wrenches are carried through runs."""
 
 STEPS = (
@@ -222,7 +222,7 @@ def propagation(symbols: Symbols, operation: Operation) -> list[str]:
             f"show({way}, {symbols.block(first.near)}, {symbols.bias(first.near_bias)}, {target});"
         )
     lines = [shown, *_coupled(symbols, run, first, last)]
-    if operation.method == "along":
+    if operation.method in ("along", "parts"):
         return lines
     turned = "true" if run.reversed else "false"
     return [

@@ -82,6 +82,7 @@ def values(symbols: Symbols) -> dict[str, object]:
     lines = [writer.all_lines() for writer in writers]
     by_columns = any(writer.columns for writer in writers)
     along = any(writer.along for writer in writers)
+    in_parts = any(writer.parted for writer in writers)
     runtime = [*mobility.runtime(plan)] if cuts else []
     if plan.slaved:
         runtime += [part for part in ("spatial.hpp", "joins.hpp") if part not in runtime]
@@ -108,7 +109,7 @@ def values(symbols: Symbols) -> dict[str, object]:
             for j, lines in mobility.members(symbols).items()
         ],
         "turned": bool(turned.always or turned.if_lost),
-        "loop_settings": _loop_settings(symbols, turned, by_columns, along),
+        "loop_settings": _loop_settings(symbols, turned, by_columns, along, in_parts),
         "inertias": [_inertia(symbols, link) for link in plan.links[1:]],
         "roles": [writer.roles() for writer in writers],
         "starts": [_starts(plan, writer.process) for writer in writers] if plan.weighed else [],
@@ -117,13 +118,16 @@ def values(symbols: Symbols) -> dict[str, object]:
         "recovery": lines[len(plan.processes) :],
         "tile": slots.tile,
         "in_strips": bool(slots.in_strips),
+        "in_parts": in_parts,
         "quaternions": any(writer.oriented for writer in writers),
         "by_columns": by_columns,
         "limbs": [_limbs(symbols, slots, limbs) for limbs in slots.numbers],
     }
 
 
-def _loop_settings(symbols: Symbols, turned: OwnAxes, by_columns: bool, along: bool) -> list[str]:
+def _loop_settings(
+    symbols: Symbols, turned: OwnAxes, by_columns: bool, along: bool, in_parts: bool
+) -> list[str]:
     """What a solver's settings say of its loops: how they lie in memory, and what they do."""
     plan, slots = symbols.plan, symbols.program.slots
     block_kinds = _block_kinds(symbols)
@@ -150,6 +154,7 @@ def _loop_settings(symbols: Symbols, turned: OwnAxes, by_columns: bool, along: b
             ),
             ("double", "kLosing", ENOUGH if turned.if_lost else 1, 1),
             ("bool", "kCarriesAlong", along, False),
+            ("bool", "kInParts", in_parts, False),
             ("bool", "kPassesFree", mobility.passes_free(plan), False),
         ]
     )

@@ -25,6 +25,7 @@ constexpr const auto& kTurned = LoopSettings::kTurned;
 constexpr const auto& kTurnedIfLost = LoopSettings::kTurnedIfLost;
 constexpr double kLosing = LoopSettings::kLosing;
 [[maybe_unused]] constexpr bool kCarriesAlong = LoopSettings::kCarriesAlong;
+[[maybe_unused]] constexpr bool kInParts = LoopSettings::kInParts;
 constexpr bool kPassesFree = LoopSettings::kPassesFree;
 [[maybe_unused]] constexpr bool kFloats = LoopSettings::kFloats;
 [[maybe_unused]] constexpr Real kUnit = Real(LoopSettings::kUnit);

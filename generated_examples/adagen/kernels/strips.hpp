@@ -193,7 +193,8 @@ ADAGEN_INLINE Frame<Lanes> starts_of_strips(Workspace& w, int beyond, Frame<Valu
 }
 
 // What the links' frames need, left in their blocks, from how the strips' starts lie and move.
-template <class Run>
+// Where strips are parts (parts.hpp), all but the first row of joints are treated row by row later.
+template <class Run, bool in_parts = false>
 ADAGEN_INLINE void along_strips(Workspace& w, int beyond, const Frame<Lanes>& starts) {
   auto [R, omega, alpha, a] = starts;
   for (int row = 0; row < Run::kRows; ++row) {
@@ -207,31 +208,33 @@ ADAGEN_INLINE void along_strips(Workspace& w, int beyond, const Frame<Lanes>& st
     put_at(row_at<Run>(w, row, kAlpha), alpha);
     omega += relative;
     put_at(row_at<Run>(w, row, kOmega), omega);
-    keep_levers<Run>(w, row, beyond, {R.x.z, R.y.z, R.z.z}, r);
+    if constexpr (in_parts) w.memory(Run::row(row, beyond)).r = r;
+    if (!in_parts || row == 0) keep_levers<Run>(w, row, beyond, {R.x.z, R.y.z, R.z.z}, r);
   }
 }
 
 // The same, where the strips' starts are known as seen from the run's.
-template <class Run>
+template <class Run, bool in_parts>
 ADAGEN_INLINE void along_traversed(Workspace& w, const Passage<Lanes>& starts,
                                    const Frame<Value>& at) {
   const Matrix<Lanes> base{in_all_lanes(at.R.x), in_all_lanes(at.R.y), in_all_lanes(at.R.z)};
   const Vector<Lanes> turning = in_all_lanes(at.omega), spin = base * starts.omega;
   const Vector<Lanes> p = base * starts.p, v = base * starts.v;
-  along_strips<Run>(w, 0,
-                    {base * starts.R, turning + spin,
-                     in_all_lanes(at.alpha) + base * starts.alpha + cross(turning, spin),
-                     in_all_lanes(at.a) + base * starts.a + cross(in_all_lanes(at.alpha), p) +
-                         cross(turning, cross(turning, p) + (v + v))});
+  along_strips<Run, in_parts>(
+      w, 0,
+      {base * starts.R, turning + spin,
+       in_all_lanes(at.alpha) + base * starts.alpha + cross(turning, spin),
+       in_all_lanes(at.a) + base * starts.a + cross(in_all_lanes(at.alpha), p) +
+           cross(turning, cross(turning, p) + (v + v))});
 }
 
 // See outward and pass_outward in outward.hpp, and take_angles in links.hpp. Functions of their
 // own: as part of a large one, gcc 12 spills what is carried along.
-template <int first, int last>
+template <int first, int last, bool in_parts = false>
 ADAGEN_NOINLINE void outward_in_strips(Workspace& w) {
   using Run = Strips<first, last>;
   Frame<Value> at = frame_near<first>(w);
-  along_strips<Run>(w, 0, starts_of_strips<Run>(w, 0, at));
+  along_strips<Run, in_parts>(w, 0, starts_of_strips<Run>(w, 0, at));
 }
 template <int first, int last>
 ADAGEN_NOINLINE void pass_outward_in_strips(Workspace& w) {
@@ -249,9 +252,9 @@ ADAGEN_NOINLINE Passage<Lanes> traverse_in_strips(Workspace& w, Passage<Value>& 
   own = found.all;
   return found.starts;
 }
-template <int first, int last>
+template <int first, int last, bool in_parts = false>
 ADAGEN_NOINLINE void outward_traversed(Workspace& w, const Passage<Lanes>& starts) {
-  along_traversed<Strips<first, last>>(w, starts, frame_near<first>(w));
+  along_traversed<Strips<first, last>, in_parts>(w, starts, frame_near<first>(w));
 }
 template <int first, int last>
 void take_angles_in_strips(Workspace& w, int beyond = 0) {

@@ -99,4 +99,10 @@ void show(Workspace& w, const Way& way, Mat6& Phi, Columns6& b) {
   b.noalias() += way.moved * near_bias;
 }
 
+// What the near link feels of the load of the link beyond joints first .. last.
+template <int first, int last>
+void deliver_along(Workspace& w, const Way& way) {
+  w.loads[kJoints[first].parent] += way.moved.transpose() * w.loads[last + 1];
+}
+
 }  // namespace

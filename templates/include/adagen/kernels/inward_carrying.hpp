@@ -38,12 +38,6 @@ ADAGEN_NOINLINE Way inward_and_carry(Workspace& w) {
   return wrenches.way();
 }
 
-// What the near link feels of the load of the link beyond joints first .. last.
-template <int first, int last>
-void deliver_along(Workspace& w, const Way& way) {
-  w.loads[kJoints[first].parent] += way.moved.transpose() * w.loads[last + 1];
-}
-
 // Joints first .. last, of one freedom each, outwards. Each takes its part of that load: what unit
 // wrenches there did to it, so that none waits for the next one.
 template <int p, int first, int last>

@@ -177,6 +177,10 @@ struct Workspace : State, Cuts, Inertias {
   std::array<Memory, kJointCount> joints{};
   std::array<Eliminated<Two>, kInLanes ? kSlotCount / 2 : 0> twos{};  // of joints in lanes, by slot
   std::array<Eliminated<Four>, kInLanes ? kSlotCount / 4 : 0> fours{};
+  // Of joints of parts, one part in each lane, and what unit wrenches on the parts' ends do to
+  // them.
+  std::array<Eliminated<Lanes>, kInParts ? kBlockCount : 0> rows{};
+  std::array<std::array<Lanes, 6>, kInParts ? kBlockCount : 0> drives{};
   // Of the link beyond each joint, and one for slots that are not filled.
   std::array<LinkColumns, kByColumns ? kColumnCount + 1 : 0> columns{};
   std::array<Body<Value>, kLinkCount> bodies{};     // what hangs on a link, where paths meet
@@ -206,6 +210,8 @@ struct Workspace : State, Cuts, Inertias {
       return joints[static_cast<std::size_t>(of.joint[0])];
     else if constexpr (kWidth<T> == 2)
       return twos[static_cast<std::size_t>(of.slot / 2)];
+    else if constexpr (kWidth<T> == kPerBlock)
+      return rows[static_cast<std::size_t>(of.slot / kPerBlock)];
     else
       return fours[static_cast<std::size_t>(of.slot / 4)];
   }

@@ -33,6 +33,8 @@ struct PlainLoops : PlainSettings {
   [[maybe_unused]] static constexpr double kLosing = 1;
   // Whether wrenches are carried through runs along with their sweep inwards.
   [[maybe_unused]] static constexpr bool kCarriesAlong = false;
+  // Whether long runs are parted, and swept one part in each lane.
+  [[maybe_unused]] static constexpr bool kInParts = false;
   // Whether mobilities pass floating joints.
   [[maybe_unused]] static constexpr bool kPassesFree = false;
   // Of solvers that sweep residuals inwards: whether a base floats, and ..

@@ -20,7 +20,7 @@ struct LoopSettings : PlainLoops<kJointCount> {
   [[maybe_unused]] static constexpr int kBlockKinds[]{0, 0, 0, 0}, kFirstOfKind[]{0};
   static constexpr bool kAnyTurned = true, kAnyTurnedIfLost = true;
   static constexpr double kLosing = 1e6;
-  static constexpr bool kCarriesAlong = true;
+  static constexpr bool kCarriesAlong = true, kInParts = true;
   static constexpr bool kPassesFree = true, kFloats = true;
   static constexpr double kUnit = 1e-15;
 };

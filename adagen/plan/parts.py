@@ -1,0 +1,88 @@
+"""Long chains of hinges inside one process, in parts that are swept side by side and joined there.
+
+A chain that one process has is a recursion that waits for itself, joint after joint. Parted, it is
+as many short chains as SIMD lanes: each shows its mobility at both of its ends, and the process
+joins them by Eq. (3)-(10), as processes do with theirs. So all parts are swept at once, one in
+each lane.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container, Sequence
+from itertools import pairwise
+
+from adagen.plan.robot import PlanJoint
+from adagen.plan.steps import (
+    Accelerate,
+    Articulate,
+    FreeAcceleration,
+    FreeBase,
+    InvertRoot,
+    Propagate,
+    Receive,
+    Send,
+    StartLink,
+    Step,
+)
+
+FEWEST_ROWS = 3
+"""Joints of each part at least, the one that it hangs on by included: as many rows are swept."""
+
+
+def strips_of(joints: range, lanes: int) -> list[range]:
+    """Return as many parts of a run of joints as there are lanes, the last ones a joint shorter."""
+    rows = -(-len(joints) // lanes)
+    longer = len(joints) - (rows - 1) * lanes
+    ends = [joints.start]
+    for lane in range(lanes):
+        ends.append(ends[-1] + rows - (lane >= longer))
+    return [range(first, beyond) for first, beyond in pairwise(ends)]
+
+
+def parts_of(joints: Sequence[PlanJoint], members: Container[int], lanes: int) -> list[range]:
+    """Return the strips of a segment's joints; none where it is not parted.
+
+    The first joint of each strip is the one that its part hangs on by. That of the first strip may
+    lie before the segment, which then hangs on by it.
+
+    Args:
+        joints: the robot's joints.
+        members: those of the segment.
+        lanes: how many parts there are to be; 0: none.
+    """
+    own = [j for j in range(len(joints)) if j in members]
+    if not lanes or not own or own[-1] - own[0] + 1 != len(own):
+        return []
+    first = own[0] - (joints[own[0]].parent > 0)
+    run = range(first, own[-1] + 1)
+    if len(run) < FEWEST_ROWS * lanes or not all(map(_is_hinge, joints[run.start : run.stop])):
+        return []
+    serial = all(joints[j].parent == j for j in run[1:])
+    return strips_of(run, lanes) if serial and joints[first].parent == first else []
+
+
+def _is_hinge(joint: PlanJoint) -> bool:
+    return joint.kind == "revolute" and not joint.prescribed and joint.mimic is None
+
+
+def swept_first(steps: Sequence[Step]) -> list[Step]:
+    """Return steps with those of all sweeps inwards before what is found of them and joined.
+
+    Args:
+        steps: of one process, from its first sweep to its last.
+    """
+    told = next((k for k, s in enumerate(steps) if isinstance(s, Send | Receive)), len(steps))
+    return [*sorted(steps[:told], key=_turn), *steps[told:]]
+
+
+def _turn(step: Step) -> int:
+    if isinstance(step, StartLink | FreeBase):
+        return 0
+    if isinstance(step, Articulate):
+        return 1
+    return 2 if isinstance(step, InvertRoot | Propagate) else 3
+
+
+def accelerated_last(steps: Sequence[Step]) -> list[Step]:
+    """Return steps with the accelerations of joints behind all others, which wait for none."""
+    return sorted(steps, key=lambda step: isinstance(step, Accelerate | FreeAcceleration))

@@ -1,0 +1,87 @@
+"""A process's long chain in parts, one in each lane of loops: answers beside exact ones."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from adagen.model import Model, Passive
+from adagen.plan import make_plan
+from adagen.schedule import Topology, load_profile
+from adagen.search import named_schedule
+from adagen.states import random_states
+from tests.emitted import NARROW, OPTIMISED, QUICK, ROUNDING, Builder, kernels_of
+from tests.plan.test_parts import hinges, in_parts
+from tests.slow import slow, spread
+
+
+@pytest.mark.parametrize(
+    ("flags", "joints", "scalar"),
+    spread(
+        [
+            (QUICK, 24, "double"),
+            (OPTIMISED, 33, "double"),
+            (NARROW, 39, "double"),
+            (QUICK, 50, "float"),
+            (OPTIMISED, 64, "float"),
+        ],
+        2,
+    ),
+)
+def test_parts_are_solved(
+    flags: tuple[str, ...], joints: int, scalar: str, builder: Builder, tmp_path: Path
+) -> None:
+    """Also where the last row of joints leaves lanes empty, which is so of 33, 39 and 50."""
+    model = hinges(joints, seed=joints)
+    lanes = 8 if scalar == "double" else 16
+    schedule = named_schedule("sequential", Topology.of(model), 1, profile=load_profile("default"))
+    plan = make_plan(model, replace(schedule, parts=lanes), scalar=scalar)
+    text = kernels_of(plan)
+    assert f"inward_in_parts<0, 0, {joints - 1}>(w);" in text
+    assert f"accelerate_in_parts<0, {joints - 1}, {lanes - 1}>(w);" in text
+    states = random_states(model, 4, seed=5)
+    solver = builder.solver(plan, flags, name="parts", shape="kernels")
+    assert solver.error(model, states, tmp_path, "--check") < 100 * ROUNDING[scalar]
+
+
+def driven(model: Model) -> Model:
+    """Return a robot with dampers, springs and rotors at its joints."""
+    joints = tuple(
+        replace(
+            joint,
+            passive=Passive(damping=0.1, stiffness=0.4 * (j % 2), rotor_inertia=0.02 * (j % 3)),
+        )
+        for j, joint in enumerate(model.joints)
+    )
+    return replace(model, joints=joints)
+
+
+def test_passive_forces_and_rotors_act_in_parts(builder: Builder, tmp_path: Path) -> None:
+    model = driven(hinges(27, seed=8))
+    plan = in_parts(model)
+    assert "inward_in_parts<" in kernels_of(plan)
+    solver = builder.solver(plan, name="parts", shape="kernels")
+    assert solver.error(model, random_states(model, 4, seed=6), tmp_path, "--check") < 1e-11
+
+
+@pytest.mark.parametrize("shape", ["unrolled", slow("joints")])
+def test_other_shapes_join_the_same_parts(shape: str, builder: Builder, tmp_path: Path) -> None:
+    model = hinges(24, seed=9)
+    solver = builder.solver(in_parts(model), name="parts", shape=shape)
+    assert solver.error(model, random_states(model, 4, seed=7), tmp_path, "--check") < 1e-11
+
+
+@pytest.mark.parametrize(
+    ("processes", "meeting"), [(2, "exchange"), slow(3, "exchange"), slow(2, "join")]
+)
+def test_each_of_several_processes_parts_its_own(
+    processes: int, meeting: str, builder: Builder, tmp_path: Path
+) -> None:
+    model = hinges(30 * processes, seed=processes)
+    plan = in_parts(model, processes, meeting=meeting)
+    text = kernels_of(plan)
+    assert text.count(" = inward_in_parts<") == processes
+    solver = builder.solver(plan, name="parts", shape="kernels")
+    assert solver.error(model, random_states(model, 4, seed=8), tmp_path, "--check") < 1e-11

@@ -1,0 +1,118 @@
+"""Form segment: a process's long chain of hinges in parts that it joins itself."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from adagen.errors import UsageError
+from adagen.model import KINDS, Mimic, Model
+from adagen.plan import Plan, make_plan, plan_from_json, plan_to_json
+from adagen.plan.certificate import certified
+from adagen.plan.parts import FEWEST_ROWS, strips_of
+from adagen.plan.steps import Accelerate, Articulate, Disassemble, Join
+from adagen.program import check
+from adagen.program.lower import lower
+from adagen.program.runs import parts_in
+from adagen.schedule import Topology, load_profile
+from adagen.search import named_schedule
+from tests.models import random_tree, serial_chain
+from tests.plan.test_gather import error
+
+PROFILE = load_profile("default")
+SHAPES = ("kernels", "unrolled", "joints")
+
+
+def in_parts(model: Model, processes: int = 1, parts: int = 8, meeting: str = "join") -> Plan:
+    """Return the plan of a chain whose processes part what is their own."""
+    schedule = named_schedule("balanced", Topology.of(model), processes, profile=PROFILE)
+    return make_plan(model, replace(schedule, parts=parts), meeting=meeting)
+
+
+def hinges(joints: int, seed: int) -> Model:
+    kinds = [KINDS["revolute"]]
+    return random_tree(np.random.default_rng(seed), joints, branching=0.0, kinds=kinds)
+
+
+@given(st.integers(0, 300), st.integers(8, 400), st.sampled_from([2, 8, 16]))
+def test_strips_follow_each_other_and_are_as_long(first: int, count: int, lanes: int) -> None:
+    strips = strips_of(range(first, first + count), lanes)
+    assert [j for strip in strips for j in strip] == list(range(first, first + count))
+    lengths = [len(strip) for strip in strips]
+    assert len(strips) == lanes and max(lengths) - min(lengths) <= 1
+    assert lengths == sorted(lengths, reverse=True)
+
+
+@pytest.mark.parametrize(
+    ("joints", "processes", "parts", "meeting"),
+    [
+        *((24, 1, 8, "join"), (31, 1, 8, "join"), (32, 1, 8, "join"), (20, 1, 3, "join")),
+        *((60, 2, 8, "join"), (60, 2, 8, "exchange"), (100, 3, 8, "exchange")),
+    ],
+)
+def test_a_chain_in_parts_is_solved(joints: int, processes: int, parts: int, meeting: str) -> None:
+    """Each part hangs on a joint by which it is joined, the first one on the ground, too."""
+    model = hinges(joints, seed=joints)
+    plan = in_parts(model, processes, parts, meeting)
+    for shape in SHAPES if meeting == "join" else SHAPES[:2]:
+        check(lower(plan, shape))
+    assert error(model, plan) < 1e-9
+    assert plan_from_json(plan_to_json(plan)) == plan
+    whole = in_parts(model, processes, 0, meeting)
+    for own, others in zip(plan.processes, whole.processes, strict=True):
+        more = len(list(own.steps_of(Join))) - len(list(others.steps_of(Join)))
+        assert more == parts - (own is not plan.processes[0])
+        assert own.owns == others.owns and own.reads == others.reads
+
+
+def test_all_parts_are_swept_before_any_are_joined() -> None:
+    """And all joints are accelerated after the last force at an end of a part is known."""
+    (process,) = in_parts(hinges(40, seed=1)).processes
+    places = {
+        kind: [k for k, step in enumerate(process.steps) if isinstance(step, kind)]
+        for kind in (Articulate, Join, Disassemble, Accelerate)
+    }
+    assert max(places[Articulate]) < min(places[Join])
+    assert max(places[Disassemble]) < min(places[Accelerate])
+
+
+@pytest.mark.parametrize("processes", [1, 2])
+def test_loops_sweep_all_parts_at_once(processes: int) -> None:
+    meeting = "join" if processes == 1 else "exchange"
+    program = lower(in_parts(hinges(40 * processes, seed=2), processes, meeting=meeting), "kernels")
+    for process in program.processes:
+        found = {op.does: op for op in process.operations if op.method == "parts"}
+        assert {"articulate", "propagate", "accelerate"} <= set(found)
+        assert len(parts_in(found["articulate"].steps)) == 8
+        assert found["articulate"].first == (True,) * 8
+        assert all(op.method != "columns" for op in process.operations)
+
+
+@pytest.mark.parametrize("why", ["short", "slides", "balls", "slaved", "branches", "no parts"])
+def test_nothing_else_is_parted(why: str) -> None:
+    model = hinges(40, seed=3)
+    rng = np.random.default_rng(4)
+    if why == "short":
+        model = hinges(8 * FEWEST_ROWS - 1, seed=3)
+    elif why == "slides":
+        kinds = [KINDS["revolute"], KINDS["prismatic"]]
+        model = random_tree(rng, 40, branching=0.0, kinds=kinds)
+    elif why == "balls":
+        model = random_tree(rng, 40, branching=0.0, kinds=[KINDS["spherical"]])
+    elif why == "slaved":
+        joints = list(model.joints)
+        joints[20] = replace(joints[20], mimic=Mimic(3, 0.5, 0.0))
+        model = replace(model, joints=tuple(joints))
+    elif why == "branches":
+        model = random_tree(rng, 40, branching=0.3, kinds=[KINDS["revolute"]])
+    plan = in_parts(model, parts=0 if why == "no parts" else 8)
+    assert not list(plan.steps_of(Join))
+
+
+def test_parts_are_not_certified() -> None:
+    with pytest.raises(UsageError, match="joins parts of a chain"):
+        certified(in_parts(serial_chain(24)))
