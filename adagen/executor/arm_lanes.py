@@ -19,14 +19,14 @@ Array = NDArray[Any]
 
 
 class CouplingColumn(NamedTuple):
-    """What an unknown, or those of alike arms, and a link's acceleration do to each other."""
+    """Column of C that couples an unknown (wide for similar arms) with a link's acceleration."""
 
     wide_unknown: WideUnknown
     column: Array
     point: Array | None = None
 
     def passed(self, x: Transform) -> CouplingColumn:
-        """Return the same seen from the near link.
+        """Return the column at the near link of a joint.
 
         A force at a point is turned, and the point is brought there, which gaps know already: its
         moment follows from these by fewer products than by turning it, but for what of it is zero.
@@ -41,7 +41,7 @@ class CouplingColumn(NamedTuple):
 
 
 class ArmLanes:
-    """Takes values of arms apart, puts them together, and adds them to a front.
+    """Splits wide values of similar arms, combines them, and adds them to a closure's state.
 
     Args:
         rows: joints and arms that share lanes.
@@ -61,25 +61,25 @@ class ArmLanes:
             self.closing.update((loops[0], loops) for loops in each.loops)
 
     def forces(self, step: CloseLoop, row: int) -> WideUnknown:
-        """The numbers of a row's force, and of those that are treated as one with it."""
+        """Numbers of a row's force in all lanes."""
         return tuple(each.first + row for each in self.closing.get(step, (step,)))
 
     def each(self, value: Expression, count: int) -> list[Expression]:
-        """A value for each of so many arms."""
+        """The value of each arm."""
         return [each.item() for each in self.rows.each(np.array(value, object), count)]
 
     def together(self, values: Sequence[Expression]) -> Expression:
-        """The values of arms as one."""
+        """Values of arms as one wide value."""
         whole = self.rows.together([np.array(value, object) for value in values])
         return cast("Expression", whole.item())
 
     def add(self, front: Front, some: WideUnknown, others: WideUnknown, value: Expression) -> None:
-        """Add to entries of E, of alike arms lane by lane."""
+        """Add to entries of E, lane by lane for similar arms."""
         for i, k, each in zip(some, others, self.each(value, len(some)), strict=True):
             front.add(i, k, each)
 
     def add_bias(self, front: Front, wide_unknown: WideUnknown, value: Array) -> None:
-        """Add to e likewise."""
+        """Add to e, lane by lane for similar arms."""
         for unknown, each in zip(
             wide_unknown, self.rows.each(value, len(wide_unknown)), strict=True
         ):
@@ -93,14 +93,14 @@ class ArmLanes:
         column: Array,
         point: Array | None = None,
     ) -> None:
-        """Add to C at links, one for each lane, likewise; of a force at a point, with that."""
+        """Add to C at links, one for each lane; for a force at a point, with that point."""
         each = self.rows.each(column, len(wide_unknown))
         points = [None] * len(each) if point is None else self.rows.each(point, len(wide_unknown))
         for link, unknown, own, at in zip(links, wide_unknown, each, points, strict=False):
             front.add_column(link, unknown, own, at)
 
     def take_columns(self, front: Front, joints: Sequence[int]) -> list[CouplingColumn]:
-        """Take C from the far links of joints, of alike arms together."""
+        """Remove C from the far links of joints, of similar arms as wide columns."""
         each = [front.columns.pop(j + 1, {}) for j in joints]
         points = [front.points.pop(j + 1, {}) for j in joints]
         found = []
@@ -114,7 +114,7 @@ class ArmLanes:
 
     @staticmethod
     def freedoms(front: Front, count: int) -> list[WideUnknown]:
-        """What is held back, as so many arms are treated as one."""
+        """Accelerations that are unknowns, those of similar arms as wide ones."""
         arms = [
             wide_unknown
             for each in front.arms

@@ -12,7 +12,7 @@ SINGULAR = "kSingularPose"
 
 @dataclass(frozen=True)
 class Check:
-    """A value that has to be finite and more than another.
+    """A run-time check: a value has to be finite and larger than another.
 
     Attributes:
         pivot: the value.

@@ -29,7 +29,7 @@ def closed_sweep(
     *,
     inwards: bool,
 ) -> list[int]:
-    """Return the places of the steps of a sweep that are done, in order.
+    """Return the order of the steps of a sweep, by their indices.
 
     Args:
         plan: the plan.
@@ -80,7 +80,7 @@ def closed_sweep(
 
 
 def _ordered(units: Mapping[_Unit, int], pairs: Iterable[tuple[_Unit, _Unit]]) -> list[_Unit]:
-    """Units in an order in which each comes after those that it waits for, by place where it may.
+    """Units in an order that satisfies all dependencies, otherwise by index.
 
     Args:
         units: with the places that they would have.

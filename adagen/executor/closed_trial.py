@@ -20,7 +20,7 @@ BITS = (256, 1024, 4096)
 
 
 def tried_closed(model: Model, plan: Plan) -> Trial:
-    """Return what a plan loses in states in which the robot's loops are closed.
+    """Return the digits that a plan loses in states in which the robot's loops are closed.
 
     It is carried out in the plan's scalar and in many bits. Singular poses are left out. Where no
     joint can move, nothing is lost.
@@ -56,7 +56,7 @@ def tried_closed(model: Model, plan: Plan) -> Trial:
 
 
 def _truth(plan: Plan, q: Any, v: Any, tau: Any) -> Any:
-    """The accelerations in as many bits as long chains take."""
+    """The accelerations in the precision that long chains need."""
     for bits in BITS:
         with ctx.workprec(bits):
             try:

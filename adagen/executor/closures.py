@@ -69,7 +69,7 @@ class Closures(Constraints):
     # -- inwards ----------------------------------------------------------------------------------
 
     def _hold_back(self, step: HoldBack, front: Front) -> None:
-        """Pass a joint as if it were rigid; what its motion does to all else goes into C, E, e."""
+        """Inward sweep through a joint whose acceleration becomes an unknown: its C, E and e."""
         j, parent = step.joint, self.state.plan.joints[step.joint].parent
         joints, free = self.arm_lanes.holds.get(j, (j,)), list(self.state.kind(j).free)
         inertia, p = self.memory["IA", j + 1], self.memory["pA", j + 1]
@@ -120,7 +120,7 @@ class Closures(Constraints):
         p: Array,
         columns: Sequence[CouplingColumn],
     ) -> None:
-        """Hand what is beyond a joint inwards; what goes to the top waits for it."""
+        """Pass inertia, bias force and columns to the near link; those for the top are stored."""
         j, joints = step.joint, self.arm_lanes.holds.get(step.joint, (step.joint,))
         parents = [self.state.plan.joints[each].parent for each in joints]
         x: Transform = self.memory["X", j]
@@ -137,7 +137,7 @@ class Closures(Constraints):
                 self.state.rows.hand_on(name, j, value)
 
     def _look_at_rates(self, front: Front) -> None:
-        """Check that loops do not open: J v, of all rows that are any."""
+        """Check that loops do not open: J v of all rows is zero."""
         zero = self.state.graph.constant(0)
         for opening in front.opening:
             rates = list(opening.turning)
@@ -160,7 +160,7 @@ class Closures(Constraints):
                 self._refuse_torn(opening.place, rate, opening.fastest)
 
     def _carry(self, step: CarryRows, front: Front) -> None:
-        """Take C through a joint that was articulated: C - U D^-1 S^T C, and what that does."""
+        """Carry C through an eliminated joint, C - U D^-1 S^T C, and add its effect on E and e."""
         j, parent = step.joint, self.state.plan.joints[step.joint].parent
         kind = self.state.kind(j)
         free, constrained = list(kind.free), list(kind.constrained)
@@ -196,7 +196,7 @@ class Closures(Constraints):
     # -- outwards ---------------------------------------------------------------------------------
 
     def _release(self, step: Release, front: Front) -> None:
-        """Find w from the top's acceleration; joints that were articulated feel it, too."""
+        """Compute w from the top's acceleration, and its effect on eliminated joints."""
         rows = self.state.rows
         for solved in reversed(front.solved):
             found = solved.bias
@@ -231,7 +231,7 @@ class Closures(Constraints):
         return self.state.rows.of_links("a", tops, self.state.zeros(6, self.state.columns))
 
     def _accelerate_known(self, front: Front) -> None:
-        """Accelerate joints that wait for it; balls do for what they join."""
+        """Accelerate the joints whose unknowns are known now."""
         waiting: list[AccelerateHeld] = []
         for step in front.outwards:
             hung = self.hung.at(step.joint)

@@ -39,7 +39,7 @@ RATES = 10.0
 
 
 class _Closing(NamedTuple):
-    """A loop that is closed, of each lane.
+    """A loop while it is closed, in each lane.
 
     Attributes:
         loops: the plan's.
@@ -86,13 +86,13 @@ class Constraints:
     # -- lanes ------------------------------------------------------------------------------------
 
     def lanes(self, number: int) -> tuple[ClosureSteps, ...]:
-        """What is done for closures that go side by side, lane by lane; idle lanes repeat."""
+        """Return the steps of similar closures, lane by lane; idle lanes repeat the last."""
         if number not in self.together:
             return (self.alone[number],)
         return in_lanes(self.together[number])
 
     def _loops(self, step: CloseLoop) -> list[int]:
-        """Loops that are treated as one, by lanes."""
+        """Loops of similar closures, by lanes."""
         if step in self.arm_lanes.closing:
             return [each.loop for each in in_lanes(self.arm_lanes.closing[step])]
         if step.closure not in self.together:
@@ -101,7 +101,7 @@ class Constraints:
         return [lane.loops[place].loop for lane in self.lanes(step.closure)]
 
     def _plan_loops(self, step: CloseLoop) -> list[PlanLoop]:
-        """The same, their links in the order in which they are taken."""
+        """The same loops of the plan, their links in matching order."""
         plan, numbers = self.state.plan, self._loops(step)
         if step.closure not in self.together:
             return [plan.loops[number] for number in numbers]
@@ -109,14 +109,14 @@ class Constraints:
         return [one.loop(plan, number) for one, number in lanes]
 
     def _couplings(self, step: CloseCoupling) -> list[int]:
-        """Couplings likewise."""
+        """Couplings of similar closures, by lanes."""
         if step.closure not in self.together:
             return [step.coupling]
         place = self.together[step.closure][0].couplings.index(step)
         return [lane.couplings[place].coupling for lane in self.lanes(step.closure)]
 
     def _named(self, numbers: Sequence[int], first: int) -> int:
-        """What is blamed for loops or couplings in lanes: numbers behind the first one."""
+        """Numbers by which a failure names loops or couplings in lanes."""
         places = tuple(dict.fromkeys(first + number for number in numbers))
         if len(numbers) > 1:
             self.state.rows.beyond_joints[places[0]] = places
@@ -171,7 +171,7 @@ class Constraints:
         wide_unknown: WideUnknown,
         number: int,
     ) -> None:
-        """Add a row of a loop to its closure: what it holds at both ends, and its bias.
+        """Add a row of a loop to its closure: its columns at both ends, and its bias.
 
         Args:
             step: closes the loop.
@@ -218,12 +218,12 @@ class Constraints:
         front.loops[step.loop].append((wide_unknown, linear, in_frame))
 
     def _told(self, step: CloseLoop) -> bool:
-        """Whether others may tell what they do to a loop's rows, the only unknowns then."""
+        """Whether other processes may contribute to a loop's rows, the only unknowns then."""
         one = self.alone.get(step.closure)
         return one is not None and not (one.held or one.eliminate.moved)
 
     def _moves_by_rows(self, step: CloseLoop) -> bool:
-        """Whether how fast a loop opens follows from what its rows do to what is held back."""
+        """Whether the opening rate of a loop follows from its rows and the speeds of unknowns."""
         one = self.alone.get(step.closure)
         if one is None or one.eliminate.grounded or len(one.held) < len(one.path):
             return False
@@ -232,7 +232,7 @@ class Constraints:
     def _refuse_open(
         self, place: int, gap: Expression, joints: Sequence[int], tolerance: Array
     ) -> Expression:
-        """Check that a constraint holds; its gap is a square.
+        """Check that a constraint is satisfied, given its squared gap.
 
         Returns the square of how fast it may open: the faster its joints move, the faster.
         """
@@ -244,7 +244,7 @@ class Constraints:
         return (speeds + 1.0) * (most * RATES**2)
 
     def _refuse_torn(self, place: int, rate: Expression, fastest: Expression) -> None:
-        """Check that a constraint goes on to hold; its rate is a square."""
+        """Check that a constraint stays satisfied, given its squared rate."""
         zero: Expression = self.state.graph.constant(0)
         self.state.checks.append(Check(fastest - rate, zero, place, "kLoopTorn"))
 
@@ -282,7 +282,7 @@ class Constraints:
                 tied.append((self.column_of[step.unknown], factor))
 
     def _apart(self, front: Front, wide_unknown: WideUnknown, gap: Expression) -> Expression:
-        """How a row parts by the answer; in a certificate that is weighed by itself."""
+        """The residual of a row for the answer; certificates use it separately."""
         if not self.state.plan.certified:
             return gap
         front.gaps[wide_unknown] = gap

@@ -44,7 +44,7 @@ class _Copy:
         self._places = {_key(step): k for k, step in reversed(list(enumerate(want.own.steps)))}
 
     def simulated(self) -> Simulated:
-        """Copy it all: first what waits for no message, and last what waits for one."""
+        """Copy everything: what waits for no message first, what waits for one last."""
         late = self._late()
         self._copy(self.pairs - late, 0)
         self._send()
@@ -57,7 +57,7 @@ class _Copy:
         return Simulated(self.machine, tuple(ends))
 
     def _late(self) -> set[Pair]:
-        """What waits for a message; lanes side by side wait together."""
+        """Values that wait for a message; lanes side by side wait together."""
         late: set[Pair] = set(self.want.missing)
         for index, pairs in groupby(sorted(self.pairs), key=lambda pair: pair[0]):
             own = [pair for pair in pairs if pair not in self.want.missing]
@@ -78,7 +78,7 @@ class _Copy:
                 self._wide[index] = self._several(index)
 
     def _place(self, index: int, lane: int) -> int:
-        """Where among its steps a number is computed: in that of its own joint, if it is single."""
+        """The step in which a number is computed: that of its own joint, if it is single."""
         node = self.line.nodes[index]
         step = self.line.plan.processes[0].steps[node.mark]
         what, joint = _key(step)
@@ -149,7 +149,7 @@ class _Copy:
                 ]
 
     def _receive(self, ends: list[int]) -> int:
-        """Take what messages bring; return the place of the last one that does."""
+        """Read all messages; return the index of the last one that is needed."""
         missing, last = self.want.missing, 0
         for place, step in enumerate(self.want.own.steps):
             if not isinstance(step, Receive):
@@ -226,7 +226,7 @@ class _Copy:
 
 
 def _by_place(looked: Iterable[Looked]) -> Iterator[tuple[int, list[Looked]]]:
-    """Numbers that are looked at, check by check."""
+    """Checked numbers, check by check."""
     found: dict[int, list[Looked]] = {}
     for each in looked:
         found.setdefault(each.place, []).append(each)
@@ -234,6 +234,6 @@ def _by_place(looked: Iterable[Looked]) -> Iterator[tuple[int, list[Looked]]]:
 
 
 def _key(step: Step) -> tuple[type, int]:
-    """What a step does, and for which joint, or the one above which link."""
+    """The kind of a step, and its joint or link."""
     what = StartLink if isinstance(step, StartEmpty) else type(step)
     return what, getattr(step, "joint", getattr(step, "link", 0) - 1)

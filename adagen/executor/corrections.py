@@ -39,7 +39,7 @@ _KINEMATICS = (Kinematics, Traverse, Append, Arrive)
 
 
 class Corrections:
-    """Corrects what a process has answered.
+    """Corrections of a process's answer.
 
     Args:
         machine: has carried out the process's own steps.
@@ -56,11 +56,11 @@ class Corrections:
 
     @property
     def current(self) -> Machine:
-        """Finds the correction that is being found."""
+        """The correction that is being computed."""
         return self.rounds[-1]
 
     def step(self, step: Correct) -> None:
-        """Carry out some steps again; the first ones begin a correction."""
+        """Repeat some steps for the residuals; the first ones begin a correction."""
         if step.first == 0:
             self._begin()
         for place in self._order:
@@ -69,11 +69,11 @@ class Corrections:
                 self.current.step(again)
 
     def in_order(self) -> list[Step]:
-        """Return the process's own steps, in the order in which they are carried out again."""
+        """Return the process's own steps, in the order of their repetition."""
         return [self.steps[place] for place in self._order]
 
     def sizes(self) -> list[Expression]:
-        """Return squares of energy norms: of the answer, of all that accelerates, of corrections.
+        """Return squared energy norms: of the answer, of all link accelerations, of corrections.
 
         What other processes start is theirs to count.
         """
@@ -86,18 +86,18 @@ class Corrections:
         return [whole, energies.in_all(), *parts]
 
     def size_of_answer(self) -> Expression:
-        """Return the square of its energy norm, from what its links were found to take."""
+        """Return the squared energy norm of the answer, from the wrenches of its links."""
         first = _answer_of(self.machine)
         return self._energies().in_fall(first.links, first.joints)
 
     def _energies(self) -> Energies:
-        """What counts energies of the links that the process starts."""
+        """The energies of the links that the process starts."""
         started = {s.link for s in self.steps if isinstance(s, StartLink | LinkBias)}
         links = [link for link in self.links() if link in started]
         return Energies(self.machine.motion, links)
 
     def finish(self) -> None:
-        """Add all corrections to the answer, and say how large each of them is."""
+        """Add all corrections to the answer, and report their sizes."""
         machine = self.machine
         machine.memory["energies", 0] = np.array(self.sizes(), dtype=object)
         for each in self.rounds:
@@ -107,7 +107,7 @@ class Corrections:
                 machine.forces[place] = machine.forces[place] + force
 
     def receive(self, known: Mapping[Any, Array], added: Set[Any]) -> None:
-        """Take what a message brought for the answer and does not bring again.
+        """Reuse the contents of the answer's message that a repeated message does not contain.
 
         Args:
             known: what it brought.
@@ -121,7 +121,7 @@ class Corrections:
                 memory[item] = memory[item] + value
 
     def links(self) -> list[int]:
-        """Links that take something, in the names that stand for rows."""
+        """Links with residuals, rows of lanes by their first link."""
         biases = (name for name in self.machine.memory if isinstance(name, Bias))
         bare = [name.handle for name in biases if name.joint is None]
         return sorted({*_names(self.machine, "pA"), *bare})
@@ -151,12 +151,12 @@ class Corrections:
 
 
 def _names(machine: Machine, word: str) -> list[int]:
-    """The numbers of what a process's memory has by some name."""
+    """The numbers that a process's memory has under some name."""
     return [name[1] for name in machine.memory if isinstance(name, tuple) and name[0] == word]
 
 
 def _answer_of(machine: Machine) -> Answer:
-    """What a process has answered."""
+    """The answer of a process."""
     forces: dict[tuple[int, int], Expression] = {}
     for k, front in machine.closures.fronts.items():
         forces.update({(k, unknown): force for unknown, force in front.forces.items()})

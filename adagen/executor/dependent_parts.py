@@ -17,7 +17,7 @@ Array = NDArray[Any]
 
 @dataclass(frozen=True)
 class Part:
-    """Accelerations that follow from the others by rows of their own.
+    """A block of dependent accelerations that follow from the others by rows of their own.
 
     Attributes:
         rows: numbers of the rows' forces; of alike arms, one for each lane.
@@ -31,13 +31,13 @@ class Part:
 
     @property
     def count(self) -> int:
-        """How many arms it is of."""
+        """Number of arms in the part."""
         return len(self.rows[0])
 
 
 @dataclass(frozen=True)
 class SolvedPart:
-    """A part, z = A a + G y + g, and what is to be taken into account for it.
+    """A solved block, z = A a + G y + g, and its contributions to the rest.
 
     Attributes:
         part: which.
@@ -59,7 +59,7 @@ class SolvedPart:
 
 
 def followed(front: Front, step: Eliminate) -> list[Part]:
-    """Return the parts of what follows: each is solved by itself."""
+    """Return the blocks of dependent accelerations, each solved by itself."""
     parts = []
     rows, moved = set(step.rows), set(step.moved)
     for arms in front.arms:
@@ -86,7 +86,7 @@ def _others(arms: Arms, step: Eliminate, moved: set[int]) -> tuple[WideUnknown, 
 
 
 def _by_itself(front: Front, step: Eliminate, part: Part) -> bool:
-    """Whether each lane's rows and accelerations have nothing to do with any others that follow."""
+    """Whether each lane's rows and accelerations are independent of all other dependent ones."""
     for lane in range(part.count):
         rows, moved = (
             {wide_unknown[lane] for wide_unknown in some} for some in (part.rows, part.moved)
@@ -105,6 +105,6 @@ def as_wide_unknown(unknown: int | WideUnknown) -> WideUnknown:
 
 
 def by_lanes(one: int | WideUnknown, other: int | WideUnknown) -> list[tuple[int, int]]:
-    """Return pairs of what belongs together, for each lane; what is single is the same in all."""
+    """Return pairs of unknowns lane by lane; a single one is the same in all lanes."""
     a, b = as_wide_unknown(one), as_wide_unknown(other)
     return [(a[k % len(a)], b[k % len(b)]) for k in range(max(len(a), len(b)))]

@@ -64,7 +64,7 @@ class Elimination:
         self.columns = front.columns.pop(step.link, {}) if step.link else {}
 
     def run(self) -> None:
-        """Do it, in the way that the rows allow and the step says."""
+        """Eliminate by the method that the rows allow and the step asks for."""
         step = self.step
         forces = (*step.rows, *step.followers)
         self._begin_forces()
@@ -93,7 +93,7 @@ class Elimination:
         return block
 
     def _together(self, values: Sequence[Any]) -> Any:
-        """Numbers of alike arms as one; of one arm, the number."""
+        """Values of similar arms as one wide value; of one arm, the value."""
         return self.state.rows.together([np.array(value, object) for value in values])[()]
 
     def _biases(self, unknowns: Unknowns) -> Array:
@@ -113,18 +113,18 @@ class Elimination:
         return result
 
     def _by_others(self, rows: Unknowns, others: Unknowns) -> Array:
-        """What the top's acceleration and others do to rows, shape (n, 6 + m)."""
+        """Effect of the top's acceleration and of other unknowns on rows, shape (n, 6 + m)."""
         grounded = self.step.grounded  # else what both ends do to the top cancels
         at_top = self._at_top(rows) if grounded else self.state.zeros(len(rows), 6)
         return np.concatenate([at_top, self._block(rows, others)], axis=1)
 
     def _scales(self) -> Array:
-        """What brings the kept rows to one size, shape (rows,)."""
+        """Factors that bring the kept rows to one size, shape (rows,)."""
         each = [self.state.constants(lane.scales) for lane in self.lanes]
         return self.state.rows.packed(each)
 
     def _begin_forces(self) -> None:
-        """Begin to keep what forces follow from, where they are asked for."""
+        """Begin to record what constraint forces follow from, if they are requested."""
         if self.state.plan.loop_forces or self.state.plan.weighed:
             step = self.step
             by_kept = self.state.zeros(len(step.followers), len(step.rows))
@@ -137,7 +137,7 @@ class Elimination:
         others: Sequence[WideUnknown],
         solve: Callable[[Array], Array] | None = None,
     ) -> None:
-        """Keep what forces of rows follow from: how rows push accelerations.
+        """Record what forces of rows follow from: the rows' effect on accelerations.
 
         Args:
             rows: numbers of the forces.
@@ -191,7 +191,7 @@ class Elimination:
         self._keep_reduced([_followed(each) for each in found], freed)
 
     def _keep_own(self, own: SolvedFreeMotions) -> Freed:
-        """Keep y that arms have for their own; take what they give way from the top."""
+        """Store independent accelerations of single arms; subtract their effect from the top."""
         self.front.solved.append(own.solved)
         blamed = [wide_unknown[0] for wide_unknown in own.solved.unknowns]
         self.checks.inertia(blamed, own.freed.factors, own.before)
@@ -201,7 +201,7 @@ class Elimination:
         return own.freed
 
     def _solved_part(self, part: Part) -> SolvedPart:
-        """Solve the rows of a part for what follows by them."""
+        """Solve the rows of a block for its dependent accelerations."""
         rows, z, others = part.rows, part.moved, part.others
         scale_of = dict(zip(self.step.rows, self._scales(), strict=True))
         scales = [self._together([scale_of[row] for row in wide_unknown]) for wide_unknown in rows]
@@ -222,7 +222,7 @@ class Elimination:
         )
 
     def _follow_basis(self) -> None:
-        """By an orthogonal basis N of what the rows leave free, w = N y + g: J^T = Q R, N in Q."""
+        """By an orthogonal basis N of the rows' null space, w = N y + g: J^T = Q R, N in Q."""
         step, w, count = self.step, self.step.singles, len(self.step.rows)
         rows = RowBasis(self.state, self._block(step.rows, w).T, self._scales())
         regular = [Regular(k, x * x, 1.0) for k, x in enumerate(rows.pivots)]
@@ -243,7 +243,7 @@ class Elimination:
             self._keep_reduced([self._moved(rows, y, n, own)], [freed] if y else [])
 
     def _moved(self, rows: RowBasis, y: Sequence[int], n: Array, own: Array) -> Followed:
-        """How unknowns follow from a basis, and move where rows part.
+        """How unknowns follow from a basis, and how residuals of rows move them.
 
         By these they move along as many directions at right angles, none of which takes more than
         the unknown that takes most: where Q turns them does not matter.
@@ -253,7 +253,7 @@ class Elimination:
         return Followed(w, alone(y), n, none, alone(self.step.rows), rows.moves, most)
 
     def _solve_all(self) -> None:
-        """All unknowns at once, where rows push each other through articulated joints."""
+        """All unknowns at once, where rows are coupled through eliminated joints."""
         step = self.step
         every = (*step.singles, *step.moved, *step.rows)
         matrix = self._block(every, every)
@@ -275,7 +275,7 @@ class Elimination:
     # -- parts ------------------------------------------------------------------------------------
 
     def _left_out(self, found: Sequence[SolvedPart]) -> tuple[Array, Array]:
-        """What the kept rows leave of those that are left out, for y, and the rows."""
+        """Remainders of the redundant rows after the kept ones, for y, and the rows."""
         step = self.step
         rest, block = self._by_others(step.followers, step.singles), self._block
         whole = np.concatenate([rest, block(step.followers, step.moved)], axis=1)
@@ -303,7 +303,7 @@ class Elimination:
         across: Array,
         bias: Array,
     ) -> Freed:
-        """What the loops leave free, by its inertia: each pivot has to be positive.
+        """Solve for the independent accelerations by their inertia: each pivot has to be positive.
 
         Args:
             y: numbers that it is found by.
@@ -324,7 +324,7 @@ class Elimination:
     # -- what certificates need -------------------------------------------------------------------
 
     def _parted(self, sizes: Array) -> Array:
-        """Each row, parted by some size, shape (rows, rows); nothing where nobody asks."""
+        """Unit residuals of each row, times a size, shape (rows, rows); empty if not needed."""
         if not self.state.plan.certified:
             return self.state.zeros(len(sizes), 0)
         zero, parted = self.state.graph.constant(0), self.state.zeros(len(sizes), len(sizes))
@@ -333,12 +333,12 @@ class Elimination:
         return parted
 
     def _keep_reduced(self, followed: Sequence[Followed], freed: Sequence[Freed]) -> None:
-        """Keep how unknowns were eliminated."""
+        """Record how unknowns were eliminated, for certificates."""
         if self.state.plan.certified:
             self.front.reduced = Reduced(tuple(followed), tuple(freed))
 
     def _found(self, unknowns: Sequence[int], across: Array, found: Array) -> None:
-        """Keep unknowns as they follow from the top; take what they give way from the top."""
+        """Store unknowns as functions of the top's acceleration; take their effect off the top."""
         none = self.state.zeros(len(unknowns), 0)
         self.front.solved.append(Solved(alone(unknowns), -found[:, :6], (), none, -found[:, 6:]))
         if not self.step.link:
@@ -351,7 +351,7 @@ class Elimination:
         self.front.hand("pA", -matrix_times(across.T, found[:, 6:]))
 
     def _move_top(self, each: SolvedPart) -> None:
-        """What accelerations z = A a + g do to the top, whose acceleration is a."""
+        """Effect of accelerations z = A a + g on the top, whose acceleration is a."""
         across, offset, count = each.solved.across, each.solved.bias, each.part.count
         if self.step.link and any(x.constant != 0 for x in across.flat):
             added = matrix_times(across.T, each.at_top + matrix_times(each.own, across))
@@ -362,17 +362,17 @@ class Elimination:
         self._push_top(each.at_top, offset, count)
 
     def _push_top(self, at_top: Array, offset: Array, count: int = 1) -> None:
-        """What accelerations that the rows give by themselves do to the top."""
+        """Effect on the top of accelerations that follow from the rows alone."""
         if self.step.link:
             self._hand("pA", matrix_times(at_top.T, offset), count)
 
     def _hand(self, name: str, value: Array, count: int) -> None:
-        """Hand to the top what so many arms do to it."""
+        """Add the contribution of a number of arms to the top."""
         self.front.hand(name, self.state.rows.sum_of(value, count))
 
 
 def _followed(each: SolvedPart) -> Followed:
-    """What a certificate needs of a part."""
+    """The data that a certificate needs of a block."""
     part, solved, own = each.part, each.solved, np.diag(each.own)
 
     def moves(parted: Array) -> Array:
@@ -382,12 +382,12 @@ def _followed(each: SolvedPart) -> Followed:
 
 
 def _solves_by(inverse: Array) -> Callable[[Array], Array] | None:
-    """What solves by the inverse of how rows push, where that is at hand."""
+    """A solver by the inverse of the rows' matrix, where that is known."""
     return (lambda pull: matrix_times(inverse.T, pull)) if inverse.size else None
 
 
 def _symmetric(matrix: Array) -> Array:
-    """A matrix that is symmetric but for rounding, from its lower triangle."""
+    """A symmetric matrix from the lower triangle of one that is symmetric up to rounding."""
     result = matrix.copy()
     lower = np.tril_indices(len(matrix), -1)
     result.T[lower] = result[lower]

@@ -38,7 +38,7 @@ MOST_LOST = 0.1
 
 
 def failure_of(step: Eliminate) -> str:
-    """Return how an evaluation fails where what follows is found poorly."""
+    """Return the failure status of an evaluation in a poor pose."""
     return SINGULAR if step.recovers else "kLoopSingular"
 
 
@@ -57,18 +57,18 @@ class EliminationChecks:
         self.fails = failure_of(step)
 
     def _check(self, value: Expression, least: Expression | float, unknown: int, how: str) -> None:
-        """A value has to exceed another; what an unknown belongs to fails otherwise."""
+        """Check that a value exceeds another; the failure names the owner of an unknown."""
         limit = self.state.graph.constant(least) if isinstance(least, float) else least
         self.state.checks.append(Check(value, limit, self.front.places[unknown], how))
 
     def regular(self, regular: Sequence[Regular], rows: Sequence[int]) -> None:
-        """What follows has to follow: the rows, brought to one size, may not be singular."""
+        """Check that the rows, brought to one size, are not singular."""
         least = LEAST[self.state.plan.scalar] ** 2
         for each in regular:
             self._check(each.square, each.beside * least, rows[each.row], self.fails)
 
     def size(self, found: Sequence[SolvedPart]) -> None:
-        """Look at A and G: where they are large, this choice of what follows is poor."""
+        """Check A and G: where they are large, this choice of dependent accelerations is poor."""
         squares = []
         for each in found:
             own = _squares(np.concatenate([each.solved.across, each.solved.more], axis=1).flat)
@@ -80,7 +80,7 @@ class EliminationChecks:
             self._check(limit**2 - total(squares), 0.0, self.step.rows[0], self.fails)
 
     def left_out(self, rest: Array, whole: Array) -> None:
-        """Rows that are left out have to follow from the others in this pose, too.
+        """Check that the redundant rows follow from the kept ones in this pose, too.
 
         Args:
             rest: what of each row the kept ones leave, for what they leave free.
@@ -93,7 +93,7 @@ class EliminationChecks:
                 self._check(left, 0.0, unknown, self.fails)
 
     def pushed(self, pushed: Array, found: Array) -> None:
-        """Rows that are left out have to push nothing that the kept ones do not push."""
+        """Check that redundant rows act only on accelerations on which the kept ones act."""
         for k, unknown in enumerate(self.step.followers):
             own = self.front.entry(unknown, unknown)
             if own is not None:
@@ -102,14 +102,14 @@ class EliminationChecks:
                 self._check(left, 0.0, unknown, self.fails)
 
     def inverse(self, every: Sequence[int], matrix: Array, diagonal: Sequence[Expression]) -> None:
-        """No pivot of all unknowns may have lost its digits."""
+        """Check that no pivot of the system of all unknowns has lost its digits."""
         lost = (16 * self.epsilon) ** 2
         for k, (unknown, pivot) in enumerate(zip(every, diagonal, strict=True)):
             least = total(_squares(matrix[:, k])) * lost
             self._check(pivot * pivot, least, unknown, self.fails)
 
     def known(self, matrix: Array, moving: int) -> tuple[Array, Array]:
-        """Return unknowns that are made up, and what brings their squares to a size of one.
+        """Return known test values of the unknowns, and factors that scale their squares to one.
 
         Accelerations are 1, and forces such as make these.
 
@@ -128,7 +128,7 @@ class EliminationChecks:
         return known, sizes
 
     def found_again(self, known: Array, sizes: Array, found: Array) -> None:
-        """Unknowns that are made up have to be found again.
+        """Check that the known test values are found again by solving the system.
 
         A pivot need not be next to nothing where digits are lost: joints of light links that come
         near one plane, a motion without inertia among many with. What is lost is seen in numbers
@@ -140,7 +140,7 @@ class EliminationChecks:
         self._check(least - off, 0.0, self.step.rows[0], self.fails)
 
     def inertia(self, blamed: Sequence[int], factors: Factors, sizes: Array) -> None:
-        """No pivot of the inertia may have lost its digits, nor the sum that an entry is.
+        """Check that no pivot of the inertia has lost its digits, nor an entry as a sum.
 
         Where some are lost and not all, as of light links near gimbal lock, another way may keep
         them.

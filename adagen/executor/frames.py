@@ -142,7 +142,7 @@ class Dense:
 
 @dataclass(frozen=True)
 class Rotation:
-    """A product of factors, the last one being applied first; it takes child to parent axes."""
+    """A product of factors, the last one applied first; it maps child to parent axes."""
 
     factors: tuple[Turn | Dense, ...]
 
@@ -201,7 +201,7 @@ def about_z(cosine: Expression, sine: Expression, *, exact: bool = False) -> Tur
 
 
 def placed(base: Array, turn: Turn | Dense | None, *, across: bool = False) -> Rotation:
-    """Return the constant rotation ``base`` times ``turn``, what can be merged merged.
+    """Return the constant rotation ``base`` times ``turn``, factors merged where possible.
 
     A sum of angles loses as many digits of a small one as that is smaller than a unit; a product
     that is exact to its largest entry only would lose twice as many.
@@ -239,7 +239,7 @@ def placed(base: Array, turn: Turn | Dense | None, *, across: bool = False) -> R
 
 @dataclass(frozen=True)
 class Transform:
-    """From a joint's child link's frame to its parent link's, and back.
+    """Change of frame from a joint's child link to its parent link, and back.
 
     Attributes:
         rotation: child axes to parent axes.
@@ -271,7 +271,7 @@ class Transform:
         return self.rotation.transposed().spatial(np.concatenate([moment, f[LINEAR]]))
 
     def inertia(self, matrix: Array) -> Array:
-        """Return an inertia of the child felt by the parent: X^T I X."""
+        """Return an inertia of the child at the parent: X^T I X."""
         return shifted(self.rotation.spatial_congruent(matrix), self.origin, ANGULAR, LINEAR)
 
     def rigid_inertia(self, matrix: Array) -> Array:
@@ -294,7 +294,7 @@ class Transform:
         return result
 
     def inertia_back(self, matrix: Array) -> Array:
-        """Return an inertia of the parent felt by the child: X^-T I X^-1."""
+        """Return an inertia of the parent at the child: X^-T I X^-1."""
         moved = shifted(matrix, -self.origin, ANGULAR, LINEAR)
         return self.rotation.transposed().spatial_congruent(moved)
 

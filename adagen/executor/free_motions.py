@@ -24,7 +24,7 @@ Array = NDArray[Any]
 
 @dataclass(frozen=True)
 class SolvedFreeMotions:
-    """Accelerations that alike arms have left free for their own, solved for side by side.
+    """Independent accelerations of single arms, solved for side by side.
 
     Attributes:
         solved: how they follow from the others.
@@ -40,7 +40,7 @@ class SolvedFreeMotions:
 
 
 class FreeMotions:
-    """Accelerations y that are left free: y^T R y / 2 + y^T (B a + c), a the top's acceleration.
+    """Independent accelerations y: y^T R y / 2 + y^T (B a + c), a the top's acceleration.
 
     Args:
         rows: joints and arms that share lanes.
@@ -62,7 +62,7 @@ class FreeMotions:
         self.alone = np.array([square[k, k] for k in range(len(square))], dtype=object)
 
     def take(self, each: SolvedPart) -> None:
-        """Add what follows from y, z = A a + G y + g."""
+        """Add the contribution of a dependent block, z = A a + G y + g."""
         a, g, offset = each.solved.across, each.solved.more, each.solved.bias
         half = each.between + matrix_times(g.T, each.own)
         for value in (matrix_times(half, g), matrix_times(g.T, each.between.T)):
@@ -73,7 +73,7 @@ class FreeMotions:
             self.bias = self._with_rows(each, self.bias, value)
 
     def places(self, each: SolvedPart) -> list[WideUnknown]:
-        """Return where a part's y are among all, by lanes."""
+        """Return the indices of a block's y among all, by lanes."""
         place = {u: k for k, u in enumerate(self.numbers)}
         every = (
             tuple(place[u] for u in wide_unknown if u in place) for wide_unknown in each.part.others
@@ -108,7 +108,7 @@ class FreeMotions:
             to[place] = own[()]
 
     def solve_own(self, each: SolvedPart) -> SolvedFreeMotions | None:
-        """Solve for y that a part has for its own in each lane; None where it has none."""
+        """Solve for the y that only one lane's block uses; None if there are none."""
         own = [places for places in self.places(each) if len(places) > 1]
         if not own:
             return None
@@ -140,7 +140,7 @@ class FreeMotions:
         return SolvedFreeMotions(solved, freed, before, gives[m : m + 6, m:])
 
     def _wide(self, some: Sequence[WideUnknown], others: Sequence[WideUnknown]) -> Array:
-        """Entries of R by places, of alike arms together."""
+        """Entries of R by index, of similar arms as wide values."""
         result = np.empty((len(some), len(others)), dtype=object)
         for i, k in np.ndindex(result.shape):
             pairs = by_lanes(some[i], others[k])

@@ -18,13 +18,13 @@ Array = NDArray[Any]
 
 
 def alone(unknowns: Iterable[int]) -> tuple[WideUnknown, ...]:
-    """Return unknowns none of which share lanes."""
+    """Return unknowns as wide unknowns of one lane."""
     return tuple((unknown,) for unknown in unknowns)
 
 
 @dataclass(frozen=True)
 class Solved:
-    """Unknowns that follow from the top's acceleration and others: w = across a + more w' + bias.
+    """Eliminated unknowns as functions of the top and others: w = across a + more w' + bias.
 
     Attributes:
         unknowns: their numbers, those of alike arms together, lane by lane.
@@ -43,7 +43,7 @@ class Solved:
 
 @dataclass(frozen=True)
 class Push:
-    """What forces of some kept rows follow from: rows^T w = -(inertia w' + across a + bias).
+    """Equations for the forces of some kept rows: rows^T w = -(inertia w' + across a + bias).
 
     Attributes:
         kept: numbers of their forces, those of alike arms together, lane by lane.
@@ -64,7 +64,7 @@ class Push:
 
 @dataclass(frozen=True)
 class Pushed:
-    """What forces of kept rows follow from, part by part.
+    """Equations for the forces of kept rows, block by block.
 
     Attributes:
         kept: numbers of their forces.
@@ -81,7 +81,7 @@ class Pushed:
 
 @dataclass(frozen=True)
 class Opening:
-    """A loop of which is looked at how fast it opens, once its rows have passed all joints.
+    """A loop whose opening rate is checked once its rows have passed all joints.
 
     Attributes:
         place: what is blamed.
@@ -98,7 +98,7 @@ class Opening:
 
 @dataclass(frozen=True)
 class End:
-    """Where a loop holds a link.
+    """One end of a loop, at a link.
 
     Attributes:
         links: one for each lane.
@@ -114,7 +114,7 @@ class End:
 
 @dataclass(frozen=True)
 class Followed:
-    """What a certificate needs of unknowns that follow from a closure's rows.
+    """Data of dependent unknowns for a certificate.
 
     Attributes:
         unknowns: their numbers, those of alike arms together, lane by lane.
@@ -138,7 +138,7 @@ class Followed:
 
 @dataclass(frozen=True)
 class Freed:
-    """What a certificate needs of unknowns that rows leave free.
+    """Data of independent unknowns for a certificate.
 
     Attributes:
         unknowns: their numbers, those of alike arms together, lane by lane; or of a basis.
@@ -157,7 +157,7 @@ class Freed:
 
 @dataclass(frozen=True)
 class Reduced:
-    """What a closure's certificate needs of how its unknowns were eliminated, in order."""
+    """Data of a closure's eliminated unknowns for a certificate, in order."""
 
     followed: tuple[Followed, ...]
     freed: tuple[Freed, ...]
@@ -165,7 +165,7 @@ class Reduced:
 
 @dataclass
 class Front:
-    """A closure on its way inwards.
+    """State of a closure during the inward sweep.
 
     Attributes:
         columns: C by link and unknown, shape (6,) each.
@@ -223,13 +223,13 @@ class Front:
     outwards: list[AccelerateHeld] = field(default_factory=list)
 
     def hand(self, name: str, value: Array) -> None:
-        """Add to what is passed to the top."""
+        """Add to the inertia or bias force that is passed to the top."""
         self.passed[name] = self.passed[name] + value if name in self.passed else value
 
     def add_column(
         self, link: int, unknown: int, column: Array, point: Array | None = None
     ) -> None:
-        """Add to what an unknown and a link's acceleration do to each other.
+        """Add to the column of C that couples an unknown and a link's acceleration.
 
         Args:
             link: number of the link.
@@ -261,12 +261,12 @@ class Front:
         self.bias[unknown] = self.bias[unknown] + value if unknown in self.bias else value
 
     def end_waiting(self) -> None:
-        """Add to e what loops do by themselves."""
+        """Add the loops' own biases to e."""
         for unknown, value in self.waiting.items():
             self.add_bias(unknown, value)
 
     def shown(self, rows: int, zero: Expression) -> tuple[Array, Array]:
-        """Return E of so many rows, row by row from the diagonal on, and e, shape (rows, columns).
+        """Return E of the rows, row by row from the diagonal on, and e, shape (rows, columns).
 
         Nothing else is unknown, so that rows are numbered from 0.
         """
@@ -275,7 +275,7 @@ class Front:
         return np.array(square, dtype=object), np.array([self.bias[k] for k in range(rows)])
 
     def take(self, square: Array, bias: Array) -> None:
-        """Add what another process has shown of them."""
+        """Add another process's contribution to E and e."""
         pairs = combinations_with_replacement(range(len(bias)), 2)
         for pair, value in zip(pairs, square, strict=True):
             self.add(*pair, value)

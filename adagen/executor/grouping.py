@@ -19,7 +19,7 @@ from adagen.schedule.costs import StepCosts
 
 
 def grouping_of(plan: Plan, counts: Iterable[int] = COUNTS) -> Grouping:
-    """Return limbs that can go together: as many as can be, those that are most alike.
+    """Return limbs that can share lanes: as many as possible, the most similar ones.
 
     Args:
         plan: the plan.
@@ -62,7 +62,7 @@ def _in_order(plan: Plan, process: Process, limbs: tuple[Limbs, ...]) -> bool:
 
 
 def spared(kinds: Sequence[str], count: int) -> float:
-    """How many joints need no statements of their own."""
+    """Number of joints that need no statements of their own."""
     return len(kinds) * (count - 1)
 
 
@@ -71,7 +71,7 @@ Simulating = Callable[[Plan, Grouping | None], tuple[Simulated, ...]]
 
 
 def offered_groupings(plan: Plan) -> list[Grouping]:
-    """Return groupings in which straight lines may be shared; none comes first."""
+    """Return possible groupings for straight lines; no grouping comes first."""
     none: Grouping = tuple(() for _ in plan.processes)
     return list(dict.fromkeys([none, *(grouping_of(plan, counts) for counts in OFFERED)]))
 
@@ -82,7 +82,7 @@ def least_of(
     costs: StepCosts | None = None,
     simulating: Simulating = each_for_itself,
 ) -> Grouping:
-    """Return the limbs that share a straight line: for each process the grouping of least price.
+    """Return the grouping of least price for each process.
 
     Args:
         plan: the plan.
@@ -109,7 +109,7 @@ def least_of(
 
 
 def _times(plan: Plan, grouping: Grouping, costs: StepCosts, simulating: Simulating) -> list[float]:
-    """What each process takes in a grouping, microseconds."""
+    """Predicted time of each process in a grouping, microseconds."""
     held = costs["unrolled.held"]
     line = simulating(plan, grouping if any(grouping) else None)
     return [

@@ -31,7 +31,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Growth:
-    """What assembly loses.
+    """Loss of digits in assembly.
 
     Attributes:
         error: predicted relative forward error, eps times the sum of g over the joints.
@@ -67,7 +67,7 @@ def _none(plan: Plan) -> Growth:
 
 
 def _surely_solved(plan: Plan) -> bool:
-    """Whether a process alone sweeps a tree whose pivots are more than rounding.
+    """Whether a process sweeps a tree alone, with pivots well above rounding.
 
     That is found much sooner than the plan is carried out.
     """
@@ -139,7 +139,7 @@ def _lost(plan: Plan, run: Run, p: int, joined: Joined, transforms: Sequence[Arr
 
 
 def _bare_mobility(plan: Plan, number: int) -> NDArray[np.float64] | None:
-    """A link's mobility; None where it has none of its own and is joined with others at once."""
+    """A link's mobility; None if it is singular and the link is joined with others at once."""
     link = plan.links[number]
     inertia = Inertia(link.mass, np.array(link.com), np.array(link.tensor))
     places = [plan.joints[j].translation for j in plan.children[number]]

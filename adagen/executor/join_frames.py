@@ -86,7 +86,7 @@ class JointFrame:
         return f if self.turn is None else matrix_times(self.turn.T, f)
 
     def on_parent(self, f: Array) -> Array:
-        """Return it as one on the parent link."""
+        """Return a wrench in the frame as one on the parent link, shape (6, columns)."""
         f = self.on_child(f)
         for x in reversed(self.transforms):
             f = columnwise(x.force, f)

@@ -22,7 +22,7 @@ Array = NDArray[Any]
 
 @dataclass(frozen=True)
 class Joined:
-    """What disassembly needs of a joint that was assembled.
+    """Data of an assembled joint that its disassembly needs.
 
     Attributes:
         step: the join.

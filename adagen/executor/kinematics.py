@@ -41,14 +41,14 @@ class Field:
 
 
 class Motion:
-    """Executes kinematics on a process's memory; what links take of the reference field."""
+    """Executes kinematics on a process's memory; links' wrenches in the reference field."""
 
     def __init__(self, state: State) -> None:
         self.state = state
         self.hung: tuple[RodHalfMotion, ...] = ()
 
     def _kind(self, j: int) -> JointKind:
-        """A joint's kind, whether it moves freely or as prescribed."""
+        """A joint's kind, and whether its motion is prescribed."""
         return KINDS[self.state.plan.joints[j].kind]
 
     def kinematics(self, j: int) -> None:
@@ -63,7 +63,7 @@ class Motion:
             self.state.memory["drift", j] = drift
 
     def placed(self, j: int) -> tuple[Transform, Array]:
-        """Return a joint's child link in its parent's frame, and its velocity in its own."""
+        """Return the pose of a joint's child link in its parent's frame, and its joint velocity."""
         q, v = self.state.configuration(j)
         base = self.state.rows.of_joint(j, lambda joint: joint.rotation)
         turn, shift = self._placement(j, q)
@@ -78,7 +78,7 @@ class Motion:
         return x, motion
 
     def _placement(self, j: int, q: list[Expression]) -> tuple[Turn | Dense | None, Array | None]:
-        """Turn and shift of the child frame in the canonical joint frame, None for neither."""
+        """Rotation and shift of the child frame in the canonical joint frame; None for none."""
         kind, zero = self._kind(j), self.state.graph.constant(0)
         if kind.quaternion is not None:
             shift = np.array(q[:3], dtype=object) if kind.quaternion else None
@@ -131,7 +131,7 @@ class Motion:
         self.state.memory["field", j + 1] = Field(omega, alpha, a, gradient_of(omega, alpha), up)
 
     def _above(self, j: int) -> Field:
-        """The field of a joint's parent link, of a row's first joints that of several links."""
+        """The field of a joint's parent link; for a row, of the parent links in all lanes."""
         return self.field_of_all(self.state.rows.near_links(j))
 
     def field_of_all(self, links: Sequence[int]) -> Field:
@@ -163,7 +163,7 @@ class Motion:
         return Field(*(self.state.rows.lane(part, k) for part in parts))
 
     def ground(self) -> Field:
-        """Return the field of the ground: it does not move, and is held against free fall."""
+        """Return the field of the ground, which is held against free fall."""
         nothing = self.state.zeros(3)
         up = self.state.upwards()
         return Field(
@@ -171,7 +171,7 @@ class Motion:
         )
 
     def drift(self, j: int) -> Array | None:
-        """What a joint's sides differ by beyond the reference field and S qdd; None for nothing.
+        """Relative acceleration of a joint's sides beyond reference field and S qdd; None for zero.
 
         Where qdd is prescribed, S qdd is that.
         """
@@ -208,7 +208,7 @@ class Motion:
         return inertia
 
     def link_force(self, number: int) -> Array:
-        """What the reference field takes to be had by the link alone: [moment; force], shape (6,).
+        """Wrench that the reference field needs of the link alone: [moment; force], shape (6,).
 
         The moment I alpha + omega x I omega + m c x a, the products in H being used again; less
         what outer forces do for it. In refinement the opposite of what is left over.
@@ -221,7 +221,7 @@ class Motion:
         return self.field_force(number)
 
     def field_force(self, number: int) -> Array:
-        """What the reference field takes, less what outer forces do for it; shape (6,)."""
+        """Wrench that the reference field needs, less outer forces; shape (6,)."""
         field: Field = self.state.memory["field", number]
         inertia = self.link_inertia(number)
         mass = inertia[3, 3]
@@ -248,7 +248,7 @@ class Motion:
         return whole
 
     def pushes(self, number: int) -> Iterator[Array]:
-        """Outer wrenches on a link, or on those that share its code, one in each lane."""
+        """Outer wrenches on a link, or on the links of a row, one in each lane."""
         each = [self._pushes(j + 1) for j in self.state.rows.lanes(number - 1)]
         for lanes in zip_longest(*each, fillvalue=self.state.zeros(6)):
             yield self.state.rows.packed(lanes)

@@ -37,7 +37,7 @@ _ZERO = 10  # an entry that is zero in one limb only, and one of a rotation that
 
 
 def aligned(plan: Plan, all_limbs: Iterable[Limbs]) -> Plan:
-    """Return the same plan with link frames of limbs turned so that their rows agree best.
+    """Return the same plan with link frames of limbs rotated so that their rows agree best.
 
     Joint coordinates keep their meaning. Who is turned are all limbs but one, which has most in
     common with the others as they are.
@@ -94,12 +94,12 @@ def _without_x(rotation: tuple[tuple[float, ...], ...]) -> tuple[tuple[float, ..
 
 
 def unlike(plan: Plan, limbs: Limbs) -> int:
-    """Return how much the constants of limbs differ in their structure, links turned as is best."""
+    """Return how much the constants of limbs differ in structure after the best rotations."""
     return sum(cost for cost, _ in _quarters(plan, limbs))
 
 
 def _quarters(plan: Plan, limbs: Limbs) -> list[tuple[int, dict[int, int]]]:
-    """The quarter turns of each limb's links, and what differs still from the model's."""
+    """The quarter turns of each limb's links, and the remaining differences from the model limb."""
     chains = list(zip(*limbs.rows, strict=True))
     parts = [tuple((plan.joints[j], plan.links[j + 1]) for j in chain) for chain in chains]
     offers = [[_best_turns(part, model) for part in parts] for model in parts]
@@ -112,7 +112,7 @@ def _quarters(plan: Plan, limbs: Limbs) -> list[tuple[int, dict[int, int]]]:
 
 @lru_cache(maxsize=4096)  # all plans of a robot have the same limbs
 def _best_turns(chain: Sequence[_Part], model: Sequence[_Part]) -> tuple[int, tuple[int, ...]]:
-    """What differs between a chain and a model, and the quarter turns of its links by which."""
+    """The least differences between a chain and a model, and the quarter turns that give them."""
     least: dict[int, tuple[int, tuple[int, ...]]] = {0: (0, ())}  # by the turn of the last link
     for part, other in zip(chain, model, strict=True):
         turns = range(4) if part[0].kind in _TURNABLE else range(1)
@@ -128,7 +128,7 @@ def _best_turns(chain: Sequence[_Part], model: Sequence[_Part]) -> tuple[int, tu
 
 
 def _difference(part: _Part, other: _Part, before: int, turn: int) -> int:
-    """How unlike a joint and its link are to others, the links before and after being turned."""
+    """Differences of a joint and its link from others, with rotations before and after."""
     (rotation, zeros, lone), model = _structure(part, before, turn), _structure(other, 0, 0)
     unlike = _PATTERN * (bool(model[2]) and not model[2] & lone)
     apart = np.count_nonzero(zeros != model[1]), np.count_nonzero(rotation != model[0])
@@ -167,7 +167,7 @@ def _lone(rotation: Array) -> set[tuple[int, int, float]]:
 
 
 def _turned(plan: Plan, turns: Mapping[int, Exact]) -> Plan:
-    """A plan with the frames of some joints' child links turned, each number rounded once."""
+    """A plan with the frames of some joints' child links rotated, each number rounded once."""
     if not turns:
         return plan
     links = {j + 1: turn for j, turn in turns.items()}
@@ -193,7 +193,7 @@ _Placed = TypeVar("_Placed", PlanWrench, PlanOutput)
 
 
 def _placed(item: _Placed, links: Mapping[int, Exact]) -> _Placed:
-    """What has a frame on a link."""
+    """A loop, output or wrench with its frame on a rotated link."""
     if item.link not in links:
         return item
     turn = links[item.link].T
@@ -205,7 +205,7 @@ def _placed(item: _Placed, links: Mapping[int, Exact]) -> _Placed:
 
 
 def _turn_of(parameter: PlanParameter) -> Exact | tuple[tuple[float, ...], ...]:
-    """How a parameter's link has been turned so far."""
+    """The rotation of a parameter's link so far."""
     return parameter.turn or identity(3)
 
 
@@ -239,7 +239,7 @@ def _loop(loop: PlanLoop, links: Mapping[int, Exact]) -> PlanLoop:
 
 
 def _link(link: PlanLink, turn: Exact) -> PlanLink:
-    """A link whose frame is turned; it is no handle, so that its mobility is not asked for."""
+    """A link whose frame is rotated; it is no handle, so its mobility is not needed."""
     return replace(
         link,
         com=_vector(turn.T.dot(exact(link.com))),

@@ -36,7 +36,7 @@ Grouping = tuple[tuple[Limbs, ...], ...]
 
 @dataclass(frozen=True)
 class Row:
-    """Joints that are treated as one.
+    """Joints that are computed as one, one in each SIMD lane.
 
     Attributes:
         lanes: the joint in each lane; 2, 4 or 8.
@@ -56,7 +56,7 @@ Lane = TypeVar("Lane")
 
 
 def in_lanes(own: Sequence[Lane]) -> tuple[Lane, ...]:
-    """Return what lanes hold: as many as registers have for it, the idle ones repeat the last."""
+    """Return values by lanes: as many as a register has, idle lanes repeat the last."""
     width = 1 << (len(own) - 1).bit_length()
     return (*own, *[own[-1]] * (width - len(own)))
 
@@ -72,7 +72,7 @@ def rows_of(all_limbs: Iterable[Limbs]) -> dict[int, Row]:
 
 
 def fit_for_lanes(plan: Plan, process: Process, all_limbs: Iterable[Limbs]) -> tuple[Limbs, ...]:
-    """Return what of limbs can share straight-line code: rows from the outermost inwards.
+    """Return the parts of limbs that can share straight-line code: rows from the outermost inwards.
 
     Joints of a row all move freely or all as prescribed, and the same passive torques and rotors
     act on them. None is slaved, none leads others, and none is a closure's, of which all joints go
@@ -98,7 +98,7 @@ def fit_for_lanes(plan: Plan, process: Process, all_limbs: Iterable[Limbs]) -> t
 
 
 def steps_in_order(plan: Plan, process: Process, all_limbs: Sequence[Limbs]) -> list[int]:
-    """Return the places of the steps that are done, in order: of a row, the one that stands for it.
+    """Return the indices of the steps in order; a row is represented by its first joint.
 
     Sweeps pass limbs as a whole, after what they hang on or what hangs on them.
 
@@ -130,7 +130,7 @@ def steps_in_order(plan: Plan, process: Process, all_limbs: Sequence[Limbs]) -> 
 
 
 def _hidden(step: Step, joints: Set[int], lead_of: Mapping[int, int]) -> bool:
-    """Whether another step stands for one that is no sweep's."""
+    """Whether another step represents this one, which belongs to no sweep."""
     if isinstance(step, CloseLoop | CloseCoupling):
         return lead_of.get(step.closure, step.closure) != step.closure
     return isinstance(step, StartLink) and step.link - 1 in joints

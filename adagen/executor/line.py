@@ -21,7 +21,7 @@ Pair = tuple[int, int]
 
 @dataclass(frozen=True)
 class Looked:
-    """One number that is looked at.
+    """One number that is checked.
 
     Attributes:
         place: of its check in the machine.
@@ -72,7 +72,7 @@ class Line:
 
     @cached_property
     def checks(self) -> list[Looked]:
-        """What is looked at, in order."""
+        """The checked numbers, in order."""
         return [
             Looked(place, joint, self.pair(check.pivot, k), self.pair(check.least, k))
             for place, check in enumerate(self.machine.checks)
@@ -81,7 +81,7 @@ class Line:
 
     @cached_property
     def passed(self) -> dict[int, list[Pair]]:
-        """What each joint hands inwards, but for what is known beforehand."""
+        """The contribution of each joint to its near link, without constants."""
         found: dict[int, list[Pair]] = {}
         for (_, lead), value in self.machine.passed.items():
             for k, j in enumerate(self.machine.rows.own(lead)):
@@ -94,20 +94,20 @@ class Line:
         return (x.index, k if x.node.width > 1 else 0)
 
     def pair_of(self, x: Expression, k: int) -> Pair:
-        """Return the number that is sent where one has to be: itself, or what it is minus."""
+        """Return the number that is sent for another: itself, or its negative."""
         pair = self.unpacked(self.pair(x, k))
         while self.nodes[pair[0]].op == "neg":
             pair = self.unpacked(self.operands(pair)[0])
         return pair
 
     def unpacked(self, pair: Pair) -> Pair:
-        """Return the number itself where one is moved into a lane or out of it."""
+        """Return the number itself where it is moved into a lane or out of it."""
         while self.nodes[pair[0]].op in ("lane", "pack"):
             (pair,) = self.operands(pair)
         return pair
 
     def operands(self, pair: Pair) -> list[Pair]:
-        """Return the numbers that a number is computed of."""
+        """Return the operands of a number."""
         index, lane = pair
         node = self.nodes[index]
         if node.op == "pack":
@@ -140,7 +140,7 @@ class Line:
                 yield (index, 0), int(str(node.value)[4:-1])
 
     def needs(self, roots: Iterable[Pair], known: Collection[Pair]) -> set[Pair]:
-        """Return what some numbers are computed of, themselves among it.
+        """Return the numbers from which some numbers are computed, themselves included.
 
         Args:
             roots: these numbers.
@@ -160,7 +160,7 @@ class Line:
 
 @lru_cache(maxsize=4)
 def line_of(plan: Plan) -> Line:
-    """Return the line of a reproducible plan of one process, which nobody may change.
+    """Return the straight line of a reproducible plan for one process, which must not be changed.
 
     Which limbs share it is chosen by the shipped costs, whatever the machine's are: frames are
     turned, and numbers added up, as suits these limbs.

@@ -31,7 +31,7 @@ FOLLOWS = 1e-3
 
 
 class LoopConstraints:
-    """The rows of all loops and couplings, once accelerations of all right-hand sides are known.
+    """The rows of all loops and couplings, after accelerations of all right-hand sides.
 
     Args:
         state: whose process it is.
@@ -51,7 +51,7 @@ class LoopConstraints:
         }
 
     def values(self) -> dict[int, Array]:
-        """Return what each row is in every right-hand side, shape (columns,), by its number."""
+        """Return the value of each row in every right-hand side, shape (columns,), by number."""
         found = {unknown: bias.copy() for unknown, bias in self.front.bias.items()}
         for link, columns in self.front.columns.items():
             for unknown, column in columns.items():
@@ -63,7 +63,7 @@ class LoopConstraints:
         return found
 
     def _acceleration(self, link: int, origin: int) -> Array:
-        """A link's acceleration relative to one that it hangs on, shape (6, columns)."""
+        """A link's acceleration relative to a link inwards of it, shape (6, columns)."""
         if link == origin:
             return self.state.zeros(6, self.state.columns)
         if (link, origin) not in self.links:
@@ -79,7 +79,7 @@ class LoopConstraints:
         return self.links[link, origin]
 
     def solve(self, others: list[Array], names: list[int]) -> Array:
-        """Return the factors of right-hand sides with which no row parts, shape (columns - 1,).
+        """Return the factors of right-hand sides that make all rows zero, shape (columns - 1,).
 
         Args:
             others: further rows that have to vanish, shape (columns,) each; they come first.
@@ -105,7 +105,7 @@ class LoopConstraints:
         return forces[:, 0]
 
     def _lent(self) -> list[Array]:
-        """Rows of what freedoms are lent: its torque, K qdd, is taken off again."""
+        """Rows that subtract the torques K qdd of artificial inertias."""
         rows = []
         for column, (j, k) in enumerate(self.state.plan.lent, -len(self.state.plan.lent)):
             row = self.memory["qdd", j][k].copy()
@@ -114,7 +114,7 @@ class LoopConstraints:
         return rows
 
     def _check_left_out(self, values: dict[int, Array], forces: Array) -> None:
-        """Rows that follow from the others may not part, either."""
+        """Check that redundant rows are zero, too."""
         zero: Expression = self.state.graph.constant(0)
         free = total([zero, *(value[0] * value[0] for value in values.values())])
         for unknown, value in values.items():
@@ -125,7 +125,7 @@ class LoopConstraints:
                 self.state.checks.append(Check(left, zero, place, "kLoopSingular"))
 
     def _give(self, values: dict[int, Array]) -> None:
-        """Give forces: rows that follow from the kept ones by F part as F says."""
+        """Compute forces; redundant rows share them by the matrix F."""
         tied = self.state.plan.tied_rows
         left_out = tuple(unknown for unknown in values if unknown not in tied)
         by_kept = self.state.zeros(len(left_out), len(tied))
@@ -140,7 +140,7 @@ class LoopConstraints:
 
 
 def _common(plan: Plan, loop: int) -> int:
-    """The last link that both links of a loop hang on; 0 is the ground."""
+    """The last link that the paths to both links of a loop have in common; 0 is the ground."""
 
     def inwards(link: int) -> list[int]:
         found = [link]

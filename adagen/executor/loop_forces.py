@@ -20,7 +20,7 @@ Array = NDArray[Any]
 
 
 def give_forces(state: State, front: Front, near: Array | None) -> None:
-    """Give the forces of a closure's loops and couplings, its unknowns being known.
+    """Output the forces of a closure's loops and couplings, its unknowns being known.
 
     Args:
         state: whose process it is.
@@ -47,7 +47,7 @@ def give_forces(state: State, front: Front, near: Array | None) -> None:
 
 
 def forces_of_kept(state: State, front: Front, near: Array | None) -> dict[int, Expression]:
-    """Return the forces of a closure's kept rows by number, were there no others.
+    """Return the forces of a closure's kept rows by number, without redundant rows.
 
     Args:
         state: whose process it is.

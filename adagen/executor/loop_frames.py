@@ -24,7 +24,7 @@ Array = NDArray[Any]
 
 
 class End:
-    """One frame of a loop, seen from the last link that both have in common.
+    """One frame of a loop, seen from the last common link of both.
 
     Attributes:
         link: that it is fixed to.
@@ -132,7 +132,7 @@ class LoopFrames:
 
     @cached_property
     def arms(self) -> tuple[Array, Array]:
-        """Where frame 2 is in each link's frame; in the first one's as if the loop were closed."""
+        """Position of frame 2 in each link's frame; in the first as if the loop were closed."""
         arm = self.one.place
         for k in self.kind.sliding:
             arm = arm + self.one.axes[:, k] * dot(self.axis(k), self.apart)
@@ -191,7 +191,7 @@ class LoopFrames:
     # -- rows -------------------------------------------------------------------------------------
 
     def row(self, number: int) -> tuple[bool, Array, Array]:
-        """Return whether a row is of places, not of turns; its direction in axes of each link."""
+        """Return whether a row constrains a position, and its direction in each link."""
         linear = number < len(self.kind.linear)
         if not linear and self.kind.axes == 2:
             return False, self.one.down(self.across), self.two.down(self.across)
@@ -207,11 +207,11 @@ class LoopFrames:
 
     @property
     def _in_any_axes(self) -> bool:
-        """Whether its rows may be along any three axes: those of a point."""
+        """Whether its rows may be along any three axes, as those of a point."""
         return not (self.kind.sliding or self.kind.angular)
 
     def along(self, k: int, directions: Sequence[Array], vector: Array) -> Expression:
-        """Return how far a vector of the first (0) or second link goes along a row of places.
+        """Return the component of a vector of the first (0) or second link along a position row.
 
         Of the ground's it takes less to turn the vector than each row's direction.
         """
@@ -225,7 +225,7 @@ class LoopFrames:
         return (*self.kind.linear, *self.kind.angular)[number]
 
     def turned(self, number: int, omega1: Array, omega2: Array) -> Expression:
-        """Return what a row's direction adds to its rate's rate by moving with link 1.
+        """Return the term of a row's second derivative from its direction's motion with link 1.
 
         Args:
             number: of the row.

@@ -59,7 +59,7 @@ RECEIVED = "w.from"
 
 
 class Machine(State):
-    """One process: its state and the meaning of each step.
+    """One process: its state, and the execution of each step.
 
     Joints in one row (rows.py) are treated as one, whose values are wide.
 
@@ -94,11 +94,11 @@ class Machine(State):
         self.take_angles_of_rows()
 
     def again(self, steps: Sequence[Step]) -> Machine:
-        """Return a machine that carries out steps again, in the same graph and lanes."""
+        """Return a machine that repeats steps in the same graph and lanes."""
         return Machine(self.plan, self.mail, self.refining, self.graph, self.limbs, steps)
 
     def step(self, step: Step) -> bool:
-        """Do one step; return False if it has to wait for a message."""
+        """Execute one step; return False if it has to wait for a message."""
         match step:
             case Receive():
                 return self._receive(step.message)
@@ -128,7 +128,7 @@ class Machine(State):
         return True
 
     def _swept(self, step: Step) -> None:
-        """Do a step inside a segment, or one that looks back at all of them."""
+        """Execute a step inside a segment, or one that needs all of them."""
         match step:
             case Certify():
                 self.bounds.carry_out(step)
@@ -143,7 +143,7 @@ class Machine(State):
         self._reach(step)
 
     def _reach(self, step: Step) -> None:
-        """Certificates look at links as their accelerations come, not at those of corrections."""
+        """Certificates use links' accelerations as they are computed, but not of corrections."""
         if not self.plan.certified or self.left is not None:
             return
         match step:
@@ -157,14 +157,14 @@ class Machine(State):
 
     @property
     def energies(self) -> list[Expression]:
-        """Squares of energy norms: of the answer, of all that accelerates, of each correction.
+        """Squared energy norms: of the answer, of all link accelerations, of each correction.
 
         Nothing where answers are not corrected.
         """
         return list(self.memory.get(("energies", 0), ()))
 
     def roots(self) -> list[Expression]:
-        """Everything that is wanted: results, contents of messages, what is checked."""
+        """All values that are needed: results, contents of messages, checks."""
         results = [x for values in self.results.values() for x in values]
         results += [x for values in self.forces.values() for x in values]
         contents = [x for content in self.sent.values() for x in content]
@@ -219,7 +219,7 @@ class Machine(State):
         ]
 
     def _receive(self, number: int) -> bool:
-        """Take what a message brings; inertias and bias forces are added to the process's own."""
+        """Read a message; inertias and bias forces are added to the process's own."""
         if number not in self.mail:
             return False
         message = self.plan.messages[number]
@@ -249,7 +249,7 @@ class Machine(State):
         return True
 
     def _told(self, message: Message) -> Machine:
-        """Which machine a message tells of: of this one, or of the correction that is found."""
+        """The machine that a message belongs to: this one, or that of the current correction."""
         return self if message.repeats is None else self.corrections.current
 
     # -- slaved joints ----------------------------------------------------------------------------

@@ -13,14 +13,14 @@ from adagen.plan.types import Plan, Process
 
 @dataclass(frozen=True)
 class Sender:
-    """Who tells others a number, and which link of the core it is about."""
+    """The process that sends a number, and the core link that it belongs to."""
 
     process: int
     link: int
 
 
 class NeededValues:
-    """What one process needs of the line.
+    """The values of the straight line that one process needs.
 
     Attributes:
         process: its number.
@@ -68,7 +68,7 @@ class NeededValues:
         ]
 
     def all_of_it(self) -> tuple[set[Pair], list[Looked]]:
-        """Return all that it computes or receives, and what of it is used."""
+        """Return all values that it computes or receives, and the checks among them."""
         sent = self.line.needs((pair for own in self.sends.values() for pair in own), ())
         looked = self._looked(self._found | sent)
         more = self.line.needs((each.least for each in looked if each.pivot in sent), ())
@@ -76,7 +76,7 @@ class NeededValues:
 
 
 def _readers(plan: Plan, entry: int) -> list[Sender]:
-    """Return who is given an entry of tau, and for which link."""
+    """Return the processes that read an entry of tau, and for which link."""
     for j, joint in enumerate(plan.joints):
         if joint.v <= entry < joint.v + KINDS[joint.kind].nv:
             return [

@@ -18,7 +18,7 @@ Array = NDArray[Any]
 
 
 class Outputs:
-    """Finds outputs in a process's memory, after its sweep outwards."""
+    """Computes outputs from a process's memory, after its outward sweep."""
 
     def __init__(self, state: State, motion: Motion) -> None:
         self.state, self.motion = state, motion
@@ -33,7 +33,7 @@ class Outputs:
         return self._inverse_inertia(output)
 
     def _acceleration(self, output: PlanOutput) -> Array:
-        """[linear; angular] of the frame's origin: the reference field and the deviation from it.
+        """[linear; angular] acceleration of the frame's origin: reference field plus deviation.
 
         The field is one relative to free fall.
         """
@@ -80,7 +80,7 @@ class Outputs:
         return matrix_times(self.state.constants(output.rotation).T, vector)
 
     def _kept(self, name: str, link: int) -> Array:
-        """What is kept of a link, shape (6,), with the torques between slaved joints at work."""
+        """A stored value of a link, shape (6,), with coupling torques of slaved joints."""
         kept, k = self.state.rows.kept(name, link)
         value = kept if k is None else self.state.rows.lane(kept, k)
         if not self.state.plan.slaved:

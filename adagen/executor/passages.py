@@ -56,7 +56,7 @@ class Passages:
         return [self.state.constants([float(i == k) for i in range(3)]) for k in range(3)]
 
     def _appended(self, near: Array, far: Array) -> Array:
-        """Two passages as one."""
+        """The passage of two successive runs."""
         turn = near[:9].reshape(3, 3)
         _, omega, alpha, place, v, a = _parts(near)
         turned, spin, turns, lever, slide, more = (
@@ -75,7 +75,7 @@ class Passages:
         )
 
     def _arrive(self, step: Arrive) -> None:
-        """The field of a passage's link, from that of the link that the run hangs on."""
+        """The field of a passage's last link, from that of the link before the run."""
         above = self.motion.field_of(step.near)
         rotation, spin, turns, lever, slide, more = _parts(self.state.memory[step.passage])
         ride = plus_cross(slide + slide, above.omega, lever)

@@ -104,7 +104,7 @@ def _with_slaved(plan: Plan, q: Array, v: Array) -> tuple[Array, Array]:
 
 
 class WideLinks:
-    """Motion of all links in wide arithmetic."""
+    """Motion of all links in higher precision."""
 
     def __init__(self, plan: Plan, q: Array, v: Array, wide: Any) -> None:
         self.plan, self.wide = plan, wide
@@ -138,7 +138,7 @@ class WideLinks:
         return qdd
 
     def residual(self, qdd: Array, forces: Array) -> Array:
-        """Return what is left over at each link, shape (N + 1, 6); the ground's row is zero."""
+        """Return the residual of each link, shape (N + 1, 6); the ground's row is zero."""
         n = len(self.plan.joints)
         a, rho = np.zeros((n + 1, 6), dtype=self.wide), np.zeros((n + 1, 6), dtype=self.wide)
         a[0, 3:] = -np.array(self.plan.gravity, dtype=self.wide)
@@ -152,7 +152,7 @@ class WideLinks:
         return rho
 
     def handed_on(self, forces: Array, tau: Array) -> Array:
-        """Return joint forces, shape (N, 6), with those inside runs from the ones at their ends.
+        """Return joint forces, shape (N, 6), inside fused runs from the ones at their ends.
 
         At the end of a run the force along the joint is the torque, to the bit.
         """
@@ -166,7 +166,7 @@ class WideLinks:
         return forces
 
     def lacking(self, tau: Array, forces: Array) -> Array:
-        """Return what forces inside runs lack along the joints, shape (nv,)."""
+        """Return the missing torques of joints inside fused runs, shape (nv,)."""
         missing = np.zeros(len(tau))
         for j, _ in self.pairs:
             joint, kind = self.plan.joints[j], KINDS[self.plan.joints[j].kind]

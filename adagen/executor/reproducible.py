@@ -27,7 +27,7 @@ from adagen.plan.types import Plan
 
 
 def own_limbs(plan: Plan) -> Grouping:
-    """Return for each process of a reproducible plan the limbs that it may take side by side.
+    """Return the limbs that each process of a reproducible plan may compute side by side.
 
     They are those of the line of one process, as far as they are the process's own; none where
     joints that all processes compute are among them.
@@ -71,7 +71,7 @@ def shared_line(plan: Plan, grouping: Grouping | None = None) -> tuple[Simulated
 
 
 def _senders(plan: Plan, line: Line) -> dict[Pair, Sender]:
-    """What one process alone knows of a link of the core.
+    """Values that one process alone can compute of a core link, and its sender.
 
     It is what its limbs hand to the core, and sums of that.
     """

@@ -28,7 +28,7 @@ Array = NDArray[Any]
 
 @dataclass(frozen=True)
 class Answer:
-    """What has been found so far, in the names of links and joints that stand for rows.
+    """An answer so far: links and joints of rows under the name of the first.
 
     Attributes:
         links: accelerations of links, deviations from the reference field, shape (6,).
@@ -44,7 +44,7 @@ class Answer:
     wrenches: Mapping[int, Array] = field(default_factory=dict)
 
     def plus(self, other: Answer) -> Answer:
-        """Return it with a correction; prescribed joints and the like have none."""
+        """Return it with a correction added; prescribed joints have none."""
 
         def added(one: Mapping[Any, Any], more: Mapping[Any, Any]) -> dict[Any, Any]:
             return {key: x + more[key] if key in more else x for key, x in one.items()}
@@ -58,7 +58,7 @@ class Answer:
 
 
 class Residuals:
-    """Left over of one answer by the links, joints and loops of a process.
+    """Residuals of one answer at the links, joints and loops of a process.
 
     Args:
         motion: of the correction.
@@ -88,7 +88,7 @@ class Residuals:
                 self._hold(closure, end)
 
     def _hold(self, closure: int, end: End) -> None:
-        """What a loop's rows do to a link, the opposite of their force on it."""
+        """Wrench of a loop's rows on a link, with opposite sign."""
         forces = self.answer.forces
         parts = [
             column * self._together([forces[closure, unknown] for unknown in wide_unknown])
@@ -99,23 +99,23 @@ class Residuals:
             self.state.rows.add("held", end.links, end.count, sum(parts[1:], parts[0]))
 
     def _together(self, values: Sequence[Expression]) -> Expression:
-        """What belongs to alike arms as one."""
+        """Values of similar arms as one wide value."""
         whole: Expression = self.state.rows.together([np.array(x, object) for x in values]).item()
         return whole
 
     def by_loops(self, link: int) -> Array:
-        """Return what loops that end at a link take of it, shape (6,)."""
+        """Return the wrench on a link from loops that end at it, with opposite sign, shape (6,)."""
         found: Array = self.state.memory["held", link]
         return found
 
     def of_link(self, link: int) -> Array:
-        """Return what a link takes to be moved as the answer says, shape (6,)."""
+        """Return the residual wrench of a link for the answer's acceleration, shape (6,)."""
         inertia = self.motion.link_inertia(link)
         taken = matrix_times(inertia, self.answer.links[link]) + self.forces[link]
         return taken + self.by_loops(link) - self._by_joints(link)
 
     def _by_joints(self, link: int) -> Array:
-        """What joints do to a link, where their forces are known; shape (6,)."""
+        """Wrench of joints on a link, where their forces are known; shape (6,)."""
         wrenches, found = self.answer.wrenches, self.state.zeros(6)
         if link - 1 in wrenches:
             found = found + wrenches[link - 1]
@@ -125,7 +125,7 @@ class Residuals:
         return found
 
     def of_joint(self, j: int, torques: Array) -> Array:
-        """Return what of a joint's torques its rotor and couplings leave, shape (n,).
+        """Return the residual torques of a joint, less rotor and couplings, shape (n,).
 
         Nothing where its force is an unknown: along the joint that is the torque, to the bit.
         """
@@ -142,7 +142,7 @@ class Residuals:
     def of_row(
         self, bias: Expression, ends: Sequence[End], wide_unknown: WideUnknown
     ) -> Expression:
-        """Return how a row of a loop parts; ``bias``: were all deviations zero."""
+        """Return the residual of a loop's row; ``bias``: its value for zero deviations."""
         terms = [bias]
         for end in ends:
             if wide_unknown in end.columns:
@@ -152,12 +152,12 @@ class Residuals:
         return total(terms)
 
     def of_coupling(self, joints: Sequence[int], factors: Array) -> Expression:
-        """Return how a coupling's row parts."""
+        """Return the residual of a coupling's row."""
         return total([self.answer.joints[j][0] * x for j, x in zip(joints, factors, strict=True)])
 
 
 class Energies:
-    """Squares of energy norms: of corrections, of the answer, and of all that accelerates.
+    """Squared energy norms: of corrections, of the answer, and of all link accelerations.
 
     Args:
         motion: of the answer.
@@ -173,7 +173,7 @@ class Energies:
         joints: Mapping[int, Array],
         others: Mapping[int, Array] | None = None,
     ) -> Expression:
-        """Return that of accelerations of joints, from the motions of links that they make.
+        """Return the squared norm of joint accelerations, from their link accelerations.
 
         Args:
             links: accelerations of links, shape (6,).
@@ -191,7 +191,7 @@ class Energies:
         return total(terms)
 
     def in_all(self) -> Expression:
-        """Return that of the reference field, by the links' masses alone."""
+        """Return the squared norm of the reference field, by the links' masses alone."""
         terms = [self.state.graph.constant(0)]
         for link in self.links:
             field = self.state.memory["field", link]
@@ -212,7 +212,7 @@ class Energies:
         return total([self.of(links, joints, less), *terms])
 
     def _square(self, link: int) -> Expression:
-        """The square of a link's free fall, which turns do not change: that of its base's."""
+        """The square of a link's free fall, which rotations do not change: that of its base's."""
         joints, own = self.state.plan.joints, link
         while joints[own - 1].parent > 0:
             own = joints[own - 1].parent
@@ -234,7 +234,7 @@ class Energies:
         return {link: self._fall(link) for link in links}
 
     def _fall(self, link: int) -> Array:
-        """Free fall in a link's axes, found from the ground on: the process may not have the way.
+        """Free fall in a link's axes, from the ground on: the process may not have the whole path.
 
         Where processes meet around a link in the middle of a tree, what is between this and the
         base may be another's.

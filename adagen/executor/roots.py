@@ -70,7 +70,7 @@ class Roots:
         return inverse
 
     def _hold(self, step: HoldMobility) -> None:
-        """Phi^-1 and -Phi^-1 b, where no pivot of Phi is small beside the largest of its kind."""
+        """Phi^-1 and -Phi^-1 b, if no pivot of Phi is small beside the largest of its kind."""
         phi, b = self.memory[step.block], self.memory[step.bias]
         factors, least = factorize(phi), LEAST_PIVOT[self.state.plan.scalar]
         for rows in _HALVES:

@@ -35,7 +35,7 @@ class RowBasis:
         return [self.r[k, k] for k in range(self.count)]
 
     def motions(self, biases: Array) -> tuple[Array, Array]:
-        """What moves as rows say: w = N y + g.
+        """The motions that satisfy the rows: w = N y + g.
 
         Args:
             biases: how rows part by themselves, shape (rows, columns).
@@ -52,7 +52,7 @@ class RowBasis:
         return basis[:, :free], basis[:, free:]
 
     def moves(self, parted: Array) -> Array:
-        """Squares of how far w moves along columns of Q, of squares of what rows part by.
+        """Squared motions of w along columns of Q, from squared residuals of the rows.
 
         That is R^-T of these, signs being treated as if they were random.
         """
@@ -64,7 +64,7 @@ class RowBasis:
         return found
 
     def forces(self, pull: Array) -> Array:
-        """Return the forces of rows that push as a pull does, shape (rows, 1) of (w, 1)."""
+        """Return the forces of rows that balance a generalised force, shape (rows, 1) of (w, 1)."""
         pull, last = pull.copy(), self.count - 1
         for reflection in self.reflections:
             reflection.apply(pull)

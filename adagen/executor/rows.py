@@ -22,7 +22,7 @@ Array = NDArray[Any]
 
 
 class Rows:
-    """Rows on a process's memory.
+    """Rows of joints in SIMD lanes, in a process's memory.
 
     Attributes:
         rows: the rows by their first joints.
@@ -37,15 +37,15 @@ class Rows:
         }
 
     def __contains__(self, j: int) -> bool:
-        """Whether joint j stands for a row."""
+        """Whether joint j represents a row."""
         return j in self.rows
 
     def lanes(self, j: int) -> tuple[int, ...]:
-        """Return the joints that are treated as joint j: those of its row, or it alone."""
+        """Return the joints in the lanes of joint j's row, or j alone."""
         return self.rows[j].lanes if j in self.rows else (j,)
 
     def own(self, j: int) -> tuple[int, ...]:
-        """Return the same without those that idle lanes repeat.
+        """Return the same without the joints that idle lanes repeat.
 
         Of a loop or coupling, counted behind all joints, those that share lanes with it.
         """
@@ -100,11 +100,11 @@ class Rows:
         return result
 
     def together(self, arrays: Sequence[Array]) -> Array:
-        """Return what belongs to arms of a closure as one array; idle lanes repeat the last."""
+        """Return values of a closure's arms as one array; idle lanes repeat the last."""
         return self.packed(in_lanes(arrays), len(arrays))
 
     def each(self, value: Array, count: int) -> list[Array]:
-        """Return the first lanes of what belongs to so many arms; of a single one, itself."""
+        """Return the values of a number of arms from one array; of a single one, itself."""
         return [value] if count == 1 else [self.lane(value, k) for k in range(count)]
 
     def sum_of(self, value: Array, count: int) -> Array:
@@ -125,38 +125,38 @@ class Rows:
     # -- what is kept of links --------------------------------------------------------------------
 
     def near_links(self, j: int) -> list[int]:
-        """Return the links that joint j's row hangs on, by lanes."""
+        """Return the near links of joint j's row, by lanes."""
         return [self.state.plan.joints[i].parent for i in self.lanes(j)]
 
     def follows(self, j: int) -> bool:
-        """Whether a joint's near link is kept as it needs it: not for limbs' first joints."""
+        """Whether a joint's near link is stored in the same lanes: not for limbs' first joints."""
         return self.as_kept(self.near_links(j))
 
     def as_kept(self, links: Sequence[int]) -> bool:
-        """Whether links, one for each lane, are kept as one; of a single one, by itself."""
+        """Whether links, one for each lane, are stored as one value; a single one by itself."""
         lead = links[0] - 1
         if len(links) == 1:
             return lead not in self._lane_of
         return lead in self.rows and [i + 1 for i in self.rows[lead].lanes] == list(links)
 
     def name_of(self, link: int) -> int:
-        """Return the link by whose name what is kept of a link is found: the first of its row's."""
+        """Return the link under which a link's values are stored: the first of its row."""
         lead, _ = self._lane_of.get(link - 1, (link - 1, 0))
         return lead + 1
 
     def kept(self, name: str, link: int) -> tuple[Any, int | None]:
-        """Return what is kept of a link, and its lane in that; None where it is kept by itself."""
+        """Return the stored value of a link's row, and its lane; None if it is stored by itself."""
         _, k = self._lane_of.get(link - 1, (link - 1, None))
         return self.state.memory[name, self.name_of(link)], k
 
     def near_motion(self, j: int) -> Array | None:
-        """Return the acceleration of the links that joint j's row hangs on; None for the ground."""
+        """Return the acceleration of the near links of joint j's row; None for the ground."""
         if not any(self.near_links(j)):
             return None
         return self.of_near("a", j, self.state.zeros(6, self.state.columns))
 
     def of_near(self, name: str, j: int, ground: Array) -> Array:
-        """Return what is kept of the links that joint j's row hangs on.
+        """Return the stored values of the near links of joint j's row.
 
         Args:
             name: what is asked for.
@@ -166,7 +166,7 @@ class Rows:
         return self.of_links(name, self.near_links(j), ground)
 
     def of_links(self, name: str, links: Sequence[int], ground: Array) -> Array:
-        """Return what is kept of links, one for each lane."""
+        """Return the stored values of links, one for each lane."""
         if any(links) and self.as_kept(links):
             found: Array = self.state.memory[name, links[0]]
             return found
@@ -177,12 +177,12 @@ class Rows:
         return self.packed([each[link] for link in links])
 
     def hand_on(self, name: str, j: int, value: Array) -> None:
-        """Add what joint j hands inwards to what is kept of the links on its near side."""
+        """Add the contribution of joint j to the stored values of its near links."""
         self.state.passed[name, j] = value
         self.add(name, self.near_links(j), len(self.own(j)), value)
 
     def add(self, name: str, links: Sequence[int], count: int, value: Array) -> None:
-        """Add to what is kept of links, one for each lane, of which the first ``count`` count."""
+        """Add to the stored values of links, one for each lane, the first ``count`` lanes only."""
         if self.as_kept(links):
             memory = self.state.memory
             memory[name, links[0]] = memory[name, links[0]] + value

@@ -35,12 +35,12 @@ class Simulated:
 
     @cached_property
     def operations(self) -> Operations:
-        """What an evaluation costs this process."""
+        """Number of operations of an evaluation in this process."""
         return count_operations(self.machine.graph, self.machine.roots())
 
 
 def _done(machine: Machine, step: Step) -> bool:
-    """Do a step; whether it need not wait for a message."""
+    """Execute a step; return whether it need not wait for a message."""
     try:
         return machine.step(step)
     except KeyError as missing:
@@ -51,7 +51,7 @@ def _done(machine: Machine, step: Step) -> bool:
 def each_for_itself(
     plan: Plan, grouping: Grouping | None = None, refining: Refining = None
 ) -> tuple[Simulated, ...]:
-    """Return the plan's processes, each after all its steps, with a straight line of its own.
+    """Return the plan's processes after all their steps, each with a straight line of its own.
 
     Args:
         plan: the plan.
@@ -73,7 +73,7 @@ def each_for_itself(
 
 
 def after_all_steps(plan: Plan, machines: Sequence[Machine]) -> tuple[Simulated, ...]:
-    """Let machines that share their mail do the steps of a plan's processes.
+    """Run the steps of a plan's processes on machines that share their messages.
 
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.

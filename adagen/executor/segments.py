@@ -37,7 +37,7 @@ Array = NDArray[Any]
 
 @dataclass(frozen=True)
 class Articulated:
-    """A joint's share of the articulated body on its far side.
+    """A joint's factors in the articulated-body algorithm.
 
     Attributes:
         factors: of D.
@@ -103,7 +103,7 @@ class Segments:
                 self.roots.step(step)
 
     def _nothing(self, link: int) -> Array:
-        """What acts on a link that another process starts, before others add: loops at it do."""
+        """Initial inertia and bias of a link that another process starts: those of loops at it."""
         left = self.state.left
         if left is None:
             return self.state.zeros(6, self.state.columns)
@@ -115,7 +115,7 @@ class Segments:
         return (child, parent, -1) if step.reversed else (parent, child, 1)
 
     def _brought(self, step: Articulate, inertia: Array) -> Expression | None:
-        """Trace of what joints beyond bring to where D is found; None where D cannot be noise.
+        """Trace of the contributions from beyond to where D is found; None if D cannot be noise.
 
         What the bare link has along a joint is exact, and so is what others bring, by exact turns;
         but where links without inertia come within rounding of gimbal lock, that is the square of
@@ -190,7 +190,7 @@ class Segments:
         return matrix
 
     def _held(self, step: Propagate | Deliver, m: Array) -> Array:
-        """K m with K = 1 - S D^-1 S^T I^A: what of a motion of the near side the far one shares."""
+        """K m with K = 1 - S D^-1 S^T I^A: the near side's motion as the far side shares it."""
         kind = self.state.kind(step.joint)
         body: Articulated = self.memory["articulated", step.joint]
         free, constrained = list(kind.free), list(kind.constrained)

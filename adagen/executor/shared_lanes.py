@@ -11,7 +11,7 @@ from adagen.union_find import UnionFind
 def shared_lanes(
     line: Line, pairs: set[Pair], missing: Collection[Pair]
 ) -> tuple[set[Pair], dict[int, list[int]]]:
-    """Return what is computed where lanes stay side by side, and the lanes of each wide value.
+    """Return the values that are computed with lanes side by side, and their lanes.
 
     Values that are computed of each other lane by lane have the same lanes: all that any of them
     is needed in. Values that are needed in one lane only are left out.
@@ -38,7 +38,7 @@ def shared_lanes(
 
 
 def _together(line: Line, pairs: set[Pair]) -> dict[int, int]:
-    """By wide value, one that stands for all that are computed of each other lane by lane."""
+    """For each wide value, a representative of all that depend on each other lane by lane."""
     nodes = line.nodes
     wide = {index for index, _ in pairs if nodes[index].width > 1}
     leaders = UnionFind[int]()

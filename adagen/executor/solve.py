@@ -26,7 +26,7 @@ Lanes = bool | Grouping
 
 
 class SingularPoseError(FloatingPointError):
-    """A mobility cannot be inverted to an inertia: the plan's recovery is to be carried out."""
+    """A mobility cannot be inverted: the plan's recovery steps are needed."""
 
     def __init__(self) -> None:
         super().__init__("a mobility is singular in this pose")
@@ -154,7 +154,7 @@ class Run:
         return np.asarray(self.algebra.together(rows))
 
     def check(self, *, digits: bool = True) -> None:
-        """Look at all pivots, in the order in which processes and their steps come.
+        """Check all pivots, in the order of processes and their steps.
 
         Args:
             digits: whether a pivot that has lost its digits is refused, as emitted code does, or

@@ -32,7 +32,7 @@ Array = NDArray[Any]
 
 
 class RodHalfMotion:
-    """One of them; of closures that go side by side, those of all lanes.
+    """One rod half on a ball joint; for similar closures, those of all lanes.
 
     Args:
         state: whose process it is.
@@ -64,12 +64,12 @@ class RodHalfMotion:
 
     @property
     def carriers(self) -> list[int]:
-        """The links that carry it, by lanes."""
+        """The links of the other halves, by lanes."""
         return [(loop.link1, loop.link2)[1 - self.hung.side] for loop in self.loops]
 
     @cached_property
     def fixed(self) -> Transform:
-        """Where it is on its carrier."""
+        """Its pose on the other half."""
         own, other = (self._packed(_rotation, s) for s in (self.hung.side, 1 - self.hung.side))
         turn = matrix_times(other, own.T)
         place = self._packed(_translation, 1 - self.hung.side)
@@ -78,11 +78,11 @@ class RodHalfMotion:
     # -- bodies and torques -----------------------------------------------------------------------
 
     def inertia_at_carrier(self, own: Array) -> Array:
-        """Return its inertia as the carrier feels it, shape (6, 6)."""
+        """Return its inertia at the other half's link, shape (6, 6)."""
         return self.fixed.rigid_inertia(own)
 
     def push_on(self, number: int) -> Array:
-        """Return what the torques of its ball do to the carrier, or else by itself to the ball."""
+        """Return the effect of its ball's torques on the other half, or on the ball's near link."""
         none = self.state.zeros(3)
         if number == self.hung.carrier:
             return np.concatenate([self.fixed.rotation.vector(self._moment), none])
@@ -90,7 +90,7 @@ class RodHalfMotion:
 
     @cached_property
     def _moment(self) -> Array:
-        """What the torques of its ball do to it, in its axes, shape (3,)."""
+        """Moment of its ball's torques on it, in its axes, shape (3,)."""
         pulls = [self.state.torques(j)[:, 0] for j in self.hung.joints]
         if len(pulls) == 1:
             return pulls[0]
@@ -126,7 +126,7 @@ class RodHalfMotion:
     # -- how it turns -----------------------------------------------------------------------------
 
     def turning_apart(self) -> Array:
-        """Return its angular velocity less that of its carrier, in its axes, shape (3,)."""
+        """Return its angular velocity relative to the other half, in its axes, shape (3,)."""
         own = self.motion.field_of_all(self._links).omega
         return own - self.fixed.rotation.transposed().vector(self._carrier_field.omega)
 
@@ -139,7 +139,7 @@ class RodHalfMotion:
         return self.motion.field_of_all(self.carriers)
 
     def find(self, front: Front) -> bool:
-        """Find accelerations of its ball, once those of what it joins are known."""
+        """Compute accelerations of its ball, once those of the other unknowns are known."""
         near = self.state.rows.near_links(self.hung.joints[0])
         if self.known or not all(self._is_known(link) for link in (*near, *self.carriers)):
             return self.known
@@ -158,7 +158,7 @@ class RodHalfMotion:
         return turned
 
     def _seen(self) -> Array:
-        """Its angular acceleration if its ball did not accelerate, shape (3, columns)."""
+        """Its angular acceleration for zero accelerations of its ball, shape (3, columns)."""
         near = self.state.rows.near_links(self.hung.joints[0])
         turns, omega = self._turns(near), self.motion.field_of_all(near).omega
         for j in self.hung.joints:
@@ -170,7 +170,7 @@ class RodHalfMotion:
         return turns
 
     def _is_known(self, link: int) -> bool:
-        """Whether a link's acceleration is."""
+        """Whether a link's acceleration is known."""
         if link == 0:
             return True
         try:
@@ -181,7 +181,7 @@ class RodHalfMotion:
 
 
 class RodHalves:
-    """All of them in a process.
+    """All rod halves of a process.
 
     Args:
         state: whose process it is.
@@ -212,11 +212,11 @@ class RodHalves:
         return next((each for each in self.links if each.hung.closing == step), None)
 
     def at(self, j: int) -> RodHalfMotion | None:
-        """Return the link at whose ball a joint is; None where it is at none."""
+        """Return the rod half whose ball includes a joint; None if there is none."""
         return next((each for each in self.links if j in each.hung.joints), None)
 
     def without(self, steps: Iterable[Eliminate], closure: int) -> list[Eliminate]:
-        """Return how a closure's unknowns are eliminated, lane by lane, but for those of balls."""
+        """Return the elimination of a closure's unknowns, lane by lane, without those of balls."""
         own = [each.hung for each in self.links if each.hung.closing.closure == closure]
         moved = {k for hung in own for k in hung.freedoms}
         rows = {k for hung in own for k in hung.turns}

@@ -20,14 +20,14 @@ def cross(a: Array, b: Array) -> Array:
 
 
 def skew(c: Array) -> Array:
-    """Return the matrices that cross products are, shape (..., 3, 3)."""
+    """Return the matrices of cross products, shape (..., 3, 3)."""
     found = np.zeros((*c.shape, 3), c.dtype)
     found[..., 0, 1], found[..., 0, 2], found[..., 1, 2] = -c[..., 2], c[..., 1], -c[..., 0]
     return found - found.swapaxes(-1, -2)
 
 
 def is_turn(rotation: Array) -> bool:
-    """Whether a rotation turns about a coordinate axis, but for a permutation, to the bit."""
+    """Whether a rotation is about a coordinate axis, up to a permutation, to the bit."""
     lone = np.abs(rotation) == 1
     alone = (rotation != 0).sum(axis=0, keepdims=True) + (rotation != 0).sum(axis=1, keepdims=True)
     return bool((lone & (alone == 2)).any())
@@ -40,7 +40,7 @@ def congruent(turn: Array, block: Array) -> Array:
 
 
 def about_z(turn: Array, block: Array) -> Array:
-    """What a turn about z makes of a block, as straight lines find it (frames.py).
+    """A block rotated about z, with the operations of straight lines (frames.py).
 
     It is exact to a unit in the last place of the block, not of its entries.
     """
@@ -55,7 +55,7 @@ def about_z(turn: Array, block: Array) -> Array:
 def turned_body(
     turn: Array, body: Array, force: Array, by: Callable[..., Array] = congruent
 ) -> tuple[Array, Array]:
-    """Return a body and the force on it in axes turned, its blocks being turned as given."""
+    """Return a body and the force on it in rotated axes, its blocks rotated by a given function."""
     blocks = body.reshape(-1, 2, 3, 2, 3).swapaxes(2, 3)
     found = by(turn[:, None, None], blocks).swapaxes(2, 3).reshape(body.shape)
     halves = [np.einsum("sik,sk->si", turn, x) for x in (force[:, :3], force[:, 3:])]
@@ -63,7 +63,7 @@ def turned_body(
 
 
 def shifted_body(body: Array, force: Array, way: Array, arm: Array) -> tuple[Array, Array]:
-    """Return a body and the force on it about a point that is so far behind.
+    """Return a body and the force on it about another point.
 
     Args:
         body: shape (S, 6, 6).
@@ -91,7 +91,7 @@ def rotation(p: Array) -> Array:
 
 
 def solved(d: Array, right: Array) -> Array:
-    """Return d^-1 right by Cholesky's factorization, of any number; NaN where that fails."""
+    """Return d^-1 right by Cholesky's factorization; NaN where that fails."""
     n = d.shape[1]
     if n == 1:
         lower = d / np.sqrt(d)

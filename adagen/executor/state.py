@@ -33,7 +33,7 @@ READY = 40
 
 
 class State:
-    """The graph and the memory of one process; what the meaning of every step is defined with.
+    """The graph and the memory of one process, which the steps read and change.
 
     Attributes:
         plan: whose process it is.
@@ -117,7 +117,7 @@ class State:
         return result
 
     def on_link(self, link: int, first: Array) -> Array:
-        """Right-hand sides of a link's equation of motion: what it feels, and loops' unit forces.
+        """Right-hand sides of a link's equation of motion: its own wrench, and loops' unit forces.
 
         Args:
             link: its number.
@@ -149,7 +149,7 @@ class State:
     # -- joints -----------------------------------------------------------------------------------
 
     def kind(self, j: int) -> JointKind:
-        """What a joint leaves free: nothing where its acceleration is prescribed."""
+        """The kind of a joint; one without freedom where its acceleration is prescribed."""
         joint = self.plan.joints[j]
         return HELD if joint.prescribed else KINDS[joint.kind]
 
@@ -191,7 +191,7 @@ class State:
         return matrix_times(self.constants(turn), given) if turn else given
 
     def circular(self, angle: Expression) -> tuple[Expression, Expression]:
-        """Cosine and sine; they are computed of all angles of the process at once."""
+        """Cosine and sine; those of all angles of the process are computed at once."""
         width, angles = angle.node.width, self.angles
         own = [angle] if width == 1 else [self.graph.lane(angle, k) for k in range(width)]
         k = self._place_of_angles.setdefault(tuple(own), len(angles))
@@ -203,7 +203,7 @@ class State:
         return cosine, self.graph.input(f"sine[{k}]", READY, width)
 
     def turns_exactly(self, j: int) -> bool:
-        """Whether what a joint hands on may be small beside what it is found in, and must be exact.
+        """Whether a projected inertia may be small beside its parts, and needs exact rotations.
 
         So it is for joints that would lose digits in axes of the base, of a row for all.
         """
@@ -217,11 +217,11 @@ class State:
                 self.circular(self.rows.entries("q", j, 1)[0])
 
     def given(self, j: int) -> Array:
-        """What tau holds for joint j: its torques, or its accelerations; shape (n,)."""
+        """The entries of tau for joint j: its torques, or its accelerations; shape (n,)."""
         return self.rows.entries("tau", j, KINDS[self.plan.joints[j].kind].nv)
 
     def torques(self, j: int) -> Array:
-        """Torques of joint j, shape (n, columns): those at work, then those of the coupling rows.
+        """Torques of joint j, shape (n, columns): the given ones, then those of coupling rows.
 
         At work is what tau holds, less damping, friction and what a spring takes.
         """
@@ -245,7 +245,7 @@ class State:
         return result
 
     def _lost(self, j: int) -> list[list[Expression]]:
-        """What damping, friction and a spring add to each torque of a joint."""
+        """Torques of damping, friction and a spring on each freedom of a joint."""
         joint = self.plan.joints[j]
         if not (joint.damping or joint.friction or joint.stiffness):
             return []
@@ -265,18 +265,18 @@ class State:
         return lost
 
     def _of_joint(self, j: int, read: Callable[[PlanJoint], float]) -> Expression:
-        """A number of a joint, of a row's joints wide."""
+        """A number of a joint; for a row, a wide one."""
         return cast("Expression", self.rows.of_joint(j, read)[()])
 
     def rotor(self, j: int) -> Expression | None:
-        """Rotor inertia of a joint with what it is lent, None for none."""
+        """Rotor inertia of a joint with its artificial inertia, None for none."""
         joint = self.plan.joints[j]
         if not (joint.rotor_inertia or joint.lent):
             return None
         return self._of_joint(j, lambda joint: joint.rotor_inertia + joint.lent)
 
     def keep_force(self, j: int, force: Array, *, driven: bool = False) -> None:
-        """Keep the force of a joint in its child link's frame, shape (6, columns).
+        """Store the force of a joint in its child link's frame, shape (6, columns).
 
         Args:
             j: the joint.
@@ -289,7 +289,7 @@ class State:
         self.memory["force", j] = force
 
     def accelerate(self, j: int, qdd: Array) -> None:
-        """Keep a joint's accelerations, shape (n, columns); with slaved joints they come later."""
+        """Store a joint's accelerations, shape (n, columns); with slaved joints they come later."""
         if self.plan.joints[j].prescribed:
             qdd = self.column(self.given(j)) if self.left is None else self.zeros(*qdd.shape)
         self.memory.update((("qdd", each), own) for each, own in self.rows.apart(j, qdd))

@@ -14,7 +14,7 @@ from adagen.schedule.costs import StepCosts
 def simulate(
     plan: Plan, grouping: Grouping | None = None, refining: Refining = None
 ) -> tuple[Simulated, ...]:
-    """Return the plan's processes, each after all its steps; nobody may change them.
+    """Return the plan's processes after all their steps; they must not be changed.
 
     Args:
         plan: the plan.
@@ -33,7 +33,7 @@ def simulate(
 def straight_line(
     plan: Plan, *, lanes: bool = True, costs: StepCosts | None = None
 ) -> tuple[Simulated, ...]:
-    """Return the plan's processes as a straight line is emitted: in lanes where that takes less.
+    """Return the plan's processes as emitted in straight lines: in lanes where that is cheaper.
 
     Args:
         plan: the plan.
@@ -47,12 +47,12 @@ def straight_line(
 
 
 def _simulated(plan: Plan, grouping: Grouping | None) -> tuple[Simulated, ...]:
-    """The plan's processes in a grouping; without limbs they are those that everybody asks for."""
+    """The plan's processes in a grouping; cached without limbs."""
     return simulate(plan, grouping) if grouping is not None and any(grouping) else simulate(plan)
 
 
 def groupings(plan: Plan) -> list[Grouping]:
-    """Return the groupings of a plan's straight lines that are compared; none comes first."""
+    """Return the groupings of a plan's straight lines that are compared; no grouping comes first."""
     offers = offered_groupings(plan) if not plan.reproducible else [_none(plan), own_limbs(plan)]
     return list(dict.fromkeys(offers))
 
@@ -62,7 +62,7 @@ def _none(plan: Plan) -> Grouping:
 
 
 def chosen_grouping(plan: Plan, costs: StepCosts | None = None) -> Grouping:
-    """Return the limbs that share a straight line: for each process the grouping of least price.
+    """Return the grouping of least price for each process.
 
     Args:
         plan: the plan.

@@ -34,7 +34,7 @@ class Stretch:
     statements: dict[int, int]
 
     def time(self, costs: StepCosts) -> float:
-        """Return what it takes on a machine, microseconds."""
+        """Return its time on a machine, microseconds."""
         parts = {name: costs[name] * count for name, count in self.features.items()}
         waits, sines = parts.pop(WAITS), parts.pop(SINES)
         return at_once(sum(parts.values()), waits) + sines
@@ -44,12 +44,12 @@ WAITS, SINES = "unrolled.cycle", "unrolled.sine"
 
 
 def at_once(work: float, waits: float) -> float:
-    """Return what operations and a chain of them take together; roots are the same everywhere."""
+    """Return the time of operations and a dependency chain together."""
     return sqrt(sqrt(work**4 + waits**4))
 
 
 def work_of(operations: Operations, held: float) -> dict[str, float]:
-    """Return how often each coefficient of work counts for all statements of a process.
+    """Return the count of each coefficient for all statements of a process.
 
     Args:
         operations: its operations.
@@ -110,7 +110,7 @@ def stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list[
 
 
 def _stretch_of(steps: Sequence[Step]) -> list[int]:
-    """By step: how many messages were exchanged before it."""
+    """For each step, the number of messages before it."""
     found, messages = [], 0
     for step in steps:
         messages += isinstance(step, Send | Receive)

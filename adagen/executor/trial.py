@@ -48,7 +48,7 @@ _MORE: dict[str, tuple[Any, Any]] = {
 
 @dataclass(frozen=True)
 class Trial:
-    """What a way of sweeping is found to lose.
+    """The predicted loss of a sweep.
 
     Attributes:
         error: relative forward error in the energy norm, the largest of the states; infinite where
@@ -61,7 +61,7 @@ class Trial:
 
 
 def tried(plan: Plan, turned: OwnAxes | None) -> Trial:
-    """Return what sweeping a robot inwards and outwards loses in the states of ``--check``.
+    """Return the loss of the sweeps on a robot in the states of ``--check``.
 
     Args:
         plan: its joints, links and scalar are looked at.
@@ -77,7 +77,7 @@ def tried(plan: Plan, turned: OwnAxes | None) -> Trial:
 
 @lru_cache(maxsize=4)  # a warning is looked for, then digits are told
 def tried_hard(plan: Plan, turned: OwnAxes | None) -> Trial:
-    """Return what sweeping loses in hard states (``hardened``), as far as they are answered.
+    """Return the loss of the sweeps in hard states (``hardened``), where they are not refused.
 
     What emitted code would refuse is left out: near gimbal lock of wrists through light links every
     digit is lost, and the solver says so.
@@ -110,14 +110,14 @@ def tried_hard(plan: Plan, turned: OwnAxes | None) -> Trial:
 
 
 def _place(errors: Array, weights: Array, often: float) -> int:
-    """Return where the error is that ``often`` of the weight of all reaches; the largest of few."""
+    """Return the index of the error that a share ``often`` of all errors reaches; the largest of few."""
     order = np.argsort(errors)[::-1]
     before = int(np.searchsorted(np.cumsum(weights[order]), often, side="right"))
     return int(order[max(0, before - 1)])
 
 
 def _beside(q: Array, hinges: list[int]) -> Array:
-    """Configurations about as near to quarter turns, in which rounding is another."""
+    """Configurations equally near to quarter turns, with different rounding."""
     found, quarter = q.copy(), np.pi / 2
     near = quarter * np.round(q[:, hinges] / quarter)
     by = np.random.default_rng(3).uniform(-1e-3, 1e-3, near.shape)
@@ -126,17 +126,17 @@ def _beside(q: Array, hinges: list[int]) -> Array:
 
 
 def _worst(shares: Array, errors: Array) -> Trial:
-    """Of squares of errors, and what joints share in them, the largest."""
+    """The largest of squared errors, with the joints' parts in it."""
     return _found(shares, errors, int(np.argmax(errors)))
 
 
 def _found(shares: Array, errors: Array, place: int) -> Trial:
-    """One of them."""
+    """A trial from one squared error and the joints' parts in it."""
     return Trial(float(np.sqrt(errors[place])), int(np.argmax(np.nan_to_num(shares[place]))))
 
 
 def carried_out(plan: Plan) -> Trial:
-    """Return what all processes together lose, as the executor carries their plan out.
+    """Return the loss of a whole plan, as the executor carries it out.
 
     Passive torques and outer forces are left out: factors are the same without them.
 
@@ -157,7 +157,7 @@ def carried_out(plan: Plan) -> Trial:
 
 
 def _off(plan: Plan, states: States, found: Array, truth: Array) -> tuple[Array, Array]:
-    """The squares of relative errors in the energy norm, and what joints share in them."""
+    """Squared relative errors in the energy norm, and the joints' parts in them."""
     size = Sweep(plan, np.float64, None, states)
     with np.errstate(all="ignore"):
         shares = size.energy((found - truth).astype(np.float64))
@@ -169,7 +169,7 @@ def _off(plan: Plan, states: States, found: Array, truth: Array) -> tuple[Array,
 def _lost(
     plan: Plan, turned: OwnAxes | None, states: States
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """The squares of errors in states, what joints share in them, and which are refused.
+    """The joints' parts in squared errors, the squared errors, and the refused states.
 
     The shares, shape (states, joints), come first.
     """
@@ -182,7 +182,7 @@ def _lost(
 
 
 def _rounded_anew(states: States, which: Array) -> States:
-    """States with angles so little off that only rounding differs, each several times."""
+    """States with tiny changes of angles that change only the rounding, several for each."""
     rng = np.random.default_rng(3)
     q, v, tau = (np.repeat(x[which], TIMES, axis=0) for x in states)
     return q * (1 + rng.uniform(-1e-8, 1e-8, q.shape)), v, tau
@@ -191,7 +191,7 @@ def _rounded_anew(states: States, which: Array) -> States:
 def _swept(
     plan: Plan, number: Any, turned: OwnAxes | None, states: States
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """What emitted code would find in states, and which of them it would refuse.
+    """The answers of emitted code in states, and the states that it would refuse.
 
     Sweeps that lose digits are repeated in own axes.
     """
@@ -209,7 +209,7 @@ def _swept(
 
 
 def accelerations(plan: Plan, q: Array, v: Array, tau: Array) -> Array:
-    """Return the accelerations of states in more digits than the plan's scalar has.
+    """Return the accelerations of states in higher precision than the plan's scalar.
 
     Slaved joints are treated as independent ones.
 
@@ -224,5 +224,5 @@ def accelerations(plan: Plan, q: Array, v: Array, tau: Array) -> Array:
 
 
 def _states(plan: Plan) -> States:
-    """States that the emitted program draws, one in each row; fewer where joints are many."""
+    """States that the emitted program draws, one in each row; fewer for many joints."""
     return program_states(plan, STATES["many joints" if len(plan.joints) > MANY else "few joints"])

@@ -25,7 +25,7 @@ AT_ONCE = 512
 
 
 class LinkMotions:
-    """The links of a robot in some configurations.
+    """Poses and motions of the links of a robot in many configurations.
 
     Args:
         plan: its joints are looked at.
@@ -59,7 +59,7 @@ class LinkMotions:
         self.free = self._freedoms()
 
     def turn(self, j: int) -> Array | None:
-        """Return the turn from the axes of the child's body to those of the parent's, or None."""
+        """Return the rotation from the axes of the child's body to those of the parent's, or None."""
         parent, child = self.plan.joints[j].parent, j + 1
         if self.own[child]:
             found: Array = self._local[child] if self.own[parent] else self.axes[child]
@@ -67,7 +67,7 @@ class LinkMotions:
         return self.axes[parent].transpose(0, 2, 1) if self.own[parent] else None
 
     def told(self, links: Array, vectors: Array) -> Array:
-        """Return vectors of links' axes, shape (links, S, 3), in those of the base."""
+        """Return vectors of links' axes, shape (links, S, 3), in base axes."""
         found: Array = np.einsum("jsik,jsk->jsi", self.axes[links], vectors)
         return found
 
@@ -141,7 +141,7 @@ class LinkMotions:
 
 
 class LinkInertias:
-    """Links by themselves: their inertias, and the forces that they take where none accelerates.
+    """Inertias of bare links, and their wrenches for zero joint accelerations.
 
     As in emitted code both are found from constants that are rounded once: sums of m x x^T about
     the origin in loops, the inertia itself in straight lines, where the difference of equal
@@ -174,7 +174,7 @@ class LinkInertias:
     def moving(
         self, v: Array, tau: Array, rounding: np.random.Generator | None
     ) -> tuple[Array, Array]:
-        """Return inertias about the links' origins, and the forces that their motion takes.
+        """Return inertias about the links' origins, and wrenches from their motion.
 
         Args:
             v: velocities, shape (S, nv).
@@ -254,7 +254,7 @@ class LinkInertias:
     # -- from joint to joint ----------------------------------------------------------------------
 
     def _motion(self, v: Array, tau: Array) -> tuple[Array, Array, Array]:
-        """Spin, its rate and acceleration of links where no joint accelerates."""
+        """Angular velocity, angular and linear acceleration for zero joint accelerations."""
         placed = self.placed
         links = len(placed.plan.joints) + 1
         spins, rates, rises = np.zeros((3, links, self.count, 3), self.number)

@@ -31,7 +31,7 @@ LOST = 16
 
 
 class Sweep:
-    """All states at once, in numbers of one type; arrays have the states first.
+    """Sweeps of all states at once, in numbers of one type; arrays have the states first.
 
     Args:
         plan: its joints, links and gravity are looked at.
@@ -83,7 +83,7 @@ class Sweep:
         return self._outwards(kept) if self.line else self._outwards_in_base(kept)
 
     def energy(self, qdd: Array) -> Array:
-        """What joints' accelerations share in qdd^T H qdd, shape (states, joints)."""
+        """The joints' parts in qdd^T H qdd, shape (states, joints)."""
         n = len(self.plan.joints)
         bodies = self.bare.at_rest()
         motion = np.zeros((n + 1, self.count, 6), self.number)
@@ -99,7 +99,7 @@ class Sweep:
     # -- inwards ----------------------------------------------------------------------------------
 
     def _eliminate(self, j: int, bodies: Array, forces: Array) -> Any:
-        """Take a joint out of the body beyond, hand that on; (D^-1 u, D^-1 U^T)."""
+        """Eliminate a joint, pass the rest to its near link; (D^-1 u, D^-1 U^T)."""
         joint, body, force = self.plan.joints[j], bodies[j + 1], forces[j + 1]
         kept = None
         if not joint.prescribed:
@@ -116,7 +116,7 @@ class Sweep:
         return kept
 
     def _projected(self, j: int, body: Array, force: Array) -> tuple[Array, Array, Any]:
-        """A body and the force on it, less what a joint gives way to, and what is kept of that."""
+        """A body and the force on it after projection through a joint, and its factors."""
         joint, axes = self.plan.joints[j], self.at.free[j]
         count = axes.shape[2]
         rotor = self.number(joint.rotor_inertia)
@@ -138,7 +138,7 @@ class Sweep:
         return (body + body.transpose(0, 2, 1)) / 2, force, (u, over)
 
     def _note(self, j: int, d: Array) -> None:
-        """Keep a joint's pivot; of several refuse those that are nothing but rounding."""
+        """Store a joint's pivot; of several refuse those that are only rounding."""
         if d.shape[1] == 1:
             self._pivots[j] = d[:, 0, 0]
             return
@@ -148,7 +148,7 @@ class Sweep:
         self.refused |= ~(pivots(d) > least).all(axis=1)
 
     def _look(self, bodies: Array) -> None:
-        """Note the states in which pivots of joints with one freedom lose digits, or have none.
+        """Note the states in which pivots of one-freedom joints lose digits, or have none.
 
         Args:
             bodies: with all that hangs on them.
@@ -169,7 +169,7 @@ class Sweep:
             self.refused |= (nothing & ~watched[:, None]).any(axis=0)
 
     def _turned_by_few(self) -> frozenset[int]:
-        """Joints that turn bodies by as few operations as in straight lines (frames.py)."""
+        """Joints that rotate bodies by as few operations as straight lines (frames.py)."""
         exact = losing_joints(self.plan)
         return frozenset(
             j
@@ -180,7 +180,7 @@ class Sweep:
         )
 
     def _turned_quickly(self, j: int, body: Array, force: Array) -> tuple[Array, Array]:
-        """A body turned about its joint's axis, and on into its parent's axes."""
+        """A body rotated about its joint's axis, and on into its parent's axes."""
         base = np.array(self.plan.joints[j].rotation, dtype=self.number)
         local = self.at.turn(j)
         assert local is not None  # in straight lines all are in their own axes
@@ -208,7 +208,7 @@ class Sweep:
         return qdd
 
     def _outwards_in_base(self, kept: Sequence[Any]) -> Array:
-        """The same in axes of the base, in which loops have all accelerations."""
+        """The same in base axes, in which loops have all accelerations."""
         motion = np.zeros((len(kept) + 1, self.count, 6), self.number)
         qdd = np.zeros((self.count, self.v.shape[1]), self.number)
         parents = np.array([joint.parent for joint in self.plan.joints])
@@ -227,7 +227,7 @@ class Sweep:
         return qdd
 
     def _in_base(self, j: int, over: Array, arm: Array) -> tuple[Array, Array]:
-        """S and D^-1 U^T in axes of the base, as in loops: the latter at the parent's origin."""
+        """S and D^-1 U^T in base axes, as in loops: the latter at the parent's origin."""
         axes = self.at.free[j]
         if self.own[j + 1]:
             turn = self.at.axes[j + 1]
