@@ -52,7 +52,7 @@ def _simulated(plan: Plan, grouping: Grouping | None) -> tuple[Simulated, ...]:
 
 
 def groupings(plan: Plan) -> list[Grouping]:
-    """Return the groupings of a plan's straight lines that are compared; no grouping comes first."""
+    """Return the groupings of a plan's straight lines that are compared; the first is none."""
     offers = offered_groupings(plan) if not plan.reproducible else [_none(plan), own_limbs(plan)]
     return list(dict.fromkeys(offers))
 

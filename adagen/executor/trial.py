@@ -110,7 +110,7 @@ def tried_hard(plan: Plan, turned: OwnAxes | None) -> Trial:
 
 
 def _place(errors: Array, weights: Array, often: float) -> int:
-    """Return the index of the error that a share ``often`` of all errors reaches; the largest of few."""
+    """Return the index of the error that a share ``often`` of all reaches; the largest of few."""
     order = np.argsort(errors)[::-1]
     before = int(np.searchsorted(np.cumsum(weights[order]), often, side="right"))
     return int(order[max(0, before - 1)])

@@ -59,7 +59,7 @@ class LinkMotions:
         self.free = self._freedoms()
 
     def turn(self, j: int) -> Array | None:
-        """Return the rotation from the axes of the child's body to those of the parent's, or None."""
+        """Return the rotation from the child body's axes to the parent body's, or None."""
         parent, child = self.plan.joints[j].parent, j + 1
         if self.own[child]:
             found: Array = self._local[child] if self.own[parent] else self.axes[child]

@@ -155,7 +155,7 @@ def _plan(
 
 
 def _check_words(form: str, scalar: str, channel: str, meeting: str) -> None:
-    """Refuse words that are none of those known."""
+    """Refuse unknown values of options."""
     for word, known, what in (
         (form, tuple(FORMS), "form"),
         (scalar, SCALARS, "scalar"),
@@ -167,7 +167,7 @@ def _check_words(form: str, scalar: str, channel: str, meeting: str) -> None:
 
 
 def _line(planner: AdaPlanner, schedule: Schedule, topology: Topology) -> str:
-    """Return in one line who has what: the paper's tree, or where processes gather."""
+    """Return a schedule in one line: the paper's tree, or the owners where processes gather."""
     gathered = planner.gathered()
     if gathered is not None:
         return gathered_line(gathered, topology)
@@ -175,7 +175,7 @@ def _line(planner: AdaPlanner, schedule: Schedule, topology: Topology) -> str:
 
 
 def as_gathered(model: Model, schedule: Schedule) -> Schedule:
-    """Return a schedule whose processes gather with where they do; others as they are."""
+    """Return a schedule with the layout of its gathering processes; others unchanged."""
     if schedule.meeting != "gather" or schedule.gathered is not None:
         return schedule
     return replace(schedule, gathered=GatherPlanner(joints_of(model), schedule).gathered())
@@ -187,7 +187,7 @@ def can_gather(model: Model) -> bool:
 
 
 def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto") -> AdaPlanner:
-    """Return what builds the processes of a plan.
+    """Return the planner that builds the processes of a plan.
 
     Args:
         model: the robot.
@@ -232,7 +232,7 @@ def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto
 
 
 def _check_forces(model: Model) -> None:
-    """Refuse forces of loops where there are none, or not all of them are known."""
+    """Refuse forces of loops if the robot has none, or mimic joints."""
     if not model.closed:
         raise UsageError("the robot has no loops and couplings: leave --loop-forces out")
     if any(joint.mimic is not None for joint in model.joints):

@@ -40,7 +40,7 @@ from adagen.schedule.tree import Gathered
 
 @dataclass
 class Chain:
-    """A partial chain under construction: its handles and where their blocks and biases are."""
+    """A partial chain under construction: its handles, with their blocks and biases."""
 
     joint: int | None
     process: int
@@ -50,19 +50,19 @@ class Chain:
     segment: object = None
 
     def block(self, g: int, h: int) -> Block | None:
-        """Return Phi_gh's name, if the two handles feel each other."""
+        """Return Phi_gh's name, if the two handles are coupled."""
         return self.blocks.get((min(g, h), max(g, h)))
 
 
 def bare(link: int, process: int) -> Chain:
-    """Return a link by itself as a chain; the ground shows nothing."""
+    """Return a link by itself as a chain; the ground has no mobility."""
     if link == 0:
         return Chain(None, process)
     return Chain(None, process, {(link, link): Block(None, link, link)}, {link: Bias(None, link)})
 
 
 def _united(joint: int, process: int, parts: tuple[Chain, Chain], gone: set[int]) -> Chain:
-    """Two chains as one, without the handles that are gone, before the joint changes anything."""
+    """Two chains as one, without the joined handles, before the joint changes anything."""
     whole = Chain(joint, process, parts=parts)
     for part in parts:
         whole.blocks.update({k: block for k, block in part.blocks.items() if not gone & set(k)})
@@ -71,7 +71,7 @@ def _united(joint: int, process: int, parts: tuple[Chain, Chain], gone: set[int]
 
 
 def _couplings(sides: Iterable[tuple[str, Chain, int]], gone: set[int]) -> tuple[Coupling, ...]:
-    """How a joint and the handles that stay feel each other; each side with its link there."""
+    """Couplings of a joint with the remaining handles, each side with its own link."""
     couplings = []
     for side, chain, at in sides:
         for h in sorted(chain.biases):
@@ -84,7 +84,7 @@ def _couplings(sides: Iterable[tuple[str, Chain, int]], gone: set[int]) -> tuple
 def _updates(
     whole: Chain, couplings: Sequence[Coupling]
 ) -> tuple[tuple[BlockUpdate, ...], tuple[BiasUpdate, ...]]:
-    """What a chain's joint changes of its blocks and biases, which are named anew in the chain."""
+    """Updates of a chain's blocks and biases by its joint, with their new names."""
     i, blocks, biases = whole.joint, [], []
     for k, first in enumerate(couplings):
         for second in couplings[k:]:
@@ -119,11 +119,11 @@ class AdaPlanner:
             self.open[j + 1] += 1
 
     def tied_rows(self) -> tuple[int, ...]:
-        """Return constraints of loops that have a right-hand side each."""
+        """Return the constraints of loops that have right-hand sides."""
         return ()
 
     def gathered(self) -> Gathered | None:
-        """Return where processes gather; None where they are joined, or one has it all."""
+        """Return the layout of gathering processes; None if they are joined, or one has all."""
         return None
 
     def plan(self) -> tuple[tuple[Process, ...], tuple[Message, ...]]:
@@ -166,7 +166,7 @@ class AdaPlanner:
         return chains[self.schedule.root.joint]
 
     def _inside(self, node: Node) -> bool:  # noqa: ARG002 (form ada has no segments)
-        """Whether a node is treated with the segment that it is inside of."""
+        """Whether a node belongs to the segment of another node."""
         return False
 
     def _segment(self, node: Node) -> Chain | None:  # noqa: ARG002
@@ -178,7 +178,7 @@ class AdaPlanner:
         raise AssertionError("form ada has no segments")
 
     def _meet(self, process: int, parts: tuple[Chain, Chain]) -> None:
-        """Bring what is to be joined to the process that joins it."""
+        """Send the parts of a join to the process that joins them."""
         for part in parts:
             if part.process != process and part.biases:
                 self._message(assembled(part, part.process, process))
@@ -190,7 +190,7 @@ class AdaPlanner:
         self.steps[message.target].append(Receive(number))
 
     def _ends(self, run: Run) -> tuple[int, int]:
-        """The links that a joint, or a run of joints, joins."""
+        """The links that a joint, or a run of joints, connects."""
         return self.joints[run[0]].parent, run[-1] + 1
 
     def _join(self, run: Run, process: int, a: Chain, b: Chain) -> Chain:
@@ -254,7 +254,7 @@ class AdaPlanner:
         return (chain.process,)
 
     def _send_forces(self, chain: Chain, part: Chain, forces: dict[int, Force]) -> None:
-        """Tell the process of a part which forces act on its handles."""
+        """Send the forces on a part's handles to the process of the part."""
         if part.process == chain.process or not forces:
             return
         sent = tuple(forces[h] for h in sorted(forces))
@@ -269,7 +269,7 @@ class AdaPlanner:
         return slaved | sources
 
     def _couple_slaved(self) -> None:
-        """Process 0 solves for the torques between slaved joints and their sources."""
+        """Process 0 solves for the coupling torques of slaved joints."""
         involved = self.coupled()
         if not involved:
             return
@@ -287,7 +287,7 @@ class AdaPlanner:
 
 
 def assembled(chain: Chain, source: int, target: int) -> Message:
-    """The message that says how a chain's handles feel forces."""
+    """The message with the mobilities and biases of a chain."""
     named = (block for block in chain.blocks.values() if block.joint is not None)
     blocks = tuple(sorted(named, key=_block_key))
     biases = tuple(chain.biases[h] for h in sorted(chain.biases))

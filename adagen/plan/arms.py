@@ -42,7 +42,7 @@ class Arms:
 
 
 def arms_of(plan: Plan, one: ClosureSteps, counts: Iterable[int]) -> list[Limbs]:
-    """Return arms of a closure that may go side by side.
+    """Return arms of a closure that can be computed side by side.
 
     Args:
         plan: the plan.
@@ -63,7 +63,7 @@ def arms_of(plan: Plan, one: ClosureSteps, counts: Iterable[int]) -> list[Limbs]
 
 
 def arms_in(plan: Plan, one: ClosureSteps, all_limbs: Iterable[Limbs]) -> list[Arms]:
-    """Return the arms of a closure that limbs take side by side, those left out that are unlike."""
+    """Return the arms of a closure that are in limbs side by side, without dissimilar ones."""
     found = []
     for limbs in all_limbs:
         chains = list(zip(*limbs.rows, strict=True))
@@ -104,14 +104,14 @@ def _chains(plan: Plan, one: ClosureSteps) -> list[tuple[int, ...]]:
 
 
 def _loops_at(plan: Plan, one: ClosureSteps, chain: Sequence[int]) -> list[CloseLoop]:
-    """The loops that hold links of a chain."""
+    """The loops at links of a chain."""
     links = {j + 1 for j in chain}
     ends = ((c, plan.loops[c.loop]) for c in one.loops)
     return [closing for closing, loop in ends if not links.isdisjoint((loop.link1, loop.link2))]
 
 
 def _shape(plan: Plan, one: ClosureSteps, chain: Sequence[int]) -> tuple[object, ...] | None:
-    """What arms have in common that can be computed side by side; None where they cannot."""
+    """The structure that arms must share to be computed side by side; None where they cannot."""
     joints, how = [plan.joints[j] for j in chain], one.eliminate
     if not set(chain).issubset(one.held) or len(one.held) < len(one.path):
         return None
@@ -144,14 +144,14 @@ def _shape(plan: Plan, one: ClosureSteps, chain: Sequence[int]) -> tuple[object,
 def arms_among(
     plan: Plan, closures: Iterable[ClosureSteps], all_limbs: Iterable[Limbs]
 ) -> dict[int, list[Arms]]:
-    """Return the arms that limbs take side by side, by closure; closures without any left out."""
+    """Return the arms in limbs side by side, by closure; closures without any are left out."""
     limbs = tuple(all_limbs)
     found = {one.number: arms_in(plan, one, limbs) for one in closures}
     return {number: arms for number, arms in found.items() if arms}
 
 
 def without_unlike(plan: Plan, steps: Sequence[Step], all_limbs: Iterable[Limbs]) -> list[Limbs]:
-    """Return limbs without those that closures which are not alike have joints in.
+    """Return limbs without those that contain joints of dissimilar closures.
 
     Rows of what the ground holds are seen from it, so that the way there is not in lanes either.
     """

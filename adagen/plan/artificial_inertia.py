@@ -25,7 +25,7 @@ from adagen.urdf.mobility import weakest
 
 @lru_cache(maxsize=4)  # asked for by every plan that a search tries
 def with_artificial_inertia(model: Model) -> Model:
-    """Return a robot as form `ada` sees its tree: what is lent is inertia of rotors.
+    """Return a robot as form `ada` sees its tree, with artificial rotor inertias.
 
     Raises:
         InputError: no form can solve its loops.
@@ -45,20 +45,20 @@ def with_artificial_inertia(model: Model) -> Model:
 
 
 def with_artificial_rotors(joints: Iterable[PlanJoint], model: Model) -> tuple[PlanJoint, ...]:
-    """Return a robot's joints with what each is lent."""
+    """Return a robot's joints with their artificial inertias."""
     pairs = zip(model.joints, with_artificial_inertia(model).joints, strict=True)
     lent = (seen.passive.rotor_inertia - own.passive.rotor_inertia for own, seen in pairs)
     return tuple(replace(joint, lent=k) for joint, k in zip(joints, lent, strict=True))
 
 
 def _can_be_lent(joint: Joint) -> bool:
-    """Whether it has one unit, and no rotor of its own that would not add up exactly."""
+    """Whether a joint has one unit, and no rotor with which the sum would be inexact."""
     units = {row < 3 for row in joint.kind.free}
     return len(units) == 1 and not joint.prescribed and not joint.passive.rotor_inertia
 
 
 def _lending(model: Model, lent: Iterable[int]) -> Model:
-    """The robot with inertia lent to some joints, of the size that others of their unit meet."""
+    """The robot with artificial inertias of some joints, of the size of others with their unit."""
     inertias = np.diag(joint_space_inertia(model, sampled(model)[0][0]))
     linear = np.array([row >= 3 for joint in model.joints for row in joint.kind.free])
     joints = list(model.joints)

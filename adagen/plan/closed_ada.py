@@ -62,7 +62,7 @@ class ClosedAdaPlanner(ClusterPlanner):
         self._firsts = first_rows(loops)
 
     def tied_rows(self) -> tuple[int, ...]:
-        """Return the constraints that others follow from, by number."""
+        """Return the independent constraints, by number."""
         kept = (row for closure in self.closures for row in closure.choices[0].rows)
         return tuple(sorted(self._number[row] for row in kept))
 
@@ -78,7 +78,7 @@ class ClosedAdaPlanner(ClusterPlanner):
         return tuple(closed), messages
 
     def _with_loops(self, process: Process, all_of_them: bool) -> Process:
-        """A process that knows the constraints at its links and joints before it needs them."""
+        """A process with the constraints at its links and joints before they are needed."""
         if not process.steps:
             return process
         links = {step.link for step in process.steps_of(LinkBias, StartLink)}

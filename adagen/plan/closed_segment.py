@@ -91,11 +91,11 @@ class ClosedPlanner(AdaPlanner):
         return (Process(steps, every, every, (), recovery, tuple(others[1:])), *idle), ()
 
     def gathered(self) -> Gathered | None:
-        """Return where processes gather; None where one process has it all."""
+        """Return the layout of gathering processes; None where one process has everything."""
         return self.schedule.gathered
 
     def _ways(self) -> list[ClosureElimination]:
-        """How closures go: the quickest way, then all by their first choices, their second, ..."""
+        """Eliminations to try: the cheapest, then all closures' first choices, second, ..."""
         most = max((len(one.choices) for one in self.closures), default=1)
         found = [
             [(one, one.choices[min(k, len(one.choices) - 1)]) for one in self.closures]
@@ -118,13 +118,13 @@ class ClosedPlanner(AdaPlanner):
         ]
 
     def _joints_beside_loops(self) -> list[int]:
-        """Joints with neither loops at them nor beyond them, ascending."""
+        """Joints without loops at them or beyond them, ascending."""
         bound = bound_by_loops(self.joints, self.loops, self.couplings)
         every = range(len(self.joints))
         return [j for j in every if j not in bound and not is_free_base(self.joints[j])]
 
     def _steps(self, way: ClosureElimination) -> Iterator[Step]:
-        """All that one process does."""
+        """All steps of one process."""
         yield from (Kinematics(j) for j in range(len(self.joints)))
         yield from (StartLink(j + 1) for j in range(len(self.joints)))
         for number in range(len(way.closures)):
@@ -153,7 +153,7 @@ class ClosedPlanner(AdaPlanner):
     def _shared(
         self, gathered: Gathered, way: ClosureElimination, others: Sequence[ClosureElimination]
     ) -> tuple[tuple[Process, ...], tuple[Message, ...]]:
-        """What several processes do, and each for itself where that cannot be done."""
+        """Steps of several processes, and those of each by itself where the shared ones fail."""
         trees = trees_of(self.joints, gathered)
         _refuse_divided(trees, way, self.loops)
         recovery: tuple[tuple[Step, ...], ...] = ()
@@ -169,7 +169,7 @@ class ClosedPlanner(AdaPlanner):
 
 
 def _recovering(process: Process, ways: Sequence[tuple[Step, ...]], count: int) -> Process:
-    """A process that can do everything for itself, in several ways."""
+    """A process that computes everything by itself, by several eliminations in turn."""
     if not process.owns or not ways:
         return process
     every = tuple(range(count))
@@ -181,7 +181,7 @@ def _recovering(process: Process, ways: Sequence[tuple[Step, ...]], count: int) 
 def _refuse_divided(
     trees: Sequence[Tree], way: ClosureElimination, loops: Sequence[PlanLoop]
 ) -> None:
-    """Refuse a layout in which a closure is not all one process's, beyond its top."""
+    """Refuse a layout in which several processes have joints of one closure below its top."""
     owner = {j: p for tree in trees for j, p in tree.owner.items()}
     against = {e.joint for tree in trees for e in tree.edges if e.reversed}
     against |= {e.joint for tree in trees for e in tree.ground_side}
@@ -200,7 +200,7 @@ def _refuse_divided(
 
 
 def _whole(trees: Sequence[Tree]) -> dict[int, Tree]:
-    """Trees that float by their root and are all one process's, by their bases."""
+    """Floating trees of one process each, by their bases."""
     return {
         tree.base: tree
         for tree in trees
@@ -209,7 +209,7 @@ def _whole(trees: Sequence[Tree]) -> dict[int, Tree]:
 
 
 def _between(trees: Sequence[Tree], way: ClosureElimination) -> Iterator[Message]:
-    """Yield what processes tell each other of trees that float apart."""
+    """Yield the messages between processes about separate trees."""
     owner = {j: tree.participants[0] for tree in trees for j in (*tree.joints, tree.base)}
     for number, closure in enumerate(way.closures):
         sides: dict[int, list[int]] = {}
@@ -248,20 +248,20 @@ class _ClosedSteps(ProcessSteps):
         self._apart = {j for path in paths for j in path if joints[j].parent == 0}
 
     def looks_at(self) -> Iterable[int]:
-        """Return the joints of its closures: rows are known by where both of their links are."""
+        """Return the joints of its closures: rows need the poses of both of their links."""
         return (j for number in self.numbers for j in self.way.closures[number].path)
 
     def tells_of(self, tree: Tree) -> bool:
-        """Return whether others wait for a tree; so they do where it floats apart from theirs."""
+        """Return whether others wait for data of a tree, or of a separate tree."""
         return super().tells_of(tree) or tree.base in self._apart
 
     def evaluation(self, sends: Iterable[int], receives: Iterable[int]) -> list[Step]:
-        """Return its steps but for kinematics; the rows of its loops come first."""
+        """Return its steps without kinematics; the rows of its loops come first."""
         rows = [step for number in self.numbers for step in self.way.constraints(number)]
         return [*rows, *super().evaluation(sends, receives)]
 
     def _inwards(self, tree: Tree) -> Iterator[Step]:
-        """What is swept inwards; a base that carries rows is articulated as other joints are."""
+        """Steps of the inward sweep; a base that carries rows is eliminated like other joints."""
         base = tree.base if tree.base in self._apart else None
         yield from (
             step
@@ -284,13 +284,13 @@ class _ClosedSteps(ProcessSteps):
         yield self.way.outwards(tree.base)
 
     def _outwards_again(self, tree: Tree) -> Iterator[Step]:
-        """What finds accelerations; that of a base which carries rows is known by then."""
+        """Steps of accelerations; that of a base which carries rows is known by then."""
         base = tree.base in self._apart
         again = super()._outwards_again(tree)
         return (step for step in again if not (base and isinstance(step, FreeAcceleration)))
 
     def swept(self, own: Sequence[Edge]) -> Iterator[Step]:
-        """Yield what sweeps its joints inwards; closures end with the last joint of theirs."""
+        """Yield the inward steps of its joints; a closure ends with its last joint."""
         for edge in reversed(own):
             number = self.way.closure_of(edge.joint)
             if number is None:
@@ -302,7 +302,7 @@ class _ClosedSteps(ProcessSteps):
                 yield self.way.eliminate(number)
 
     def accelerated(self, own: Sequence[Edge]) -> Iterator[Step]:
-        """Yield what finds the accelerations of its joints."""
+        """Yield the steps of the accelerations of its joints."""
         for edge in own:
             number = self.way.closure_of(edge.joint)
             if number is None:

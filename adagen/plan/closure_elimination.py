@@ -44,7 +44,7 @@ class _Unknowns:
 
 
 class ClosureElimination:
-    """Closures with what each is eliminated by.
+    """Closures, each with the choice by which it is eliminated.
 
     Args:
         joints: the robot's joints.
@@ -73,11 +73,11 @@ class ClosureElimination:
         self._firsts = first_rows(loops, couplings)
 
     def closure_of(self, j: int) -> int | None:
-        """Return the number of the closure that a joint is on the path of, if any."""
+        """Return the number of the closure whose path contains a joint, if any."""
         return self._of_joint.get(j)
 
     def constraints(self, number: int) -> Iterator[Step]:
-        """Yield what states the rows of a closure."""
+        """Yield the steps of a closure's constraint rows."""
         own = self._own[number]
         for k in own.closure.loops:
             first, end = self._firsts[k], self._firsts[k + 1]
@@ -105,11 +105,11 @@ class ClosureElimination:
         )
 
     def _on_ground(self, closure: Closure) -> bool:
-        """Whether one of a closure's loops is held by the ground."""
+        """Whether one of a closure's loops ends on the ground."""
         return any(0 in (self.loops[k].link1, self.loops[k].link2) for k in closure.loops)
 
     def inwards(self, j: int) -> Iterator[Step]:
-        """Yield what takes a joint inwards, seen from the ground."""
+        """Yield the inward steps of a joint, seen from the ground."""
         number = self.closure_of(j)
         if number is None:
             if is_free_base(self.joints[j]):
@@ -125,7 +125,7 @@ class ClosureElimination:
             yield CarryRows(j, number)
 
     def outwards(self, j: int) -> Step:
-        """Return what finds the accelerations of a joint and of the link beyond."""
+        """Return the step of the accelerations of a joint and of the link beyond."""
         number = self.closure_of(j)
         if number is not None and j in self.closures[number].held:
             return AccelerateHeld(j, number)

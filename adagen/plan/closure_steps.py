@@ -13,7 +13,7 @@ from adagen.plan.types import Plan
 
 @dataclass(frozen=True)
 class ClosureSteps:
-    """What a process does inwards for one of its closures.
+    """Inward steps of a process for one of its closures.
 
     Attributes:
         number: of the closure.
@@ -34,7 +34,7 @@ class ClosureSteps:
     exchanged: frozenset[int] = frozenset()
 
     def loop(self, plan: Plan, number: int) -> PlanLoop:
-        """Return a loop of the plan, its links in the order in which they are taken."""
+        """Return a loop of the plan, its links in the order of this closure."""
         loop = plan.loops[number]
         return loop.exchanged() if number in self.exchanged else loop
 
@@ -63,24 +63,24 @@ def closures_in(steps: Iterable[Step]) -> dict[int, ClosureSteps]:
 
 
 def nothing_moves(plan: Plan) -> bool:
-    """Return whether closures leave no joint any freedom, as those of a truss."""
+    """Return whether closures allow no motion of any joint, as in a truss."""
     rows = sum(len(one.eliminate.rows) for one in closures_in(list(plan.steps)).values())
     return plan.closed and rows == plan.nv
 
 
 def is_rigid(plan: Plan, j: int, held: Collection[int]) -> bool:
-    """Return whether all beyond a joint is held back, and so is passed as if it were rigid."""
+    """Return whether all joints beyond a joint are unknowns: their links move as one body."""
     return all(c in held and is_rigid(plan, c, held) for c in plan.children[j + 1])
 
 
 def nature(joint: PlanJoint) -> tuple[object, ...]:
-    """Return what joints of a row have in common, whatever the numbers are."""
+    """Return the kind of a joint that all joints of a row must share."""
     effects = (joint.damping, joint.friction, joint.stiffness, joint.rotor_inertia + joint.lent)
     return (joint.kind, joint.prescribed, *map(bool, effects))
 
 
 def structure(plan: Plan, one: ClosureSteps) -> tuple[object, ...]:
-    """Return what closures have in common that can be computed side by side."""
+    """Return the structure that closures must share to be computed side by side."""
     joints, top = plan.joints, one.eliminate.link
     place = {j: k for k, j in enumerate(one.path)}
 

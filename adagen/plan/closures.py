@@ -47,7 +47,7 @@ MOST_HELD = 30
 
 @dataclass(frozen=True)
 class Choice:
-    """What follows from what.
+    """A choice of dependent accelerations and kept rows.
 
     Attributes:
         moved: freedoms whose accelerations follow, as entries of v, ascending; none: by an
@@ -123,7 +123,7 @@ def sampled(model: Model) -> tuple[Array, Array]:
 
 @dataclass(frozen=True)
 class Sampled:
-    """The rows of some loops and couplings at closed states, those that are no rows left out.
+    """The rows of some loops and couplings at closed states, without rows that are always zero.
 
     Attributes:
         columns: entries of v that they act on, beyond the top.
@@ -143,7 +143,7 @@ class Sampled:
         return self.values[:, :, self.columns]
 
     def choice(self, moved: Numbers, kept: Numbers) -> Choice:
-        """Return a choice of columns and rows, numbered among these."""
+        """Return a choice in the numbers of these columns and rows."""
         return Choice(
             tuple(self.columns[c] for c in moved),
             tuple(self.rows[r] for r in kept),
@@ -174,7 +174,7 @@ def sampled_rows(model: Model, tied: LoopGroup, samples: Array) -> Sampled:
 
 
 def without_rounding(values: Array) -> Array:
-    """Return rows of a size of one without the entries that are rounding alone at all states.
+    """Return rows, brought to one size, without entries that are only rounding at all states.
 
     A rod that turns about the line through its two balls moves neither of them. What rounding makes
     of that differs from one processor to the next, and would be taken for a motion that rows feel.
@@ -188,7 +188,7 @@ def without_rounding(values: Array) -> Array:
 def closure_of(
     model: Model, tied: LoopGroup, rows: Sequence[int], choices: Sequence[Choice], *, whole: bool
 ) -> Closure:
-    """Return a closure; of a whole one all joints are held back."""
+    """Return a closure; of a whole one all joints are unknowns."""
     of_freedom = {k: j for j in tied.path for k in freedoms_of(model, [j])}
     held = {of_freedom[k] for choice in choices for k in choice.moved}
     loops = len(model.loops)
@@ -204,7 +204,7 @@ def closure_of(
 
 
 def with_choices(model: Model, tied: LoopGroup, samples: Array) -> Closure:
-    """Choose what follows from what: so that G is least where it is largest."""
+    """Choose dependent accelerations so that the largest G is smallest."""
     found = sampled_rows(model, tied, samples)
     whole = len(found.columns) <= max(MOST_HELD, 2 * _rank(found.own))
     inertias = inertias_of(model, found.columns) if whole else []
@@ -217,7 +217,7 @@ def with_choices(model: Model, tied: LoopGroup, samples: Array) -> Closure:
 
 
 def _rank(samples: Array) -> int:
-    """Return how many rows are independent where most are.
+    """Return the number of independent rows where most are independent.
 
     Where these alone are held back, a system of twice as many unknowns is solved, accelerations and
     forces: if there are no more freedoms than that, it is better to hold all of them back.
@@ -227,19 +227,19 @@ def _rank(samples: Array) -> int:
 
 
 def inertias_of(model: Model, columns: Sequence[int]) -> list[Array]:
-    """Return the inertias of some freedoms at the first samples, all beyond them held fast."""
+    """Return the inertias of some freedoms at the first samples, with all joints beyond locked."""
     q, _ = sampled(model)
     found = [joint_space_inertia(model, each) for each in q[:WEIGHED]]
     return [each[np.ix_(columns, columns)] for each in found]
 
 
 def depths_of(model: Model, path: Sequence[int]) -> list[int]:
-    """Return how far from the ground the joint of each freedom is."""
+    """Return the distance from the ground of each freedom's joint."""
     return [len(path_to_ground(model, j + 1)) for j in path for _ in freedoms_of(model, [j])]
 
 
 def must_be_held(model: Model, path: Sequence[int]) -> set[int]:
-    """Return joints of a path that cannot be articulated as they are passed: rotors act on them."""
+    """Return joints of a path that cannot be eliminated on the way: rotors act on them."""
     rotors = {j for j in path if model.joints[j].passive.rotor_inertia}
     coupled = {j for coupling in model.couplings for j, _ in coupling.terms}
     return rotors | coupled.intersection(path)

@@ -32,7 +32,7 @@ RESISTS = 1e-6
 
 
 def clusters_of(model: Model, runs: Sequence[Run]) -> dict[int, int]:
-    """Return the number of the cluster that each joint is inside of; those between are left out.
+    """Return the cluster that each joint is inside of; joints between clusters are left out.
 
     Args:
         model: the robot.
@@ -95,7 +95,7 @@ def _resists(model: Model, number: int) -> bool:
 
 
 class ClusterPlanner(SegmentPlanner):
-    """Builds the processes and messages of form `ada` where clusters take the place of links."""
+    """Builds the processes and messages of form `ada` with clusters in place of links."""
 
     def __init__(
         self,
@@ -115,7 +115,7 @@ class ClusterPlanner(SegmentPlanner):
 
 
 def fold_of(model: Model, form: str) -> Fold:
-    """Return the robot as the search for a schedule of this form is to see it.
+    """Return the robot as the schedule search of this form sees it.
 
     Args:
         model: the robot.

@@ -22,7 +22,7 @@ WAY_OUT = (
 
 
 def links_of(model: Model, inverted: Collection[int]) -> tuple[PlanLink, ...]:
-    """Return the constants of a model's links, with the inverse inertias of those asked for.
+    """Return the constants of a model's links, with the inverse inertias of some.
 
     Raises:
         InputError: the inertia of such a link cannot be inverted.
@@ -75,7 +75,7 @@ def wrenches_of(model: Model) -> tuple[PlanWrench, ...]:
 
 
 def outputs_of(model: Model) -> tuple[PlanOutput, ...]:
-    """Return what is asked for of a model beside accelerations, in canonical frames."""
+    """Return the outputs of a model beside accelerations, in canonical frames."""
     return tuple(
         PlanOutput(
             output.what,

@@ -115,7 +115,7 @@ class _Robot:
         return ratios
 
     def condition(self, seed: int) -> Array:
-        """Return what inverting I^A beside each joint costs in one configuration, shape (N,).
+        """Return the condition of I^A beside each joint in one configuration, shape (N,).
 
         That is the condition number of the articulated-body inertia of all below the joint, and of
         all above it unless the ground holds that, scaled to a unit diagonal (units are mixed).
@@ -143,7 +143,7 @@ class _Robot:
         return result
 
     def growth(self, seed: int) -> Array:
-        """Return how unequal mobilities are at each joint in one configuration, shape (N,).
+        """Return the ratio of mobilities at each joint in one configuration, shape (N,).
 
         That is the largest generalised eigenvalue of (M with bare links, M with their neighbours
         attached), M = N (Phi_A + Phi_B) N^T: what the neighbours take away; or of the mobilities of
@@ -180,7 +180,7 @@ class _Robot:
 
     @staticmethod
     def _projected(joint: _Joint, inertia: Array) -> Array:
-        """What of an inertia on one side of a joint is felt on the other."""
+        """The inertia of one side of a joint as it acts on the other side."""
         free = joint.free
         d = inertia[np.ix_(free, free)]
         return inertia - inertia[:, free] @ np.linalg.pinv(d) @ inertia[free]
@@ -202,7 +202,7 @@ class _Robot:
 
 
 def _seen(inertia: Array, x: Array) -> Array:
-    """An inertia in the coordinates that x leads to."""
+    """An inertia in the coordinates of a transform x."""
     back = np.linalg.inv(x)
     result: Array = back.T @ inertia @ back
     return result

@@ -29,7 +29,7 @@ relative to the largest entry of their diagonal."""
 
 
 def least_mobility(plan: Plan, join: Join) -> list[float]:
-    """Return what each diagonal entry of M must exceed to have digits; empty: nothing is known.
+    """Return the least value of each diagonal entry of M that has digits; empty if unknown.
 
     Where the links beside the joint were joined bare, it is a multiple of what they brought.
     """

@@ -26,12 +26,12 @@ class Edge:
 
 
 def is_base(joint: PlanJoint) -> bool:
-    """Return whether a joint lets a link float on the ground, or moves it there as prescribed."""
+    """Return whether a joint is the floating base of a tree, free or prescribed."""
     return joint.parent == 0 and joint.kind == "floating"
 
 
 def is_free_base(joint: PlanJoint) -> bool:
-    """Return whether a joint on the ground lets its link float, with nothing to be joined."""
+    """Return whether a joint is a floating base with free motion."""
     return is_base(joint) and not joint.prescribed
 
 
@@ -52,7 +52,7 @@ def on_the_way(joints: Sequence[PlanJoint], wanted: Iterable[int]) -> tuple[int,
 def edges_from(
     root: int, joints: Sequence[PlanJoint], at: Mapping[int, Sequence[int]]
 ) -> list[Edge]:
-    """Return the joints that hang together with a root, each after those nearer to it.
+    """Return the joints connected to a root, each after those nearer to it.
 
     They are in depth-first order, so that joints that follow each other along a limb stay
     together: shape kernels sweeps them in one loop.
@@ -81,7 +81,7 @@ def edges_from(
 
 
 def ways_to(links: Iterable[int], root: int, edges: Sequence[Edge]) -> list[Edge]:
-    """Return those of ``edges`` that lie between a root and some links, depth first."""
+    """Return the ``edges`` between a root and some links, depth first."""
     wanted = set(links)
     for edge in reversed(edges):
         if edge.far in wanted:

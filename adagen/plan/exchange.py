@@ -97,7 +97,7 @@ class ExchangePlanner(SegmentPlanner):
         return self._processes(owns, passages), tuple(self.messages)
 
     def _owned(self) -> list[list[int]]:
-        """The joints that each process gives the accelerations of: the first one that knows."""
+        """The joints whose accelerations each process gives: the first one that knows them."""
         owns: list[list[int]] = [[] for _ in self.steps]
         for p, own in enumerate(self.owns):
             for j in own:
@@ -127,13 +127,13 @@ class ExchangePlanner(SegmentPlanner):
     # --- mobilities and forces -------------------------------------------------------------------
 
     def _knows(self, part: Chain) -> tuple[int, ...]:
-        """The processes that know what a part shows, ascending."""
+        """The processes that know a part's mobility and bias, ascending."""
         if part.joint is None:
             return ()
         return self.knowing.get(part.joint, (part.process,))
 
     def _meet(self, process: int, parts: tuple[Chain, Chain]) -> None:
-        """Tell each side of a joint what the other one shows, if both show anything."""
+        """Send each side's mobility and bias to the other side of a joint."""
         a, b = parts
         if a.joint is None or b.joint is None:
             self._show_bare(process, a, b)
@@ -145,7 +145,7 @@ class ExchangePlanner(SegmentPlanner):
             )
 
     def _show_bare(self, process: int, a: Chain, b: Chain) -> None:
-        """Every process of a chain that a bare link is joined to finds what that shows."""
+        """Steps for a bare link's bias on every process of a chain that it is joined to."""
         links = [link for part in (a, b) if part.joint is None for link in part.biases]
         for p in (*self._knows(a), *self._knows(b)):
             self.steps[p] += [LinkBias(link) for link in links if p != process]
@@ -167,7 +167,7 @@ class ExchangePlanner(SegmentPlanner):
             to[message.target].append(Receive(number))
 
     def _join(self, run: Run, process: int, a: Chain, b: Chain) -> Chain:
-        """Join two parts on all processes that know them: what shows nothing need not be known."""
+        """Join two parts on all processes that know them."""
         knowing = {p for part in (a, b) if part.biases for p in self._knows(part)} or {process}
         first, *others = sorted(knowing)
         whole = super()._join(run, first, a, b)
@@ -182,7 +182,7 @@ class ExchangePlanner(SegmentPlanner):
         return self._knows(chain)
 
     def _send_forces(self, chain: Chain, part: Chain, forces: dict[int, Force]) -> None:
-        """Nothing is sent: the processes of a part have found the forces on it themselves."""
+        """Nothing is sent: the processes of a part have computed the forces on it."""
 
     # --- motions ---------------------------------------------------------------------------------
 
@@ -191,7 +191,7 @@ class ExchangePlanner(SegmentPlanner):
         return len({self.at_work[child.joint] for child in node.children}) == 2
 
     def _parts(self, root: Node) -> list[range] | None:
-        """What each process treats of a serial chain, inner cut first; None without motions."""
+        """The part of a serial chain of each process, inner cut first; None without motions."""
         joints = self.joints
         serial = all(joint.parent == j for j, joint in enumerate(joints))
         if not serial or not passable(joints, range(len(joints))):
@@ -209,7 +209,7 @@ class ExchangePlanner(SegmentPlanner):
         return [range(first, beyond) for first, beyond in zip(cuts, ends, strict=True)]
 
     def _inner_cuts(self, node: Node, cut: int = 0) -> Iterator[tuple[int, int]]:
-        """Yield for each process, outwards along the chain, the joint that its part hangs on by."""
+        """Yield for each process, outwards along the chain, the first joint of its part."""
         if not self._parted(node):
             yield self.at_work[node.joint][0], cut
             return
@@ -218,7 +218,7 @@ class ExchangePlanner(SegmentPlanner):
 
 
 class Passages:
-    """How the motions of a serial chain are passed on, level by level.
+    """Exchange of the motions of a serial chain, level by level.
 
     Args:
         planner: whose messages these are put among.
@@ -235,12 +235,12 @@ class Passages:
         self._arrive(planner.schedule.root, 0)
 
     def owns(self) -> list[list[int]]:
-        """Return the joints that each process gives the accelerations of."""
+        """Return the joints whose accelerations each process gives."""
         idle = len(self.steps) - len(self.parts)
         return [list(part) for part in self.parts] + [[] for _ in range(idle)]
 
     def asked_for(self, process: int) -> tuple[list[Step], list[Step]]:
-        """Return the steps of a process that it or others wait for, and those that nobody does.
+        """Return the steps that the process or others wait for, and the remaining ones.
 
         Where its own joints start must be known before these are swept. How the links move at which
         it joins others' parts is asked only when it has told what its own part shows, and then it
@@ -272,7 +272,7 @@ class Passages:
         return Passage(self.parts[at_work[0]].start, self.parts[at_work[-1]].stop - 1)
 
     def _division(self, node: Node) -> Division:
-        """How a node's processes divide, into as many groups as the schedule puts together."""
+        """The groups of a node's processes, as many as the schedule combines at once."""
         whole = Division([node], [])
         while len(whole.groups) < self.planner.schedule.fan:
             finer = whole.finer(self.planner.at_work)
@@ -282,7 +282,7 @@ class Passages:
         return whole
 
     def _put_together(self, node: Node) -> None:
-        """Find the passage of a node's processes; of several, unless nobody is beyond them.
+        """Compute the passage of a node's processes; of several, only if another process needs it.
 
         The outermost process finds its own, too: it waits meanwhile, and then knows how its joints
         lie to each other when it hears how its part moves.
@@ -315,7 +315,7 @@ class Passages:
                 near = both
 
     def _wanted(self, division: Division, members: Sequence[tuple[int, ...]]) -> dict[int, int]:
-        """By process, how many groups it must know the passages of, from the innermost on.
+        """By process, the number of groups whose passages it needs, from the innermost on.
 
         All, where processes beyond them ask for that of all; else up to the cuts that it joins.
         """
@@ -329,7 +329,7 @@ class Passages:
 
     @staticmethod
     def _hanging(cut: Cut, members: Sequence[tuple[int, ...]]) -> list[int]:
-        """The processes that must find the motion of the link on which a cut hangs.
+        """The processes that need the motion of the link before a cut.
 
         The one whose own joints end there knows it by these.
         """
@@ -341,7 +341,7 @@ class Passages:
         return Message(source, target, "kinematics", passage.last, passages=(passage,))
 
     def _arrive(self, node: Node, start: int) -> None:
-        """Find the motions of the links on which cuts hang, from the tree's top downwards.
+        """Compute the motions of the links before cuts, from the tree's top downwards.
 
         Args:
             node: whose processes do that.
@@ -362,7 +362,7 @@ class Passages:
 
 
 class Cut(NamedTuple):
-    """Where two sides meet among groups that follow each other: groups first .. at .. beyond."""
+    """A cut between successive groups: groups first .. at .. beyond."""
 
     first: int
     at: int
@@ -371,7 +371,7 @@ class Cut(NamedTuple):
 
 @dataclass(frozen=True)
 class Division:
-    """Groups of processes that put their passages together at once, and where they meet.
+    """Groups of processes that combine their passages at once, and the cuts between them.
 
     Attributes:
         groups: outwards along the chain, the nodes whose processes they are.

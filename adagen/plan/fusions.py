@@ -33,7 +33,7 @@ class Fusions:
         self._inner: set[int] = {j for top, run in self.run_of.items() for j in run if j != top}
 
     def _top(self, run: Run) -> int | None:
-        """The uppermost joint of a run whose nodes hang together on one process, else None."""
+        """The uppermost joint of a run whose nodes are connected on one process, else None."""
         members = set(run)
         below = {child.joint for j in run for child in self.nodes[j].children}
         tops = [j for j in run if j not in below]
@@ -47,7 +47,7 @@ class Fusions:
         return tops[0] if alone else None
 
     def leave_to(self, segments: MutableMapping[int, Any]) -> None:
-        """Leave runs that lie whole in a segment to it, and cut others out of all segments.
+        """Remove runs that lie completely in a segment, and keep others out of all segments.
 
         Args:
             segments: what is known of each joint that is treated with all below it.
@@ -58,7 +58,7 @@ class Fusions:
             segments.pop(j, None)
 
     def inside(self, joint: int) -> bool:
-        """Return whether a joint is treated with another one of its run."""
+        """Return whether a joint is joined with another one of its run."""
         return joint in self._inner
 
     def run_at(self, joint: int) -> Run:

@@ -32,7 +32,7 @@ from adagen.schedule.tree import Gathered
 
 
 def why_not_gather(joints: Sequence[PlanJoint]) -> str | None:
-    """Return why processes of a robot cannot gather, None where they can.
+    """Return the reason why processes of a robot cannot gather, None where they can.
 
     What gathers is emitted in shape kernels, which does not know everything.
     """
@@ -46,7 +46,7 @@ def why_not_gather(joints: Sequence[PlanJoint]) -> str | None:
 
 
 def trees_of(joints: Sequence[PlanJoint], gathered: Gathered) -> list[Tree]:
-    """Return the trees of links that move together as a schedule lays them out.
+    """Return the trees of moving links in the layout of a schedule.
 
     Raises:
         InputError: it asks for what processes cannot do.
@@ -61,7 +61,7 @@ class GatherPlanner(SegmentPlanner):
     """Builds the processes and messages of form `segment` with one exchange."""
 
     def trees(self) -> list[Tree]:
-        """Return the trees of links that move together, laid out for the schedule's processes.
+        """Return the trees of moving links in the layout for the schedule's processes.
 
         Raises:
             InputError: the schedule asks for what processes cannot do.
@@ -77,7 +77,7 @@ class GatherPlanner(SegmentPlanner):
         return laid_out_trees(self.joints, assigned, first)
 
     def gathered(self) -> Gathered:
-        """Return where processes gather, and who has what."""
+        """Return the layout: where processes gather, and the owners of joints."""
         owners: list[int | None] = [None] * len(self.joints)
         trees = self.trees()
         for tree in trees:
@@ -113,7 +113,7 @@ class GatherPlanner(SegmentPlanner):
         return telling(self.joints, ways, processes, self.messages)
 
     def _evaluation(self, trees: Sequence[Tree]) -> list[list[Step]]:
-        """Return the steps of every process but for kinematics; messages are added."""
+        """Return the steps of every process without kinematics; messages are added."""
         first = len(self.messages)
         self.messages += exchange(trees)
         sides = sides_of(self.messages, len(self.steps), first)
@@ -123,7 +123,7 @@ class GatherPlanner(SegmentPlanner):
 def sides_of(
     messages: Sequence[Message], processes: int, first: int = 0
 ) -> list[tuple[list[int], list[int]]]:
-    """Return for each process the numbers of the messages that it sends, and that it takes."""
+    """Return for each process the numbers of the messages that it sends, and that it receives."""
     sides: list[tuple[list[int], list[int]]] = [([], []) for _ in range(processes)]
     for number, message in enumerate(messages[first:], start=first):
         sides[message.source][0].append(number)
@@ -132,7 +132,7 @@ def sides_of(
 
 
 def exchange(trees: Iterable[Tree]) -> Iterator[Message]:
-    """Yield what processes tell each other of the cores that they share."""
+    """Yield the messages between processes that share cores."""
     for tree in trees:
         if len(tree.participants) > 1:
             for p in tree.participants:

@@ -38,7 +38,7 @@ from adagen.plan.types import Message, Process
 
 @dataclass(frozen=True)
 class Contribution:
-    """What a process sends to all others of a tree.
+    """The data that a process sends to all others of a tree.
 
     Attributes:
         blocks: the mobility that it found at the root, where the ground shows one.
@@ -64,7 +64,7 @@ class Contribution:
 
 
 def contribution(tree: Tree, process: int) -> Contribution | None:
-    """Return what a process sends to the others of a tree; None for nothing."""
+    """Return the data that a process sends to the others of a tree; None for nothing."""
     shown: set[int] = {
         edge.near
         for edge in tree.edges
@@ -82,12 +82,12 @@ def contribution(tree: Tree, process: int) -> Contribution | None:
 
 
 def about(tree: Tree) -> int:
-    """Return the joint that stands for a tree's root in messages."""
+    """Return the joint that names a tree's root in messages."""
     return tree.root - 1 if tree.root > 0 else tree.joints[0]
 
 
 class ProcessSteps:
-    """Steps of one process in trees whose layout is known.
+    """Steps of one process in trees of a known layout.
 
     Args:
         joints: the robot's joints.
@@ -114,11 +114,11 @@ class ProcessSteps:
         return tree.base is not None and tree.link_owner(tree.base + 1) == self.process
 
     def looks_at(self) -> Iterable[int]:
-        """Return joints whose motion it has to know besides."""
+        """Return further joints whose motion it needs."""
         return ()
 
     def tells_of(self, tree: Tree) -> bool:
-        """Return whether others wait for what the process finds of a tree."""
+        """Return whether others wait for this process's data about a tree."""
         return len(tree.participants) > 1
 
     def process_of(self, evaluation: Sequence[Step], recovery: Sequence[Step] = ()) -> Process:
@@ -138,7 +138,7 @@ class ProcessSteps:
         return Process((*kinematics, *evaluation), reads, owns, extra, again)
 
     def evaluation(self, sends: Iterable[int], receives: Iterable[int]) -> list[Step]:
-        """Return its steps but for kinematics.
+        """Return its steps without kinematics.
 
         Args:
             sends: the numbers of the messages that it sends.
@@ -156,7 +156,7 @@ class ProcessSteps:
         return steps
 
     def _all_inwards(self, trees: Sequence[Tree]) -> list[Step]:
-        """What is swept of some trees, one sweep after the other, so that they can be side by side.
+        """Inward steps of some trees, sweep after sweep, so that they can share lanes.
 
         For that all links are started first.
         """
@@ -164,7 +164,7 @@ class ProcessSteps:
         return steps + [step for tree in trees for step in self._inwards(tree)]
 
     def _started(self, tree: Tree) -> Iterator[Step]:
-        """The links that a process sweeps, and those of the core with what it has of them."""
+        """The links that a process sweeps, and core links to which it contributes."""
         own, shared = tree.branches(self.process), len(tree.participants) > 1
         yield from (StartLink(edge.far) for edge in own if edge.far > 0)
         for link in sorted(tree.core_links - {0}):
@@ -176,7 +176,7 @@ class ProcessSteps:
             yield from (StartLink(e.far) for e in tree.ground_side if e.far > 0)
 
     def _inwards(self, tree: Tree) -> Iterator[Step]:
-        """What is swept to the core, and what the process knows of the core by itself."""
+        """Steps of the sweep to the core, and of the core itself."""
         own, grounded = tree.branches(self.process), tree.grounded == self.process
         if tree.base is not None and self._has_base(tree):
             yield FreeBase(tree.base)
@@ -189,15 +189,15 @@ class ProcessSteps:
             yield StartEmpty(tree.root)  # from now on: what the others add
 
     def swept(self, own: Sequence[Edge]) -> Iterator[Step]:
-        """Yield what sweeps the process's own joints inwards; they are given outwards."""
+        """Yield the inward steps of the process's own joints, which are given outwards."""
         return (Articulate(edge.joint, edge.reversed) for edge in reversed(own))
 
     def accelerated(self, own: Sequence[Edge]) -> Iterator[Step]:
-        """Yield what finds the accelerations of the process's own joints."""
+        """Yield the acceleration steps of the process's own joints."""
         return _accelerated(own)
 
     def _from_ground_to(self, tree: Tree, link: int) -> Iterator[Step]:
-        """Phi and b of a link with all between it and the ground, swept from the ground."""
+        """Phi and b of a link with all joints between it and the ground, from the ground."""
         component = self._from_ground(tree, link)
         yield from (Articulate(e.joint, e.reversed) for e in reversed(component.edges))
         yield from mobility_steps(link - 1, component)[0]

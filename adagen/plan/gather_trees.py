@@ -21,7 +21,7 @@ in general, a few more keep it so in most poses."""
 
 @dataclass(frozen=True)
 class Tree:
-    """Links that move together, and how their processes meet.
+    """Connected moving links, and how their processes meet.
 
     Attributes:
         links: its links.
@@ -50,7 +50,7 @@ class Tree:
 
     @property
     def own_root(self) -> int:
-        """The link that it is swept to by one process: what floats on the ground, or the ground."""
+        """The root if one process sweeps it: a floating base, or the ground."""
         return 0 if self.base is None else self.base + 1
 
     @cached_property
@@ -120,7 +120,7 @@ def laid_out_trees(
 def given_trees(
     joints: Sequence[PlanJoint], roots: Sequence[int], owners: Sequence[int | None]
 ) -> list[Tree]:
-    """Return a robot's trees of moving links, laid out as somebody says.
+    """Return a robot's trees of moving links in a given layout.
 
     Args:
         joints: the robot's joints.
@@ -154,7 +154,7 @@ def given_trees(
 
 
 def moving_trees(joints: Sequence[PlanJoint]) -> list[Tree]:
-    """Return a robot's trees of links that move together, not laid out yet."""
+    """Return a robot's trees of moving links, without a layout."""
     trees: dict[int, tuple[int | None, list[int]]] = {}  # base and joints by joint on the ground
     links: dict[int, list[int]] = {}
     top = [0] * len(joints)
@@ -195,7 +195,7 @@ def _rooted(
     assigned: Mapping[int, int],
     first: Mapping[int, int],
 ) -> Tree | None:
-    """Return the tree with a root; None if processes other than one hold the ground beyond."""
+    """Return the tree with a root; None if several processes have the ground's side."""
     beyond: dict[int, set[int]] = {}  # of each link: processes of the joints behind it
     owner: dict[int, int] = {}
     core: set[int] = set()
@@ -224,12 +224,12 @@ def _rooted(
 
 
 def least_busy(counts: Mapping[int, int]) -> int:
-    """Return the process that adds what belongs to the core: that with the fewest joints."""
+    """Return the process that adds the core's own inertias: that with the fewest joints."""
     return min(counts, key=lambda p: (counts[p], p))
 
 
 def held_links(joints: Sequence[PlanJoint]) -> list[int]:
-    """Return for each link the one before it that enough joints hold to make its mobility regular.
+    """Return for each link the one before it at which enough joints make the mobility regular.
 
     Args:
         joints: the robot's joints.

@@ -40,7 +40,7 @@ BESIDE = 6
 
 @lru_cache(maxsize=4)
 def grounded_closures_of(model: Model) -> tuple[Closure, ...]:
-    """Return a robot's closures, those that reach the ground ending as early as they can.
+    """Return a robot's closures, those with the ground eliminated as early as possible.
 
     None where no loop reaches the ground, or none can end before it.
 
@@ -66,7 +66,7 @@ def grounded_closures_of(model: Model) -> tuple[Closure, ...]:
 
 
 def _poor_parts(model: Model, samples: Array) -> dict[int, float]:
-    """By loop, the part of closed states in which all may be done again."""
+    """For each loop, the share of closed states in which its elimination may be poor."""
     found = {}
     for one, closure in zip(connected(model, loop_paths(model)), closures_of(model), strict=True):
         first, poor = closure.choices[0], POOR
@@ -93,7 +93,7 @@ def _earliest(
     samples: Array,
     poor: float,
 ) -> tuple[LoopGroup, Closure] | None:
-    """The smallest closure of a loop to the ground that can end before it."""
+    """The smallest closure of a loop to the ground that can be eliminated early."""
     loop = model.loops[k]
     way = path_to_ground(model, loop.link1 or loop.link2)
     tried: set[LoopGroup] = set()
@@ -116,7 +116,7 @@ def _within(
     k: int,
     joints: Sequence[int],
 ) -> LoopGroup | None:
-    """What is tied with a loop beyond the nearest of some joints; None if that goes beyond it."""
+    """The loops connected with a loop beyond the nearest of some joints; None if not closed."""
     top = model.joints[joints[-1]].parent
     members, path = {k}, set(joints)
     while True:
@@ -133,12 +133,12 @@ def _within(
 
 
 def _links_above(model: Model, joint: int) -> list[int]:
-    """Links that a joint hangs on."""
+    """Links on the path from a joint to the ground."""
     return [model.joints[j].parent for j in path_to_ground(model, joint + 1)]
 
 
 def _ending_early(model: Model, one: LoopGroup, samples: Array, poor: float) -> Closure | None:
-    """A closure whose rows can be followed by joints beyond its top alone, in most poses."""
+    """A closure whose rows the joints beyond its top can satisfy in most poses."""
     rows = sampled_rows(model, one, samples)
     inwards = [
         model.v_start[j] + i

@@ -45,7 +45,7 @@ so much of a light link's inertia is rounded away beside that of a heavy one."""
 def chosen(
     samples: Array, depths: Sequence[int], inertias: Sequence[Array] = (), *, whole: bool
 ) -> tuple[tuple[Numbers, Numbers], list[Numbers]]:
-    """Return columns that follow with rows that they follow by, and rows for other poses.
+    """Return choices of dependent columns with their rows, and rows for other poses.
 
     Chosen is what takes least arithmetic, that in poses in which it is poor included. Rows for
     those are the ones that are farthest from following from each other; where loops can be put
@@ -73,7 +73,7 @@ def chosen(
 def uncovered(
     offers: Sequence[tuple[Numbers, Numbers]], samples: Array, inertias: Sequence[Array]
 ) -> list[int]:
-    """Return which choices let no heavy link follow light ones, or hardly more than the best.
+    """Return the choices in which no heavy link depends on light ones, or hardly more than least.
 
     Args:
         offers: columns that follow with rows that they follow by.
@@ -91,7 +91,7 @@ def uncovered(
 def offers_of(
     samples: Array, depths: Sequence[int], *, whole: bool
 ) -> list[tuple[Numbers, Numbers]]:
-    """Return columns that may follow with rows that they follow by, those of most samples first.
+    """Return possible dependent columns with their rows, those of most samples first.
 
     Args:
         samples: J of the closure, shape (S, rows, columns).
@@ -120,7 +120,7 @@ def offers_of(
 
 
 def _apart(rows: Numbers, matrix: Array) -> float:
-    """How far kept rows are from following from each other; 0 where others do not from them."""
+    """How independent kept rows are; 0 where other rows do not follow from them."""
     _, sizes, right = np.linalg.svd(matrix[list(rows)], full_matrices=False)
     if not len(sizes) or sizes[-1] < VANISHING:
         return 0.0 if len(rows) else float(not np.abs(matrix).max(initial=0.0) > VANISHING)
@@ -131,7 +131,7 @@ def _apart(rows: Numbers, matrix: Array) -> float:
 def expected(
     offer: tuple[Numbers, Numbers], pattern: Array, sizes: Array
 ) -> tuple[float, int, Numbers]:
-    """Return what a choice takes on the average, in products, about; then the digits that it costs.
+    """Return the average cost of a choice in products, about; then the digits that it costs.
 
     Where G is large, it is computed in vain, and an orthogonal basis after it. Of choices that are
     as good, the last columns follow: legs that are alike choose alike, and can share lanes.
@@ -144,7 +144,7 @@ def expected(
 
 
 def _work(offer: tuple[Numbers, Numbers], pattern: Array) -> int:
-    """Products to solve by a choice: by the sizes of its independent parts."""
+    """Products to solve by a choice, from the sizes of its blocks."""
     columns, rows = map(list, offer)
     parts: list[tuple[set[int], int]] = []
     for row in pattern[np.ix_(rows, columns)]:
@@ -160,7 +160,7 @@ def _work(offer: tuple[Numbers, Numbers], pattern: Array) -> int:
 def largest(
     offer: tuple[Numbers, Numbers], matrix: Array, counted: Sequence[int] | None = None
 ) -> float:
-    """Return the largest entry of G by a choice; infinity where rows do not follow from those kept.
+    """Return the largest entry of G by a choice; infinity where kept rows do not give all rows.
 
     Args:
         offer: columns and rows.
@@ -183,7 +183,7 @@ def largest(
 
 
 def covered(offer: tuple[Numbers, Numbers], matrix: Array, inertia: Array) -> float:
-    """Return how much larger than its pivots the inertia of what a choice leaves free is.
+    """Return the ratio of inertia to pivots of a choice's independent accelerations.
 
     Args:
         offer: columns and rows.
@@ -209,7 +209,7 @@ def covered(offer: tuple[Numbers, Numbers], matrix: Array, inertia: Array) -> fl
 
 
 def _pivots(matrix: Array, weights: Sequence[int], near: float = NEAR) -> tuple[Numbers, Numbers]:
-    """Columns and rows of the pivots by which a matrix is eliminated, the largest ones first.
+    """Columns and rows of the pivots of a matrix, the largest ones first.
 
     Args:
         matrix: J of one state.

@@ -19,7 +19,7 @@ STILL = 1e-12
 
 
 def check_joints(model: Model) -> None:
-    """Refuse what is not modelled on the way of a loop."""
+    """Refuse joints on the path of a loop that are not modelled there."""
     on_paths = set().union(*(path for _, path in loop_paths(model)))
     sources = {joint.mimic.source for joint in model.joints if joint.mimic is not None}
     for j in sorted(on_paths):
@@ -32,7 +32,7 @@ def check_joints(model: Model) -> None:
 
 
 def check_prescribed(model: Model, rows: Array) -> None:
-    """Refuse accelerations that are prescribed to more joints of loops than these leave free.
+    """Refuse prescribed accelerations of more joints than the loops have degrees of freedom.
 
     Args:
         model: the robot.
@@ -52,13 +52,13 @@ def check_prescribed(model: Model, rows: Array) -> None:
 
 
 def _rank(matrix: Array) -> int:
-    """How many rows do not follow from others."""
+    """Number of independent rows."""
     sizes = np.linalg.svd(matrix, compute_uv=False)
     return int((sizes > NO_PIVOT * sizes[:1].sum()).sum())
 
 
 def why_open(model: Model) -> str:
-    """Return why no state of a robot is closed: what stays open in the nearest one, and how far."""
+    """Return why no state of a robot is closed: open loops of the nearest one, and their gaps."""
     kinds = ["loop"] * bool(model.loops) + ["coupling"] * bool(model.couplings)
     names = [loop.name for loop in model.loops] + [c.name for c in model.couplings]
     gaps = nearly_closed(model)
@@ -79,7 +79,7 @@ def why_open(model: Model) -> str:
 
 
 def check_inertia(model: Model, q: Array, rows: Array) -> None:
-    """Refuse a motion that the loops allow and nothing resists, whatever the configuration."""
+    """Refuse a motion that the loops allow and no inertia resists in any configuration."""
     worst = []
     rotors = [joint.passive.rotor_inertia for joint in model.joints for _ in joint.kind.free]
     columns = freedoms_of(model, range(len(model.joints)))

@@ -20,14 +20,14 @@ def path_to_ground(model: Model, link: int) -> list[int]:
 
 
 def _parted(model: Model, links: Sequence[int]) -> tuple[int, set[int]]:
-    """The last link that some links hang on together, and the joints beyond it."""
+    """The last common link on the paths to some links, and the joints beyond it."""
     ways = [path_to_ground(model, link) for link in links]
     shared = set(ways[0]).intersection(*ways[1:])
     return max((j + 1 for j in shared), default=0), set().union(*ways) - shared
 
 
 def loop_paths(model: Model) -> list[tuple[int, set[int]]]:
-    """Return for each loop, then each coupling, the link where it closes, and the joints beyond."""
+    """Return for each loop, then each coupling, its last common link and the joints beyond."""
     found = [_parted(model, (loop.link1, loop.link2)) for loop in model.loops]
     for coupling in model.couplings:
         joints = [j for j, _ in coupling.terms]
@@ -38,7 +38,7 @@ def loop_paths(model: Model) -> list[tuple[int, set[int]]]:
 
 @dataclass(frozen=True)
 class LoopGroup:
-    """Loops and couplings that are solved together: a closure but for what follows from what.
+    """Loops and couplings that are solved together.
 
     Attributes:
         top: the link at which they are eliminated.
@@ -54,7 +54,7 @@ class LoopGroup:
 def connected(
     model: Model, tied: Sequence[tuple[int, set[int]]], wanted: Sequence[int] | None = None
 ) -> list[LoopGroup]:
-    """Put loops and couplings together where they share joints; the innermost tops come first.
+    """Group loops and couplings that share joints; the innermost tops come first.
 
     Args:
         model: the robot.
@@ -84,7 +84,7 @@ def rows_of(model: Model) -> list[range]:
 
 
 def freedoms_of(model: Model, joints: Sequence[int]) -> list[int]:
-    """Entries of v of joints; accelerations that are prescribed are no unknowns."""
+    """Entries of v of joints that are unknowns; prescribed accelerations are not."""
     return [
         model.v_start[j] + k
         for j in joints

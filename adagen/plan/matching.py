@@ -19,7 +19,7 @@ MOST_TRIED = 64
 
 
 def matching(plan: Plan, lead: ClosureSteps, other: ClosureSteps) -> ClosureSteps | None:
-    """Return a closure in the order of another that it can go beside; None where it cannot.
+    """Return a closure in the order of a similar one; None if it is not similar.
 
     Args:
         plan: the plan.
@@ -38,7 +38,7 @@ def matching(plan: Plan, lead: ClosureSteps, other: ClosureSteps) -> ClosureStep
 def relabelled(
     plan: Plan, lead: ClosureSteps, other: ClosureSteps, joints: Mapping[int, int]
 ) -> ClosureSteps | None:
-    """Return a closure in the order, and with the unknowns' numbers, of one that it is like.
+    """Return a closure in the order, and with the unknowns' numbers, of a similar one.
 
     Args:
         plan: the plan.
@@ -91,7 +91,7 @@ def relabelled(
 
 
 def _with_numbers(own: Eliminate, lead: Eliminate, numbers: Mapping[int, int]) -> Eliminate | None:
-    """How unknowns are eliminated, with other numbers: as others are; None where it is not so."""
+    """An elimination with other numbers; None if it then differs from the given one."""
     for name in ("moved", "rows", "followers", "singles"):
         mapped = [numbers.get(u, -1) for u in getattr(own, name)]
         if sorted(mapped) != sorted(getattr(lead, name)):
@@ -114,7 +114,7 @@ def _loop_like(
     closing: CloseLoop,
     joints: Mapping[int, int],
 ) -> tuple[CloseLoop, bool] | None:
-    """A loop that holds the links that correspond to another's, and whether in the other order."""
+    """A loop between the links that correspond to another's, and whether they are exchanged."""
     loop = plan.loops[closing.loop]
     ends = [_link_like(lead, other, link, joints) for link in (loop.link1, loop.link2)]
     for each in other.loops:
@@ -129,7 +129,7 @@ def _loop_like(
 def _link_like(
     lead: ClosureSteps, other: ClosureSteps, link: int, joints: Mapping[int, int]
 ) -> int | None:
-    """The link of a closure that corresponds to another's; None where that is not known yet."""
+    """The link of a closure that corresponds to another's; None if that is not known yet."""
     if link - 1 in lead.path:
         return joints[link - 1] + 1 if link - 1 in joints else None
     at_top = link == lead.eliminate.link and not lead.eliminate.grounded
@@ -137,7 +137,7 @@ def _link_like(
 
 
 def _joint_maps(plan: Plan, lead: ClosureSteps, other: ClosureSteps) -> Iterator[dict[int, int]]:
-    """Yield each closure's joint for each of the other's so that they and loops hang alike."""
+    """Yield maps from one closure's joints to the other's that preserve tree and loops."""
     labels = _labels(plan, lead), _labels(plan, other)
 
     def parent(j: int) -> int:
@@ -167,14 +167,14 @@ def _may_be(
     closing: CloseLoop,
     joints: Mapping[int, int],
 ) -> bool:
-    """Whether a loop has one that is like it, or may have once more joints are known."""
+    """Whether a loop has a counterpart, or may have once more joints are known."""
     loop = plan.loops[closing.loop]
     ends = [_link_like(lead, other, link, joints) for link in (loop.link1, loop.link2)]
     return None in ends or _loop_like(plan, lead, other, closing, joints) is not None
 
 
 def _labels(plan: Plan, one: ClosureSteps) -> dict[int, object]:
-    """What joints that correspond to each other have in common: that, and what hangs on them."""
+    """Properties that corresponding joints share: their own, and those of the joints beyond."""
     moved, found = set(one.eliminate.moved), dict[int, object]()
     for j in reversed(one.path):
         joint = plan.joints[j]

@@ -116,7 +116,7 @@ def _of_joint(
 
 
 def _freedom(plan: Plan, joint: int) -> tuple[int, int]:
-    """Return how many ways a joint leaves free to forces, and how many it holds."""
+    """Return the numbers of a joint's force constraints and of its freedoms."""
     n = 0 if plan.joints[joint].prescribed else KINDS[plan.joints[joint].kind].nv
     return n, 6 - n
 

@@ -34,7 +34,7 @@ def ends_of(joints: Sequence[PlanJoint], joint: int, turned: bool = False) -> En
 
 
 def inward_order(sweep: Mapping[int, Ends], limbs: Iterable[Limbs]) -> list[Unit]:
-    """Return joints swept inwards as units, in an order in which that can be done.
+    """Return joints of an inward sweep as units, in a possible order.
 
     Args:
         sweep: the joints, in their plan's order.
@@ -45,7 +45,7 @@ def inward_order(sweep: Mapping[int, Ends], limbs: Iterable[Limbs]) -> list[Unit
 
 
 def outward_order(sweep: Mapping[int, Ends], limbs: Iterable[Limbs]) -> list[Unit]:
-    """Return joints swept outwards as units likewise."""
+    """Return joints of an outward sweep as units, in a possible order."""
     links = tuple([(ends.near, ends.far) for ends in sweep.values()])
     return list(_ordered(tuple(sweep), links, tuple(limbs)))
 

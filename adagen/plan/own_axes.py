@@ -47,7 +47,7 @@ _SMALLEST = 1e-200
 
 @dataclass(frozen=True)
 class Side:
-    """What a joint sees of the links on one side of it, along its axis.
+    """The links on one side of a joint as they act along its axis.
 
     Attributes:
         most: trace of their articulated inertia, of its rotational part (kg m^2) or its mass (kg).
@@ -62,7 +62,7 @@ class Side:
 
 @dataclass(frozen=True)
 class OwnAxes:
-    """Joints that are eliminated in their own axes.
+    """Joints that are computed in their own axes.
 
     Attributes:
         always: in all poses.
@@ -75,7 +75,7 @@ class OwnAxes:
 
 @lru_cache(maxsize=16)  # of one plan it is asked for each grouping of limbs
 def joints_in_own_axes(plan: Plan) -> OwnAxes:
-    """Return the joints of a plan of form segment that are eliminated in their own axes."""
+    """Return the joints of a plan of form segment that are computed in their own axes."""
     steps = _articulated(plan)
     worst, usual = _losing(plan, steps)
     sides = _sides(plan.joints, plan.links, plan.scalar)
@@ -90,7 +90,7 @@ def joints_in_own_axes(plan: Plan) -> OwnAxes:
 
 
 def losing_joints(plan: Plan) -> frozenset[int]:
-    """Return the joints that may come to lose too many digits, with those beyond them.
+    """Return the joints that may lose too many digits, with those beyond them.
 
     There what is small beside other entries of an inertia has to keep its own digits.
     """
@@ -117,7 +117,7 @@ def balls_lose(plan: Plan) -> bool:
 def _losing(
     plan: Plan, steps: Iterable[tuple[int, bool]]
 ) -> tuple[set[tuple[int, bool]], set[tuple[int, bool]]]:
-    """Joints that may lose too many digits in some pose, and those that do as a rule."""
+    """Joints that may lose too many digits in some pose, and those that usually do."""
     most, sides = MOST[plan.scalar], _sides(plan.joints, plan.links, plan.scalar)
     seen = {step: sides[step] for step in steps if step in sides}
     worst = {step for step, side in seen.items() if side.most > most * side.least}
@@ -127,7 +127,7 @@ def _losing(
 def _with_joints_beyond(
     plan: Plan, steps: Iterable[tuple[int, bool]], losing: Set[tuple[int, bool]]
 ) -> frozenset[int]:
-    """The joints that lose digits, and those beyond them that may come to lie along their axes."""
+    """The joints that lose digits, and those beyond that may become parallel to them."""
     most = MOST[plan.scalar]
     sides = _sides(plan.joints, plan.links, plan.scalar)
     beyond: dict[int, list[tuple[int, bool]]] = {}  # by the link that feels a joint
@@ -150,7 +150,7 @@ def _with_joints_beyond(
 
 
 def _told_at_cuts(plan: Plan, articulated: Set[int]) -> set[int]:
-    """The joints above bare links that are joined, and above the ends of runs joined as one.
+    """The joints before bare links that are joined, and before the ends of fused runs.
 
     Values of such links keep their digits in the links' own axes only: constants, and mobilities
     of which the run takes away the larger part.
@@ -200,7 +200,7 @@ def own_axes_of_units(
 
 @lru_cache(maxsize=16)
 def _pairs(plan: Plan, joints: frozenset[int]) -> list[tuple[int, int]]:
-    """Joints and those beyond them, of some joints, that may come to lie along their axes."""
+    """Pairs of joints and joints beyond them that may become parallel."""
     most = MOST[plan.scalar]
     sides = _sides(plan.joints, plan.links, plan.scalar)
     steps = _articulated(plan)
@@ -227,7 +227,7 @@ def _near(plan: Plan, joint: int, backwards: bool) -> int:
 
 
 def _is_solid(link: PlanLink, side: Side | None, most: float) -> bool:
-    """Whether a link has inertia enough about every axis that no other joint beyond matters."""
+    """Whether a link resists every axis enough that no joint beyond matters."""
     least = float(np.linalg.eigvalsh(np.array(link.tensor))[0])
     return side is not None and least * most >= side.most
 
@@ -236,7 +236,7 @@ def _is_solid(link: PlanLink, side: Side | None, most: float) -> bool:
 def _sides(
     joints: tuple[PlanJoint, ...], links: tuple[PlanLink, ...], scalar: str
 ) -> dict[tuple[int, bool], Side]:
-    """What each joint with one freedom sees, outwards (False) and towards the ground (True)."""
+    """The inertia that each one-freedom joint moves, outwards (False) and inwards (True)."""
     bears = STOOD[scalar]
     bare = [spatial_inertia(link) for link in links]
     flat = _flat(joints)
@@ -244,7 +244,7 @@ def _sides(
     found: dict[tuple[int, bool], Side] = {}
 
     def look(j: int, backwards: bool, inertia: Array, own: Array) -> Array:
-        """Take note of what a joint sees, in its child's frame; what it hands on of that."""
+        """Record a joint's inertia in its child's frame, and return its projection."""
         kind, free = KINDS[joints[j].kind], list(KINDS[joints[j].kind].free)
         if joints[j].prescribed:
             return inertia
@@ -292,7 +292,7 @@ def _inverse(d: Array) -> NDArray[Any]:
 
 
 def _flat(joints: tuple[PlanJoint, ...]) -> list[bool]:
-    """Whether a hinge and all joints beyond it turn about one axis of the base's frame.
+    """Whether a hinge and all joints beyond it rotate about one axis of the base's frame.
 
     In axes of the base D is an entry of the inertia then, and what is about other axes is neither
     added to it nor taken from it. Only slides and turns about that axis may be before it.

@@ -14,7 +14,7 @@ KNOWN = "gravity, mass:LINK and center:LINK"
 
 
 def parameters_of(model: Model, runtime: str) -> tuple[PlanParameter, ...]:
-    """Return what of a robot can be set at run time.
+    """Return the constants of a robot that can be set at run time.
 
     Args:
         model: the robot.
@@ -65,7 +65,7 @@ def _link(model: Model, word: str, name: str) -> int:
 
 
 def refuse_inverted(parameters: Iterable[PlanParameter], links: Collection[int]) -> None:
-    """Refuse to set what the inverse inertias of some links are made of.
+    """Refuse parameters of links whose inertias are inverted.
 
     Raises:
         UsageError: one of the parameters is such a link's.

@@ -21,7 +21,7 @@ def motion_transform(e: Array, r: Array) -> Array:
 
 
 def _skew(v: Array) -> Array:
-    """The matrix that a cross product with a vector is, shape (3, 3)."""
+    """The matrix of a cross product with a vector, shape (3, 3)."""
     return np.array([[0.0, -v[2], v[1]], [v[2], 0.0, -v[0]], [-v[1], v[0], 0.0]])
 
 

@@ -26,7 +26,7 @@ from adagen.plan.types import ENERGIES, Message, Plan, Process
 
 @dataclass(frozen=True)
 class Exchange:
-    """What one process tells another of its last step of refinement.
+    """The message between two processes about the last refinement step.
 
     Attributes:
         source: sending process.
@@ -48,7 +48,7 @@ def links_of_process(process: Process) -> tuple[int, ...]:
 
 
 def handed_on(process: Process) -> tuple[tuple[int, int], ...]:
-    """Return each joint whose far link has no mass in a run joined as one, and the one beyond.
+    """Return each joint with a massless far link in a fused run, and the next joint.
 
     Such a link hands on what it gets, so that the outer joint's force tells the inner one's.
     Outer joints come first.
@@ -58,7 +58,7 @@ def handed_on(process: Process) -> tuple[tuple[int, int], ...]:
 
 
 def joints_at(plan: Plan, process: Process) -> tuple[int, ...]:
-    """Return the joints at these links and those of its runs, ascending; some are others' own."""
+    """Return the joints at these links and in their runs, ascending; some belong to others."""
     links = set(links_of_process(process))
     at = {j for j, joint in enumerate(plan.joints) if joint.parent in links or j + 1 in links}
     return tuple(sorted(at.union(*handed_on(process))))
@@ -70,7 +70,7 @@ def paths_of(plan: Plan, process: Process) -> tuple[int, ...]:
 
 
 def corrected(plan: Plan, count: int) -> Plan:
-    """Return a plan whose process corrects each answer by what its own numbers leave over.
+    """Return a plan whose processes correct each answer by residuals in the solver's own precision.
 
     Where processes share a closure, none knows all that moves its rows: each has it all by itself.
     """
@@ -85,7 +85,7 @@ def corrected(plan: Plan, count: int) -> Plan:
 
 
 def _corrected_lines(plan: Plan, count: int) -> Plan:
-    """The plan with all steps again for each correction, and their messages."""
+    """The plan with its steps repeated for each correction, and their messages."""
     once = plan.messages
     messages = list(once)
     for _ in range(count):
@@ -114,7 +114,7 @@ def _corrected_lines(plan: Plan, count: int) -> Plan:
 def _again(
     steps: tuple[Step, ...], count: int, messages: int, ends: tuple[Step, ...]
 ) -> tuple[Step, ...]:
-    """Steps, and the same again for each correction.
+    """Steps, and their repetitions for each correction.
 
     Args:
         steps: of a process; none where it has nothing to do.
@@ -137,7 +137,7 @@ def _again(
 
 
 def why_not_in_lines(plan: Plan) -> str | None:
-    """Return why a robot with closed loops is not corrected, None where it is."""
+    """Return why a robot with closed loops cannot be corrected, None where it can."""
     if plan.slaved:
         return (
             f'joint "{plan.joints[plan.slaved[0]].name}" is slaved to another: that is not refined'
@@ -159,7 +159,7 @@ def why_not_in_lines(plan: Plan) -> str | None:
 
 
 def refinable(plan: Plan) -> Plan:
-    """Return the plan with what refinement reads of the state added to what its processes read.
+    """Return the plan with the joints that refinement reads added to its processes.
 
     Raises:
         UsageError: it has torques, inertias or motions at joints that residuals do not know of.
@@ -191,7 +191,7 @@ def refinable(plan: Plan) -> Plan:
 
 
 def exchanges(plan: Plan) -> tuple[Exchange, ...]:
-    """Return who has to tell whom of a step, in the order of sources and targets."""
+    """Return the messages of a refinement step, in the order of sources and targets."""
     found = []
     for p, source in enumerate(plan.processes):
         for t, target in enumerate(plan.processes):

@@ -51,7 +51,7 @@ def refuse_outputs(model: Model, form: str) -> None:
 
 
 def refuse_sharing(outputs: Sequence[PlanOutput], schedule: Schedule) -> None:
-    """Refuse outputs of several processes.
+    """Refuse outputs on several processes.
 
     Raises:
         UsageError: more than one process has something to do.
@@ -67,14 +67,14 @@ def refuse_sharing(outputs: Sequence[PlanOutput], schedule: Schedule) -> None:
 
 
 def handles_of(model: Model) -> frozenset[int]:
-    """Return the links whose inverse inertia is asked for."""
+    """Return the links whose inverse inertia is requested."""
     return frozenset(o.link for o in model.outputs if o.what == INVERSE_INERTIA)
 
 
 def with_outputs(
     processes: Sequence[Process], outputs: Sequence[PlanOutput]
 ) -> tuple[Process, ...]:
-    """Return the processes with steps for the outputs, which are the first one's."""
+    """Return the processes with steps for the outputs, on the first one."""
     if not outputs:
         return tuple(processes)
     more = tuple(GiveOutput(k) for k in range(len(outputs)))
@@ -91,7 +91,7 @@ def with_outputs(
 def needed_outwards(
     plan: Plan, steps: Sequence[Step], limbs: Iterable[Limbs] = ()
 ) -> frozenset[int]:
-    """Return the joints that have to be passed outwards: what is wanted, and what leads there.
+    """Return the joints that the outward sweep needs: requested ones and those on their paths.
 
     Args:
         plan: the plan.
@@ -108,7 +108,7 @@ def needed_outwards(
 
 
 def _led_to(plan: Plan, steps: Sequence[Step], more: Set[int]) -> frozenset[int]:
-    """What is wanted, more of it, and what leads there."""
+    """The requested joints, further ones, and those on their paths."""
     every = frozenset(range(len(plan.joints)))
     if not plan.wanted:
         return every

@@ -62,7 +62,7 @@ class Component:
 
 @dataclass
 class Segment:
-    """What one process assembles without anyone else.
+    """The joints that one process assembles alone.
 
     Attributes:
         joint: names it.
@@ -75,7 +75,7 @@ class Segment:
     components: list[Component]
 
     def inwards(self) -> tuple[list[Step], list[set[tuple[int, int]]]]:
-        """Return the steps of the first sweep, and which links they couple in each component."""
+        """Return the steps of the first sweep, and the links that they couple in each component."""
         steps: list[Step] = []
         for component in self.components:
             if component.root > 0:
@@ -140,7 +140,7 @@ class SegmentPlanner(AdaPlanner):
                 self.inside.update(child.joint for child in node.children)
 
     def _belongs(self, node: Node) -> bool:  # noqa: ARG002 (see plan/clusters.py)
-        """Whether a node may be in one segment with those below it, process and all else equal."""
+        """Whether a node may be in one segment with those below it."""
         return True
 
     def _inside(self, node: Node) -> bool:
@@ -156,7 +156,7 @@ class SegmentPlanner(AdaPlanner):
         return self._whole(node.joint, members, node.processes[0])
 
     def _in_parts(self, strips: Sequence[range], process: int) -> Chain:
-        """Join the parts of a chain outwards, each by the joint that it hangs on by.
+        """Join the parts of a chain outwards, each by its first joint.
 
         What is joined before has one handle at the cut and one at most beside it: in any other
         order there are as many updates of blocks, or more.
@@ -195,7 +195,7 @@ class SegmentPlanner(AdaPlanner):
 
     @staticmethod
     def _show(component: Component, chain: Chain, couplings: set[tuple[int, int]]) -> None:
-        """Note the blocks and biases that a component has at its handles."""
+        """Record the blocks and biases of a component at its handles."""
         name = chain.joint
         for k, g in enumerate(component.handles):
             chain.blocks[g, g] = Block(name, g, g)
@@ -217,7 +217,7 @@ def segment_of(
     handles: Container[int],
     asked: Container[int] = (),
 ) -> Segment:
-    """Find the components of a segment, a root for each, and the paths to its handles.
+    """Find the components of a segment, their roots, and the paths to its handles.
 
     What floats is swept to its base where no joint has to follow, also if the mobility of another
     link is asked for. Swept to that link, the whole robot would be taken out of, say, a shank
@@ -248,7 +248,7 @@ def segment_of(
 
 
 def mobility_steps(name: int, component: Component) -> tuple[list[Step], set[tuple[int, int]]]:
-    """Return how Phi and b at handles are found: at the root by inversion, elsewhere outwards.
+    """Return the steps for Phi and b at handles: inversion at the root, elsewhere outwards.
 
     Args:
         name: the joint that names the segment.
@@ -292,7 +292,7 @@ def mobility_steps(name: int, component: Component) -> tuple[list[Step], set[tup
 def _spreads(
     name: int, edge: Edge, kept: list[int], couplings: set[tuple[int, int]]
 ) -> list[Spread]:
-    """Carry outwards over one edge how links feel what is before it, where they do."""
+    """Couplings of links with earlier handles, carried outwards over one edge."""
     spreads = []
     for g in kept:
         near = (min(g, edge.near), max(g, edge.near))
@@ -303,7 +303,7 @@ def _spreads(
 
 
 def _anchors(component: Component) -> dict[int, int]:
-    """Links where paths to handles part, and the place in the path of the last branch."""
+    """Links where paths to handles branch, and the index in the path of the last branch."""
     last: dict[int, int] = {}
     count: dict[int, int] = {}
     for place, edge in enumerate(component.path):

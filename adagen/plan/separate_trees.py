@@ -28,7 +28,7 @@ MOST_LOST = 1e6
 
 @lru_cache(maxsize=4)
 def closures_between_trees(model: Model) -> tuple[Closure, ...]:
-    """Return a robot's closures, those between trees that float apart without anything held back.
+    """Return a robot's closures, those between separate trees without unknown joints.
 
     None where no closure is like that, or it has so few freedoms that it pays to hold them back.
 
@@ -47,7 +47,7 @@ def _carried(closure: Closure) -> Closure:
 
 
 def _apart(model: Model, closure: Closure) -> bool:
-    """Whether loops between floating trees are all that ties a closure's joints, and many joints.
+    """Whether a closure connects floating trees by loops only, and has many joints.
 
     Freedoms that are held back cost the cube of their number, rows that are carried cost as much as
     there are rows for each joint: measured by operations, both are about equal at twice the rows.
@@ -69,7 +69,7 @@ def _apart(model: Model, closure: Closure) -> bool:
 
 
 def _lost(inertia: Array) -> float:
-    """How much larger an inertia's entries are than its pivots, from the outermost freedom on."""
+    """The ratio of an inertia's entries to its pivots, from the outermost freedom on."""
     left, worst = inertia.copy(), 1.0
     for k in reversed(range(len(left))):
         pivot = float(left[k, k])

@@ -28,7 +28,7 @@ from adagen.schedule.tree import Gathered
 
 
 def serial_plan(plan: Plan) -> Plan:
-    """Return a reproducible plan as one process carries it out.
+    """Return a reproducible plan for one process.
 
     Where processes of the robot can gather, its steps follow from the joints alone, so that they
     are the same whatever the plan's processes are.
@@ -58,7 +58,7 @@ def _of_one(plan: Plan) -> list[Tree]:
 
 
 def check_reproducible(plan: Plan, gathered: Gathered | None) -> None:
-    """Refuse a plan whose answers depend on how many processes carry it out.
+    """Refuse a plan whose answers depend on its number of processes.
 
     Args:
         plan: the plan.

@@ -18,7 +18,7 @@ from adagen.plan.types import Plan
 def similar_closures(
     plan: Plan, steps: Iterable[Step], counts: Iterable[int]
 ) -> list[tuple[ClosureSteps, ...]]:
-    """Return closures of a process that may go side by side.
+    """Return closures of a process that can be computed side by side.
 
     Args:
         plan: the plan.
@@ -50,19 +50,19 @@ def similar_closures(
 
 
 def _fits(plan: Plan, one: ClosureSteps) -> bool:
-    """Whether all joints of a closure are of kinds that are treated side by side."""
+    """Whether all joints of a closure are of kinds that can be in lanes."""
     joints = [plan.joints[j] for j in one.path]
     return all(joint.kind in KINDS and not joint.prescribed for joint in joints)
 
 
 def _beyond(plan: Plan, one: ClosureSteps, other: ClosureSteps) -> bool:
-    """Whether one of two closures hangs on a joint of the other."""
+    """Whether one of two closures is beyond a joint of the other."""
     above, below = plan.paths([one.path[0]]), plan.paths([other.path[0]])
     return not above.isdisjoint(other.path) or not below.isdisjoint(one.path)
 
 
 def limbs_of(plan: Plan, together: Sequence[ClosureSteps]) -> list[Limbs]:
-    """Return the joints of closures that go side by side, chain by chain."""
+    """Return the joints of closures side by side, chain by chain."""
     first = together[0].path
     chains: list[list[int]] = []  # places in the path
     for place, j in enumerate(first):
@@ -82,7 +82,7 @@ def limbs_of(plan: Plan, together: Sequence[ClosureSteps]) -> list[Limbs]:
 def side_by_side(
     plan: Plan, steps: Iterable[Step], all_limbs: Iterable[Limbs]
 ) -> dict[int, tuple[ClosureSteps, ...]]:
-    """Return the closures that limbs take side by side, one for each lane, by the first's number.
+    """Return the closures in limbs side by side, one for each lane, by the first's number.
 
     Closures whose joints are in lanes, and that are not alike for all that, are left out.
 

@@ -26,7 +26,7 @@ PLACES = 3
 
 @dataclass(frozen=True)
 class RodHalf:
-    """A link that a weld fixes to another.
+    """A rod half on a ball joint, which a weld fixes to the other half.
 
     Attributes:
         closing: states the weld's rows.
@@ -53,7 +53,7 @@ class RodHalf:
 
 
 def rod_halves_in(plan: Plan, one: ClosureSteps) -> tuple[RodHalf, ...]:
-    """Return the links of a closure that are counted to others; none where forces are asked for.
+    """Return the rod halves of a closure; none where constraint forces are requested.
 
     Args:
         plan: the plan.
@@ -75,7 +75,7 @@ def rod_halves_in(plan: Plan, one: ClosureSteps) -> tuple[RodHalf, ...]:
 
 
 def _hung(plan: Plan, one: ClosureSteps, closing: CloseLoop, side: int) -> RodHalf | None:
-    """A weld's first or second link, where it is one that can be counted to the other."""
+    """The rod half at a weld's first or second link, if it is one."""
     loop, how = one.loop(plan, closing.loop), one.eliminate
     if loop.kind != "weld" or len(closing.rows) < 2 * PLACES:
         return None
@@ -96,7 +96,7 @@ def _hung(plan: Plan, one: ClosureSteps, closing: CloseLoop, side: int) -> RodHa
 
 
 def _ball(plan: Plan, link: int) -> tuple[int, ...]:
-    """The joints that turn a link about its origin in every way: a ball, or three hinges."""
+    """The joints of a ball joint at a link's origin: a spherical joint, or three hinges."""
     found: list[int] = []
     while link > 0 and len(found) < PLACES:
         joint = plan.joints[link - 1]
@@ -112,7 +112,7 @@ def _ball(plan: Plan, link: int) -> tuple[int, ...]:
 
 
 def _nothing_else(plan: Plan, joints: tuple[int, ...], weld: int) -> bool:
-    """Whether nothing acts on links beyond some joints but torques of these, and one weld."""
+    """Whether only torques of some joints and one weld act on the links beyond them."""
     links = {j + 1 for j in joints}
     own = [plan.joints[j] for j in joints]
     if any(joint.prescribed or joint.rotor_inertia or joint.lent for joint in own):
@@ -136,7 +136,7 @@ def _without_mass(plan: Plan, link: int) -> bool:
 
 
 def signature_of(hung: Collection[RodHalf], one: ClosureSteps) -> tuple[object, ...]:
-    """Return which links of a closure hang, whatever their numbers are."""
+    """Return the rod halves of a closure in a form that does not depend on their numbers."""
     place = {j: k for k, j in enumerate(one.path)}
     return tuple(
         (one.loops.index(own.closing), own.side, tuple(place[j] for j in own.joints))

@@ -25,12 +25,12 @@ def mentions(plan: Plan, process: Process) -> Counter[Block]:
 
 
 def holds(process: Process) -> bool:
-    """Whether a process takes the mobility of what hangs on the ground for an inertia."""
+    """Whether a process inverts a mobility of the ground's side."""
     return any(process.steps_of(HoldMobility))
 
 
 def can_carry_wrenches(joints: Sequence[PlanJoint], joint: int) -> bool:
-    """Whether wrenches may be carried through a joint and the one that it hangs on in one run."""
+    """Whether wrenches can be carried through a joint and the one before it in one run."""
     own, above = joints[joint], joints[joint - 1]
     if not 0 < joint == own.parent:
         return False
@@ -40,7 +40,7 @@ def can_carry_wrenches(joints: Sequence[PlanJoint], joint: int) -> bool:
 def tip_mobility_runs(
     plan: Plan, steps: Sequence[Propagate], named: Counter[Block], apart: Container[int] = ()
 ) -> Iterator[Sequence[Propagate]]:
-    """Part steps that follow each other into runs of which the last one's mobility is asked for.
+    """Group successive steps into runs of which only the last mobility is needed.
 
     A run leads outwards from a link or the ground, each joint on the link of the one before, and
     couples its links with the same handles throughout; any other step is a part by itself.
@@ -62,7 +62,7 @@ def tip_mobility_runs(
 def _goes_on(
     plan: Plan, named: Counter[Block], apart: Container[int], step: Propagate, after: Propagate
 ) -> bool:
-    """Whether a step's mobility and couplings serve the next one alone."""
+    """Whether only the next step uses a step's mobility and couplings."""
     if step.joint in apart or after.joint in apart:
         return False
     if step.reversed != after.reversed or after.near != step.block or named[step.block] != 2:

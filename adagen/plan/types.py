@@ -154,7 +154,7 @@ class Process:
 
 @dataclass(frozen=True)
 class Plan:
-    """A frozen answer to "who computes what, when, from what".
+    """A frozen plan: who computes what, when, from what.
 
     Attributes:
         name: the robot's name (data, not fit for code).
@@ -224,7 +224,7 @@ class Plan:
         return not self.wanted or joint in self.wanted
 
     def place(self, number: int) -> str:
-        """Return what can fail by number in words: joints, then loops, then couplings."""
+        """Return a number of a failure in words: joints, then loops, then couplings."""
         kinds = (("joint", self.joints), ("loop", self.loops), ("coupling", self.couplings))
         for what, things in kinds:
             if number < len(things):
@@ -272,12 +272,12 @@ class Plan:
 
     @property
     def weighed(self) -> bool:
-        """Whether what an answer leaves over of the equations of motion is swept inwards."""
+        """Whether the residual of an answer is swept inwards."""
         return self.certified or self.corrections > 0
 
     @property
     def closed(self) -> bool:
-        """Whether loops or couplings hold it."""
+        """Whether it has loops or couplings."""
         return bool(self.loops or self.couplings)
 
     @property
@@ -291,13 +291,13 @@ class Plan:
 
     @cached_property
     def lent(self) -> tuple[tuple[int, int], ...]:
-        """Freedoms that are lent inertia: joint, and number among its freedoms."""
+        """Freedoms with artificial inertia: joint, and number among its freedoms."""
         joints = (j for j, joint in enumerate(self.joints) if joint.lent)
         return tuple((j, k) for j in joints for k in range(KINDS[self.joints[j].kind].nv))
 
     @cached_property
     def bound_by_loops(self) -> frozenset[int]:
-        """Joints that a loop or coupling is at, or beyond."""
+        """Joints at which, or beyond which, there is a loop or coupling."""
         return bound_by_loops(self.joints, self.loops, self.couplings)
 
     @cached_property
@@ -319,7 +319,7 @@ class Plan:
         return 1 if self.threads else len(self.processes)
 
     def recovering(self) -> Plan:
-        """Return the plan of what is done in a pose in which this one cannot be done."""
+        """Return the plan of the recovery steps."""
         processes = (
             replace(p, steps=p.recovery, recovery=next(iter(p.others), ()), others=p.others[1:])
             for p in self.processes
@@ -333,12 +333,12 @@ class Plan:
 
     @property
     def recovers(self) -> bool:
-        """Whether there is something else to be done in some poses."""
+        """Whether there are recovery steps for some poses."""
         return any(process.recovery for process in self.processes)
 
     @property
     def alternatives(self) -> tuple[Plan, ...]:
-        """This plan, and what is done instead where it cannot be done, in order."""
+        """This plan and its replacements, in the order in which they are tried."""
         plans = [self]
         while plans[-1].recovers:
             plans.append(plans[-1].recovering())
@@ -346,7 +346,7 @@ class Plan:
 
     @property
     def for_batches(self) -> Plan:
-        """What is done for many states at once.
+        """The plan for many states at once.
 
         Lanes of a batch cannot go different ways: they go the one that suits all closed poses.
         """
@@ -377,7 +377,7 @@ class Plan:
         return self.entry_of_loop(len(self.loops)) + k
 
     def force_entries(self, process: Process) -> list[int]:
-        """Return where forces are that a process gives, ascending: those at its own joints."""
+        """Return the entries of forces that a process gives, ascending: those at its own joints."""
         if not self.loop_forces:
             return []
         if self.tied_rows:  # they are found where all is solved for

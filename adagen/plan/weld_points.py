@@ -29,7 +29,7 @@ Array = NDArray[np.float64]
 
 
 def with_points(model: Model) -> tuple[PlanLoop, ...]:
-    """Return a robot's loops, welds at the end whose joints have most freedoms that follow."""
+    """Return a robot's loops, welds moved to the end with most dependent freedoms."""
     joints, loops = joints_of(model), loops_of(model)
     found, rows = list(loops), sampled(model)[1] if loops else np.zeros(0)
     ways = (*closures_of(model), *grounded_closures_of(model))
@@ -51,13 +51,13 @@ def with_points(model: Model) -> tuple[PlanLoop, ...]:
 
 
 def _kept_whole(closure: Closure, own: range) -> bool:
-    """Whether a closure keeps all rows of a weld, if any: they may be along any three axes then."""
+    """Whether a closure keeps all rows of a weld, or none: their axes are then arbitrary."""
     kept = (set(choice.rows).intersection(own) for choice in closure.choices)
     return own[0] not in closure.rows or all(len(rows) == len(own) for rows in kept)
 
 
 def _along_axes(loop: PlanLoop, side: int) -> PlanLoop:
-    """A weld whose rows are along the axes of its first or its second link: these turn less."""
+    """A weld whose rows are along the axes of its first or second link, where these rotate less."""
     turns = [exact(loop.rotation1), exact(loop.rotation2)]
     own = exact(np.eye(3)), turns[1 - side].dot(turns[side].T)
     one, two = (_rows(rounded(own[int(k != side)])) for k in (0, 1))
@@ -88,7 +88,7 @@ def _rows_at_origin(samples: Array, own: range, loop: PlanLoop, side: int) -> Ar
 
 
 def _as_regular(model: Model, closure: Closure, given: Array, other: Array) -> bool:
-    """Whether rows that are kept are independent wherever they were as the loops are given."""
+    """Whether the kept rows are independent wherever they were for the given loops."""
     path = freedoms_of(model, closure.path)
     return all(
         bool((_regular(choice, path, other) >= _regular(choice, path, given)).all())
@@ -106,7 +106,7 @@ def _regular(choice: Choice, path: Sequence[int], samples: Array) -> NDArray[np.
 
 
 def _turned(joints: Sequence[PlanJoint], link: int) -> list[int]:
-    """Freedoms of the joints that turn a link about its origin, as entries of v."""
+    """Freedoms of the joints that rotate a link about its origin, as entries of v."""
     found: list[int] = []
     while link > 0:
         joint = joints[link - 1]
@@ -121,7 +121,7 @@ def _turned(joints: Sequence[PlanJoint], link: int) -> list[int]:
 
 
 def _at_origin(loop: PlanLoop, side: int) -> PlanLoop:
-    """A weld that is looked at in the origin of its first or its second link."""
+    """A weld formulated at the origin of its first or its second link."""
     turns = [exact(loop.rotation1), exact(loop.rotation2)]
     places = [exact(loop.translation1), exact(loop.translation2)]
     other = 1 - side
