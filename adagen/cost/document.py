@@ -49,7 +49,7 @@ def schedule_document(
 
 
 def _priced(schedule: Schedule, line: Timeline, processes: int) -> dict[str, Any]:
-    """What is predicted, and proven: bounds are of the price that was searched."""
+    """Predicted times and bounds, by the price that was used in the search."""
     time = line.makespan
     searched = math.isclose(time, schedule.makespan, rel_tol=1e-9)
     bound = min(schedule.lower_bound, time) if searched else 0.0

@@ -72,7 +72,7 @@ _PLAIN: dict[type, str] = {
 
 
 def step_features(step: Step, joints: Sequence[PlanJoint]) -> Features:
-    """Return what a step that is carried out by itself is made of; nothing for a message.
+    """Return the features of a step that is an operation by itself; none for a message.
 
     Args:
         step: a step of a plan.
@@ -126,7 +126,7 @@ def _join(step: Join, kind: str) -> Features:
 
 
 def _without_joint(step: Step, joints: Sequence[PlanJoint]) -> Features | None:
-    """Of a step that is not about one joint, or the same whatever joint; None for others."""
+    """Features of a step that does not depend on the joint; None for others."""
     if isinstance(step, Certify | Refine):
         times = step.count if isinstance(step, Refine) else 1
         own = (step.joints if isinstance(step, Certify) else ()) or range(len(joints))
@@ -141,14 +141,14 @@ def _without_joint(step: Step, joints: Sequence[PlanJoint]) -> Features | None:
 
 
 def _weighed(joint: PlanJoint) -> Features:
-    """Of a joint's share of a residual: as much as forces that are passed on, and a bias."""
+    """Features of a joint in a residual sweep: those of forces through it, and a bias."""
     if joint.parent == 0 and joint.kind == "floating":
         return {"root.solve": 1, "link.bias": 1}
     return {f"deliver.{joint.kind}": 1, "link.bias": 1}
 
 
 def _turned(group: str, key: str, turned: bool) -> Features:
-    """Of a joint, and of turning it round, which costs the same by columns."""
+    """Features of a joint with rotation into its own axes, which cost the same by columns."""
     return {f"{group}.{key}": 1, **({f"{group.split('_')[0]}.reversed": 1} if turned else {})}
 
 
@@ -162,7 +162,7 @@ _LANES = {2: "two", 4: "four"}
 
 
 def operation_features(operation: Operation, joints: Sequence[PlanJoint]) -> Features:
-    """Return what an operation is made of; nothing for a message.
+    """Return the features of an operation; none for a message.
 
     Args:
         operation: an operation of a program.
@@ -200,7 +200,7 @@ _RUNS = {
 
 
 def _run_features(operation: Operation, run: Run, joints: Sequence[PlanJoint]) -> Features:
-    """Of a run beside its joints: once, and for each joint where these are turned.
+    """Features of a run beside its joints: once, and for each joint in own axes.
 
     A single joint on the ground is no run: it starts from nothing, hands nothing on, and is
     computed between other work.
@@ -222,7 +222,7 @@ def _run_features(operation: Operation, run: Run, joints: Sequence[PlanJoint]) -
 
 
 def added(parts: Iterable[Features]) -> Features:
-    """Return what several things are made of together."""
+    """Return the sum of several features."""
     total: Features = {}
     for part in parts:
         for name, count in part.items():
@@ -231,7 +231,7 @@ def added(parts: Iterable[Features]) -> Features:
 
 
 def _limbs_features(operation: Operation, limbs: Limbs, joints: Sequence[PlanJoint]) -> Features:
-    """Of limbs side by side: row by row, and once for all rows of a sweep; see _run_features."""
+    """Features of limbs side by side: row by row, and once for all rows of a sweep."""
     does, lanes = operation.does, _LANES[limbs.lanes]
     inwards = does == "articulate"
     rows = [f"{does}_{lanes}.{joints[row[0]].kind}" for row in limbs.rows]
@@ -249,7 +249,7 @@ def _limbs_features(operation: Operation, limbs: Limbs, joints: Sequence[PlanJoi
 
 
 def _of_step(step: Step, operation: Operation, joints: Sequence[PlanJoint]) -> Features:
-    """Of a step by the method that its operation passes its block by."""
+    """Features of a step by the method of its operation."""
     match step, operation.method:
         case Kinematics(), "traversed":
             return {f"kinematics_traversed.{joints[step.joint].kind}": 1}

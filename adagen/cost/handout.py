@@ -33,7 +33,7 @@ class Batch:
 
 @dataclass(frozen=True)
 class Helper:
-    """A process that process 0 gives pieces to.
+    """A process that receives pieces of a batch from process 0.
 
     Attributes:
         costs: of messages between the two.
@@ -46,7 +46,7 @@ class Helper:
 
 @dataclass(frozen=True)
 class Handout:
-    """How a batch went; microseconds.
+    """The predicted distribution of a batch; microseconds.
 
     Attributes:
         makespan: from its begin until process 0 has all answers.
@@ -118,7 +118,7 @@ class _Play:
         return count
 
     def _give(self, k: int) -> None:
-        """Send a helper a piece, and know when the answer will be there."""
+        """Send a piece to a helper, and compute when its answer arrives."""
         helper, batch, count = self.helpers[k], self.batch, self._piece()
         costs = helper.costs
         there, back = (count * n * costs.number for n in (batch.given, batch.answered))
@@ -137,7 +137,7 @@ class _Play:
 
 
 def handed_out(batch: Batch, helpers: Sequence[Helper]) -> Handout:
-    """Return how a batch goes that process 0 hands out, and helps to solve itself.
+    """Return the predicted distribution of a batch by process 0, which also solves states.
 
     Args:
         batch: the states.

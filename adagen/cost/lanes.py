@@ -28,7 +28,7 @@ def programmed(
     batch: bool = False,
     again: bool = False,
 ) -> Program:
-    """Return the program of a plan in a shape, limbs side by side as they take least time.
+    """Return the program of a plan in a shape, with the limbs in lanes that take least time.
 
     Args:
         plan: what each process computes.
@@ -49,7 +49,7 @@ def programmed(
 
 @lru_cache(maxsize=4)
 def with_recovery(program: Program, profile: CostProfile | None = None) -> Program:
-    """Return a program with the limbs side by side in what is done instead, if anything is.
+    """Return a program with limbs in lanes in its recovery steps, too.
 
     No price depends on these: they are chosen for what is emitted alone.
 
@@ -64,7 +64,7 @@ def with_recovery(program: Program, profile: CostProfile | None = None) -> Progr
 
 
 def chosen_limbs(plan: Plan, process: Process, costs: StepCosts) -> tuple[Limbs, ...]:
-    """Return the limbs that a process takes side by side in loops: those of least price.
+    """Return the limbs in lanes of least price for a process in loops.
 
     Args:
         plan: of form segment.
@@ -79,7 +79,7 @@ def chosen_limbs(plan: Plan, process: Process, costs: StepCosts) -> tuple[Limbs,
 
 
 def offered_limbs(plan: Plan, process: Process, costs: StepCosts) -> list[tuple[Limbs, ...]]:
-    """Return the groupings of a process's limbs that are compared; none comes first."""
+    """Return the groupings of a process's limbs that are compared; the first is none."""
 
     @cache
     def saved(kinds: Sequence[str], count: int) -> float:
@@ -91,7 +91,7 @@ def offered_limbs(plan: Plan, process: Process, costs: StepCosts) -> list[tuple[
 
 
 def _time(plan: Plan, limbs: tuple[Limbs, ...], costs: StepCosts) -> float:
-    """What the only process of a plan takes, microseconds."""
+    """Predicted time of the only process of a plan, microseconds."""
     slots = Slots.of(plan, (limbs,), costs)
     operations = Loops(plan, plan.processes[0], slots, limbs, False, costs).operations()
     return sum(costs.total(operation_features(each, plan.joints)) for each in operations)

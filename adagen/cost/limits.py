@@ -39,7 +39,7 @@ _OF: tuple[tuple[str, tuple[type[Step], ...]], ...] = (
 
 @dataclass(frozen=True)
 class Limits:
-    """What an evaluation's time consists of, along the longest way; microseconds.
+    """The parts of an evaluation's time along its critical path; microseconds.
 
     Attributes:
         times: by each of ``KINDS``.
@@ -51,12 +51,12 @@ class Limits:
 
     @property
     def most(self) -> str:
-        """The kind that takes most."""
+        """The kind of the largest part."""
         return max(KINDS, key=lambda kind: self.times[kind])
 
 
 def limits(program: Program, line: Timeline) -> Limits:
-    """Return what limits an evaluation that was played through.
+    """Return the critical path of a timeline.
 
     The way goes back from the end of the last process. Where a process waited, it goes on at the
     sender: in between is latency. What a process does before its first step counts as its joints.

@@ -19,7 +19,7 @@ from adagen.schedule.profile import CostProfile
 
 @dataclass(frozen=True)
 class Interval:
-    """What one process does for a while, or waits for; microseconds from the start.
+    """An interval in which a process works or waits; microseconds from the start.
 
     Attributes:
         process: which process.
@@ -53,7 +53,7 @@ class Exchange:
 
 @dataclass(frozen=True)
 class Timeline:
-    """How an evaluation goes on a machine, predicted or measured; times in microseconds.
+    """The timeline of an evaluation, predicted or measured; times in microseconds.
 
     Attributes:
         intervals: process by process, in order.
@@ -69,7 +69,7 @@ class Timeline:
 
     @property
     def calls(self) -> tuple[Interval, ...]:
-        """What each process takes before its first step: the call, and its arguments."""
+        """Time of each process before its first step: the call, and its arguments."""
         first: dict[int, float] = {}
         for i in self.intervals:
             first[i.process] = min(i.start, first.get(i.process, i.start))
@@ -78,7 +78,7 @@ class Timeline:
         )
 
     def busy(self, process: int) -> float:
-        """Return for how long a process works, from when it is called."""
+        """Return the time in which a process works, from when it is called."""
         return sum(
             i.end - i.start
             for i in (*self.calls, *self.intervals)
@@ -86,13 +86,13 @@ class Timeline:
         )
 
     def waiting(self, process: int) -> float:
-        """Return for how long a process waits for others, not counting what comes after its end."""
+        """Return the time in which a process waits for others, before its own end."""
         return sum(
             i.end - i.start for i in self.intervals if i.process == process and i.what == "wait"
         )
 
     def by_stage(self) -> Timeline:
-        """Return the same with the operations of each stage as one interval, as traces have it."""
+        """Return the same with the operations of each stage as one interval, as in traces."""
         found: list[Interval] = []
         for interval in self.intervals:
             last = found[-1] if found else None
@@ -108,7 +108,7 @@ class Timeline:
 
 
 def timeline(program: Program, profile: CostProfile, links: Links | None = None) -> Timeline:
-    """Return how one evaluation is predicted to go.
+    """Return the predicted timeline of an evaluation.
 
     Each process is assumed to have a core of its own, and all to begin at the same instant.
 
@@ -150,7 +150,7 @@ class _Play:
         return self.costs["unrolled.evaluation" if straight else "process.evaluation"]
 
     def play(self) -> Timeline:
-        """Let every process go on as far as it can, until all are done."""
+        """Run every process as far as possible, until all are done."""
         left = True
         while left:
             moved = left = False
@@ -165,7 +165,7 @@ class _Play:
         return Timeline(tuple(order), tuple(self.exchanges), max(self.clock), "predicted")
 
     def _advance(self, p: int, operation: Operation) -> bool:
-        """Run an operation of a process; return whether that is possible yet."""
+        """Run an operation of a process; return whether that is possible now."""
         start = self.clock[p]
         stage = self.stages[p][operation.stage]
         match operation.steps:
@@ -182,13 +182,13 @@ class _Play:
         return True
 
     def _channel(self, step: Send | Receive) -> ChannelCosts:
-        """Return what a message costs between the processes that it goes between."""
+        """Return the costs of a message between two processes."""
         message = self.plan.messages[step.message]
         far = None if self.links is None else self.links(message.source, message.target)
         return self.near if far is None else far
 
     def _copied(self, step: Send | Receive) -> float:
-        """Time to put a message's numbers in, or to take them out."""
+        """Time to write a message's numbers, or to read them."""
         plan = self.plan
         numbers = plan.messages[step.message].numbers(plan.right_hand_sides, plan.joints)
         return numbers * self._channel(step).number / 2
@@ -213,7 +213,7 @@ Times = Callable[[int, int, Operation], float]
 
 
 def _times(program: Program, costs: StepCosts) -> Times:
-    """Return what tells the time of each operation."""
+    """Return a function that gives the time of each operation."""
     if program.shape == "unrolled":
         straight = straight_times(program, costs)
         return lambda p, place, _: straight[p][place]

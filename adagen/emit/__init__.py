@@ -35,7 +35,7 @@ __all__ = [
 
 
 def stem_of(plan: Plan, name: str | None = None, batch: int = 0) -> str:
-    """Return NAME_pP, what the emitted files of a plan are called without their endings."""
+    """Return NAME_pP, the name of a plan's emitted files without their endings."""
     processes = batch or len(plan.processes)
     return f"{file_stem(plan.name if name is None else name)}_p{processes}"
 
@@ -136,7 +136,7 @@ def program_of(
     profile: CostProfile | None = None,
     limbs: Grouping | None = None,
 ) -> Program:
-    """Return the program that is emitted of a plan.
+    """Return the program that is emitted for a plan.
 
     Args:
         plan: what each process computes.

@@ -27,7 +27,7 @@ def program_text() -> str:
 
 
 def options_of(mpi: bool, number: str) -> str:
-    """Return the compiler's options that fit the program to a solver, as its head names them.
+    """Return the compiler's options of the program for a solver, as its head names them.
 
     Args:
         mpi: whether the solver is for several processes.
@@ -42,7 +42,7 @@ def standalone(
     files: Mapping[str, str] | None = None,
     header: str = "",
 ) -> str:
-    """Return an emitted source with runtime and program in it, which is compiled alone.
+    """Return an emitted source with runtime and program in it, which compiles alone.
 
     Args:
         source: of a solver.
@@ -68,7 +68,7 @@ def standalone(
 
 
 def options_in(source: str) -> tuple[str, ...] | None:
-    """Return what an emitted source says of these options; None where it needs no program."""
+    """Return these options as an emitted source has them; None if it needs no program."""
     found = _LINKS.search(source)
     if found is None or "#define ADAGEN_NO_MAIN" in source:
         return None

@@ -7,7 +7,7 @@ from adagen.plan.types import THREADS
 
 
 def check_batch(shape: str, refine: int, channel: str) -> None:
-    """Refuse what is not emitted for batches.
+    """Refuse options that batches do not support.
 
     Raises:
         UsageError: the shape, refinement or channel cannot be had for batches.
@@ -23,7 +23,7 @@ def check_batch(shape: str, refine: int, channel: str) -> None:
 
 
 def check_certified(form: str, refine: int, shape: str) -> None:
-    """Refuse what is not certified, whatever the robot.
+    """Refuse options that certified solvers do not support, for any robot.
 
     Raises:
         UsageError: the form, refinement or shape has no certificates.
@@ -42,7 +42,7 @@ def check_certified(form: str, refine: int, shape: str) -> None:
 
 
 def check_reproducible(form: str, refine: int, shape: str) -> None:
-    """Refuse what is not reproducible, whatever the robot.
+    """Refuse options that reproducible solvers do not support, for any robot.
 
     Raises:
         UsageError: the form, refinement or shape has other digits on each number of

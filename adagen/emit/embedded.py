@@ -21,7 +21,7 @@ _BODY, _MOTION, _BLOCK, _COLUMNS = 27, 6, 43, 24  # numbers
 def check_target(
     target: str, processes: int, refine: int, *, batch: bool, single_file: bool = False
 ) -> None:
-    """Refuse what is not emitted for a target.
+    """Refuse options that a target does not support.
 
     Raises:
         UsageError: an embedded solver of several processes or states, one that refines, or one with
@@ -66,7 +66,7 @@ def _number(value: object) -> int:
 
 
 def _bytes(symbols: Symbols, values: dict[str, object]) -> int:
-    """Bytes of a solver's memory, at most, wherever they begin."""
+    """Largest size of a solver's memory in bytes, at any alignment."""
     size = 4 if symbols.plan.scalar == "float" else 8
     numbers = symbols.plan.nqdd + len(symbols.plan.parameter_values)
     if symbols.program.shape == LOOPS:
@@ -80,7 +80,7 @@ def _bytes(symbols: Symbols, values: dict[str, object]) -> int:
 
 
 def _in_loops(symbols: Symbols, values: dict[str, object], size: int) -> int:
-    """Bytes of what loops keep of links and joints."""
+    """Bytes of the links' and joints' data in loops."""
     plan, count = symbols.plan, len(symbols.plan.joints)
     kinds = {joint.kind for joint in plan.joints}
     factors = 24 if "planar" in kinds else 18 if "spherical" in kinds else 8
@@ -98,7 +98,7 @@ def _in_loops(symbols: Symbols, values: dict[str, object], size: int) -> int:
 
 
 def _work(plan: Plan, values: dict[str, object]) -> str:
-    """What arithmetic an evaluation is, in words."""
+    """Number of operations of an evaluation, in words."""
     sines = sum(joint.kind in ("revolute", "planar") for joint in plan.joints)
     turned = f", {sines} sine{'s' * (sines != 1)} with cosine{'s' * (sines != 1)}"
     lines = values.get("unrolled")

@@ -15,12 +15,12 @@ Range = tuple[int, int]
 
 
 def ranges(entries: Iterable[int]) -> list[Range]:
-    """Return entries as ranges, those that touch made one."""
+    """Return entries as ranges, adjacent ones merged."""
     return [(first, last - first + 1) for first, last in spans(entries)]
 
 
 def entries_of(symbols: Symbols, vector: Literal["q", "v"], joints: Iterable[int]) -> list[int]:
-    """Return the entries that joints have of q, or of v (and tau and qdd)."""
+    """Return the entries of joints in q, or in v (and tau and qdd)."""
     found: list[int] = []
     for j in joints:
         joint, kind = symbols.plan.joints[j], symbols.kind(j)

@@ -24,7 +24,7 @@ class Printer:
         return ", ".join(self.number(value) for value in values)
 
     def linear(self, terms: Iterable[tuple[float, str]], constant: float = 0.0) -> str:
-        """Return constant + sum of factor * variable, without what is zero or one."""
+        """Return constant + sum of factor * variable, without zeros and factors of one."""
         text = self.number(constant) if constant != 0.0 else ""
         for factor, variable in terms:
             if factor == 0.0:

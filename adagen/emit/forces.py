@@ -15,20 +15,20 @@ from adagen.plan.robot import PlanJoint
 
 
 def has_effects(plan: Plan) -> bool:
-    """Whether the runtime of effects is needed."""
+    """Whether headers for prescribed joints, rotors or outer forces are needed."""
     return bool(plan.wrenches) or any(
         joint.prescribed or joint.rotor_inertia for joint in plan.joints
     )
 
 
 def joined_type(symbols: Symbols, j: int) -> str:
-    """The C++ type that stands for what a joint frees where chains are joined."""
+    """The C++ type of a joint's freedoms where chains are joined."""
     joint = symbols.plan.joints[j]
     return "Held" if joint.prescribed or joint.rotor_inertia else symbols.type_of(j)
 
 
 def body_type(symbols: Symbols, j: int) -> str:
-    """The C++ type of a joint's share of an articulated body."""
+    """The C++ type of a joint's factors of an articulated body."""
     joint = symbols.plan.joints[j]
     if joint.prescribed:
         return "Articulated<Held>"
@@ -41,7 +41,7 @@ def freedoms_type(symbols: Symbols, j: int) -> str:
 
 
 def passive_torques(symbols: Symbols, j: int, tau: str) -> list[str]:
-    """The lines by which damping, friction and a spring take from a joint's torque."""
+    """The lines that subtract damping, friction and a spring from a joint's torque."""
     joint, number = symbols.plan.joints[j], symbols.printer.number
     lines = []
     for k in range(symbols.kind(j).nv):
@@ -96,7 +96,7 @@ def given_acceleration(symbols: Symbols, j: int) -> list[str]:
 
 
 def pushes(symbols: Symbols, link: int, line: str) -> list[str]:
-    """The lines that let the outer forces on a link act; ``line`` says how, of ``{}``."""
+    """The lines that apply the outer forces on a link; ``line`` is a format for each."""
     plan = symbols.plan
     return [
         line.format(f"outer_force(w, {k}, {plan.entry_of_wrench(k)}, {link - 1})")
@@ -106,7 +106,7 @@ def pushes(symbols: Symbols, link: int, line: str) -> list[str]:
 
 
 def push_calls(symbols: Symbols, links: Sequence[int]) -> list[str]:
-    """The calls by which shape kernels lets the outer forces on some links act."""
+    """The calls of shape kernels that apply the outer forces on some links."""
     return [
         f"push<{k}>(w);  // on link {quoted(wrench.name)}"
         for k, wrench in enumerate(symbols.plan.wrenches)
@@ -126,7 +126,7 @@ def pushed_entries(symbols: Symbols, links: set[int]) -> list[int]:
 
 
 def constants(symbols: Symbols, j: int) -> str:
-    """What the model's table says of a joint's effects; nothing where it has none."""
+    """The passive constants of a joint in the model's table; empty where it has none."""
     joint, number = symbols.plan.joints[j], symbols.printer.number
     numbers = (joint.damping, joint.friction, joint.friction_speed, joint.stiffness, joint.rest)
     if not (joint.damping or joint.friction or joint.stiffness):

@@ -21,7 +21,7 @@ def talks(process: Process) -> bool:
 
 
 def checks(symbols: Symbols, process: Process) -> list[str]:
-    """Return the lines of shape kernels that refuse a state before anything is done with it.
+    """Return the lines of shape kernels that test a state before anything is computed.
 
     Where a floating base is matters to nothing.
     """
@@ -32,7 +32,7 @@ def checks(symbols: Symbols, process: Process) -> list[str]:
 
 
 def results(symbols: Symbols, process: Process) -> list[str]:
-    """Return the lines of shape kernels that give the accelerations, if all went well."""
+    """Return the lines of shape kernels that output accelerations, if there was no failure."""
     entries = given_entries(symbols, process)
     overflow = _finite("w.answer.data()", entries, "v", "kOverflow")
     gives = [f"give(w, {first}, {count});" for first, count in ranges(entries)]
@@ -44,7 +44,7 @@ def results(symbols: Symbols, process: Process) -> list[str]:
 
 
 def corrections(symbols: Symbols, process: Process) -> list[str]:
-    """Return the lines of shape kernels that give a correction, if all went well."""
+    """Return the lines of shape kernels that output a correction, if there was no failure."""
     entries = entries_of(symbols, "v", process.owns)
     overflow = _finite("w.answer.data()", entries, "v", "kOverflow")
     return [*overflow, *(f"give(w, {first}, {count});" for first, count in ranges(entries))]

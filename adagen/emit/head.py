@@ -54,19 +54,19 @@ _BATCH = "Each SIMD lane holds a state; the processes share the states of a batc
 
 
 def method(program: Program) -> str:
-    """Return in a few words how the accelerations are computed."""
+    """Return the algorithm of the accelerations in a few words."""
     name = "assembly-disassembly" if program.plan.form == "ada" else "articulated-body"
     return f"{name} algorithm"
 
 
 def frames(program: Program) -> str:
-    """Return in a few words what vectors are in the code."""
+    """Return the frames of vectors in the code in a few words."""
     where = _FRAMES.get(program.shape, _FRAMES["other"])
     return f"spatial vectors [angular; linear] {where}"
 
 
 def algorithm(program: Program) -> list[str]:
-    """Return in lines how processes meet, loops are closed and batches are solved."""
+    """Return as lines how processes meet, how loops are solved and how batches are solved."""
     match program.plan.form, meeting(program):
         case "ada", _:
             parts = [_ADA]
@@ -82,7 +82,7 @@ def algorithm(program: Program) -> list[str]:
 
 
 def program_lines(program: Program, profile: CostProfile) -> list[str]:
-    """Return in lines what runs where, and what that is predicted to take.
+    """Return as lines the joints of each process, and the predicted time.
 
     Args:
         program: what is emitted.

@@ -27,7 +27,7 @@ _INCLUDED = re.compile(r'^\s*#include (?:"([^"]+)"|<(Eigen/)[^>]*>)', re.M)
 
 
 def umbrellas(values: Mapping[str, object]) -> dict[str, bool]:
-    """Return which headers that include others the templates take.
+    """Return the headers that replace several others in the templates.
 
     Args:
         values: those of the templates, with the shape's.
@@ -51,7 +51,7 @@ def umbrellas(values: Mapping[str, object]) -> dict[str, bool]:
 
 
 def needs_eigen(of_shape: Mapping[str, object]) -> bool:
-    """Whether a source needs Eigen's headers, of the values of its shape's template."""
+    """Whether a source needs Eigen's headers, from the values of its shape's template."""
     parts = of_shape["runtime"]
     assert isinstance(parts, list)
     return any(_takes_eigen(part) for part in parts)
@@ -59,7 +59,7 @@ def needs_eigen(of_shape: Mapping[str, object]) -> bool:
 
 @cache
 def _takes_eigen(header: str) -> bool:
-    """Whether a header, named as sources name it, includes Eigen's, or one that does."""
+    """Whether a header includes Eigen's headers, or one that does."""
     seen, left = set(), [f"{FOLDER}/{header}"]
     while left:
         path = left.pop()

@@ -21,7 +21,7 @@ class FailureRow:
 
     @property
     def word(self) -> str:
-        """What the source calls it."""
+        """Its name in the source."""
         return "k" + "".join(part.capitalize() for part in self.name.split("_"))
 
 

@@ -13,7 +13,7 @@ from adagen.plan.steps import LinkBias, StartLink
 
 
 def model_values(symbols: Symbols) -> dict[str, object]:
-    """Return what the template needs of the robot itself."""
+    """Return the robot's values for the template."""
     plan = symbols.plan
     return {
         "gravity": ", ".join(repr(g) for g in plan.gravity),  # m/s^2
@@ -115,7 +115,7 @@ def _joints(symbols: Symbols) -> list[dict[str, object]]:
 
 
 def _rest_of_joint(symbols: Symbols, j: int) -> str:
-    """Return the last members of JointConstants, up to the last that is not as most joints have it.
+    """Return the last members of JointConstants, up to the last that differs from its default.
 
     They are: the joint that it is slaved to, with multiplier and offset; its effects; whether its
     acceleration is wanted.
@@ -180,7 +180,7 @@ def _loops(symbols: Symbols) -> list[dict[str, object]]:
 
 
 def _forces(symbols: Symbols) -> list[dict[str, object]]:
-    """Where forces of loops and couplings are in qdd."""
+    """Entries of loop and coupling forces in qdd."""
     plan = symbols.plan
     found = [("loop", tie.name, plan.entry_of_loop(k), 6) for k, tie in enumerate(plan.loops)]
     found += [

@@ -23,7 +23,7 @@ def identifiers(names: Iterable[str]) -> tuple[str, ...]:
 
 
 def distinct(words: Iterable[str]) -> tuple[str, ...]:
-    """Return the words, those that were there before with a number behind."""
+    """Return the words, repeated ones with a number added."""
     taken: set[str] = set()
     result = []
     for word in words:
@@ -55,7 +55,7 @@ def file_stem(name: str) -> str:
 
 
 def prefix_of(stem: str) -> str:
-    """Return what the C functions of a file begin with: its stem as an identifier."""
+    """Return the prefix of a file's C functions: its stem as an identifier."""
     prefix = re.sub(r"[-_]+", "_", stem)
     return prefix if prefix[0].isalpha() else f"robot_{prefix}"
 

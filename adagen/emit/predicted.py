@@ -10,7 +10,7 @@ from adagen.schedule import CostProfile
 
 
 def priced_program(plan: Plan, shape: str = "auto", profile: CostProfile | None = None) -> Program:
-    """Return the program that a plan is priced as, for one state at a time.
+    """Return the program by which a plan is priced, for one state at a time.
 
     Args:
         plan: what each process computes.
@@ -26,7 +26,7 @@ def priced_program(plan: Plan, shape: str = "auto", profile: CostProfile | None 
 
 
 def predict(plan: Plan, profile: CostProfile, shape: str = "auto") -> Timeline:
-    """Return how one evaluation is predicted to go.
+    """Return the predicted timeline of an evaluation.
 
     Args:
         plan: what each process does, in either form.

@@ -17,7 +17,7 @@ _NAMED = 6  # joints that a summary names before it only counts
 
 
 def process_rows(symbols: Symbols) -> list[dict[str, object]]:
-    """Return what the template says of each process."""
+    """Return the values of the template for each process."""
     return [
         {
             "index": p,
@@ -69,7 +69,7 @@ def describe_message(symbols: Symbols, message: Message) -> str:
 
 
 def in_a_row(place: str, calls: Sequence[str]) -> list[str]:
-    """Return the lines of calls of which each begins at the place that the one before returned."""
+    """Return lines of calls, each of which starts where the one before returned."""
     return [f"  {place} = {call};" for call in calls[:-1]] + [f"  {call};" for call in calls[-1:]]
 
 

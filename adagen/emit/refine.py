@@ -14,7 +14,7 @@ MOST_STEPS = 9
 
 
 def checked_steps(asked: int | None) -> int:
-    """Return how many steps of refinement a solver takes, 0 by default.
+    """Return the number of refinement steps of a solver, 0 by default.
 
     Raises:
         UsageError: the number is out of range.
@@ -30,7 +30,7 @@ RESIDUALS = ("auto", "own", "wide")
 
 
 def checked_shape(refine: int, shape: str) -> str:
-    """Return the shape that was asked for, if it can be refined.
+    """Return the requested shape, if it can be refined.
 
     Raises:
         UsageError: the shape has no refinement.

@@ -32,7 +32,7 @@ def include_folder() -> Path:
 
 @cache
 def runtime_files() -> dict[str, str]:
-    """Return the headers as they lie beside sources, path to text; the same for every robot."""
+    """Return the headers beside sources, path to text; the same for every robot."""
     root = include_folder()
     files = sorted((root / FOLDER).rglob("*.hpp"))
     return {file.relative_to(root).as_posix(): file.read_text(encoding="utf-8") for file in files}
@@ -45,7 +45,7 @@ def version_number(version: str = __version__) -> int:
 
 
 def joined(source: str, files: Mapping[str, str] | None = None) -> str:
-    """Return a source with the headers of the runtime that it includes in their places.
+    """Return a source with the headers that it includes inserted.
 
     Each comes once, where it is included first; what headers take of a sample solver when they are
     read alone is left out. Includes of the standard library come once, too, where nothing is
@@ -60,7 +60,7 @@ def joined(source: str, files: Mapping[str, str] | None = None) -> str:
 
 
 class _Joining:
-    """What has been put in so far."""
+    """The headers that have been inserted so far."""
 
     def __init__(self, files: Mapping[str, str]) -> None:
         self.files = files

@@ -11,7 +11,7 @@ _DESCRIBED = {"kRobot", "kFloating", "kAtRest", "kChannel", "kHops"}
 
 
 def overridden(settings: Iterable[Setting]) -> list[str]:
-    """Return the members of a struct that override those of a plain one, none that are alike."""
+    """Return the members of a struct that differ from those of a default one."""
     return [
         "[[maybe_unused]] " * (name in _DESCRIBED)
         + f"static constexpr {kind} {name} = {_text(value)};"
@@ -21,7 +21,7 @@ def overridden(settings: Iterable[Setting]) -> list[str]:
 
 
 def settings(values: Mapping[str, object], messages: int) -> list[str]:
-    """Return what a solver's Settings override, of its template's values."""
+    """Return a solver's Settings, as far as they differ from the defaults."""
     nqdd, nv, refine = values["nqdd"], values["nv"], values["refine"]
     assert isinstance(nqdd, int)
     assert isinstance(nv, int)
@@ -60,7 +60,7 @@ def settings(values: Mapping[str, object], messages: int) -> list[str]:
 
 
 def description(values: Mapping[str, object]) -> list[str]:
-    """Return the lines by which a solver's description differs from a plain one."""
+    """Return the lines of a solver's description that differ from the default."""
     loops, couplings, outputs = values["loops"], values["couplings"], values["outputs"]
     lines = {
         "about.outer_forces = table<kOuterForces>();": values["outer_forces"],

@@ -64,7 +64,7 @@ compilers take minutes."""
 
 
 def stepwise(plan: Plan) -> str:
-    """Return the fastest shape that does a plan step by step, as cost profiles price it.
+    """Return the fastest shape in which a plan is priced step by step.
 
     Refined plans are emitted in it, too. Masses that can be set are no constants in straight lines,
     where loops do not take a plan; closed loops and outputs are straight lines alone.
@@ -76,7 +76,7 @@ def stepwise(plan: Plan) -> str:
 def chosen_shape(
     plan: Plan, shape: str = "auto", *, batch: bool = False, profile: CostProfile | None = None
 ) -> str:
-    """Return the shape that a plan is emitted in: the one asked for, or the one of least price.
+    """Return the shape of a plan: the requested one, or the one of least price.
 
     Args:
         plan: the plan.
@@ -102,7 +102,7 @@ def chosen_shape(
 
 
 def _reproducible(plan: Plan, shape: str) -> str:
-    """The shape of a reproducible plan, whose loops would have other digits."""
+    """The shape of a reproducible plan; loops would have other last digits."""
     if shape not in ("auto", "unrolled"):
         raise UsageError(f"shape {shape} cannot be emitted: only straight lines are reproducible")
     if plan.nv > MOST_FREEDOMS_IN_BATCHES:
@@ -115,7 +115,7 @@ def _reproducible(plan: Plan, shape: str) -> str:
 
 
 def _of_batch(plan: Plan, profile: CostProfile | None) -> str:
-    """The shape that a batch takes least time in: joint by joint, or as a straight line."""
+    """The faster shape for a batch: loops, or a straight line."""
     if len(plan.processes) > 1:
         return "kernels"
     if plan.slaved or kernels.why_not(plan) is not None:
@@ -126,12 +126,12 @@ def _of_batch(plan: Plan, profile: CostProfile | None) -> str:
 
 
 def shape_to_refine(plan: Plan, shape: str) -> str:
-    """Return the shape in which answers are refined: the one asked for, or loops."""
+    """Return the shape in which answers are refined: the requested one, or loops."""
     return stepwise(plan) if shape == "auto" else shape
 
 
 def why_not_own(plan: Plan, shape: str) -> str | None:
-    """Return why a refined solver has no residuals in its own numbers; None where it has."""
+    """Return why a refined solver has no residuals in its own precision; None where it has."""
     if plan.closed:
         return why_not_in_lines(plan)
     if shape != "kernels":
@@ -172,7 +172,7 @@ def to_be_refined(plan: Plan, shape: str, steps: int, residual: str) -> Plan:
 
 
 def offered(plan: Plan) -> tuple[str, ...]:
-    """Return the shapes of which "auto" takes the one of least price, the plainest first.
+    """Return the shapes among which "auto" takes the one of least price, the default first.
 
     Form `ada` is read joint by joint on several processes. Loops sweep ball joints in axes of the
     base, where links that are slender beyond them lose digits: those are straight lines.
@@ -191,7 +191,7 @@ def offered(plan: Plan) -> tuple[str, ...]:
 
 @lru_cache(maxsize=8)  # a plan is judged, priced and emitted one after the other
 def _cheapest(plan: Plan, profile: CostProfile | None) -> str:
-    """The shape that a plan takes least time in."""
+    """The shape of least predicted time."""
     names = offered(plan)
     return names[0] if len(names) == 1 else _fastest(plan, names, profile)
 
@@ -199,7 +199,7 @@ def _cheapest(plan: Plan, profile: CostProfile | None) -> str:
 def _fastest(
     plan: Plan, shapes: Sequence[str], profile: CostProfile | None, *, batch: bool = False
 ) -> str:
-    """The first of some shapes that none of the others takes less time than."""
+    """The first of some shapes that none of the others is faster than."""
     profile = with_steps(profile)
     programs = {shape: programmed(plan, shape, profile, batch=batch) for shape in shapes}
     return min(shapes, key=lambda shape: timeline(programs[shape], profile).makespan)

@@ -34,7 +34,7 @@ TOLERANCE = {"double": 1e-9, "float": 1e-3}
 
 @dataclass(frozen=True)
 class Solver:
-    """What is written into a solver's source and header.
+    """The contents of a solver's source and header.
 
     Attributes:
         program: what it runs.
@@ -68,18 +68,18 @@ class Solver:
 
     @property
     def mpi(self) -> bool:
-        """Whether these are MPI's."""
+        """Whether its processes are MPI processes."""
         return self.processes > 1 and not self.plan.threads
 
     @cached_property
     def symbols(self) -> Symbols:
-        """What joints, links and buffers are called."""
+        """The C++ names of joints, links and buffers."""
         in_wide_numbers = 0 if self.plan.corrections else self.refine
         return Symbols(self.program, in_wide_numbers, self.chunk, step_costs(self.profile))
 
     @cached_property
     def costs(self) -> CostProfile:
-        """The profile that its predicted time is by."""
+        """The profile of its predicted time."""
         return load_profile("default") if self.profile is None else self.profile
 
     def texts(self) -> tuple[str, str]:
@@ -102,7 +102,7 @@ class Solver:
         return header, render("solver.cpp.j2", **self._of_source(values), **values)
 
     def _of_numbers(self) -> dict[str, object]:
-        """What is computed in which numbers, how often, and how well."""
+        """Values about number type, refinement and tolerance."""
         plan = self.plan
         return {
             "number": plan.scalar,
@@ -121,7 +121,7 @@ class Solver:
         }
 
     def _of_processes(self) -> dict[str, object]:
-        """Who runs what, and what they tell each other."""
+        """Values about processes and messages."""
         plan, count = self.plan, self.processes
         idle = set() if self.batch or self.refine else _idle(plan)
         alone = _alone(self.program) and (not self.batch or count == 1)
@@ -149,7 +149,7 @@ class Solver:
         }
 
     def _of_source(self, values: Mapping[str, object]) -> dict[str, object]:
-        """What the source alone takes: which headers, and what these are told."""
+        """Values of the source alone: its headers and macros."""
         plan, more = self.plan, description(values)
         plain = not any(values[name] for name in ("certified", "parameters", "batch", "embedded"))
         kind = "threads" if plan.threads else "mpi" if self.mpi else "alone"
@@ -167,7 +167,7 @@ class Solver:
         }
 
     def _head(self) -> dict[str, object]:
-        """What the head of the file says, and how its names begin."""
+        """Values of the file's head, and the prefix of its names."""
         plan, program = self.plan, self.program
         return {
             "stem": prefix_of(self.stem),
@@ -195,7 +195,7 @@ class Solver:
 
 
 def _macros(plan: Plan, values: Mapping[str, object]) -> list[str]:
-    """What tells the headers what they are to do."""
+    """Macros that configure the headers."""
     settable = {parameter.what for parameter in plan.parameters}
     wanted = {
         "ADAGEN_MPI": values["mpi"],
@@ -213,7 +213,7 @@ def _macros(plan: Plan, values: Mapping[str, object]) -> list[str]:
 
 
 def _alone(program: Program) -> bool:
-    """Whether process 0 does all: the others have nothing to do, and nothing is sent."""
+    """Whether process 0 does everything: the others have nothing to do, and nothing is sent."""
     return meeting(program) == "alone" and not any(p.owns for p in program.plan.processes[1:])
 
 
@@ -225,7 +225,7 @@ def _idle(plan: Plan) -> set[int]:
 
 
 def _hops(costs: StepCosts) -> str:
-    """What messages cost, ns: through a window, and as one of MPI."""
+    """Costs of messages, ns: through a window, and by MPI."""
     hops = (costs.window, costs.message)
     rows = (
         f"{{{1e3 * hop.send:.6g}, {1e3 * hop.latency:.6g}, {1e3 * hop.number:.6g}}}" for hop in hops

@@ -12,7 +12,7 @@ _WIDTH = 100  # of lines of stages
 
 
 def stage_lines(process: Process) -> list[str]:
-    """Return the stages as the template has them, a few on a line; -1 stands for none."""
+    """Return the stages for the template, a few on a line; -1 stands for none."""
     lines = [""]
     for stage in stages(process):
         numbers = (-1 if number is None else number for number in (stage.joint, stage.message))

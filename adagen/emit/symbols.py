@@ -18,7 +18,7 @@ from adagen.schedule.costs import StepCosts
 
 @dataclass(frozen=True)
 class Symbols:
-    """Names and numbers of one plan as C++ text."""
+    """C++ names and number format of one plan."""
 
     program: Program
     refine: int = 0  # steps of refinement whose residuals are in wider numbers
@@ -32,7 +32,7 @@ class Symbols:
 
     @property
     def columns(self) -> int:
-        """Right-hand sides that a step has; loops take them one after the other."""
+        """Number of right-hand sides of a step; loops compute them one after the other."""
         return 1 if self.program.shape == LOOPS else self.plan.right_hand_sides
 
     @property
@@ -42,31 +42,31 @@ class Symbols:
 
     @cached_property
     def joints(self) -> tuple[str, ...]:
-        """A word for each joint."""
+        """An identifier for each joint."""
         return identifiers(joint.name for joint in self.plan.joints)
 
     @cached_property
     def links(self) -> tuple[str, ...]:
-        """A word for each link."""
+        """An identifier for each link."""
         return identifiers(link.name for link in self.plan.links)
 
     @cached_property
     def passages(self) -> tuple[Passage, ...]:
-        """Runs whose joints' motion is passed on as a whole."""
+        """Runs whose passages are computed."""
         return tuple(sorted({step.passage for step in self.plan.steps_of(Traverse, Append)}))
 
     def passage(self, passage: Passage) -> str:
-        """Return where one of them is."""
+        """Return the member of a passage."""
         return f"w.passages[{self.passages.index(passage)}]"
 
     @cached_property
     def printer(self) -> Printer:
-        """Prints numbers of the type that the plan is solved in."""
+        """Prints numbers of the plan's number type."""
         return Printer(self.plan.scalar)
 
     @cached_property
     def loaded(self) -> frozenset[int]:
-        """Links that handle forces load."""
+        """Links that are loaded by handle forces."""
         return frozenset(step.link for step in self.plan.steps_of(Load))
 
     def kind(self, joint: int) -> JointKind:
@@ -74,7 +74,7 @@ class Symbols:
         return KINDS[self.plan.joints[joint].kind]
 
     def type_of(self, joint: int) -> str:
-        """The C++ type that stands for a joint's kind."""
+        """The C++ type of a joint's kind."""
         return self.kind(joint).name.capitalize()
 
     def memory(self, joint: int) -> str:
@@ -82,12 +82,12 @@ class Symbols:
         return f"w.j_{self.joints[joint]}"
 
     def link_memory(self, link: int) -> str:
-        """The part of the workspace that holds what belongs to a link: the joint above it."""
+        """The part of the workspace of a link: that of the joint above it."""
         return self.memory(link - 1)
 
     @cached_property
     def _members(self) -> dict[tuple[int, int], str]:
-        """A word for each pair of handles: links "a", "b" and "a_b" must not meet in "a_b"."""
+        """An identifier for each pair of handles: links "a", "b" and "a_b" must not clash."""
         targets = (block for step in self.plan.all_steps for block in blocks_set_by(step))
         pairs = sorted({(block.row != block.column, block.row, block.column) for block in targets})
         symbols = distinct(
@@ -101,21 +101,21 @@ class Symbols:
         return f"Phi_{self._members[block.row, block.column]}"
 
     def bare_block(self, link: int) -> str:
-        """The constant that holds a bare link's block; apart from the locals Phi_A and X_Phi_A."""
+        """The constant with a bare link's block; distinct from the locals Phi_A and X_Phi_A."""
         return f"kPhi_{self.links[link]}"
 
     def inertia(self, link: int) -> str:
-        """The constant that holds a link's spatial inertia."""
+        """The constant with a link's spatial inertia."""
         return f"kInertia_{self.links[link]}"
 
     def block(self, block: Block) -> str:
-        """A block, wherever it is."""
+        """A block, wherever it is stored."""
         if block.joint is None:
             return self.bare_block(block.row)
         return f"{self.memory(block.joint)}.{self.block_member(block)}"
 
     def bias(self, bias: Bias) -> str:
-        """A bias; a bare link's is kept with the joint above the link."""
+        """A bias; a bare link's is stored with the joint above the link."""
         if bias.joint is None:
             return f"{self.memory(bias.handle - 1)}.b"
         return f"{self.memory(bias.joint)}.b_{self.links[bias.handle]}"

@@ -12,7 +12,7 @@ from adagen.errors import EnvironmentFault
 
 @cache
 def templates_folder() -> Path:
-    """Return where the templates are: inside the installed package, or beside it in a checkout."""
+    """Return the folder of the templates: in the installed package, or beside it in a checkout."""
     package = Path(__file__).resolve().parents[1]
     for folder in (package / "templates", package.parent / "templates"):
         if (folder / "solver.cpp.j2").is_file():
@@ -36,12 +36,12 @@ def environment() -> Environment:
 
 
 def verbatim(name: str) -> str:
-    """Return a C++ part that holds no template syntax, as it stands."""
+    """Return a C++ part without template syntax, unchanged."""
     return template(name).rstrip("\n")
 
 
 def template(name: str) -> str:
-    """Return a template that is emitted as it stands."""
+    """Return a template that is emitted unchanged."""
     return (templates_folder() / name).read_text(encoding="utf-8")
 
 

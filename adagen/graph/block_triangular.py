@@ -28,7 +28,7 @@ MOST = 3
 
 @dataclass(frozen=True)
 class Regular:
-    """What tells that a part is regular: the square of a size has to be well above that of another.
+    """A test that a block is regular: the square of one size has to be well above another's.
 
     Attributes:
         row: a row of the part.
@@ -42,7 +42,7 @@ class Regular:
 
 
 def solved_by_blocks(matrix: Array, right: Array, scales: Array) -> tuple[Array, list[Regular]]:
-    """Return M^-1 x, shape (n, k), and what has to be large for that to have digits.
+    """Return M^-1 x, shape (n, k), and the tests that it has digits.
 
     Args:
         matrix: M, shape (n, n); its structure is not singular.
@@ -70,7 +70,7 @@ def solved_by_blocks(matrix: Array, right: Array, scales: Array) -> tuple[Array,
 
 
 def _parts(matrix: Array) -> list[tuple[list[int], list[int]]]:
-    """Rows and columns of each part, after those that it needs; one part of a singular structure.
+    """Rows and columns of each block, after those that it needs; one block if singular.
 
     Rows need each other where they have entries in each other's columns, once each has a column of
     its own; those that need each other both ways are one part.
@@ -107,7 +107,7 @@ def _matched(entries: Sequence[set[int]]) -> dict[int, int]:
 
 
 def _reached(row: int, entries: Sequence[set[int]], row_of: Mapping[int, int]) -> set[int]:
-    """Return the rows that a row needs, itself among them."""
+    """Return the rows that a row depends on, itself among them."""
     found, left = {row}, [row]
     while left:
         more = {row_of[column] for column in entries[left.pop()]} - found
@@ -117,7 +117,7 @@ def _reached(row: int, entries: Sequence[set[int]], row_of: Mapping[int, int]) -
 
 
 def _by_determinant(part: Array, right: Array) -> Array:
-    """Return the solution by the adjugate; the reciprocal goes where it takes least."""
+    """Return the solution by the adjugate; the reciprocal is multiplied where that is cheapest."""
     adjugate, determinant = _adjugate(part)
     over = determinant.graph.reciprocal(determinant)
     if right.shape[1] > len(part):
@@ -140,7 +140,7 @@ def _adjugate(part: Array) -> tuple[Array, Expression]:
 
 
 def _regular(part: Array, rows: Sequence[int], scales: Array) -> list[Regular]:
-    """No row may be next to nothing, nor the determinant beside all rows (Hadamard)."""
+    """Test that no row is nearly zero, nor the determinant beside all rows (Hadamard)."""
     squares = [total([x * x for x in row if x.constant != 0]) for row in part]
     found = [
         Regular(row, square * (scale * scale), 1.0)

@@ -40,12 +40,12 @@ class Operations:
 
     @property
     def instructions(self) -> int:
-        """About how many instructions do it: a product is added in one."""
+        """Approximate number of instructions: a multiply-add is one."""
         return self.arithmetic - self.fused + self.divide + self.negate + self.moves
 
 
 def live_nodes(graph: Graph, roots: Iterable[Expression]) -> list[int]:
-    """Return the indices, ascending, of all that the roots need."""
+    """Return the indices, ascending, of all nodes that the roots depend on."""
     nodes = graph.nodes
     alive = bytearray(len(nodes))
     for root in roots:
@@ -58,7 +58,7 @@ def live_nodes(graph: Graph, roots: Iterable[Expression]) -> list[int]:
 
 
 def count_operations(graph: Graph, roots: Iterable[Expression]) -> Operations:
-    """Return what an evaluation of the roots costs."""
+    """Return the operations of an evaluation of the roots."""
     roots = list(roots)
     alive = live_nodes(graph, roots)
     uses = Counter(k for index in alive for k in graph.nodes[index].args)
@@ -87,7 +87,7 @@ _DONE = ("mul", "add", "sub", "reciprocal", "neg")
 
 
 def _moves(node: Node) -> int:
-    """Return how many numbers a value puts into lanes or takes from there."""
+    """Return the number of moves into lanes or out of them for a value."""
     match node.op:
         case "pack":
             return node.width

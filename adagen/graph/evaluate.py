@@ -19,7 +19,7 @@ _FAR = 1e5  # beyond, three parts of pi/2 would lose digits
 
 
 class Algebra(Protocol):
-    """Numbers with +, -, *, / and what else graphs do to them."""
+    """Numbers with +, -, *, / and the other operations of graphs."""
 
     def number(self, value: Any) -> Any:
         """Return a rational number (fmpq) as one of the algebra."""
@@ -28,7 +28,7 @@ class Algebra(Protocol):
         """Return an input as one of the algebra."""
 
     def together(self, values: Sequence[Any]) -> Any:
-        """Return values as one array, the place among them being the first index."""
+        """Return values as one array, with the index of the value first."""
 
     def sines_and_cosines(self, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
         """Return sine and cosine of all angles that a process has."""
@@ -47,7 +47,7 @@ class Algebra(Protocol):
 
 
 class Floating:
-    """Numbers of a processor, or numpy arrays of them: as many states at once as they hold.
+    """Numbers of a processor, or numpy arrays of them for many states at once.
 
     Args:
         scalar: np.float64 or np.float32.
@@ -103,7 +103,7 @@ class Floating:
 
 
 class Balls:
-    """Intervals around midpoints of any length (python-flint's arb, at the context's precision)."""
+    """Balls around midpoints of any length (python-flint's arb, at the context's precision)."""
 
     @staticmethod
     def number(value: Any) -> Any:
@@ -132,7 +132,7 @@ class Balls:
 
     @staticmethod
     def sign(a: Any) -> Any:
-        """Return 1 or -1; either will do where the ball does not tell."""
+        """Return 1 or -1; either if the ball contains zero."""
         return arb(-1 if a < 0 else 1)
 
     @staticmethod
@@ -173,7 +173,7 @@ class Evaluation:
         return [self.values[k] for k in indices]
 
     def _missing(self, indices: Iterable[int]) -> list[int]:
-        """What is to be computed for some expressions, operands first."""
+        """The values to compute for some expressions, operands first."""
         nodes, found = self.graph.nodes, set[int]()
         waiting = [k for k in indices if k not in self.values]
         while waiting:

@@ -106,7 +106,7 @@ class Factors:
 
 
 def factorize(matrix: Array) -> Factors:
-    """Return the factors of a symmetric matrix, of which the lower triangle is looked at."""
+    """Return the factors of a symmetric matrix, of which the lower triangle is used."""
     n = len(matrix)
     scaled, lower = matrix.copy(), matrix.copy()  # scaled: L D
     inverses: list[Expression] = []
@@ -146,7 +146,7 @@ class Reflection:
 
 
 def reflect(k: int, r: Array, b: Array) -> Reflection | None:
-    """Reflect r and b, of as many rows; nothing is left below the diagonal in column k of r.
+    """Reflect r and b so that column k of r is zero below the diagonal.
 
     Columns of r before k have nothing there already. Returns the reflection; None where there was
     nothing to do.

@@ -94,7 +94,7 @@ class Graph:
         self._zero = self._one = -1
 
     def input(self, name: str, ready: int = 0, width: int = 1) -> Expression:
-        """Return the value that is called ``name`` where the graph is evaluated."""
+        """Return the input with the given name."""
         return self._node("input", (), name, ready, width)
 
     def constant(self, value: Any) -> Expression:
@@ -291,14 +291,14 @@ class Graph:
         return self._node("max", (min(a.index, b.index), max(a.index, b.index)))
 
     def _by_lanes(self, function: Callable[..., Expression], *args: Expression) -> Expression:
-        """A function of the runtime, which takes single numbers, of each lane."""
+        """A function of the runtime on single numbers, for each lane."""
         width = max(a.node.width for a in args)
         return self.pack([function(*(self.lane(a, k) for a in args)) for k in range(width)])
 
     def _node(
         self, op: Op, args: tuple[int, ...], value: Any = None, ready: int = 0, width: int = 0
     ) -> Expression:
-        """Return a value, the one that is there if it is; without a width, as wide as its args."""
+        """Return a value, an existing one if it is equal; by default as wide as its args."""
         key = (op, args, (value, width) if op == "input" else value)
         index = self._known.get(key)
         if index is None:
@@ -322,7 +322,7 @@ class Graph:
 
 
 class Expression:
-    """A value of a graph, to calculate with: +, -, * with other expressions and plain numbers."""
+    """A value of a graph with operators: +, -, * with other expressions and plain numbers."""
 
     __slots__ = ("graph", "index")
 
@@ -337,12 +337,12 @@ class Expression:
 
     @property
     def constant(self) -> Any:
-        """Its value if that is known beforehand (fmpq; a tuple where it is wide), else None."""
+        """Its value if it is a constant (fmpq; a tuple where it is wide), else None."""
         return self.graph._constants[self.index]
 
     @property
     def negated(self) -> Expression | None:
-        """What it is the negative of, if it is a negation."""
+        """Its operand, if it is a negation."""
         index = self.graph._negated[self.index]
         return Expression(self.graph, index) if index >= 0 else None
 
@@ -400,13 +400,13 @@ def _lanewise(operation: Callable[[Any, Any], Any], x: Any, y: Any) -> Any:
 
 
 def _is_negative(x: Any) -> bool:
-    """Whether a constant is written as the negative of another: its first number but zeros is."""
+    """Whether a constant is written as the negative of another: its first nonzero number is."""
     first = next((a for a in x if a != 0), 0) if isinstance(x, tuple) else x
     return bool(first < 0)
 
 
 def _shortened(value: Any, p: int, q: int) -> Any:
-    """A rational number that has grown out of hand, to 256 bits: far more than any scalar keeps.
+    """A rational number of excessive length, rounded to 256 bits: far more than any scalar keeps.
 
     Args:
         value: p / q in lowest terms.

@@ -12,7 +12,7 @@ from typing import Any, ClassVar
 
 
 class Number:
-    """A double, and whether it is known beforehand; calculates as ``Expression`` does."""
+    """A double, and whether it is a constant; calculates as ``Expression`` does."""
 
     __slots__ = ("known", "x")
     graph: ClassVar[Numbers]
@@ -29,7 +29,7 @@ class Number:
 
     @property
     def constant(self) -> float | None:
-        """Its value if that is known beforehand, else None."""
+        """Its value if it is a constant, else None."""
         return self.x if self.known else None
 
     def __add__(self, other: Any) -> Number:
@@ -93,7 +93,7 @@ class Numbers:
 
     @staticmethod
     def constant(value: Any) -> Number:
-        """Return a number that is known beforehand."""
+        """Return a constant."""
         return Number(float(value), known=True)
 
     @staticmethod

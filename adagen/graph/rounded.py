@@ -12,7 +12,7 @@ from adagen.graph.nodes import Expression, Graph
 
 
 class RoundedGraph(Graph):
-    """A graph that has the same values to the last bit, whatever of them is known beforehand.
+    """A graph with the same values to the last bit, whichever of them are constants.
 
     Each constant is a number of the scalar, so that what is folded is rounded operation by
     operation, as it is where the same operation is done at run time.

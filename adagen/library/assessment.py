@@ -24,7 +24,7 @@ from adagen.urdf.notes import quoted
 
 @dataclass(frozen=True)
 class Assessed:
-    """What a schedule comes to, for one state at a time.
+    """Predictions for a schedule, for one state at a time.
 
     Attributes:
         schedule: which process computes what.
@@ -41,7 +41,7 @@ class Assessed:
 
 @dataclass(frozen=True)
 class Loss:
-    """Few digits that are predicted of a solver.
+    """A prediction of few digits.
 
     Attributes:
         digits: right decimal digits, 0 or more.
@@ -57,7 +57,7 @@ class Loss:
 
 
 def assessed(model: Model, schedule: Schedule, request: Request) -> Assessed:
-    """Return what a schedule comes to.
+    """Return the predictions for a schedule.
 
     Raises:
         InputError: the robot cannot be treated in the form asked for.
@@ -81,7 +81,7 @@ def assessed(model: Model, schedule: Schedule, request: Request) -> Assessed:
 
 
 def loss(plan: Plan, model: Model, request: Request) -> Loss | None:
-    """Return what is lost where what is emitted is predicted to keep few digits; else None.
+    """Return the loss if the emitted code is predicted to keep few digits; else None.
 
     Raises:
         InputError: it keeps none: a factorization fails already here.

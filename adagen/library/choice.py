@@ -19,7 +19,7 @@ MOST_CORES = 16
 
 @dataclass(frozen=True)
 class Chosen:
-    """A schedule, and what it was preferred to.
+    """A schedule, and the alternatives to it.
 
     Attributes:
         schedule: which process computes what.
@@ -39,7 +39,7 @@ class Chosen:
 
 
 def choose(model: Model, request: Request, *, left_open: bool = False) -> Chosen:
-    """Return the schedule that a request asks for.
+    """Return the schedule for a request.
 
     Args:
         model: the robot.

@@ -36,7 +36,7 @@ def command_of(origin: Origin, request: Request, folder: Path) -> list[str]:
 
 
 def robot_words(origin: Origin, folder: Path) -> Iterator[str]:
-    """Yield the words of a command that name a robot, and how it is read; paths from a folder."""
+    """Yield the arguments of a command that name a robot and its reading; paths from a folder."""
     model = _seen_from(folder, origin.path)
     yield model if not model.startswith("-") else f"./{model}"
     for name in ("floating", "mimic", "strict"):
@@ -79,7 +79,7 @@ def _seen_from(folder: Path, path: Path) -> str:
 
 
 def with_command(source: str, command: list[str], inputs: Iterable[str] = ()) -> str:
-    """Return an emitted source with a command in its head, and lines on what it reads."""
+    """Return an emitted source with a command in its head, and lines about its inputs."""
     text = shlex.join(command)
     if not (text.isascii() and text.isprintable()):
         text = json.dumps(text)
@@ -101,7 +101,7 @@ def command_in(source: str) -> list[str] | None:
 
 
 def refuse_another(path: Path, source: str) -> None:
-    """Refuse to write a source in place of one that was made of another robot.
+    """Refuse to overwrite a source that was made of another robot.
 
     A robot is another one where neither the place of its description nor the description is the
     same. Refused, too, is a source beside another one whose C functions have the same names.

@@ -11,7 +11,7 @@ _WIDTH = 160
 
 
 def differences(found: Mapping[str, bytes], expected: Mapping[str, bytes]) -> list[str]:
-    """Return in lines what is missing, stale and different; none where nothing is.
+    """Return as lines what is missing, stale or different; none if nothing is.
 
     Args:
         found: path to content, of the files that are there.

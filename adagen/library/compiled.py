@@ -184,7 +184,7 @@ def compile(robot: Robot, procs: int = 1, **asked: Any) -> Compiled:  # noqa: A0
 
 
 def compiled(robot: Robot, request: Request) -> Compiled:
-    """Return the solver of a robot that a request asks for.
+    """Return the solver of a robot for a request.
 
     Raises:
         InputError: the robot cannot be solved in this way.
@@ -232,7 +232,7 @@ def planned(model: Model, schedule: Schedule, request: Request, source_hash: str
 
 
 def shape_of(plan: Plan, request: Request) -> str:
-    """Return the shape that a request leaves to a plan: "auto" for the fastest."""
+    """Return the shape of a request, "auto" for the fastest."""
     if request.batch or request.refinement:
         return request.shape
     return suited_shape(request.objective, plan, request.shape)
@@ -241,7 +241,7 @@ def shape_of(plan: Plan, request: Request) -> str:
 def emitted(
     model: Model, origin: Origin, schedule: Schedule, plan: Plan, request: Request
 ) -> Compiled:
-    """Return all that is emitted of a plan; nothing is written.
+    """Return all emitted files of a plan; nothing is written.
 
     Args:
         model: the robot.

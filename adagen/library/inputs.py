@@ -34,7 +34,7 @@ class Input:
 
 
 def inputs_of(origin: Origin, request: Request) -> tuple[Input, ...]:
-    """Return what a solver is made from, as it is now in its files; all of them have been read."""
+    """Return the inputs of a solver as they are now in their files, which have been read."""
     return tuple(_inputs(origin, request))
 
 

@@ -10,7 +10,7 @@ from adagen.reference.closed import constraints
 
 
 def open_by(model: Model, number: int, q: ArrayLike, v: ArrayLike, *, opens: bool) -> str:
-    """Return by how much a loop is open, or how fast it opens; nothing where it is closed.
+    """Return how far a loop is open, or how fast it opens; empty where it is closed.
 
     Args:
         model: the robot.

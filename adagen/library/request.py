@@ -15,7 +15,7 @@ MOST_PROCESSES = 1024
 
 @dataclass(frozen=True)
 class Request:
-    """How a robot is to be compiled; the words are those of the command line.
+    """The options of a compilation, with the names of the command line.
 
     Attributes:
         procs: processes that share the robot, or the states of a batch.
@@ -77,7 +77,7 @@ class Request:
     loop_forces: bool = False
 
     def __post_init__(self) -> None:
-        """Refuse what cannot be had, whatever the robot.
+        """Refuse invalid options and combinations, for any robot.
 
         Raises:
             UsageError: a word is none of those known, or two exclude each other.
@@ -113,7 +113,7 @@ class Request:
             self._check_bare()
 
     def _check_certified(self) -> None:
-        """Refuse what is not certified beside them.
+        """Refuse options that cannot be combined with --certify.
 
         Raises:
             UsageError: it is asked for, too.
@@ -128,7 +128,7 @@ class Request:
                 )
 
     def _check_bare(self) -> None:
-        """Refuse what reproducible solvers do not have."""
+        """Refuse options that cannot be combined with --reproducible."""
         for name, asked in (("runtime", self.runtime), ("target", self.target != "host")):
             if asked:
                 raise UsageError(
@@ -148,7 +148,7 @@ class Request:
 
     @property
     def may_gather(self) -> bool:
-        """Whether processes may gather: shape kernels alone knows how to.
+        """Whether processes may gather, which only shape kernels and straight lines support.
 
         Who asks for a strategy or a split asks for the paper's way to meet.
         """
@@ -168,7 +168,7 @@ class Request:
 
     @property
     def priced_shape(self) -> str:
-        """The shape that a prediction is of: what is asked for, or comes with other wishes."""
+        """The shape of a prediction: the requested one, or the one that other options need."""
         if self.reproducible:
             return "unrolled"
         if self.batch:

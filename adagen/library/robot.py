@@ -20,7 +20,7 @@ from adagen.urdf import Reading, check_reduced, expanded_bytes, read_robot
 
 @dataclass(frozen=True)
 class Origin:
-    """Where a robot comes from, and how it is read.
+    """The file of a robot, and the options of its reading.
 
     Attributes:
         path: of the URDF, of the file in xacro that it is made of, or of the MJCF.
@@ -146,7 +146,7 @@ def robot_of(origin: Origin) -> Robot:
 
 
 def read_whole(origin: Origin) -> tuple[Reading, Scene | None]:
-    """Return a robot as it is described, and the scene that is to be made of it.
+    """Return a robot as described, and its scene.
 
     Raises:
         InputError: the description, the scene or the loops are refused.
@@ -186,7 +186,7 @@ def read_whole(origin: Origin) -> tuple[Reading, Scene | None]:
 
 
 def _with_frame_pairs(reading: Reading, path: Path, *, check: bool) -> Reading:
-    """Return what was read, closed by the frame pairs of a file."""
+    """Return the robot with loops closed by the frame pairs of a file."""
     from adagen.scene.pairs import read_pairs, with_pairs
 
     pairs = read_pairs(path)

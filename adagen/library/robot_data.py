@@ -15,7 +15,7 @@ from adagen.states import States, resting_states
 
 
 def robot_data(model: Model) -> dict[str, Any]:
-    """Return what a model is as plain data: joints in order, places in q and v, masses (kg, m)."""
+    """Return a model as plain data: joints in order, indices in q and v, masses (kg, m)."""
     return {
         "name": model.name,
         "floating": model.floating,

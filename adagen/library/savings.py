@@ -24,7 +24,7 @@ from adagen.urdf.mobility import weakest
 
 
 def accuracy(plan: Plan, whole: Plan | None, reduction: Reduction, request: Request) -> list[str]:
-    """Return lines on what a scene costs in accuracy: digits, and where it does not hold.
+    """Return lines about the accuracy of a scene: digits, and errors where it does not hold.
 
     Args:
         plan: of what is left.
@@ -48,7 +48,7 @@ def accuracy(plan: Plan, whole: Plan | None, reduction: Reduction, request: Requ
 def predicted_savings(
     plan: Plan, schedule: Schedule, reduction: Reduction, request: Request
 ) -> tuple[str, Plan | None]:
-    """Return a line on what a scene leaves and saves, and how the whole robot would be solved.
+    """Return a line about what a scene leaves and saves, and the plan of the whole robot.
 
     Args:
         plan: of what is left.
@@ -68,7 +68,7 @@ def predicted_savings(
 
 
 def counted(plans: Sequence[Plan]) -> list[int]:
-    """Return the arithmetic of plans: of their straight lines, where all are emitted so.
+    """Return the operations of plans: of their straight lines, where all are emitted so.
 
     These fold what is zero in every state, of a robot at rest above all; an operation in lanes
     counts as one. Otherwise it is that of the algorithm's steps.
@@ -82,7 +82,7 @@ def counted(plans: Sequence[Plan]) -> list[int]:
 def _whole(
     reduction: Reduction, processes: int, request: Request, profile: CostProfile
 ) -> tuple[Plan, Schedule] | None:
-    """Return how the whole robot is solved by as many processes; None where it has no answer."""
+    """Return the plan of the whole robot on as many processes; None where it has no answer."""
     full = reduction.full
     held = full.closed or any(joint.mimic for joint in full.joints)
     if not full.joints or (weakest(full).singular and not held):

@@ -26,7 +26,7 @@ KNOWN = ("auto", *get_args(Named))
 
 
 def schedule_of(model: Model, request: Request) -> Schedule:
-    """Return the schedule of a robot that a request asks for.
+    """Return the schedule of a robot for a request.
 
     Raises:
         InputError: the profile or the schedule file is refused.
@@ -47,7 +47,7 @@ def schedule_of(model: Model, request: Request) -> Schedule:
 
 
 def searched(model: Model, request: Request) -> Schedule:
-    """Return the schedule that is searched, or of the name that is asked for.
+    """Return the schedule that is searched, or the named one.
 
     Raises:
         InputError: the profile is refused, or the robot cannot be treated in this form.
@@ -70,7 +70,7 @@ def searched(model: Model, request: Request) -> Schedule:
 
 
 def _best(model: Model, request: Request, profile: CostProfile) -> Schedule:
-    """The best schedule of answers that are not certified."""
+    """The best schedule without certificates."""
     return schedule_for(
         request.objective,
         model,
@@ -90,7 +90,7 @@ def _best(model: Model, request: Request, profile: CostProfile) -> Schedule:
 
 
 def _named(model: Model, request: Request, profile: CostProfile) -> Schedule:
-    """Return the schedule of the name that is asked for.
+    """Return the named schedule.
 
     Raises:
         InputError: the robot has no joint at which anything could be joined.
@@ -108,7 +108,7 @@ def _named(model: Model, request: Request, profile: CostProfile) -> Schedule:
 
 
 def given_schedule(model: Model, request: Request) -> Schedule:
-    """Return the schedule in the file that is asked for.
+    """Return the schedule in the given file.
 
     Raises:
         InputError: the file is refused.

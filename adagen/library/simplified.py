@@ -23,7 +23,7 @@ MANY = 100
 
 
 def simplifications(reduction: Reduction) -> Iterator[Simplification]:
-    """Yield what locking, leaving gravity out and taking velocities for zero do, each by itself.
+    """Yield the errors of locking joints, omitting gravity and zero velocities, one by one.
 
     Random states of the whole robot are solved with and without, in double precision by composite
     rigid bodies. Robots with loops, slaved joints or prescribed motions are not compared.
@@ -63,7 +63,7 @@ def _bare(model: Model) -> Model:
 
 
 def _unlocked(full: Model, model: Model, reduction: Reduction) -> list[tuple[Array, Array]]:
-    """Accelerations of joints that are left, with the others locked and free."""
+    """Accelerations of the remaining joints, with the others locked and free."""
     drawn = random_states(full, STATES, 1)
     names = {joint.name: j for j, joint in enumerate(full.joints)}
     left = [names[joint.name] for joint in model.joints]
@@ -80,7 +80,7 @@ def _unlocked(full: Model, model: Model, reduction: Reduction) -> list[tuple[Arr
 
 
 def _entries(model: Model, joints: list[int], vector: str) -> list[int]:
-    """Entries that joints have of q, or of v."""
+    """Entries of joints in q, or in v."""
     starts = model.q_start if vector == "q" else model.v_start
     counts = [getattr(model.joints[j].kind, "nq" if vector == "q" else "nv") for j in joints]
     return [starts[j] + k for j, count in zip(joints, counts, strict=True) for k in range(count)]

@@ -92,10 +92,10 @@ class Solver:
             """Return the bounds of the last call, shape () or (S,); None where there are none."""
 
         def _set(self, first: int, numbers: ArrayLike) -> None:
-            """Set numbers of what can be set at run time, from the one numbered first on."""
+            """Set run-time numbers, from the one numbered first on."""
 
     def _how_far(self, place: int, opens: int, q: NDArray[Any], v: NDArray[Any]) -> str:
-        """Return what follows a failure's words where a loop is open: by how much.
+        """Return how far a loop is open, to add to a failure's message.
 
         Args:
             place: of the loop or coupling, numbered behind all joints.
@@ -180,7 +180,7 @@ class Solver:
         self._put("center", given, link)
 
     def _put(self, what: str, numbers: NDArray[Any], link: str = "") -> None:
-        """Set what can be set at run time."""
+        """Set the run-time parameters."""
         plan = self.compiled.plan
         for parameter in plan.parameters:
             if (parameter.what, parameter.name) == (what, link):
@@ -219,7 +219,7 @@ class Solver:
         return self.compiled.model.ntau
 
     def force(self, name: str) -> int | slice:
-        """Return where the force of a loop or coupling is in what is returned.
+        """Return the index of a loop's or coupling's force in the answer.
 
         The robot was compiled with ``loop_forces=True``. A loop's is [force; moment] on its link 2
         at frame 2, in the axes of frame 2, N and N m; a coupling's the effort along a coordinate of
@@ -246,11 +246,11 @@ class Solver:
 
     @property
     def dtype(self) -> np.dtype[Any]:
-        """The type of its numbers; others are converted."""
+        """The number type; arrays of others are converted."""
         return np.dtype(np.float32 if self.compiled.request.scalar == "float" else np.float64)
 
     def index(self, joint: str, of: Part = "q") -> int | slice:
-        """Return the place of a joint in q or another vector: an index, or a slice.
+        """Return the index or slice of a joint in q or another vector.
 
         Args:
             joint: its name.
@@ -295,7 +295,7 @@ class Solver:
         return packed
 
     def _place(self, name: str, of: Part) -> tuple[int, int]:
-        """Where a joint begins in a vector, and how many numbers it has there."""
+        """The first index and the size of a joint in a vector."""
         model = self.compiled.model
         names = self.joints
         if name not in names:
@@ -337,7 +337,7 @@ def _part(of: str) -> str:
 
 
 def built(compiled: Compiled, toolchain: Toolchain | None = None) -> Solver:
-    """Return the solver of what was compiled, built now or found in the cache.
+    """Return the compiled solver, built now or found in the cache.
 
     Raises:
         UsageError: it is for several processes.
@@ -359,7 +359,7 @@ def built(compiled: Compiled, toolchain: Toolchain | None = None) -> Solver:
 
 
 def _again(compiled: Compiled, parameters: NDArray[np.float64], keeps_lock_below: int) -> Solver:
-    """Return another solver of what was compiled, with the same set at run time."""
+    """Return another solver with the same run-time parameters."""
     solver = built(compiled)
     solver.keeps_lock_below = keeps_lock_below
     if len(parameters):
@@ -369,7 +369,7 @@ def _again(compiled: Compiled, parameters: NDArray[np.float64], keeps_lock_below
 
 
 def _with_python(toolchain: Toolchain) -> Toolchain:
-    """Return the toolchain with what makes extensions of this Python."""
+    """Return the toolchain with the options for extensions of this Python."""
     python = Path(sysconfig.get_path("include"))
     if not (python / "Python.h").is_file():
         raise EnvironmentFault(

@@ -13,7 +13,7 @@ from adagen.schedule import load_profile
 
 
 def tuned(plan: Plan, request: Request, progress: Progress) -> list[Trial]:
-    """Return what became of all ways to emit a plan, the fastest on this machine first.
+    """Return all timed variants of a plan, the fastest on this machine first.
 
     Args:
         plan: what each process computes.
@@ -41,7 +41,7 @@ def tuned(plan: Plan, request: Request, progress: Progress) -> list[Trial]:
 
 
 def _shapes(plan: Plan, request: Request) -> list[str]:
-    """What is worth trying."""
+    """The shapes to try."""
     if request.shape != "auto":
         return [chosen_shape(plan, request.shape)]
     if request.refinement:

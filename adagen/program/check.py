@@ -36,11 +36,11 @@ from adagen.program.types import Links, Operation, Program
 
 
 class ProgramError(Exception):
-    """A program that would compute something else than its plan says, or nothing at all."""
+    """A program that would compute something else than its plan, or nothing at all."""
 
 
 def check(program: Program) -> None:
-    """Check a program, what recovers from a singular pose included.
+    """Check a program, its recovery steps included.
 
     Raises:
         ProgramError: it is not well formed; the message names the process and the operation.
@@ -72,7 +72,7 @@ def _check_owners(plan: Plan) -> None:
 def _check_run(
     plan: Plan, operations: Sequence[Sequence[Operation]], placed: Collection[int]
 ) -> None:
-    """Let each process run as far as messages have come, until all are done."""
+    """Run each process as far as messages have come, until all are done."""
     mail: set[int] = set()
     received: set[int] = set()
     runs = joined_runs(plan)
@@ -101,7 +101,7 @@ def _check_run(
 
 
 class _Memory:
-    """What one process has set, and whether it has been read since."""
+    """The buffers that one process has set, and whether they have been read since."""
 
     def __init__(
         self, plan: Plan, p: int, runs: dict[int, tuple[int, ...]], placed: Collection[int]
@@ -194,7 +194,7 @@ class _Memory:
         return True
 
     def _needed(self, operation: Operation) -> Iterator[tuple[str, int]]:
-        """What must have been prepared for an operation of loops."""
+        """The buffers that an operation of loops needs."""
         for step in operation.steps:
             match step, operation.method:
                 case Kinematics(), "each" | "strips" | "traversed" | "lanes" | "base":
@@ -231,7 +231,7 @@ class _Memory:
             self.left[link] = False
 
     def _used_up(self, step: Step) -> tuple[int, ...]:
-        """Links whose inertia a step reads."""
+        """Links whose inertia a step uses up."""
         match step:
             case Articulate():
                 return (ends_of(self.plan.joints, step.joint, step.reversed).far,)
@@ -240,7 +240,7 @@ class _Memory:
         return ()
 
     def _left_at(self, operation: Operation) -> tuple[int, ...]:
-        """Links at which an operation leaves an inertia, as ``first`` has them."""
+        """Links at which an operation adds an inertia, as ``first`` has them."""
         match operation.does, operation.block:
             case _ if not operation.first:
                 return ()

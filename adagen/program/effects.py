@@ -76,7 +76,7 @@ Place = Block | Bias | Force | Passage | tuple[str, int]
 
 @dataclass(frozen=True)
 class Effects:
-    """Places that something touches.
+    """The buffers that a step reads, sets or adds to.
 
     Attributes:
         reads: must have been set.
@@ -106,13 +106,13 @@ _OfLink = (
 
 
 def joined_runs(plan: Plan) -> dict[int, tuple[int, ...]]:
-    """Return the joints that each join puts together, by the joint that it is named by."""
+    """Return the joints of each join, by the joint that names it."""
     joins = plan.steps_of(Join)
     return {j.joint: j.run if isinstance(j, FusedJoin) else (j.joint,) for j in joins}
 
 
 def effects(plan: Plan, process: int, step: Step, runs: Mapping[int, tuple[int, ...]]) -> Effects:
-    """Return what a step that is no message reads and sets.
+    """Return the effects of a step that is no message.
 
     Args:
         plan: the plan.
@@ -175,7 +175,7 @@ def _of_joint(
 
 
 def _passed(step: Traverse | Append | Arrive) -> Effects:
-    """Of a step that is about how runs of joints move their last links."""
+    """Effects of a step about passages."""
     match step:
         case Traverse():
             return Effects(sets=(step.passage,))
@@ -216,7 +216,7 @@ def _of_link(step: _OfLink) -> Effects:
 
 
 def _closed(plan: Plan, process: int, step: ClosedStep) -> Effects:
-    """Of a step of closed loops."""
+    """Effects of a step of closed loops."""
     reads: tuple[Place, ...]
     match step:
         case CloseLoop():
@@ -250,7 +250,7 @@ def _closed(plan: Plan, process: int, step: ClosedStep) -> Effects:
 
 
 def _parts(plan: Plan, processes: Iterable[int], closure: int) -> tuple[tuple[str, int], ...]:
-    """What some processes add to a closure before it is eliminated."""
+    """Contributions of processes to a closure before it is eliminated."""
     found: dict[tuple[str, int], None] = {}
     for p in processes:
         for step in plan.processes[p].steps:
@@ -267,7 +267,7 @@ def _parts(plan: Plan, processes: Iterable[int], closure: int) -> tuple[tuple[st
 
 
 def _certify(plan: Plan, step: Certify | Refine) -> Effects:
-    """The links' motions, and the factors of all joints that do not float on the ground.
+    """Effects of a certificate: it reads motions, and the factors of all joints but floating bases.
 
     Of closed loops the answer's correction, which was found with these.
     """
@@ -290,13 +290,13 @@ def _certify(plan: Plan, step: Certify | Refine) -> Effects:
 
 
 def _held(plan: Plan, step: Certify) -> list[int]:
-    """Links that the ground holds for whoever finishes a certificate."""
+    """Links on the ground's side that the process finishing a certificate needs."""
     held = plan.processes[0].steps_of(HoldMobility, LoadRoot)
     return sorted({each.link for each in held}) if step.hears else []
 
 
 def _correct(plan: Plan, step: Correct) -> Effects:
-    """The answer with the corrections before; messages part a correction in pieces."""
+    """Effects of a correction; messages divide a correction into pieces."""
     place = (("correction", step.round),)
     if step.first > 0:
         return Effects(alters=place)
@@ -307,7 +307,7 @@ def _correct(plan: Plan, step: Correct) -> Effects:
 
 
 def contents(message: Message) -> tuple[Place, ...]:
-    """Return the places that a message holds, but for inertias, which its target adds."""
+    """Return the buffers in a message, without inertias, which its target adds."""
     if message.sweep == "torques":
         return (("torques", 0),)
     if message.sweep == ENERGIES:
@@ -333,12 +333,12 @@ def added_by(message: Message) -> tuple[int, ...]:
 
 
 def _moving(*places: tuple[str, int]) -> tuple[Place, ...]:
-    """Those places that are not of the ground."""
+    """The buffers that do not belong to the ground."""
     return tuple(place for place in places if place[1] > 0)
 
 
 def _across(plan: Plan, step: Articulate | Propagate | Deliver | Accelerate) -> Effects:
-    """Of a step that takes something across a joint."""
+    """Effects of a step across a joint."""
     j = step.joint
     ends = ends_of(plan.joints, j, step.reversed)
     reads: tuple[Place, ...]
@@ -382,7 +382,7 @@ def _disassemble(step: Disassemble, run: Sequence[int]) -> Effects:
 
 
 def _coupled(plan: Plan) -> tuple[Place, ...]:
-    """Accelerations of slaved joints and of those that they follow."""
+    """Accelerations of slaved joints and their sources."""
     found: dict[Place, None] = {}
     for slaved in plan.slaved:
         mimic = plan.joints[slaved].mimic
@@ -395,7 +395,7 @@ def _coupled(plan: Plan) -> tuple[Place, ...]:
 
 
 def _between_ends(plan: Plan) -> Iterator[Place]:
-    """Accelerations of joints between ends of loops, and what their rows are."""
+    """Accelerations of joints between ends of loops, and their rows."""
     for k, loop in enumerate(plan.loops):
         yield "loop", k
         ways = [plan.paths([link - 1]) for link in (loop.link1, loop.link2)]

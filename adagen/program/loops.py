@@ -50,7 +50,7 @@ from adagen.schedule.costs import StepCosts
 
 
 class Loops:
-    """Puts the steps of one process together.
+    """Combines the steps of one process to operations over runs, limbs and links.
 
     Args:
         plan: the plan.
@@ -145,7 +145,7 @@ class Loops:
         )
 
     def _first(self, link: int) -> bool:
-        """Whether what is to be left at a link is the first there."""
+        """Whether an inertia is the first one at its link."""
         first = link not in self.holding
         self.holding.add(link)
         return first
@@ -191,7 +191,7 @@ class Loops:
             self._add(step.does, run, "step", [step])
 
     def _link_inertias(self, steps: list[StartLink]) -> None:
-        """Set all links up at the first of these: links that lie in one block are set up at once.
+        """Set up links when the first one of their blocks is needed: a block is set up at once.
 
         Set up again later, they would lose the outer forces that act on them.
         """
@@ -254,7 +254,7 @@ class Loops:
             self._add("articulate", unit, self._method(unit), own, [self._first(self._near(unit))])
 
     def _find_parts(self, swept_inwards: Sequence[Limbs | Run]) -> None:
-        """Note which of the runs are parts that fill SIMD lanes from one end to the other."""
+        """Find the runs that are parts of one run in all SIMD lanes."""
         if self.batch or not self.once or self.plan.weighed:
             return
         units = {unit for unit in swept_inwards if not isinstance(unit, Limbs)}
@@ -272,7 +272,7 @@ class Loops:
                 self.parted[run] = parts
 
     def _carried(self) -> set[Run]:
-        """Runs whose mobility is found at the far link only."""
+        """Runs whose mobility is needed at the far link only."""
         found: set[Run] = set()
         for kind, steps in groupby(self.process.steps, type):
             if kind is Propagate:
@@ -289,7 +289,7 @@ class Loops:
         return "turned" if self._is_turned(run) else "each"
 
     def _is_turned(self, run: Run) -> bool:
-        """Whether bodies are expressed in their own axes at links that a run takes them from."""
+        """Whether a run reads bodies in the links' own axes."""
         if self.joints[run.first].prescribed:
             return False
         far = {link - 1 for link in links_of_run(self.joints, run) if run.reversed}
@@ -307,7 +307,7 @@ class Loops:
         return pays_columns(self.joints, run, self.costs)
 
     def _set_up_columns(self, links: set[int]) -> None:
-        """Set those links up by columns that are not yet, and with them what lies among them."""
+        """Set up the links of a run by columns that are not yet, and those among them."""
         wanted = links - self.by_columns
         if not wanted:
             return
@@ -335,7 +335,7 @@ class Loops:
                 self._add("propagate", None, "step", run)
 
     def _passed_through(self) -> frozenset[int]:
-        """Links inside of runs that handle forces are delivered through, and that have none."""
+        """Links inside runs through which handle forces pass, without forces of their own."""
         delivered = [step for step in self.process.steps if isinstance(step, Deliver)]
         inside: set[int] = set()
         ends: set[int] = set()
@@ -368,7 +368,7 @@ class Loops:
             self._add("deliver", run, method, (by_joint[j] for j in _inwards(run)))
 
     def _accelerated(self) -> set[Run]:
-        """Runs whose joints' accelerations are all found in one pass."""
+        """Runs whose accelerations are all computed in one pass."""
         steps = [step for step in self.process.steps if isinstance(step, Accelerate)]
         units = units_of_sweep(self.joints, steps, self.limbs, outward_order)
         return {u for u in units if isinstance(u, Run) and self.needed.issuperset(u.joints())}
@@ -406,6 +406,6 @@ class Loops:
 
 
 def _inwards(run: Run) -> Iterator[int]:
-    """The joints of a run as they are swept inwards: towards the root of the sweep."""
+    """The joints of a run in the order of the inward sweep."""
     joints = range(run.first, run.last + 1)
     return iter(joints if run.reversed else reversed(joints))

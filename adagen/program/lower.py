@@ -29,7 +29,7 @@ def lower(
     costs: StepCosts | None = None,
     again: bool = False,
 ) -> Program:
-    """Return the program of a plan in a shape; ``adagen.cost.programmed`` finds the fastest one.
+    """Return the program of a plan in a shape (``adagen.cost.programmed``: the fastest one).
 
     Args:
         plan: what each process computes.

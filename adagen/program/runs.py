@@ -18,7 +18,7 @@ OF_ONE_FREEDOM = ("revolute", "prismatic")
 
 @dataclass(frozen=True)
 class Run:
-    """Joints ``first`` .. ``last``, each on the link of the one before, passed in one direction."""
+    """Joints ``first`` .. ``last``, each on the link of the one before, in one direction."""
 
     first: int
     last: int
@@ -35,7 +35,7 @@ class Run:
 
 
 def runs(joints: Sequence[PlanJoint], order: Iterable[int]) -> list[Run]:
-    """Return the runs of joints passed outwards in an order."""
+    """Return the runs of joints in an outward order."""
     found: list[Run] = []
     for j in order:
         if found and found[-1].last == j - 1 and joints[j].parent == j:
@@ -47,7 +47,7 @@ def runs(joints: Sequence[PlanJoint], order: Iterable[int]) -> list[Run]:
 
 @dataclass(frozen=True)
 class Outward:
-    """A run passed outwards: with what its joints are treated with later, or only on the way."""
+    """A run of the outward sweep: its own joints, or joints on the path to these."""
 
     run: Run
     treated: bool
@@ -59,7 +59,7 @@ def outward_units(
     limbs: Sequence[Limbs],
     treated: Iterable[int],
 ) -> Iterator[Limbs | Outward]:
-    """Limbs side by side, and the runs between them, as joints are passed outwards.
+    """Limbs side by side, and the runs between them, in outward order.
 
     What floats on the ground is left out: its frame is its own.
 
@@ -118,7 +118,7 @@ def swept(
 
 
 def _alone(joints: Sequence[PlanJoint], run: Run, joint: int) -> bool:
-    """Whether a joint cannot be passed in a loop with a run."""
+    """Whether a joint cannot be in a loop with others."""
     return joints[joint].prescribed or joints[run.first].prescribed
 
 
@@ -129,12 +129,12 @@ def ends_of_run(joints: Sequence[PlanJoint], run: Run) -> tuple[int, int]:
 
 
 def links_of_run(joints: Sequence[PlanJoint], run: Run) -> list[int]:
-    """Return the links that a run passes, its ends too."""
+    """Return the links of a run, its ends included."""
     return [joints[run.first].parent, *range(run.first + 1, run.last + 2)]
 
 
 def pays_columns(joints: Sequence[PlanJoint], run: Run, costs: StepCosts) -> bool:
-    """Whether a run takes less by columns than number by number, the way there and back included.
+    """Whether a run is cheaper by columns than number by number, conversions included.
 
     By columns a joint of one freedom takes a few instructions for each column; spherical ones are
     less work number by number, and prescribed ones have no other way. See

@@ -17,7 +17,7 @@ from adagen.schedule.costs import StepCosts
 
 @dataclass(frozen=True)
 class Slots:
-    """The slots of all joints, and what is computed side by side.
+    """The slots of all joints, and the limbs side by side.
 
     Attributes:
         slots: of each joint; the joint beyond which a link lies stands for the link too.
@@ -39,7 +39,7 @@ class Slots:
         return {limbs: k for k, limbs in enumerate(chain.from_iterable(self.limbs))}
 
     def block_kinds(self, of: Sequence[object], width: int) -> tuple[list[int], list[int]]:
-        """Which blocks hold equal constants: the kind of each, and the first block of each kind.
+        """Blocks with equal constants: the kind of each, and the first block of each kind.
 
         Args:
             of: what tells the constants of each joint.
@@ -79,7 +79,7 @@ class Slots:
 
     @staticmethod
     def plainly(plan: Plan) -> Slots:
-        """Every joint at its own number, nothing side by side."""
+        """Slots equal to joint numbers, without limbs side by side."""
         count = len(plan.joints)
         return Slots(tuple(range(count)), count, ((),) * len(plan.processes), ())
 
@@ -138,7 +138,7 @@ def _packed(plan: Plan, joints: list[int], first: int) -> list[int]:
 
 
 def _lay_strips(in_strips: Iterable[Run], width: int, slots: list[int]) -> int:
-    """Give the joints of runs in strips their slots, and return the first one that is left."""
+    """Assign slots to the joints of runs in strips, and return the first free slot."""
     next_ = 0
     for run in in_strips:
         own_slots = slots_of(run, width)
@@ -155,5 +155,5 @@ _WIDEST = 16  # joints in the widest block: two apart by less may share one
 
 
 def _up(slot: int, width: int) -> int:
-    """Return where the next block begins."""
+    """Return the start of the next block."""
     return -(-slot // width) * width

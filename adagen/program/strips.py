@@ -26,7 +26,7 @@ _FEWEST_ROWS = 2  # in which strips are passed: one after the other is no strip
 
 
 def runs_in_strips(plan: Plan, limbs: Sequence[Sequence[Limbs]], costs: StepCosts) -> list[Run]:
-    """Return the runs that every process that passes them outwards passes in strips.
+    """Return the runs that all processes compute outwards in strips.
 
     Args:
         plan: what is carried out.
@@ -54,13 +54,13 @@ def runs_in_strips(plan: Plan, limbs: Sequence[Sequence[Limbs]], costs: StepCost
 
 
 def fits_strips(joints: Sequence[PlanJoint], run: Run, scalar: str) -> bool:
-    """Whether a run is of kinds that all lanes can take at once, and long enough for them."""
+    """Whether a run has kinds of joints that all lanes can share, and is long enough."""
     kinds = {joint.kind for joint in joints[run.first : run.last + 1]}
     return run.length >= _FEWEST_ROWS * LANES[scalar] and kinds <= KINDS
 
 
 def pays_strips(joints: Sequence[PlanJoint], run: Run, scalar: str, costs: StepCosts) -> bool:
-    """Whether a run takes less in strips than joint by joint."""
+    """Whether a run is cheaper in strips than joint by joint."""
     if not fits_strips(joints, run, scalar):
         return False
     kinds = [joint.kind for joint in joints[run.first : run.last + 1]]
@@ -72,7 +72,7 @@ def pays_strips(joints: Sequence[PlanJoint], run: Run, scalar: str, costs: StepC
 
 
 def _outward(plan: Plan, p: int, limbs: Sequence[Limbs]) -> Iterator[Run]:
-    """Yield the runs that a process passes outwards, joint by joint."""
+    """Yield the runs that a process computes outwards, joint by joint."""
     process = plan.processes[p]
     for kind, steps in groupby(process.steps, type):
         if kind is Kinematics:
@@ -83,12 +83,12 @@ def _outward(plan: Plan, p: int, limbs: Sequence[Limbs]) -> Iterator[Run]:
 
 
 def _traversed(plan: Plan) -> set[tuple[int, int]]:
-    """Runs whose motion is passed on as a whole, which nothing divides."""
+    """Runs whose passages are computed, which are not divided."""
     return {(step.passage.first, step.passage.last) for step in plan.steps_of(Traverse)}
 
 
 def slots_of(run: Run, lanes: int) -> list[int]:
-    """Return where the joints of a run lie, from its first slot on: rows of strips' k-th joints.
+    """Return the slots of a run's joints, from its first one on: rows of the strips' k-th joints.
 
     The last strips may be a joint shorter than the first.
     """
@@ -97,7 +97,7 @@ def slots_of(run: Run, lanes: int) -> list[int]:
 
 
 def split(run: Run, in_strips: Iterable[Run]) -> list[tuple[Run, bool]]:
-    """Part a run into those that are passed in strips, and the rest."""
+    """Divide a run into parts in strips and the rest."""
     found: list[tuple[Run, bool]] = []
     next_ = run.first
     for own in in_strips:

@@ -49,7 +49,7 @@ def gathering(program: Program) -> Gathering:
 
 
 def owners(program: Program) -> dict[str, int]:
-    """Return the process that gives the acceleration of each joint, by its name."""
+    """Return the process that outputs the acceleration of each joint, by its name."""
     by_joint = {j: p for p, process in enumerate(program.plan.processes) for j in process.owns}
     return {joint.name: by_joint[j] for j, joint in enumerate(program.plan.joints)}
 
@@ -60,7 +60,7 @@ def lanes(program: Program) -> list[tuple[int, Limbs]]:
 
 
 def groups(program: Program, process: int, *, whole: bool = False) -> list[str]:
-    """Return what a process treats, run by run and limbs by limbs, in words.
+    """Return the joints of a process, run by run and limbs by limbs, in words.
 
     Args:
         program: the program.
@@ -85,7 +85,7 @@ def _run_words(program: Program, run: Sequence[int], whole: bool) -> str:
 
 
 def title(program: Program) -> str:
-    """Return in a few words how many processes there are, and how they meet."""
+    """Return the number of processes and how they meet, in a few words."""
     count = len(program.plan.processes)
     if count == 1:
         return "1 process"
@@ -119,13 +119,13 @@ _NAMED = 4
 
 
 def named(names: list[str]) -> str:
-    """Return a few names, and how many more there are."""
+    """Return a few names, and the number of others."""
     more = f" and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
     return ", ".join(names[:_NAMED]) + more
 
 
 def program_text(program: Program) -> str:
-    """Return who does what in lines of text, for people."""
+    """Return the joints of each process as lines of text, for people."""
     lines = [title(program)]
     if program.shape == "unrolled":
         lines[0] += ", straight lines of statements"

@@ -58,7 +58,7 @@ Method = Literal[
 
 @dataclass(frozen=True)
 class Links:
-    """Links, or the joints above them, that one operation treats in no particular order."""
+    """Links, or the joints above them, that one operation computes in any order."""
 
     numbers: tuple[int, ...]
 
@@ -95,7 +95,7 @@ class Operation:
 
 @dataclass(frozen=True)
 class ProcessProgram:
-    """What one process runs.
+    """The operations of one process.
 
     Attributes:
         operations: in order.
@@ -110,7 +110,7 @@ class ProcessProgram:
 
 @dataclass(frozen=True)
 class Program:
-    """What runs.
+    """The operations of all processes, with the memory layout.
 
     Attributes:
         plan: the constants, messages, owners and steps that it carries out.

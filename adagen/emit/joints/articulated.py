@@ -23,7 +23,7 @@ def ends(symbols: Symbols, step: Articulate | Propagate | Deliver | Accelerate) 
 
 
 def of_link(symbols: Symbols, j: int, link: int) -> str:
-    """Where a link's part of the memory is, seen from a joint's function (``i`` is its own)."""
+    """A link's part of the memory, as named in a joint's function (``i`` is its own)."""
     return "i" if link == j + 1 else symbols.link_memory(link)
 
 
@@ -176,7 +176,7 @@ def free_acceleration(symbols: Symbols, step: FreeAcceleration) -> list[str]:
 
 
 def _free_force(symbols: Symbols, j: int) -> list[str]:
-    """The torque of a floating joint on the ground, all the force that it has."""
+    """The torque of a floating joint on the ground, which is its whole force."""
     if not symbols.refine:
         return []
     return [

@@ -15,7 +15,7 @@ def freedoms(symbols: Symbols, join: FusedJoin) -> int:
 
 
 def type_of(symbols: Symbols, join: FusedJoin) -> str:
-    """Return the C++ type that stands for a run as a joint."""
+    """Return the C++ type of a run as a joint."""
     return f"Fused<{freedoms(symbols, join)}>"
 
 
@@ -58,7 +58,7 @@ def named(symbols: Symbols, join: FusedJoin) -> str:
 
 
 def fused(join: FusedJoin) -> list[str]:
-    """The lines that find the coordinates of the run, and how near they are to gimbal lock."""
+    """The lines that compute the coordinates of the run, and its distance from gimbal lock."""
     return [
         f"if (!fuse(i.run)) fail(w, kGimbalLock, {join.joint});",
         f"if (i.run.lock < kNearLock) w.near_lock = {join.joint + 1};",
@@ -98,7 +98,7 @@ def joined(symbols: Symbols, join: FusedJoin, b_a: str, *, keeps_sum: bool = Fal
 
 
 def couple(symbols: Symbols, coupling: Coupling) -> str:
-    """The line that finds how a handle feels the run."""
+    """The line of the coupling between a handle and the run."""
     transposed = ".transpose()" if coupling.transposed else ""
     frame = "BX" if coupling.side == "A" else "B"
     phi = f"i.run.{frame} * {symbols.block(coupling.source)}{transposed}"
@@ -106,7 +106,7 @@ def couple(symbols: Symbols, coupling: Coupling) -> str:
 
 
 def reassembly(symbols: Symbols, join: FusedJoin) -> list[str]:
-    """The same for other biases, and the torques that the forces of its joints lack."""
+    """The same for other biases, and the missing torques of its joints."""
     lines = []
     for j, first, count in rows_of(symbols, join):
         lines += [
@@ -126,7 +126,7 @@ def reassembly(symbols: Symbols, join: FusedJoin) -> list[str]:
 
 
 def released(symbols: Symbols, join: FusedJoin, end: Disassemble) -> list[str]:
-    """Eq. (8) of the run, and Eq. (10), its force on the last link, where that is asked for."""
+    """Eq. (8) of the run, and Eq. (10), its force on the last link, where that is needed."""
     lines = [
         f"auto& i = {symbols.memory(join.joint)};",
         f"Release<{type_of(symbols, join)}> release(i.joined);",
@@ -142,7 +142,7 @@ def released(symbols: Symbols, join: FusedJoin, end: Disassemble) -> list[str]:
 
 
 def disassembly(symbols: Symbols, join: FusedJoin, end: Disassemble) -> list[str]:
-    """Eq. (8)-(10) of the run: the accelerations of its joints, and what its ends get to feel."""
+    """Eq. (8)-(10) of the run: accelerations of its joints, and forces on its ends."""
     lines = released(symbols, join, end)
     if symbols.refine:
         lines.append(f"w.refinement.f[{join.joint}] = f;")
@@ -156,7 +156,7 @@ def disassembly(symbols: Symbols, join: FusedJoin, end: Disassemble) -> list[str
 
 
 def felt(symbols: Symbols, end: Disassemble, on_a: str) -> list[str]:
-    """The lines by which the ends of a run feel its force.
+    """The lines that apply the run's force to its ends.
 
     Args:
         symbols: the C++ names of the plan's joints, links and buffers.

@@ -10,7 +10,7 @@ from adagen.plan.steps import Coupling, Disassemble, FusedJoin, Join
 
 
 def parts(symbols: Symbols, join: Join, end: Disassemble) -> str:
-    """One line on the two parts and the whole that a join makes."""
+    """One line about the two parts and the whole of a join."""
     first = join.run[0] if isinstance(join, FusedJoin) else join.joint
     parent = symbols.plan.joints[first].parent
     below = {update.side: update.target.joint for update in end.updates}
@@ -29,7 +29,7 @@ def parts(symbols: Symbols, join: Join, end: Disassemble) -> str:
 
 
 def assembly(symbols: Symbols, join: Join, *, turned: bool = False) -> list[str]:
-    """Eq. (3)-(7): V_i and beta_i, then what C's handles feel.
+    """Eq. (3)-(7): V_i and beta_i, then the couplings with C's handles.
 
     With ``turned``, blocks at the child link are not in the joint's frame either: i.Y leads there.
     """
@@ -96,14 +96,14 @@ def velocity_product(symbols: Symbols, j: int, target: str) -> list[str]:
 
 
 def store(symbols: Symbols, j: int, qdd: str) -> str:
-    """The line that gives a joint's acceleration away, or keeps it until coupling is solved."""
+    """The line that outputs a joint's acceleration, or stores it until coupling is solved."""
     if symbols.columns > 1:
         return f"i.qdd = {qdd};"
     return f"store_acceleration(w, {j}, {symbols.plan.joints[j].v}, {qdd});"
 
 
 def torques(symbols: Symbols, j: int, tau: str, *, turned: bool = False) -> list[str]:
-    """The lines that set a joint's torques at work; none where its acceleration is prescribed."""
+    """The lines that set a joint's torques; none where its acceleration is prescribed."""
     joint = symbols.plan.joints[j]
     if joint.prescribed:
         return []
@@ -118,7 +118,7 @@ def torques(symbols: Symbols, j: int, tau: str, *, turned: bool = False) -> list
 
 
 def coupling_torques(symbols: Symbols, j: int, tau: str) -> list[str]:
-    """The unit torques by which slaved joints and their sources are held in step."""
+    """The unit coupling torques of slaved joints and their sources."""
     plan, lines = symbols.plan, []
     if symbols.columns == 1:
         return []
@@ -181,7 +181,7 @@ def bias_updates(symbols: Symbols, join: Join) -> list[str]:
 def disassembly(
     symbols: Symbols, join: Join, end: Disassemble, *, turned: bool = False
 ) -> list[str]:
-    """Eq. (8)-(10): the joint's acceleration and force, and what the two parts get to feel.
+    """Eq. (8)-(10): the joint's acceleration and force, and the forces on the two parts.
 
     With ``turned``, the child link's part is not in the joint's frame: see ``assembly``.
     """

@@ -61,7 +61,7 @@ class Members:
                 lines.append(f"{forces.freedoms_type(symbols, j)} qdd;")
 
     def _derive(self, j: int) -> None:
-        """Leave to ArticulatedJoint what a joint has whose link starts an articulated body."""
+        """Omit members that ArticulatedJoint has, for joints whose link starts a body."""
         lines, body = self.lines[j], forces.body_type(self.symbols, j)
         kept = [*lines[:2], *_of_started_link(self.symbols, j + 1), f"{body} body;"]
         if all(line in lines for line in kept):

@@ -31,7 +31,7 @@ _VERBS: dict[type, str] = {
 
 
 def add_corrections(symbols: Symbols, rows: list[dict[str, object]]) -> None:
-    """Give each joint's row the functions that a correction takes, behind its others."""
+    """Add the functions of a correction to each joint's row."""
     for process in symbols.plan.processes:
         for step in process.steps:
             verb = _VERBS.get(type(step))
@@ -76,7 +76,7 @@ def _rearticulate(symbols: Symbols, step: Articulate) -> list[str]:
 
 
 def _correction(symbols: Symbols, process: Process, step: Step) -> list[str]:
-    """The lines that do a step of a correction; ``symbols`` has messages without blocks."""
+    """The lines of a step in a correction; ``symbols`` has messages without blocks."""
     verb = _VERBS.get(type(step))
     if verb is not None:
         return [f"{verb}_{symbols.joints[getattr(step, 'joint', -1)]}(w);"]

@@ -48,7 +48,7 @@ _LINES: dict[type, Callable[[Symbols, Any], list[str]]] = {
 
 
 def function_of(symbols: Symbols, step: Step) -> str | None:
-    """Return the name of the emitted function that does a step, if it is a joint's."""
+    """Return the name of the emitted function of a step, if it is a joint's."""
     verb = VERBS.get(type(step))
     joint = getattr(step, "joint", None)
     return None if verb is None or joint is None else f"{verb}_{symbols.joints[joint]}"

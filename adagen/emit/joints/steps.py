@@ -27,7 +27,7 @@ from adagen.program import Operation
 
 
 def step_rows(symbols: Symbols) -> list[list[str]]:
-    """Return for each process its steps as lines, one joint and step after the other."""
+    """Return the steps of each process as lines."""
     processes = zip(symbols.plan.processes, symbols.program.processes, strict=True)
     return [
         stamped(process, own.operations, partial(_lines, symbols, process))
@@ -40,7 +40,7 @@ def _lines(symbols: Symbols, process: Process, operation: Operation) -> list[str
 
 
 def step_lines(symbols: Symbols, process: Process, step: Step) -> list[str]:
-    """Return the lines that do a step of a process."""
+    """Return the lines of a step of a process."""
     function = function_of(symbols, step)
     if function is not None:
         return [f"{function}(w);"]

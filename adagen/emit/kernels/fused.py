@@ -31,7 +31,7 @@ def assembly(symbols: Symbols, join: FusedJoin) -> list[str]:
 
 
 def disassembly(symbols: Symbols, join: FusedJoin, end: Disassemble) -> list[str]:
-    """Eq. (8)-(10) of the run: the accelerations of its joints, and what its ends get to feel."""
+    """Eq. (8)-(10) of the run: accelerations of its joints, and forces on its ends."""
     lines = released(symbols, join, end)
     if symbols.refine:
         lines.append(f"w.refinement.f[{join.joint}].col(w.refinement.side) = f;")
@@ -42,5 +42,5 @@ def disassembly(symbols: Symbols, join: FusedJoin, end: Disassemble) -> list[str
 
 
 def parent(symbols: Symbols, join: FusedJoin) -> int:
-    """Return the link that a run begins at."""
+    """Return the link before a run."""
     return symbols.plan.joints[join.run[0]].parent

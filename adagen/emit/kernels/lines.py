@@ -31,7 +31,7 @@ from adagen.program.strips import split
 
 
 class KernelLines:
-    """Turns the operations of one process into lines.
+    """The operations of one process as C++ lines.
 
     Args:
         symbols: the C++ names of the plan's joints, links and buffers.
@@ -83,14 +83,14 @@ class KernelLines:
         ]
 
     def _reaches(self) -> list[str]:
-        """What is known of accelerations before all others, where answers are weighed."""
+        """Lines about accelerations that are known before all others, for certificates."""
         if not self.symbols.plan.weighed:
             return []
         falls = [f"reach_fall<{j}>(w);" for j, joint in enumerate(self.joints) if is_base(joint)]
         return ["reach_ground(w);", *falls]
 
     def corrections(self) -> list[str]:
-        """Return the lines that do all again but for motions and inertias of links, which stay.
+        """Return the lines that repeat everything except motions and link inertias.
 
         So do the responses to slaved joints' torques.
         """
@@ -99,12 +99,12 @@ class KernelLines:
         return [*lines, *guards.corrections(self.symbols, self.process)]
 
     def responses(self) -> list[str]:
-        """Return the lines that answer to other torques and forces on links alone."""
+        """Return the lines for other torques and link forces alone."""
         again = [op for op in self.operations if not (op.does in PREPARED or self._couples(op))]
         return [line for operation in again for line in self.lines(operation)]
 
     def _couples(self, operation: Operation) -> bool:
-        """Whether an operation is about the torques that hold slaved joints in step."""
+        """Whether an operation is about coupling torques of slaved joints."""
         for step in operation.steps:
             if isinstance(step, SolveCoupling | ApplyCoupling):
                 return True
@@ -113,7 +113,7 @@ class KernelLines:
         return False
 
     def _lines_in_turn(self, operation: Operation) -> list[str]:
-        """The lines of an operation, what the first one about slaved joints needs before them."""
+        """The lines of an operation, after those that the first one on slaved joints needs."""
         lines = self.lines(operation)
         if self._couples(operation) and not self.responded:
             self.responded = True
@@ -121,7 +121,7 @@ class KernelLines:
         return lines
 
     def roles(self) -> list[dict[str, bool]]:
-        """Return what the process does at each link, once its lines are written.
+        """Return the role of the process at each link, once its lines are written.
 
         See LinkRole in templates/kernels.cpp.j2.
         """
@@ -145,7 +145,7 @@ class KernelLines:
         return mobility.lines_of(self.symbols, self.p, step)
 
     def _angles(self, operation: Operation) -> list[str]:
-        """Sines and cosines, and orientations from quaternions, as many at once as there are."""
+        """Sines and cosines, and orientations from quaternions, as many at once as possible."""
         assert isinstance(operation.block, Links)
         joints = list(operation.block.numbers)
         turning = [j for j in joints if self.joints[j].kind not in ("spherical", "floating")]
@@ -162,7 +162,7 @@ class KernelLines:
         ]
 
     def _take_angles(self, joints: list[int]) -> list[str]:
-        """Copy the angles of joints that turn, as many at once as lie side by side."""
+        """Copy the angles of revolute joints, as many at once as are adjacent."""
         if not self.slots.plain:
             return [
                 f"take_angles{'_in_strips' * in_strips}<{run.first}, {run.last}>(w);"
@@ -307,7 +307,7 @@ class KernelLines:
         return [found + self._sweep(run, verb, word(operation.first[0])) + self._names(run)]
 
     def _articulate_parts(self, operation: Operation, run: Run) -> list[str]:
-        """Sweep the parts of a run side by side; what wrenches find on each way has a name."""
+        """Sweep the parts of a run side by side; the mobility of each gets a variable."""
         assert all(operation.first)  # bodies are left, not added
         parts = parts_in(operation.steps)
         self.gathers.update(part.first for part in parts)
@@ -316,7 +316,7 @@ class KernelLines:
         return [f"const auto [{ways}] = {sweep}{self._names(run)}"]
 
     def _articulate_limbs(self, limbs: Limbs, first: tuple[bool, ...]) -> list[str]:
-        """Sweep limbs inwards and leave what is found at the links that they hang on."""
+        """Sweep limbs inwards and add the results to the links before them."""
         nears = [self.joints[j].parent for j in limbs.rows[0]]
         self.gathers.update(nears)
         verb = "inward_group" + "_turned" * (not self.turned.isdisjoint(limbs.members()))
@@ -359,14 +359,14 @@ class KernelLines:
         return [*mobility.lines_of(self.symbols, self.p, step), *reaches]
 
     def _certify(self, operation: Operation) -> list[str]:
-        """Sweep inwards once more, block by block, for what the equations of motion leave over."""
+        """Sweep the residuals of the equations of motion inwards, block by block."""
         (step,) = operation.steps
         self.parts |= links_looked_at(step)
         weighing = Weighing(self.symbols, self.p, self.slots)
         return weighing.lines(step, self.operations)
 
     def _refine(self, operation: Operation) -> list[str]:
-        """What is left over inwards, what it changes outwards, as many times as asked."""
+        """Residuals inwards and corrections outwards, as many times as asked."""
         lines = [*self._certify(operation), "begin_own_correction(w, k);"]
         for op in self.operations:
             if op.does == "accelerate":
@@ -414,7 +414,7 @@ class KernelLines:
         return f"{name}<{', '.join(map(str, (self.p, *ends, *more)))}>(w);"
 
     def _names(self, run: Run) -> str:
-        """Which joints a run is of, as a comment."""
+        """The joints of a run, as a comment."""
         return f"  // {self.symbols.span(run.first, run.last)}"
 
 

@@ -13,7 +13,7 @@ from adagen.program import Operation
 
 
 def exchanged(symbols: Symbols, operation: Operation) -> tuple[int, Message]:
-    """Return the message that an operation sends or takes, its number first."""
+    """Return the message that an operation sends or receives, its number first."""
     (step,) = operation.steps
     assert isinstance(step, Send | Receive)
     return step.message, symbols.plan.messages[step.message]
@@ -38,7 +38,7 @@ def sent(symbols: Symbols, operation: Operation) -> list[str]:
 
 
 def received(symbols: Symbols, operation: Operation) -> list[str]:
-    """Return the lines that take a message."""
+    """Return the lines that receive a message."""
     number, message = exchanged(symbols, operation)
     taken = zip(message.inertias, operation.first, strict=True)
     return [
@@ -57,7 +57,7 @@ def received(symbols: Symbols, operation: Operation) -> list[str]:
 
 
 def solved_coupling(symbols: Symbols) -> list[str]:
-    """Return the lines that find the torques that hold slaved joints in step."""
+    """Return the lines that solve for the coupling torques of slaved joints."""
     plan = symbols.plan
     rows = []
     for k, slaved in enumerate(plan.slaved):
@@ -75,7 +75,7 @@ def solved_coupling(symbols: Symbols) -> list[str]:
 
 
 def applied_coupling(symbols: Symbols, process: Process) -> list[str]:
-    """Return the lines that add what these torques do to a process's own accelerations."""
+    """Return the lines that add the effect of coupling torques to a process's accelerations."""
     own = ranges(entries_of(symbols, "v", process.owns))
     return [f"apply_coupling(w, {first}, {count});" for first, count in own]
 

@@ -59,17 +59,17 @@ STEPS = (
 
 
 def has_cuts(plan: Plan) -> bool:
-    """Return whether processes of a plan show mobilities to each other."""
+    """Return whether processes of a plan exchange mobilities."""
     return any(isinstance(step, STEPS) for step in plan.steps)
 
 
 def holds_ground(plan: Plan) -> bool:
-    """Return whether a process takes the ground, as joints on it let it yield, for a body."""
+    """Return whether a process inverts the mobility of the ground's side."""
     return any(isinstance(step, HoldMobility) for step in plan.all_steps)
 
 
 def carries(program: Program) -> bool:
-    """Return whether wrenches are carried through runs to find mobilities."""
+    """Return whether unit wrenches are carried through runs."""
     return any(
         operation.method in CARRIED
         for own in program.processes
@@ -91,7 +91,7 @@ def runtime(plan: Plan) -> list[str]:
 
 
 def passes_free(plan: Plan) -> bool:
-    """Return whether mobilities are passed outwards across floating joints."""
+    """Return whether mobilities are carried outwards across floating joints."""
     return any(
         isinstance(step, Propagate) and plan.joints[step.joint].kind == "floating"
         for step in plan.all_steps
@@ -99,7 +99,7 @@ def passes_free(plan: Plan) -> bool:
 
 
 def members(symbols: Symbols) -> dict[int, list[str]]:
-    """Return the members of the memory of each joint that has any."""
+    """Return the memory members of joints that have any."""
     lines: dict[int, dict[str, None]] = defaultdict(dict)
     forces: set[Force] = set()
     for step in _computed(symbols.program):
@@ -121,7 +121,7 @@ def members(symbols: Symbols) -> dict[int, list[str]]:
 
 
 def _computed(program: Program) -> Iterator[Step]:
-    """Yield the steps whose results have a place: of a carried run that is the last one."""
+    """Yield the steps whose results are stored: of a run with carried wrenches the last one."""
     for own in program.processes:
         for operation in (*own.operations, *own.recovery):
             yield from operation.steps[-1:] if operation.method in CARRIED else operation.steps
@@ -201,12 +201,12 @@ def _disassembly(symbols: Symbols, step: Disassemble) -> list[str]:
 
 
 def way_of(run: Run) -> str:
-    """Return the variable that tells what wrenches carried through a run find."""
+    """Return the variable with the results of wrenches carried through a run."""
     return f"way_{run.first}"
 
 
 def propagation(symbols: Symbols, operation: Operation) -> list[str]:
-    """Return the lines of an operation that takes mobilities outwards."""
+    """Return the lines of an operation that carries mobilities outwards."""
     steps = [step for step in operation.steps if isinstance(step, Propagate)]
     first, last = steps[0], steps[-1]
     if operation.method not in CARRIED:
@@ -234,7 +234,7 @@ def propagation(symbols: Symbols, operation: Operation) -> list[str]:
 
 
 def _coupled(symbols: Symbols, run: Run, first: Propagate, last: Propagate) -> Iterator[str]:
-    """How handles that a run's first link is coupled with feel its last one."""
+    """Couplings of handles with a run's last link, from those with its first link."""
     for spread, begun in zip(last.spreads, first.spreads, strict=True):
         source = symbols.block(begun.source) + ".transpose()" * begun.source_transposed
         product = f"{way_of(run)}.moved * {source}"
@@ -245,7 +245,7 @@ def _coupled(symbols: Symbols, run: Run, first: Propagate, last: Propagate) -> I
 
 
 def delivery(symbols: Symbols, run: Run, *, through: bool = False) -> str:
-    """Return the call that brings handle forces back through a run.
+    """Return the call that carries handle forces back through a run.
 
     Args:
         symbols: the C++ names of the plan's joints, links and buffers.
@@ -266,7 +266,7 @@ def _scoped(lines: list[str]) -> list[str]:
 
 
 def _of(symbols: Symbols, step: Propagate, verb: str) -> str:
-    """The function that takes something across a joint."""
+    """The function that carries a quantity across a joint."""
     prescribed = "_prescribed" if symbols.plan.joints[step.joint].prescribed else ""
     return f"{verb}{prescribed}<{'true' if step.reversed else 'false'}>"
 

@@ -45,7 +45,7 @@ def why_not(plan: Plan) -> str | None:
 
 
 def why_not_weighed(plan: Plan) -> str | None:
-    """Return why loops do not sweep what answers leave over inwards; None where they do.
+    """Return why loops cannot sweep residuals inwards; None where they can.
 
     Certificates and corrections in the solver's own numbers need that.
     """
@@ -128,7 +128,7 @@ def values(symbols: Symbols) -> dict[str, object]:
 def _loop_settings(
     symbols: Symbols, turned: OwnAxes, by_columns: bool, along: bool, in_parts: bool
 ) -> list[str]:
-    """What a solver's settings say of its loops: how they lie in memory, and what they do."""
+    """Settings of a solver's loops: memory layout and methods."""
     plan, slots = symbols.plan, symbols.program.slots
     block_kinds = _block_kinds(symbols)
     joints = range(len(plan.joints))
@@ -166,7 +166,7 @@ def _loop_settings(
 
 
 def _starts(plan: Plan, process: Process) -> list[int]:
-    """Whether a process starts with the inertia of the link beyond each joint."""
+    """Whether a process starts the inertia of the link beyond each joint."""
     own = set(own_links(process))
     return [int(j + 1 in own) for j in range(len(plan.joints))]
 
@@ -200,7 +200,7 @@ def _inertia(symbols: Symbols, link: PlanLink) -> dict[str, str]:
 
 
 def _block_kinds(symbols: Symbols) -> dict[str, list[int]]:
-    """Which blocks of slots hold equal constants."""
+    """Blocks of slots grouped by equal constants."""
     plan = symbols.plan
     if plan.sets_inertias:
         return {"kinds": [], "first": []}

@@ -35,7 +35,7 @@ class Chunk:
 
 @dataclass(frozen=True)
 class Stretch:
-    """What is computed between two messages.
+    """The computations between two messages.
 
     Attributes:
         stage: place of the last stage of work in it; None where there is none.
@@ -105,12 +105,12 @@ def arranged(
 
 
 def is_given(node: Node) -> bool:
-    """Whether a value is an input that is there all the time: all but what messages bring."""
+    """Whether a value is an input that is there from the start, not from a message."""
     return node.op == "input" and not str(node.value).startswith(RECEIVED)
 
 
 def _needed(machine: Machine, pending: Iterable[int], stage: Stage | None) -> set[int]:
-    """What of the pending values has to be there before a message; all of it unless it is sent."""
+    """The pending values that a message needs; all of them unless it is sent."""
     pending = set(pending)
     if stage is None or stage.what != "send" or stage.message is None:
         return pending
@@ -129,7 +129,7 @@ def _needed(machine: Machine, pending: Iterable[int], stage: Stage | None) -> se
 
 
 def looked_at(check: Check, turns: Mapping[int, int]) -> list[int]:
-    """What of a check is computed, in order: the last of it is where the check can be done."""
+    """The computed values of a check, in order: the check is possible after the last."""
     indices = {check.pivot.index, check.least.index} & turns.keys()
     return sorted(indices, key=turns.__getitem__)
 
@@ -163,7 +163,7 @@ def _assign_places(machine: Machine, chunks: Sequence[Chunk], turns: Mapping[int
 def _users_beyond(
     machine: Machine, chunks: Sequence[Chunk], turns: Mapping[int, int]
 ) -> dict[int, list[int]]:
-    """By value, the chunks after its own that use it, in order."""
+    """For each value, the later chunks that use it, in order."""
     home = {index: k for k, chunk in enumerate(chunks) for index in chunk.values}
     partners: dict[int, list[int]] = defaultdict(list)  # what is looked at together
     for check in machine.checks:

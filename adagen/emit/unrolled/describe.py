@@ -9,7 +9,7 @@ from adagen.plan.steps import Step
 
 
 def describe_step(symbols: Symbols, step: Step, row: Callable[[int], Sequence[int]]) -> str:
-    """Return what a step does and to which joints or links, in one line of ASCII.
+    """Return a step with its joints or links, in one line of ASCII.
 
     Args:
         symbols: the C++ names of the plan's joints, links and buffers.

@@ -91,7 +91,7 @@ def values(symbols: Symbols, chunk: int = 0) -> dict[str, object]:
 
 
 def _recovering(symbols: Symbols, plans: Sequence[Plan]) -> list[Grouping]:
-    """Return the limbs that share code in what is done instead, in each of several ways."""
+    """Return the limbs in lanes in each recovery."""
     return [
         tuple(
             tuple(without_unlike(plan, process.steps, limbs))
@@ -148,7 +148,7 @@ class _ProcessText:
         return any(nodes[k].op in FUNCTIONS for k in live_nodes(self.graph, self.machine.roots()))
 
     def _only_users(self) -> dict[int, int]:
-        """By index, the value that is the one use of a value."""
+        """By index, the only user of a value."""
         users: dict[int, list[int]] = defaultdict(list)
         for index in live_nodes(self.graph, self.machine.roots()):
             node = self.graph.nodes[index]
@@ -159,7 +159,7 @@ class _ProcessText:
         return {k: using[0] for k, using in users.items() if len(using) == 1}
 
     def _followers(self) -> dict[int, list[str]]:
-        """By index, the lines that follow a value once it is there."""
+        """By index, the lines after a value."""
         lines: dict[int, list[str]] = defaultdict(list)
         for length, joint in self.machine.lengths:
             line = f"require_length(w, x{length.index}, {self._blamed(length, joint)});"
@@ -190,13 +190,13 @@ class _ProcessText:
         return lines
 
     def _blamed(self, checked: Expression, joint: int) -> str:
-        """The joint that a value is checked for, or the one of each lane."""
+        """The joint of a value's check, or the one of each lane."""
         if checked.node.width == 1:
             return str(joint)
         return f"{{{', '.join(map(str, self.machine.rows.own(joint)))}}}"
 
     def _run(self) -> list[str]:
-        """The lines of the function that does it all."""
+        """The lines of the function that does everything."""
         lines = self._prologue() if self.process.steps else []
         found = stages(self.process)
         first = 0
@@ -215,7 +215,7 @@ class _ProcessText:
         )
 
     def _prologue(self) -> list[str]:
-        """The state is read; sines and cosines of all angles are computed at once."""
+        """Reading of the state; sines and cosines of all angles are computed at once."""
         lines = self._look_at_state()
         lines += [
             f"w.to[{number}] = channel.outgoing({number}, w.status);"
@@ -247,7 +247,7 @@ class _ProcessText:
         return all(is_given(angle.node) for angle in self.machine.angles)
 
     def _places_of_angles(self) -> list[int]:
-        """Where angles are found: in q, or by turns where some are computed first."""
+        """Indices of angles: in q, or in turn where some are computed first."""
         if not self._angles_are_given():
             return list(range(len(self.machine.angles)))
         names = (str(angle.node.value) for angle in self.machine.angles)
@@ -255,14 +255,14 @@ class _ProcessText:
 
     @staticmethod
     def _first_of_run(angles: Sequence[str]) -> int | None:
-        """Where in q the angles are, one after the other; None if they are not."""
+        """Index in q of the first angle if all are adjacent, else None."""
         for first in range(len(angles) + 1):
             if angles == [f"q[{first + k}]" for k in range(len(angles))]:
                 return first
         return None
 
     def _look_at_state(self) -> list[str]:
-        """The state looked at before all: as a whole where it is sent, or what nothing tells of."""
+        """Tests of the state before all: of all that is sent, or that no later test covers."""
         symbols, process = self.symbols, self.process
         read = read_joints(symbols, process)
         looked_at = {
@@ -286,7 +286,7 @@ class _ProcessText:
         return [*lines, *self._look_at_outer_forces()]
 
     def _stored_in(self) -> set[str]:
-        """Inputs that are not finite only if an acceleration or what is checked is not, either.
+        """Inputs whose NaN always reaches an acceleration or a tested value.
 
         All that is reckoned from them is spoilt: only a division by what is infinite would mend it,
         and what is divided by is checked.
@@ -357,11 +357,11 @@ class _ProcessText:
         return lines
 
     def _known(self, node: Node) -> bool:
-        """Whether a value is made of constants: it divides by zero, else it were one itself."""
+        """Whether a value depends on constants only: it then divides by zero."""
         return bool(node.args) and all(self.graph.nodes[k].op == "constant" for k in node.args)
 
     def _named(self, chunk: Chunk) -> set[int]:
-        """The values of a function that it uses itself: all but some that it leaves to others."""
+        """The values of a function that it uses itself: all but some for other functions."""
         lines = " ".join(line for k in chunk.values for line in self.followers.get(k, []))
         used = {int(number) for number in _NAMES.findall(lines)}
         used.update(k for index in chunk.values for k in self.graph.nodes[index].args)
@@ -380,7 +380,7 @@ class _ProcessText:
         return f"const {kind} x{index} = load<{kind}>(w.x.data() + {place});"
 
     def _stored(self, index: int, right: str, place: int) -> str:
-        """A value that is left to another function where it is computed."""
+        """A value that is stored for another function where it is computed."""
         if self.graph.nodes[index].width == 1:
             return f"w.x[{place}] = {right}"
         return f"put({right}, w.x.data() + {place})"

@@ -30,7 +30,7 @@ _WORTH = 0.5  # waiting, of their work: what is alive for long costs instruction
 
 @dataclass(frozen=True)
 class Pace:
-    """How fast a machine computes the values of a process; microseconds.
+    """Speed at which a machine computes the values of a process; microseconds.
 
     Attributes:
         value: what one takes, on average, where none waits for another.
@@ -69,13 +69,13 @@ def in_functions(
 
 
 def _waiting_counts(graph: Graph, values: Set[int], pace: Pace) -> bool:
-    """Whether what waits decides in several functions, too."""
+    """Whether dependency chains decide the order in several functions, too."""
     waiting = pace.cycle * _waits(graph, values).longest
     return len(values) <= _MOST and waiting >= _WORTH * pace.value * len(values)
 
 
 def by_step(graph: Graph, process: Process, values: Set[int]) -> list[int]:
-    """Return values by the steps that they belong to.
+    """Return values in the order of their steps.
 
     Args:
         graph: what they belong to.
@@ -91,7 +91,7 @@ def by_step(graph: Graph, process: Process, values: Set[int]) -> list[int]:
 
 
 def by_waits(graph: Graph, order: Sequence[int], pace: Pace) -> list[int]:
-    """Return values by what still follows, those of one step together as long as they are near.
+    """Return values by the chain that depends on them, those of one step close together.
 
     Args:
         graph: what they belong to.
@@ -107,7 +107,7 @@ def by_waits(graph: Graph, order: Sequence[int], pace: Pace) -> list[int]:
 def _operands_first(
     graph: Graph, values: Set[int], key: Callable[[int], tuple[int, ...]]
 ) -> list[int]:
-    """The values by a key, but that each comes after what it uses."""
+    """The values sorted by a key, but each after its operands."""
     order: dict[int, None] = {}
     for index in sorted(values, key=key):
         waiting = [index]
@@ -123,7 +123,7 @@ def _operands_first(
 
 @dataclass(frozen=True)
 class _Waits:
-    """Who waits for whom, in cycles.
+    """Dependencies between values, in cycles.
 
     Attributes:
         operands: of each value, those that are to be computed.
@@ -162,7 +162,7 @@ def _waits(graph: Graph, values: Set[int]) -> _Waits:
 
 
 def _played(waits: _Waits, by_step: Sequence[int], pace: Pace) -> list[int]:
-    """The values as a processor would begin them that always takes what most waits for.
+    """The values in the order of a processor that always begins the most urgent one.
 
     It looks no further ahead than ``AHEAD`` values by step: the more is begun early, the more is
     alive, and goes through memory.

@@ -13,7 +13,7 @@ from adagen.plan.types import Process
 
 
 class Results:
-    """Puts down what one process computes, and gives it where all went well.
+    """Stores the results of one process, and outputs them if there was no failure.
 
     Args:
         symbols: the C++ names of the plan's joints, links and buffers.
@@ -33,7 +33,7 @@ class Results:
         self.places = self._places_of_results()
 
     def lines(self) -> dict[int, list[str]]:
-        """By index, the lines that put values down as accelerations and outputs."""
+        """By index, the lines that store values as accelerations and outputs."""
         lines: dict[int, list[str]] = defaultdict(list)
         for first, force in self.machine.forces.items():
             for k, x in enumerate(force):
@@ -61,7 +61,7 @@ class Results:
         return len(self.machine.lanes_of_result(joint))
 
     def _places_of_results(self) -> dict[tuple[int, int], int]:
-        """Where rows' accelerations are kept, by joint and freedom; the widest come first."""
+        """Places of rows' accelerations, by joint and freedom; the widest come first."""
         places: dict[tuple[int, int], int] = {}
         for joint in sorted(self.machine.results, key=lambda j: (-self._width(j), j)):
             for k in range(len(self.machine.results[joint])):
@@ -71,12 +71,12 @@ class Results:
         return places
 
     def value(self, index: int) -> str:
-        """A value's name where one is put down: a number in all lanes."""
+        """A value's name where it is stored: a number in all lanes."""
         constant = self.machine.graph.nodes[index].op == "constant"
         return f"Value{{}} + {self.text.name(index)}" if constant else self.text.name(index)
 
     def give(self) -> list[str]:
-        """An acceleration is given only where all went well."""
+        """Output of accelerations only if there was no failure."""
         single, wide = self._single_results(), self._scattered()
         terms = [f"unlike_zero(w.result.data() + {first}, {count})" for first, count in single]
         terms += self._unlike_zero_in_lanes()
@@ -99,14 +99,14 @@ class Results:
         ]
 
     def _single_results(self) -> list[tuple[int, int]]:
-        """Ranges of accelerations that are computed by themselves."""
+        """Ranges of accelerations that are single numbers."""
         rows = {j for joint, _ in self.places for j in self.machine.rows.own(joint)}
         wide = set(entries_of(self.symbols, "v", rows))
         own = [k for k in given_entries(self.symbols, self.process) if k not in wide]
         return ranges([*own, *self.forces])
 
     def _scattered(self) -> list[tuple[int, int]]:
-        """Entries of the result that are computed in lanes, and where they are kept.
+        """Entries of the result that are computed in lanes, and their places.
 
         Where a process does all by itself, lanes may be of joints that others answer for.
         """
@@ -119,7 +119,7 @@ class Results:
         )
 
     def _unlike_zero_in_lanes(self) -> list[str]:
-        """Sums that are zero if what is computed in lanes is finite, for each width."""
+        """Sums that are zero if all results in lanes are finite, for each width."""
         by_width: dict[int, list[int]] = defaultdict(list)
         for (joint, _), place in self.places.items():
             by_width[self._width(joint)].append(place)

@@ -57,7 +57,7 @@ class Text:
         return self.printer.number(0.0 if abs(number) < _LEAST[self.scalar] else number)
 
     def name(self, index: int) -> str:
-        """Return what a value is called, a constant's number."""
+        """Return the name of a value, or a constant's number."""
         node = self.graph.nodes[index]
         if node.op == "constant":
             return self.literal(node.value)
@@ -97,7 +97,7 @@ class Text:
         return named
 
     def inlined(self, index: int) -> str:
-        """Return a value with all that it is made of, down to inputs."""
+        """Return a value with all its operands inline, down to inputs."""
         node = self.graph.nodes[index]
         if node.op in ("input", "constant"):
             return self._operand(index, {}).text
@@ -115,7 +115,7 @@ class Text:
 
 
 def _moved(node: Node, pieces: Sequence[_Piece]) -> _Piece:
-    """Numbers put into lanes or read from there."""
+    """Moves of numbers into lanes or out of them."""
     numbers = ", ".join(piece.text for piece in pieces)
     match node.op:
         case "pack":
