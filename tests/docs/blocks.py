@@ -6,7 +6,7 @@ Marks, each an HTML comment on a line of its own:
     <!-- before: COMMAND -->       a command that readers have done already, run where it stands
     <!-- not run: REASON -->       the next block is not run
     <!-- slow: REASON -->          the next block is run with the slow tests alone
-    <!-- needs: PROGRAM -->        the next block is run where there is such a program
+    <!-- needs: PROGRAM ... -->    the next block is run where there are such programs
     <!-- in: a clone -->           the next block is run in a fresh clone of this repository
     <!-- on hosts: N -->           the next block is run on the first of N hosts, node1, node2, ...
                                    (tests/network), where there can be such

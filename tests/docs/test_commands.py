@@ -152,8 +152,9 @@ def is_run(block: Block, *, slow: bool) -> bool:
 
 def lacking(block: Block) -> str:
     """Return why a block cannot run on this machine; nothing if it can."""
-    if block.needs and shutil.which(block.needs) is None:
-        return f"needs {block.needs}"
+    missing = [program for program in block.needs.split() if shutil.which(program) is None]
+    if missing:
+        return f"needs {' '.join(missing)}"
     if block.under:
         return why_no_slurm(pmix="PMIx" in block.under)
     return why_no_hosts() if block.hosts else ""

@@ -36,7 +36,13 @@ ALLOWED = {
     "_GLOBAL_OFFSET_TABLE_",
 }
 """What a solver may ask of others: copies, and functions of libm."""
-ALONE = ("-ffreestanding", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics")
+ALONE = (
+    "-fno-delete-null-pointer-checks",
+    "-ffreestanding",
+    "-fno-exceptions",
+    "-fno-rtti",
+    "-fno-threadsafe-statics",
+)
 CASES: dict[str, tuple[str, dict[str, Any]]] = {
     "arm": ("arm7", {"shape": "unrolled"}),
     "arm of floats": ("arm7", {"shape": "unrolled", "scalar": "float"}),
