@@ -230,7 +230,7 @@ def uses_mpi(source_text: str) -> bool:
 
 
 def _compiler_identity(compiler: tuple[str, ...], toolchain: Toolchain) -> str:
-    """Return what tells one compiler and MPI from another: its version and what it adds.
+    """Return the version of the compiler and the options of the MPI wrapper.
 
     It is asked once, unless its file changes, or the variables that choose another.
     """

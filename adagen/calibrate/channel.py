@@ -34,7 +34,7 @@ _FAR_RUNS = 3
 
 @dataclass(frozen=True)
 class MessageTime:
-    """What one message was measured to take; microseconds.
+    """The measured time of one message size; microseconds.
 
     Attributes:
         numbers: that it holds.
@@ -101,7 +101,7 @@ def _times(line: str) -> tuple[MessageTime, ...]:
 
 
 def times_between_hosts(toolchain: Toolchain, hosts: tuple[str, str]) -> tuple[MessageTime, ...]:
-    """Return what messages between two hosts take: the least of some runs.
+    """Return the times of messages between two hosts: the least of some runs.
 
     Args:
         toolchain: what to build and run with.

@@ -112,7 +112,7 @@ def fit_steps(samples: Sequence[Sample]) -> dict[str, float]:
 
 
 def huber(off: Array) -> Array:
-    """Return what equations count by how far off they are: those that are far off count less."""
+    """Return the weights of equations by their residuals: large residuals weigh less."""
     typical = max(1e-3, float(np.median(off)))
     return np.sqrt(np.minimum(1.0, 2 * typical / np.maximum(off, 1e-12)))
 
@@ -149,7 +149,7 @@ def _alike() -> Array:
 
 
 def evaluation_cost(samples: Sequence[Sample]) -> float:
-    """Return what an evaluation takes apart from its stages, microseconds."""
+    """Return the time of an evaluation beside its stages, microseconds."""
     alone = [s.evaluation() for s in samples if len(s.plan.processes) == 1]
     return max(0.0, sorted(alone)[len(alone) // 3])  # a disturbed time is a longer one
 

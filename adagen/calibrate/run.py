@@ -51,7 +51,7 @@ _ALIKE = 0.9  # cores that differ by less count as equally fast: the rest is noi
 
 @dataclass(frozen=True)
 class Calibration:
-    """What was measured and how well the profile tells it.
+    """The measurements, and how well the profile predicts them.
 
     Attributes:
         profile: the fitted profile.
@@ -133,7 +133,7 @@ def calibrate(
 def calibrate_network(
     base: CostProfile, toolchain: Toolchain, hosts: tuple[str, str]
 ) -> tuple[CostProfile, tuple[MessageTime, ...]]:
-    """Return a profile with what messages between hosts take, and what was measured of them.
+    """Return a profile with the costs of messages between hosts, and the measurements.
 
     Args:
         base: the profile that they are added to.

@@ -37,7 +37,7 @@ def fit_equation11(name: str, costs: StepCosts) -> CostProfile:
 
 
 def join_time(costs: StepCosts, kind: str, handles: int) -> float:
-    """Return what it takes to assemble and disassemble a joint among handles, microseconds."""
+    """Return the time to assemble and disassemble a joint among handles, microseconds."""
     pairs = handles * (handles + 1) / 2
     across = handles * (handles - 1) / 4
     coupling = (costs["join.coupling_a"] + costs["join.coupling_b"]) / 2

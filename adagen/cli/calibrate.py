@@ -94,7 +94,7 @@ def run(argv: Sequence[str]) -> int:
 
 
 def _measure_network(options: argparse.Namespace, toolchain: Toolchain, path: Path) -> int:
-    """Add what messages between hosts take to the profile of that name, or a copy of the default.
+    """Add the costs of messages between hosts to the named profile, or to a copy of the default.
 
     Raises:
         EnvironmentFault: the hosts cannot be reached.

@@ -69,7 +69,7 @@ def whole_parser() -> argparse.ArgumentParser:
 
 
 def _copy(parser: Parser, to: argparse.ArgumentParser) -> None:
-    """Give a parser another one's words; the model that stands first is no command's name."""
+    """Copy the options of one parser to another."""
     for action in parser._actions:
         if action.dest == "model" and to.prog == "adagen":
             continue

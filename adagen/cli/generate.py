@@ -144,7 +144,7 @@ def run(argv: Sequence[str]) -> int:
 
 
 def _report(made: Compiled, written: Sequence[Path]) -> dict[str, Any]:
-    """Return what was written and what is predicted of it, as plain data."""
+    """Return the written files and the predictions as plain data."""
     digits, hard = made.digits, made.hard_digits
     return {
         "robot": made.model.name,

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def prediction(schedule: Schedule, line: Timeline | None) -> str:
-    """Return in a few words what is predicted, and what is proven of it.
+    """Return the prediction and its bound in a few words.
 
     Args:
         schedule: the schedule.

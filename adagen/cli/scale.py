@@ -31,7 +31,7 @@ RECORD = "scale.json"
 
 
 def add_scale(parser: Parser) -> None:
-    """Add --scale and what it alone takes."""
+    """Add --scale and its own options."""
     parser.add_argument(
         "--scale",
         action="store_true",

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def in_scene(reading: Reading, scene: Scene, options: argparse.Namespace) -> Model:
-    """Return a robot reduced to what a scene needs; what it leaves out is printed.
+    """Return a robot reduced to the needs of a scene, and print what was removed.
 
     The reduction is kept as ``options.reduction`` for later messages.
 
@@ -43,7 +43,7 @@ def in_scene(reading: Reading, scene: Scene, options: argparse.Namespace) -> Mod
 def tell_savings(
     plan: Plan, schedule: Schedule, request: Request, options: argparse.Namespace
 ) -> None:
-    """Print what is left of the robot and what that saves, as predicted and as measured here."""
+    """Print the remaining robot and its savings, predicted and measured here."""
     from adagen.calibrate.measure import least_times
     from adagen.library.savings import accuracy, predicted_savings
 

@@ -112,7 +112,7 @@ def _check_hosts(parser: Parser, options: argparse.Namespace) -> None:
 
 
 def _show(model: Model, found: Assessed) -> None:
-    """Print the tree, what each process does, and what is predicted, for people."""
+    """Print the tree, the joints of each process, and predictions, for people."""
     from adagen.program.summary import TREES, meeting, program_text
     from adagen.schedule import Topology, schedule_tree
 

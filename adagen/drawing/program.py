@@ -56,7 +56,7 @@ def program_svg(
 
 
 def _captions(program: Program) -> Captions:
-    """What the bars of operations say: what each does, and to which joints or links."""
+    """Captions of the bars of operations: their names, and their joints or links."""
 
     def caption(i: Interval) -> Caption:
         if i.operation is None:

@@ -134,7 +134,7 @@ def read(
 
 
 def robot_of(origin: Origin) -> Robot:
-    """Return the robot of an origin; what is raised is what ``read`` raises."""
+    """Return the robot of an origin, with the exceptions of ``read``."""
     reading, wanted = read_whole(origin)
     model, warnings, reduction = reading.model, list(reading.warnings), None
     if wanted is not None:

@@ -120,7 +120,7 @@ def compiled(path: Path, default_name: str, notes: Notes) -> Compiled:
 
 @contextmanager
 def _listening(mujoco: Any, notes: Notes) -> Iterator[None]:
-    """Pass on what MuJoCo warns of; by itself it would write a log into the working directory."""
+    """Report MuJoCo's warnings; by default it would write a log into the working directory."""
     messages: list[str] = []
     before = mujoco.get_mju_user_warning()
     mujoco.set_mju_user_warning(messages.append)

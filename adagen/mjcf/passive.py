@@ -19,7 +19,7 @@ _HELD = {BALL: ("damping", "rotor inertia")}
 def passives(
     robot: Compiled, wanted: Collection[str], decided: Decided, notes: Notes
 ) -> dict[int, Passive]:
-    """Return what each joint does by itself, by MuJoCo's numbers, and warn of the rest.
+    """Return the passive forces of each joint, by MuJoCo's numbers, and warn about the rest.
 
     Args:
         robot: the compiled file.
@@ -45,7 +45,7 @@ def passives(
 
 
 def _effects(robot: Compiled, joint: int) -> Iterator[tuple[str, float]]:
-    """Name what a joint does by itself, with its size; SI units."""
+    """Name the passive forces of a joint, with their sizes; SI units."""
     model = robot.model
     dof = int(model.jnt_dofadr[joint])
     found = {

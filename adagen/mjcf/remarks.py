@@ -165,7 +165,7 @@ def _reference(robot: Compiled, joint: int) -> float:
 def _followed(
     robot: Compiled, joint: int, follows: dict[int, tuple[int, float, float]], notes: Notes
 ) -> tuple[int, float, float]:
-    """Return what a joint follows in the end, through joints that follow others."""
+    """Return the final source of a joint, through joints that follow others."""
     source, multiplier, offset = follows[joint]
     passed = {joint}
     while source in follows:

@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class LoopKind:
-    """What a loop joint holds between its two frames, in axes of frame 1; its axis is z.
+    """Constraints of a loop joint between its two frames, in axes of frame 1; its axis is z.
 
     Attributes:
         name: as scene files name it.

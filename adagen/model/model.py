@@ -84,7 +84,7 @@ class Mimic:
 
 @dataclass(frozen=True)
 class Passive:
-    """What a joint does by itself, for each of its degrees of freedom.
+    """Passive forces of a joint, for each of its degrees of freedom.
 
     The torque that moves the links is tau - damping qd - stiffness (q - rest)
     - friction tanh(qd / friction_speed) - rotor_inertia qdd.

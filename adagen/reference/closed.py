@@ -34,7 +34,7 @@ CLOSED = 1e-11
 
 @dataclass(frozen=True)
 class Constraints:
-    """What holds a robot, in one configuration or in several (S, one in each row).
+    """The constraints of a robot, in one configuration or in several (S, one in each row).
 
     Attributes:
         gaps: how far each constraint is from being satisfied, shape (rows,) or (S, rows), m, rad.

@@ -170,7 +170,7 @@ def _timeline(
 
 
 def _words(program: Program, each: Interval, lanes: list[str]) -> dict[str, Any]:
-    """Return what an interval is called, and what lies in each SIMD lane of it.
+    """Return the name of an interval, and the contents of each SIMD lane.
 
     Args:
         program: the program.

@@ -136,7 +136,7 @@ def _ended(
 
 
 def _heard(child: subprocess.Popen[bytes], timeout: float | None) -> tuple[str, str]:
-    """Return what a launcher and its processes write, once it has ended or cannot be waited for.
+    """Return the output of a launcher and its processes, once it has ended or timed out.
 
     Raises:
         subprocess.TimeoutExpired: the time is up.

@@ -139,7 +139,7 @@ def _with_effects(model: Model, scene: Scene, names: Names) -> Model:
 
 
 def _defaults(scene: Scene) -> dict[str, float]:
-    """Return what the scene gives every joint of one degree of freedom; the URDF's it has."""
+    """Return the scene's values for every joint of one degree of freedom; the URDF's own."""
     found = {"damping": scene.damping, "friction": scene.friction}
     numbers = {key: value for key, value in found.items() if isinstance(value, float) and value}
     if scene.friction_speed is not None:

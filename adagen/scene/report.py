@@ -11,7 +11,7 @@ _NAMED = 6
 
 @dataclass(frozen=True)
 class Simplification:
-    """What a scene simplifies, and what that does to accelerations where it does not hold.
+    """A simplification of a scene, and its errors where it does not hold.
 
     Attributes:
         holds: in words, what it takes for true.
@@ -30,7 +30,7 @@ class Simplification:
 
 @dataclass(frozen=True)
 class Cost:
-    """What an evaluation takes: operations counted from its plan, and predicted time in us."""
+    """Cost of an evaluation: operations counted from its plan, and predicted time in us."""
 
     operations: int
     time: float
@@ -66,7 +66,7 @@ def removed(reduction: Reduction) -> list[str]:
 
 
 def saved(reduction: Reduction, before: Cost | None, after: Cost) -> str:
-    """Return a line on what is left and what that saves.
+    """Return a line about the remaining robot and the savings.
 
     Args:
         reduction: the reduction.
@@ -101,7 +101,7 @@ def accurate(digits: float, whole: float | None) -> str:
 
 
 def differs(simplification: Simplification) -> str:
-    """Return a line on what a simplification does to accelerations where it does not hold."""
+    """Return a line about the errors of a simplification where it does not hold."""
     return (
         f"scene: exact where {simplification.holds}; where {simplification.else_}, accelerations "
         f"differ by {simplification.median:.0%} (median of {simplification.states} random states; "

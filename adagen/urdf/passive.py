@@ -54,7 +54,7 @@ def read_effects(root: Element, wanted: Collection[str], notes: Notes) -> Effect
 
 
 def warn_dropped(root: Element, decided: Callable[[str, str], bool], notes: Notes) -> None:
-    """Warn of what <dynamics> says of moving joints and the model does not hold.
+    """Warn about <dynamics> of moving joints that the model does not contain.
 
     Attributes of the same joints take one line.
 
@@ -75,7 +75,7 @@ def warn_dropped(root: Element, decided: Callable[[str, str], bool], notes: Note
 
 
 def tell_dropped(found: Mapping[str, Mapping[str, int | None]], notes: Notes) -> None:
-    """Warn of what joints have by themselves and the model does not hold.
+    """Warn about passive forces of joints that the model does not contain.
 
     Args:
         found: for each effect, a member of ``EFFECTS`` or another, the joints that have it, with

@@ -133,7 +133,7 @@ def _weakest_of(matrix: Any, model: Model) -> Mobility:
 
 
 def _moving(k: int, factor: dict[int, list[Any]], owner: list[int], n: int) -> tuple[int, ...]:
-    """Return the joints that move when row k moves by 1 and the rows below it give way."""
+    """Return the joints that move when row k moves by 1 and the rows below it are free."""
     value = [arb(0)] * n
     value[k] = arb(1)
     for i in range(k + 1, n):

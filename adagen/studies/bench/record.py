@@ -116,7 +116,7 @@ def write_record(record: Record, path: Path) -> None:
 
 
 def read_record(path: Path) -> Record:
-    """Return what a file holds.
+    """Return the record in a file.
 
     Raises:
         InputError: it cannot be read, or is not one of ours.

@@ -145,7 +145,7 @@ def write_scale(scale: Scale, path: Path) -> None:
 
 
 def read_scale(path: Path) -> Scale:
-    """Return what a file holds.
+    """Return the record in a file.
 
     Raises:
         InputError: it cannot be read, or is not one of ours.

@@ -284,7 +284,7 @@ def _shortened(lines: list[str]) -> str:
 
 
 def _handles(chart: Chart, colours: dict[str, str]) -> list[Any]:
-    """Return what the legend holds."""
+    """Return the entries of the legend."""
     from matplotlib.lines import Line2D
 
     def handle(marker: str, colour: str, face: str, text: str, line: str = "") -> Any:

@@ -186,7 +186,7 @@ def every_variant(
     *,
     whole: bool = False,
 ) -> list[Variant]:
-    """Return what a chart holds, the reference first.
+    """Return the variants of a chart, the reference first.
 
     Shapes are varied on the searched schedule without refinement; refinement on one process, unless
     the ``whole`` product is asked for; further schedules in double without refinement, likewise. A

@@ -96,7 +96,7 @@ def _point(rng: Generator, mass: float, off: float) -> Inertia:
 
 
 def slender_tools(rng: Generator) -> Model:
-    """Rods, the last of which is thin: its D is a small part of what hangs on the joint."""
+    """Rods, the last of which is thin: its D is a small part of the inertia at the joint."""
     links = _rods(rng)
     links[-1] = rod(radius=between(rng, -7, -1))
     return _chain("slender tool", rng, links)
@@ -252,7 +252,7 @@ FAMILIES: tuple[Family, ...] = (
 
 
 def robots(count: int, seed: int = 0, families: Sequence[Family] = FAMILIES) -> list[Model]:
-    """Return so many robots of families in turn; the same seed gives the same robots."""
+    """Return a number of robots of the families in turn; the same seed gives the same robots."""
     found = []
     for k in range(count):
         rng = np.random.default_rng((seed, k))

@@ -90,7 +90,7 @@ class Wrong:
 
 @dataclass(frozen=True)
 class Audit:
-    """What became of all evaluations of one way.
+    """The outcomes of all evaluations of one variant.
 
     Attributes:
         counts: answered, refused, and of the answered ones wrong.

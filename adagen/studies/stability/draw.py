@@ -132,7 +132,7 @@ def compared(found: Map) -> dict[str, object]:
 
 
 def draw_study(cells: Sequence[Cell], path: Path) -> None:
-    """Draw what emitted solvers keep: a row for each way, a column for each robot.
+    """Draw the digits that emitted solvers keep: a row for each variant, a column for each robot.
 
     Args:
         cells: of the study.

@@ -73,7 +73,7 @@ class Subject:
 
 @dataclass(frozen=True)
 class Cell:
-    """What became of a robot, solved in one way.
+    """The result of a robot in one variant.
 
     Attributes:
         robot: its name.
@@ -130,7 +130,7 @@ def ways(
     scalars: Sequence[str] = SCALARS,
     meetings: Sequence[str] = MEETINGS,
 ) -> list[Way]:
-    """Return ways to solve a robot: what most users have comes first."""
+    """Return the variants in which a robot is solved, the most common first."""
     found = []
     for scalar in scalars:
         for count in processes:
@@ -339,7 +339,7 @@ def digits(error: float | None, scalar: str) -> float:
 
 
 def _figures(cells: Sequence[Cell], one: Subject, way: Way) -> dict[str, Any]:
-    """What was found of a robot in a way."""
+    """The results of a robot in one variant."""
     cell = next(each for each in cells if each.robot == one.name and each.way == way)
     names = ("refused", "error", "state", "joint", "executor", "predicted", "silent", "why")
     return {name: getattr(cell, name) for name in names}

@@ -235,7 +235,7 @@ class Outcome:
 
 
 def audit(model: Model, states: int, outcome: Outcome, seed: int = 1) -> None:
-    """Solve a mechanism in its worst closed states and some others; add up what comes of it."""
+    """Solve a mechanism in its worst closed states and some others; count the outcomes."""
     outcome.mechanisms += 1
     try:
         plan = make_plan(model, best_schedule(model, 1, load_profile("default")))
