@@ -46,7 +46,7 @@ _KINDS: dict[int, JointKind] = {
 
 @dataclass
 class _Link:
-    """A link while its fixed bodies are being collected; ``joint`` is None for the base of --floating.
+    """A link while its fixed bodies are collected; ``joint`` is None for the base of --floating.
 
     Attributes:
         name: of the link.
