@@ -45,7 +45,7 @@ constexpr std::array<int, kNv> kJointOf = [] {
 std::array<std::array<Real, kNv>, kNv> joint_space_inertia;  // its lower triangle
 std::array<Real, kNv> right_side;
 
-// One column of H: force holds what moves the composite body of joint j in its kth direction.
+// One column of H: force is the wrench for a unit acceleration of joint j in its kth direction.
 inline void column_of_inertia(const Workspace& w, int j, int column, Columns6 force) {
   for (;;) {
     const JointConstants& joint = kJoints[static_cast<std::size_t>(j)];

@@ -104,8 +104,8 @@ class Channel {
               kMessages[k].target, k, comm_, &port.request);
   }
 
-  // Waits for message k, patient: however long it takes, and returns its content; what its source
-  // knows of failures joins the status.
+  // Waits for message k without a time limit, and returns its content; the status of its source is
+  // added to this process's.
   const Number* receive(int k, int& status, bool patient = false) {
     if (take_ && take_->playing()) return opened(take_->pass(), status);
     Port& port = ports_[k];
@@ -129,7 +129,7 @@ class Channel {
   // Notes from here on what is sent and received, or plays it; null for neither.
   void use(Take* take) { take_ = take; }
 
-  // Waits until a peer has done its part; then tells done of it. What never comes is given up.
+  // Waits until a peer has done its part, then calls done; gives up after the time limit.
   template <class Done>
   void wait(MPI_Request& request, int peer, int& status, Done done, bool patient = false) {
     if (request == MPI_REQUEST_NULL) return;

@@ -1,5 +1,5 @@
 // adagen's runtime, the same for all robots.
-// What all headers share.
+// Definitions for all headers.
 #pragma once
 
 #include <cstddef>

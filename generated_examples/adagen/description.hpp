@@ -5,7 +5,7 @@
 
 #include "version.hpp"
 
-// What a solver tells the program around it (adagen_program.cpp), and what that asks of it.
+// The interface between a solver and the program around it (adagen_program.cpp).
 namespace adagen {
 
 struct OneProcess {};  // in place of a communicator where there is no MPI
@@ -74,7 +74,7 @@ struct Coupling {
   Number offset;
 };
 
-// What is found beside accelerations; its numbers follow theirs.
+// Outputs beside accelerations; their numbers follow those of the accelerations.
 struct Output {
   const char *what, *name;
   int size;

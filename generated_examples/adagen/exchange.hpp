@@ -10,7 +10,7 @@
 
 namespace {
 
-// What goes into a message, and out of one.
+// Writes and reads the contents of a message.
 template <class M>
 Number* put(Number* to, const M& m) {
   Eigen::Map<Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>>{to} =

@@ -11,7 +11,7 @@
 
 namespace {
 
-// What a joint hands on to its near side: an articulated body's inertia and bias force.
+// The projected articulated inertia and bias force that a joint passes to its near side.
 struct Passed {
   Inertia inertia;
   Columns6 force;
@@ -25,7 +25,7 @@ Passed hand_on(Workspace& w, int joint, Body& body, Real sigma, const Inertia& I
   return passed;
 }
 
-// To the link that it is handed on to, in the same axes or seen from the parent link.
+// Added to the near link, in the same axes or in those of the parent link.
 [[maybe_unused]] inline void add(const Passed& passed, Inertia& IA, Columns6& pA) {
   IA += passed.inertia;
   pA += passed.force;

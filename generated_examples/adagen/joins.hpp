@@ -214,8 +214,8 @@ Columns6 bias_change(const Joined<Kind>& i, const Coupled<Kind>& j) {
   return result;
 }
 
-// Disassembly of a joint: collects what the outer forces do to it, then gives its acceleration and
-// its force.
+// Disassembly of a joint: collects the effect of the outer forces, then gives its acceleration and
+// force.
 template <class Kind>
 class Release {
  public:

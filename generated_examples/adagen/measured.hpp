@@ -19,7 +19,7 @@
 
 namespace {
 
-// What is measured (--time, --stretches), of several processes.
+// Measurements (--time, --stretches) of several processes.
 using Clock = std::chrono::steady_clock;
 
 Text open_solver(Solver& solver, MPI_Comm comm, const adagen::Opening& how) {

@@ -17,7 +17,7 @@ namespace {
 [[maybe_unused]] constexpr std::array<MessageInfo, 0> kMessages{};
 #endif
 
-// One process exchanges with none: what the code around it asks of a channel, without MPI.
+// The channel of a single process: it exchanges with none, and needs no MPI.
 class Take;
 
 class Channel {

@@ -14,7 +14,7 @@
 
 namespace {
 
-// What is wrong with what was asked for; an empty string for nothing.
+// Why the arguments are refused; an empty string if they are not.
 inline std::string why_not_open(MPI_Comm comm, const std::string& kind, double time_limit) {
   int ready = 0, size = 0;
   MPI_Initialized(&ready);

@@ -14,7 +14,7 @@
 
 namespace {
 
-// What is set at run time goes to other processes with each state.
+// Run-time parameters are sent to other processes with each state.
 template <class T>
 Number number_of(const T& parameter) {
   if constexpr (std::is_same_v<T, Number>)

@@ -1,6 +1,5 @@
 // adagen's runtime, the same for all robots.
-// What the program around it knows of a solver for one process, without loops, outer forces or
-// outputs; and its main.
+// The description of a solver for one process, without loops, outer forces or outputs; and main.
 #pragma once
 
 #include "description.hpp"

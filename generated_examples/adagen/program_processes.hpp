@@ -1,6 +1,6 @@
 // adagen's runtime, the same for all robots.
-// What the program around it knows of a solver for several processes, without loops, outer forces
-// or outputs; and its main.
+// The description of a solver for several processes, without loops, outer forces or outputs; and
+// main.
 #pragma once
 
 #include "description.hpp"

@@ -6,7 +6,7 @@
 
 namespace {
 
-// Whether answers would be others here: open_failure tells why.
+// Whether this environment would change answers: open_failure says why.
 bool refused() {
   const char* const why = why_not_reproducible();
   open_failure.clear();

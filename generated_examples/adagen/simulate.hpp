@@ -125,7 +125,7 @@ class Simulation {
     return kDone;
   }
 
-  // Takes all steps; returns an empty string, or what stopped it.
+  // Takes all steps; returns an empty string, or the reason why it stopped.
   std::string follow() {
     Stepper stepper;
     manifold::normalise(q_);
@@ -153,7 +153,7 @@ class Simulation {
     return "";
   }
 
-  // What helps against a failure; nothing where the given state is what fails.
+  // Advice against a failure; empty where the given state itself fails.
   const char* remedy(int failed) const {
     if (evaluations_ == 1) return "";
     switch (failure_kind(failed)) {

@@ -20,8 +20,8 @@ using Vec6 = Eigen::Matrix<Real, 6, 1>;
 using Mat6 = Eigen::Matrix<Real, 6, 6>;
 using Columns6 = Eigen::Matrix<Real, 6, kColumns>;
 
-// What nearly every solver calls is written out, number by number: Eigen's expressions take the
-// compiler longer than all the rest. What few call is a template, compiled where it is called.
+// Functions that nearly every solver calls are written out, number by number: Eigen's expressions
+// take longer to compile than everything else. Rare functions are templates.
 inline Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }

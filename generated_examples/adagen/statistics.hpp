@@ -39,7 +39,7 @@ double nanoseconds(std::chrono::steady_clock::rep ticks) {
   return std::chrono::duration<double, std::nano>(Duration(ticks)).count();
 }
 
-// What one look at the clock takes; each time between two looks holds one.
+// Time of one clock reading; each time between two readings contains one.
 double clock_cost() {
   using Clock = std::chrono::steady_clock;
   double best = 1e9;

@@ -7,8 +7,8 @@
 
 namespace {
 
-// What can go wrong in an evaluation. A status travels with every message, so that all processes
-// learn of a failure and none waits for an answer that cannot come. It must be exact in a float.
+// Failures of an evaluation. A status travels with every message, so that all processes learn of a
+// failure and none waits for an answer that cannot come. It must be exact in a float.
 enum Failure : int {
   kFine = 0,
   kNotFinite = 1,       // the state of a joint is not a finite number

@@ -26,8 +26,7 @@
 
 namespace {
 
-// What the straight lines are surrounded by: the state looked at, sines and cosines, checks,
-// results.
+// The code around straight lines: tests of the state, sines and cosines, checks, results.
 #define ADAGEN_INPUTS                                                              \
   [[maybe_unused]] const Value *const q = w.q, *const v = w.v, *const tau = w.tau; \
   [[maybe_unused]] const Value *const sine = w.sine.data(), *const cosine = w.cosine.data();

@@ -167,7 +167,7 @@ class Verdict {
   static constexpr double kPush = 1024;  // its effect on the answer is known to three digits
   static constexpr double kTouch = 64;   // units of rounding: the solver's own are small beside it
   static constexpr double kRounding = std::numeric_limits<Number>::epsilon() / 2;
-  // Where fewer than six digits (float: two) are sure, a warning tells it.
+  // Warns where fewer than six digits (float: two) are certain.
   static constexpr double kUnsure = sizeof(Number) == sizeof(double) ? 1e-6 : 1e-2;
   static constexpr double kNone = 0.5;  // fewer digits are none
   // An answer whose backward error is too large may be as far off as this many units of rounding of
@@ -197,7 +197,7 @@ class Verdict {
     return std::max<double>(finding.left.backward, std::numeric_limits<Number>::min());
   }
 
-  // What is left over where the torques were pushed, by the answer to them.
+  // The residual for changed torques, with the answer to them.
   double response_error(int s, const States& pushed, const Number* qdd) const {
     const Number* const its_tau = pushed.tau.data() + static_cast<long>(s) * about.ntau;
     std::vector<Number> all(qdd, qdd + about.nv);
@@ -214,7 +214,7 @@ class Verdict {
     return off <= kAllowed * least_known(finding, &Finding::known).part;
   }
 
-  // Adds what is left over to the torques, so much that it stands out.
+  // Adds the residual, magnified, to the torques.
   static void push(const Finding& finding, Number* tau) {
     for (const Joint& joint : about.joints) {
       if (joint.prescribed || joint.source >= 0) continue;

@@ -13,7 +13,7 @@
 
 namespace {
 
-// Joints and links in wide numbers, for what refinement finds to be left over.
+// Joints and links in higher precision, for the residuals of refinement.
 using Wide = std::conditional_t<std::is_same_v<Real, float>, double, long double>;
 using Wide3 = Eigen::Matrix<Wide, 3, 1>;
 using Wide6 = Eigen::Matrix<Wide, 6, 1>;

@@ -14,7 +14,7 @@
 
 namespace {
 
-// A correction: links feel what is left over of their equations of motion and nothing else.
+// A correction: only the residuals of the equations of motion act on links.
 inline void begin_answer(Workspace& w) {
   w.again = false;
   for (auto& f : w.refinement.f) f.setZero();

@@ -103,7 +103,7 @@ void outward_group(Workspace& w) {
       [&](int k, auto kind) ADAGEN_ALWAYS { step_outward<true>(w, limbs.at(k), kind, at); });
 }
 
-// Adds to bodies what the sweep finds at the links beyond a row of joints.
+// Adds to bodies those at the links beyond a row of joints.
 template <int p, bool lost = false, class T>
 ADAGEN_INLINE void meet_group(Workspace& w, const Joints<T>& joints, Body<T>& X) {
   const Body<Value> none{};
@@ -147,7 +147,7 @@ constexpr bool may_lose(const L& limbs) {
 template <int p, const auto& limbs, class T>
 void inward_group_again(Workspace& w, Body<T>& X);
 
-// What hangs on the links that the limbs hang on.
+// The bodies that the limbs add to the links before them.
 template <int p, const auto& limbs>
 auto inward_group(Workspace& w) {
   using T = typename std::decay_t<decltype(limbs)>::T;

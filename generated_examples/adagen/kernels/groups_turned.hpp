@@ -16,8 +16,8 @@
 
 namespace {
 
-// Whether limbs hand what they find to the trunk in the axes of the links that they hang on: where
-// the joints at both ends of one are turned.
+// Whether limbs add their bodies to the trunk in the near links' axes: where the joints at both
+// ends of such a link are computed in their own axes.
 template <class L>
 constexpr bool hands_own(const L& limbs) {
   bool any = false;

@@ -21,7 +21,7 @@ namespace {
 
 // What cannot be solved is refused, with the joint at fault.
 
-// D beside the trace of what it is found in: less than this is rounding and nothing else.
+// Least ratio of D to the trace of its inertia: D below it is only rounding.
 constexpr Real kLeast = 16 * std::numeric_limits<Real>::epsilon();
 
 // Less than this calls for the joint's own axes, where there is a way to take them: a sweep in axes

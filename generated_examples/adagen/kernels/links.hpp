@@ -16,7 +16,7 @@
 
 namespace {
 
-// What needs no recursion, for as many links at once as a register holds.
+// Work without recursion, for as many links at once as a register has lanes.
 
 // Constants of each of the joints.
 template <class T>

@@ -50,7 +50,7 @@ ADAGEN_INLINE void drive(Body<Value>& X, const Motion<Value>& a) {
   X.f += transposed_times(X.B, a.angular) + X.C * a.linear;
 }
 
-// Process p passes on what is found beyond joint j, which moves as prescribed.
+// Process p passes the body beyond joint j, whose motion is prescribed, to its near link.
 template <int p, int j, bool starts>
 void inward_prescribed(Workspace& w) {
   Body<Value> X = whole<p>(w, j + 1);

@@ -66,7 +66,7 @@ ADAGEN_INLINE Vector<Value> last_of(const Vector<Lanes>& x) {
   return {x.x[kPerBlock - 1], x.y[kPerBlock - 1], x.z[kPerBlock - 1]};
 }
 
-// What the lanes before each add to start; start becomes what all add to it.
+// Sums of the lanes before each lane and start; start becomes the sum of all.
 ADAGEN_INLINE Vector<Lanes> sums_before(const Vector<Lanes>& x, Vector<Value>& start) {
   const auto join = [](const Vector<Lanes>& a, const Vector<Lanes>& b)
                         ADAGEN_ALWAYS { return a + b; };

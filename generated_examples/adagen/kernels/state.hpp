@@ -5,7 +5,7 @@
 
 namespace {
 
-// Where an evaluation finds the state, and puts what it answers.
+// The state that an evaluation reads, and the answer that it writes.
 struct State {
   const Value* q = nullptr;
   const Value* v = nullptr;

@@ -77,8 +77,8 @@ ADAGEN_NOINLINE void outward_tile(Workspace& w, int beyond, const Frame<Lanes>& 
   if constexpr (kInColumns) set_up_columns<begin, end>(w, before);
 }
 
-// Inwards along a tile: by columns where registers hold them. What is carried along is a body, and
-// what is due of it.
+// Inward sweep of a tile: by columns where registers hold them. A body is carried along, with the
+// part still to be subtracted.
 struct Carried {
   Columns X;
   Due due;

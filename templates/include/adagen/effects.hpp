@@ -10,7 +10,7 @@
 
 namespace {
 
-// A joint that frees nothing: its acceleration is known, or a rotor gives way in its place.
+// A joint without freedom: its acceleration is known, or its rotor's inertia stands for it.
 struct Held {
   using Free = Selection<>;
   using Constrained = Selection<0, 1, 2, 3, 4, 5>;
@@ -25,8 +25,8 @@ void prescribe(const Number* qdd, Columns6& c) {
 template <class Kind>
 using Freedoms = std::array<std::array<Real, kColumns>, kFree<Kind>>;
 
-// A joint with a rotor, where chains are joined: S qdd = S J^-1 (tau - S^T f) gives way to its
-// force, so that Phi_B takes S J^-1 S^T and c takes S J^-1 tau.
+// A joint with a rotor, where chains are joined: S qdd = S J^-1 (tau - S^T f), so that S J^-1 S^T
+// is added to Phi_B and S J^-1 tau to c.
 template <class Kind>
 Mat6 with_rotor(const Mat6& Phi, Real rotor) {
   Mat6 result = Phi;

@@ -9,7 +9,7 @@
 
 namespace {
 
-// What is set at run time, until then. T: what is computed with it.
+// Initial values of run-time parameters. T: the type for computing.
 template <class T>
 std::array<T, kParameterCount> first_parameters() {
   std::array<T, kParameterCount> result{};

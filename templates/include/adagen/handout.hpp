@@ -124,7 +124,7 @@ class Handout {
   // What a message is: states, whose bounds are wanted or not, or answers.
   static constexpr int kStates = 0, kBoundedStates = 1, kSolved = 2, kFailed = 3;
   static constexpr int kEnd = 1;  // numbers in one that ends it all
-  // States of a piece, at most: about 64 kB, which is on its way for less time than it takes.
+  // Most states of a piece: about 64 kB, which take less time to send than to solve.
   static constexpr int kMost =
       std::max(1, (1 << 16) / (kNumbers * static_cast<int>(sizeof(Number)) * kLanes)) * kLanes;
 

@@ -131,7 +131,7 @@ struct Row {
   void add(Real x) { value += x, size += std::abs(x); }
 };
 
-// What a joint's damping, friction, spring and rotor take of its torque.
+// Torque of a joint's damping, friction, spring and rotor.
 void add_passive(const Joint& joint, const Number* q, const Number* v, const Number* qdd,
                  Row* row) {
   for (int k = 0; k < joint.nv; ++k) {
@@ -309,8 +309,8 @@ std::vector<Real> solved(std::vector<std::vector<Real>> rows) {
   return x;
 }
 
-// Accelerations that the solver does not give, beside those that it does: by their own rows of the
-// equation of motion. What is wrong with the others is left over in theirs.
+// Computes accelerations that the solver does not give, from their own rows of the equation of
+// motion. Errors of the other accelerations remain as residuals in their rows.
 void complete(const Number* q, const Number* v, const Number* tau, std::vector<Number>& qdd) {
   std::vector<std::size_t> open;
   for (const Joint& joint : about.joints)
@@ -336,7 +336,7 @@ void complete(const Number* q, const Number* v, const Number* tau, std::vector<N
   for (std::size_t k = 0; k < found.size(); ++k) qdd[open[k]] = static_cast<Number>(found[k]);
 }
 
-// What is left over of the equation of motion.
+// The residual of the equation of motion.
 struct Left {
   std::vector<Real> over, size;  // of each row: ID(q, v, qdd) - tau, and how much is added up there
   double residual = 0;           // length of over beside that of the torques that it balances

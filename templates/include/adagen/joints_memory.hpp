@@ -9,7 +9,7 @@
 
 namespace {
 
-// What a process has in memory beside its joints.
+// Memory of a process beside its joints.
 struct JointsMemory {
   const Number* q = nullptr;
   const Number* v = nullptr;

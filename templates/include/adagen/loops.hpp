@@ -241,7 +241,7 @@ inline Real close(std::vector<double>& q) {
   return largest(now.gaps);
 }
 
-// Takes from velocities what would tear loops open.
+// Removes from velocities the part that would open loops.
 inline void hold(const Number* q, std::vector<double>& v) {
   const Constraints now = constraints(q);
   for (int again = 0; again < 2; ++again) {
@@ -311,8 +311,8 @@ inline Parting parting(const Frames& frames, const std::vector<Pose>& pose,
   return {rates + dot(changing, turning), size};
 }
 
-// What is left over of the equation of motion may be forces of constraints: those that fit best are
-// taken from it. In exchange accelerations must not tear loops open.
+// The residual of the equation of motion may be constraint forces: those that fit best are
+// subtracted. In exchange, accelerations must not open loops.
 inline void account(const Number* q, const Number* v, const Number* qdd, check::Left& left) {
   const Constraints now = constraints(q);
   const std::size_t nv = left.over.size();

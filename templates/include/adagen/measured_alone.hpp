@@ -9,7 +9,7 @@
 
 namespace {
 
-// What is measured (--time, --stretches), of one program: no other starts with it.
+// Measurements (--time, --stretches) of one program alone.
 using Clock = std::chrono::steady_clock;
 
 template <class AnySolver>

@@ -11,8 +11,8 @@
 namespace adagen {
 namespace {
 
-// What the program asks of MPI, for one process without it. The launcher's
-// environment says how many were started, so that none of several goes on by itself.
+// Replaces the MPI calls of the program, for one process without MPI. The launcher's environment
+// says how many were started, so that none of several goes on by itself.
 using MPI_Comm = OneProcess;
 using MPI_Datatype = std::size_t;  // its size
 using MPI_Request = int;

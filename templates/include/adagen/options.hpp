@@ -23,7 +23,7 @@ struct SimulationOptions {
   std::string trajectory;
 };
 
-// What the program is asked to do.
+// The options of the program.
 struct Options {
   std::string states, result, trace;
   bool check = false, time = false, stretches = false, json = false, help = false, pin = true;
@@ -98,7 +98,7 @@ std::string parse_simulation(const std::string& word, const std::string& value, 
   return "";
 }
 
-// Returns what is wrong with what was asked for together, and settles what was left open.
+// Returns why a combination of options is refused, and sets defaults.
 std::string settle(bool simulation_words, Options& options) {
   if (about.batch &&
       (options.simulation.seconds > 0 || !options.trace.empty() || options.stretches))

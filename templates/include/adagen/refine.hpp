@@ -38,7 +38,7 @@ struct RefinedProcess {
   Table beyond;   // the joint beyond each of them
 };
 
-// What one process tells another of a step.
+// The message from one process to another about a step.
 struct ExchangeInfo {
   int source, target;
   Table entries;  // entries of v whose acceleration is sent
@@ -168,7 +168,7 @@ class Refinement {
     }
   }
 
-  // What is left over at the process's links.
+  // The residuals of the process's links.
   void residual(const RefinedProcess& own) {
     for (const int j : own.path) {
       const int parent = kJoints[j].parent;

@@ -59,7 +59,7 @@ inline double ratio(Number part, Number whole) {
   return part > 0 ? std::numeric_limits<double>::infinity() : 0;
 }
 
-// Shares of the energies to process 0, and what they come to back to all.
+// Sends energies to process 0, and their sums back to all.
 inline double share_size(Workspace& w, Channel& channel) {
   Refinement& r = w.refinement;
   Number e = static_cast<Number>(r.step_energy), t = static_cast<Number>(r.energy),

@@ -24,7 +24,7 @@
 namespace adagen {
 namespace {
 
-// What the parts of the program share: the solver, the states, and how a failure is reported.
+// Data that the parts of the program share: the solver, the states, and the report of failures.
 
 // Closes the loops of random states, each from its own configuration, then from others: until the
 // solver takes one, if any. Near singular poses it does not.

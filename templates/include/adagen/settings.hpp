@@ -1,5 +1,5 @@
 // adagen's runtime, the same for all robots.
-// What a solver is where its source says nothing else: it derives its Settings from these.
+// Default settings of a solver, from which its own Settings are derived.
 #pragma once
 
 #include <algorithm>

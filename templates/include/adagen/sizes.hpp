@@ -1,5 +1,5 @@
 // adagen's runtime, the same for all robots.
-// What a solver's Settings are called everywhere, and what follows from them.
+// Names of a solver's Settings for all headers, and derived constants.
 #pragma once
 
 #include <array>

@@ -22,7 +22,7 @@ namespace {
 // The mobility of a run's last link, by unit wrenches on it that are carried to the run's first
 // one, each in a lane: no mobility of the links between is needed, and nothing is subtracted.
 
-// What wrenches on the far link of a run find on their way, expressed in axes of the base.
+// Results of unit wrenches carried from the far link of a run, in base axes.
 struct Way {
   Mat6 moved;     // how the far link moves as the near one does: L of the whole run
   Mat6 own;       // mobility of the far link, the near one being held

@@ -11,7 +11,7 @@
 
 namespace {
 
-// A body by columns of eight lanes, for what takes one joint at a time: each column a register.
+// A body by columns of eight lanes, one register each, for sweeps of one joint at a time.
 typedef Real Column __attribute__((vector_size(8 * sizeof(Real))));  // [angular, -, linear, -]
 
 #if defined(__AVX512F__)
@@ -91,9 +91,8 @@ ADAGEN_INLINE Column carried(const Arm& arm, const Column& x) {
          arm.behind * shuffled<5, 6, 4, 7, 7, 7, 7, 7>(x, x);
 }
 
-// Gives A below its diagonal what it has above. What is left of a heavy body's inertia along axes
-// that joints have taken out falls off from joint to joint while the inertia stays symmetric, and
-// grows where it does not.
+// Copies A's upper triangle to its lower one. Rounding along axes that joints have eliminated
+// decreases from joint to joint while the inertia is symmetric, and grows where it is not.
 ADAGEN_INLINE void mirror(Columns& X) {
   X.angular[1] = shuffled<0, 1, 9, 3, 4, 5, 6, 7>(X.angular[1], X.angular[2]);
   const Column xy = shuffled<0, 8, 2, 3, 4, 5, 6, 7>(X.angular[0], X.angular[1]);

@@ -28,7 +28,7 @@ const Number* given(const Copied<count>& x) {
   return x.given();
 }
 
-// Where an evaluation finds the state, and puts what it answers.
+// The state that an evaluation reads, and the answer that it writes.
 struct State {
   Copied<kNq> q;
   Copied<kNv> v;

@@ -148,7 +148,7 @@ ADAGEN_INLINE void eliminate_planar(Workspace& w, const Joints<Value>& joints, B
   if constexpr (!reversed) shift(X, memory.r);
 }
 
-// One joint, or one in each lane, all of a kind; arrive adds what is found at the near link.
+// One joint, or one in each lane, all of one kind; arrive adds the bodies at the near link.
 template <bool reversed, class T, class Arrive>
 ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind kind, Body<T>& X,
                                const Arrive& arrive) {
@@ -180,7 +180,7 @@ ADAGEN_INLINE void step_inward(Workspace& w, const Joints<T>& joints, JointKind 
   arrive(X);
 }
 
-// Adds a bare link in the axes in which what is found at it is expressed.
+// Adds a bare link in the axes of its body.
 template <bool lost = false>
 ADAGEN_INLINE void add_link(Workspace& w, int link, Body<Value>& X) {
   if (turned_link<lost>(link))
@@ -189,7 +189,7 @@ ADAGEN_INLINE void add_link(Workspace& w, int link, Body<Value>& X) {
     add_bare_link(w, single(link - 1), X);
 }
 
-// Adds to a body what the sweep finds at a link.
+// Adds to a body those at a link.
 template <int p, bool lost = false>
 ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
   const LinkRole role = kRoles[p][static_cast<std::size_t>(link)];
@@ -201,7 +201,7 @@ ADAGEN_INLINE void meet(Workspace& w, int link, Body<Value>& X) {
   if (role.adds_own) add_link<lost>(w, link, X);
 }
 
-// What is found at a link, in axes of the base.
+// The bodies at a link, in base axes.
 template <int p>
 ADAGEN_INLINE Body<Value> whole(Workspace& w, int link) {
   Body<Value> X{};

@@ -80,7 +80,7 @@ ADAGEN_INLINE Driven<T> hand_on(Workspace& w, int j, JointKind kind, Vector<T>& 
   return driven;
 }
 
-// What a link is loaded with is added to what is passed on to it.
+// A link's own load is added to the wrench that is passed to it.
 ADAGEN_INLINE void take_load(const Workspace& w, int link, Vector<Value>& n, Vector<Value>& f) {
   const Columns6& load = w.loads[static_cast<std::size_t>(link)];
   n += Vector<Value>{load[0], load[1], load[2]};
@@ -101,7 +101,7 @@ ADAGEN_INLINE void push_free(Workspace& w, int j, Vector<Value>& n, Vector<Value
   n = f = Vector<Value>{};
 }
 
-// A wrench on the far link: gives the joint its part, and leaves what reaches the near link.
+// Wrench on the far link: its effect on the joint, and the wrench that reaches the near link.
 template <bool reversed>
 ADAGEN_INLINE void deliver(Workspace& w, int j, Vector<Value>& n, Vector<Value>& f) {
   Value* const e = w.joints[static_cast<std::size_t>(j)].e;
