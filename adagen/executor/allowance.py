@@ -24,6 +24,7 @@ from adagen.executor.frames import Transform
 from adagen.executor.kinematics import Motion
 from adagen.executor.state import State
 from adagen.graph import Expression, Factors, total
+from adagen.plan.steps import Step
 
 Array = NDArray[Any]
 
@@ -237,6 +238,9 @@ class Allowance:
         now, graph.mark = graph.mark, self._marks.get(link, graph.mark)
         yield
         graph.mark = now
+
+    def swept(self, step: Step) -> None:
+        """Look at a step of a correction, if what is left over is swept inwards by one."""
 
     # -- what is passed on ------------------------------------------------------------------------
 

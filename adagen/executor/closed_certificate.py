@@ -48,18 +48,29 @@ class ClosedCertificate(Allowance):
 
     def carry_out(self, _: Certify) -> None:
         """Find the squares of the energy norms of the error, as bounded, and of the answer."""
-        corrections = self.machine.corrections
-        for link in corrections.links():
-            taken = corrections.current.memory["pA", link]
-            self.memory["left", link] = taken[:, 0]
         self.uncertain_motions()
-        for step in corrections.in_order():
-            self._inwards(step)
         error = self.seen.total() + self.rounded.total() * self.unit**2
-        self.state.certificate = (error, corrections.size_of_answer())
+        self.state.certificate = (error, self._energy_of_answer())
 
-    def _inwards(self, step: Step) -> None:
+    def _energy_of_answer(self) -> Expression:
+        """The square of its energy norm: what links and rotors were found to take."""
+        corrections, sums = self.machine.corrections, Sums(self.machine)
+        answer, energies = corrections.answer(), corrections.energies()
+        for link in energies.links:
+            with self.when_reached(link):
+                energy = energies.in_fall(link, answer.links[link])
+                sums.add(self.run(link - 1), self.count(link - 1), energy)
+        for j, qdd in answer.joints.items():
+            with self.when_reached(j + 1):
+                rotor = energies.of_rotor(j, qdd)
+                if rotor is not None:
+                    sums.add(self.run(j), self.count(j), rotor)
+        return sums.total()
+
+    def swept(self, step: Step) -> None:
         """Add what a step sees of the error, squared, and what it may round."""
+        if not self.state.plan.certified:
+            return
         residual = self.machine.corrections.current
         match step:
             case StartLink(link):
@@ -93,6 +104,11 @@ class ClosedCertificate(Allowance):
         """Squares of moments and force, shape (4,)."""
         squares = wrench * wrench
         return np.array([*squares[:3], total(squares[3:])], dtype=object)
+
+    def noise_at(self, link: int) -> Array:
+        """Squares of the moments and forces that come together at a link, shape (4,)."""
+        self.memory["left", link] = self.machine.corrections.current.memory["pA", link][:, 0]
+        return super().noise_at(link)
 
     # -- joints -----------------------------------------------------------------------------------
 

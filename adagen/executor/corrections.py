@@ -66,11 +66,17 @@ class Corrections:
         for place in self._order:
             again = self.steps[place]
             if step.first <= place < step.last and not isinstance(again, _KINEMATICS):
-                self.current.step(again)
+                self._again(again)
 
-    def in_order(self) -> list[Step]:
-        """Return the process's own steps, in the order of their repetition."""
-        return [self.steps[place] for place in self._order]
+    def _again(self, step: Step) -> None:
+        """Repeat a step; a link's residual is computed where the link's acceleration is."""
+        bounds = self.machine.bounds
+        if isinstance(step, StartLink):
+            with bounds.when_reached(step.link):
+                self.current.step(step)
+        else:
+            self.current.step(step)
+        bounds.swept(step)  # of what is at hand
 
     def sizes(self) -> list[Expression]:
         """Return squared energy norms: of the answer, of all link accelerations, of corrections.
@@ -78,19 +84,18 @@ class Corrections:
         What other processes start is theirs to count.
         """
         machine = self.machine
-        energies = self._energies()
+        energies = self.energies()
         first = _answer_of(machine)
         whole = energies.of(energies.without_fall(first.links), first.joints)
         found = [_answer_of(each) for each in self.rounds]
         parts = [energies.of(each.links, each.joints) for each in found]
         return [whole, energies.in_all(), *parts]
 
-    def size_of_answer(self) -> Expression:
-        """Return the squared energy norm of the answer, from the wrenches of its links."""
-        first = _answer_of(self.machine)
-        return self._energies().in_fall(first.links, first.joints)
+    def answer(self) -> Answer:
+        """Return the answer of the process before corrections."""
+        return _answer_of(self.machine)
 
-    def _energies(self) -> Energies:
+    def energies(self) -> Energies:
         """The energies of the links that the process starts."""
         started = {s.link for s in self.steps if isinstance(s, StartLink | LinkBias)}
         links = [link for link in self.links() if link in started]

@@ -167,27 +167,21 @@ class Energies:
     def __init__(self, motion: Motion, links: Sequence[int]) -> None:
         self.state, self.motion, self.links = motion.state, motion, links
 
-    def of(
-        self,
-        links: Mapping[int, Array],
-        joints: Mapping[int, Array],
-        others: Mapping[int, Array] | None = None,
-    ) -> Expression:
+    def of(self, links: Mapping[int, Array], joints: Mapping[int, Array]) -> Expression:
         """Return the squared norm of joint accelerations, from their link accelerations.
 
         Args:
             links: accelerations of links, shape (6,).
             joints: accelerations of joints, shape (n,).
-            others: what momenta of links are multiplied by, shape (6,), if not by ``links``.
         """
-        terms, others = [self.state.graph.constant(0)], others or links
+        terms = [self.state.graph.constant(0)]
         for link in self.links:
             momentum = matrix_times(self.motion.link_inertia(link), links[link])
-            terms.append(self._whole(link - 1, total(momentum * others[link])))
+            terms.append(self._whole(link - 1, total(momentum * links[link])))
         for j, qdd in joints.items():
-            rotor = self.state.rotor(j)
+            rotor = self.of_rotor(j, qdd)
             if rotor is not None:
-                terms.append(self._whole(j, total(x * x for x in qdd) * rotor))
+                terms.append(self._whole(j, rotor))
         return total(terms)
 
     def in_all(self) -> Expression:
@@ -199,17 +193,19 @@ class Energies:
             terms.append(self._whole(link - 1, total(x * x for x in field.a) * mass))
         return total(terms)
 
-    def in_fall(self, links: Mapping[int, Array], joints: Mapping[int, Array]) -> Expression:
-        """Return that of the answer less free fall d: the sum of (a - 2 d)^T (I a) + m d^T d."""
-        falls = self._falls(links)
+    def in_fall(self, link: int, a: Array) -> Expression:
+        """Return that of one link less free fall d, (a - 2 d)^T (I a) + m d^T d; by lanes."""
+        momentum = matrix_times(self.motion.link_inertia(link), a)
+        falls = self._falls([link])
         if not falls:
-            return self.of(links, joints)
-        less, terms = {}, []
-        for link in self.links:
-            a, fall = links[link], falls[link]
-            less[link] = np.concatenate([a[:3], a[3:] - fall * 2])
-            terms.append(self._whole(link - 1, self._square(link) * self.state.rows.mass(link)))
-        return total([self.of(links, joints, less), *terms])
+            return total(momentum * a)
+        less = np.concatenate([a[:3], a[3:] - falls[link] * 2])
+        return total([*(momentum * less), self._square(link) * self.state.rows.mass(link)])
+
+    def of_rotor(self, j: int, qdd: Array) -> Expression | None:
+        """Return that of a joint's rotor, if it has one; by lanes."""
+        rotor = self.state.rotor(j)
+        return None if rotor is None else total(x * x for x in qdd) * rotor
 
     def _square(self, link: int) -> Expression:
         """The square of a link's free fall, which rotations do not change: that of its base's."""
