@@ -58,7 +58,7 @@ class Closures(Constraints):
                 front.end_waiting()
                 self._look_at_rates(front)
                 lanes = [lane.eliminate for lane in self.lanes(step.closure)]
-                lanes = self.hung.without(lanes, step.closure)
+                lanes = self.rod_halves.without(lanes, step.closure)
                 Elimination(self.state, lanes, front).run()
             case Release():
                 self._release(step, front)
@@ -81,7 +81,7 @@ class Closures(Constraints):
                 self.arm_lanes.add_bias(
                     front, wide_unknown, matrix_times(column[None, :], drift)[0]
                 )
-        if self.hung.at(j):
+        if self.rod_halves.at(j):
             front.first[j] = step.first
             self._pass(step, front, inertia, p, columns)
             return
@@ -234,8 +234,8 @@ class Closures(Constraints):
         """Accelerate the joints whose unknowns are known now."""
         waiting: list[AccelerateHeld] = []
         for step in front.outwards:
-            hung = self.hung.at(step.joint)
-            if hung is None or hung.find(front):
+            half = self.rod_halves.at(step.joint)
+            if half is None or half.find(front):
                 self._accelerate(step, front)
             else:
                 waiting.append(step)

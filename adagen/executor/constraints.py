@@ -75,7 +75,7 @@ class Constraints:
         leads = {lane.number: lanes[0].number for lanes in self.together.values() for lane in lanes}
         own = [one for number, one in self.alone.items() if leads.get(number, number) == number]
         in_arms = {j for arms in self.arms.values() for one in arms for j in one.limbs.members()}
-        self.hung = RodHalves(state, motion, own, in_arms, self._plan_loops)
+        self.rod_halves = RodHalves(state, motion, own, in_arms, self._plan_loops)
         self.memory: dict[Any, Any] = state.memory
         self.fronts: dict[int, Front] = {}
         # Where loops are solved for at the end, each kept row has a right-hand side.
@@ -136,13 +136,13 @@ class Constraints:
         joints = (*frames.one.joints, *frames.two.joints)
         tolerance = self._packed([one.tolerance for one in loops])
         fastest = self._refuse_open(place, frames.gap(), joints, tolerance)
-        hung = self.hung.by(step)
-        count = len(step.rows) if hung is None else PLACES
-        if hung is not None:
-            hung.look_at(place)
+        half = self.rod_halves.by(step)
+        count = len(step.rows) if half is None else PLACES
+        if half is not None:
+            half.look_at(place)
         if self._moves_by_rows(step):
             forces = tuple(self.arm_lanes.forces(step, row) for row in range(count))
-            turning = () if hung is None else tuple(hung.turning_apart())
+            turning = () if half is None else tuple(half.turning_apart())
             front.opening.append(Opening(place, fastest, forces, turning))
         else:
             self._refuse_torn(place, frames.rate(), fastest)

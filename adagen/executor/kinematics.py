@@ -45,7 +45,7 @@ class Motion:
 
     def __init__(self, state: State) -> None:
         self.state = state
-        self.hung: tuple[RodHalfMotion, ...] = ()
+        self.rod_halves: tuple[RodHalfMotion, ...] = ()
 
     def _kind(self, j: int) -> JointKind:
         """A joint's kind, and whether its motion is prescribed."""
@@ -183,12 +183,12 @@ class Motion:
 
         That of links that hang counts to those that carry them.
         """
-        if any(number == each.hung.link for each in self.hung):
+        if any(number == each.half.link for each in self.rod_halves):
             return self.state.zeros(6, 6)
         inertia = self._own_inertia(number)
-        for each in self.hung:
-            if number == each.hung.carrier:
-                inertia = inertia + each.inertia_at_carrier(self._own_inertia(each.hung.link))
+        for each in self.rod_halves:
+            if number == each.half.carrier:
+                inertia = inertia + each.inertia_at_carrier(self._own_inertia(each.half.link))
         return inertia
 
     def _own_inertia(self, number: int) -> Array:
@@ -242,8 +242,8 @@ class Motion:
         whole = np.concatenate([moment_of_force, np.array(force, dtype=object)])
         for push in self.pushes(number):
             whole = whole - push
-        for each in self.hung:
-            if number in (each.hung.link, each.hung.carrier):
+        for each in self.rod_halves:
+            if number in (each.half.link, each.half.carrier):
                 whole = whole - each.push_on(number)
         return whole
 

@@ -37,7 +37,7 @@ class RodHalfMotion:
     Args:
         state: whose process it is.
         motion: its kinematics.
-        hung: the link.
+        half: the link.
         loops: returns the weld that fixes it, in each lane.
     """
 
@@ -45,17 +45,17 @@ class RodHalfMotion:
         self,
         state: State,
         motion: Motion,
-        hung: RodHalf,
+        half: RodHalf,
         loops: Callable[[CloseLoop], Sequence[PlanLoop]],
     ) -> None:
-        self.state, self.motion, self.hung = state, motion, hung
+        self.state, self.motion, self.half = state, motion, half
         self._read_loops = loops
         self.known = False
 
     @cached_property
     def loops(self) -> Sequence[PlanLoop]:
         """The weld, in each lane."""
-        return self._read_loops(self.hung.closing)
+        return self._read_loops(self.half.closing)
 
     def _packed(self, read: Callable[[PlanLoop, int], Any], side: int) -> Array:
         """Numbers of one side of the welds."""
@@ -65,14 +65,14 @@ class RodHalfMotion:
     @property
     def carriers(self) -> list[int]:
         """The links of the other halves, by lanes."""
-        return [(loop.link1, loop.link2)[1 - self.hung.side] for loop in self.loops]
+        return [(loop.link1, loop.link2)[1 - self.half.side] for loop in self.loops]
 
     @cached_property
     def fixed(self) -> Transform:
         """Its pose on the other half."""
-        own, other = (self._packed(_rotation, s) for s in (self.hung.side, 1 - self.hung.side))
+        own, other = (self._packed(_rotation, s) for s in (self.half.side, 1 - self.half.side))
         turn = matrix_times(other, own.T)
-        place = self._packed(_translation, 1 - self.hung.side)
+        place = self._packed(_translation, 1 - self.half.side)
         return Transform(Rotation((constant_turn(turn) or Dense(turn),)), place)
 
     # -- bodies and torques -----------------------------------------------------------------------
@@ -84,14 +84,14 @@ class RodHalfMotion:
     def push_on(self, number: int) -> Array:
         """Return the effect of its ball's torques on the other half, or on the ball's near link."""
         none = self.state.zeros(3)
-        if number == self.hung.carrier:
+        if number == self.half.carrier:
             return np.concatenate([self.fixed.rotation.vector(self._moment), none])
         return np.concatenate([-self._moment, none])
 
     @cached_property
     def _moment(self) -> Array:
         """Moment of its ball's torques on it, in its axes, shape (3,)."""
-        pulls = [self.state.torques(j)[:, 0] for j in self.hung.joints]
+        pulls = [self.state.torques(j)[:, 0] for j in self.half.joints]
         if len(pulls) == 1:
             return pulls[0]
         return self._by_hinges(self._hinges[0].T, np.concatenate(pulls))
@@ -99,7 +99,7 @@ class RodHalfMotion:
     @cached_property
     def _hinges(self) -> tuple[Array, Expression]:
         """The inverse of the hinges' axes, shape (3, 3), times their determinant; this."""
-        axes, x = [], [self.state.memory["X", j] for j in self.hung.joints]
+        axes, x = [], [self.state.memory["X", j] for j in self.half.joints]
         for k in range(len(x)):
             axis = self.state.constants([0.0, 0.0, 1.0])
             for joint in x[k + 1 :]:
@@ -116,8 +116,8 @@ class RodHalfMotion:
 
     def look_at(self, place: int) -> None:
         """Check that the hinges are not in one plane, nor so near that digits are lost."""
-        if len(self.hung.joints) > 1:
-            determinant, how = self._hinges[1], self.hung.eliminate
+        if len(self.half.joints) > 1:
+            determinant, how = self._hinges[1], self.half.eliminate
             least = max(LEAST[self.state.plan.scalar], 1 / how.limit) ** 2
             limit = self.state.graph.constant(least)
             check = Check(determinant * determinant, limit, place, failure_of(how))
@@ -132,7 +132,7 @@ class RodHalfMotion:
 
     @property
     def _links(self) -> list[int]:
-        return [(loop.link1, loop.link2)[self.hung.side] for loop in self.loops]
+        return [(loop.link1, loop.link2)[self.half.side] for loop in self.loops]
 
     @property
     def _carrier_field(self) -> Any:
@@ -140,14 +140,14 @@ class RodHalfMotion:
 
     def find(self, front: Front) -> bool:
         """Compute accelerations of its ball, once those of the other unknowns are known."""
-        near = self.state.rows.near_links(self.hung.joints[0])
+        near = self.state.rows.near_links(self.half.joints[0])
         if self.known or not all(self._is_known(link) for link in (*near, *self.carriers)):
             return self.known
         back = self.fixed.rotation.transposed()
         turning = columnwise(back.vector, self._turns(self.carriers)) - self._seen()
-        if len(self.hung.joints) > 1:
+        if len(self.half.joints) > 1:
             turning = self._by_hinges(self._hinges[0], turning)
-        front.found.update(zip(self.hung.freedoms, turning, strict=True))
+        front.found.update(zip(self.half.freedoms, turning, strict=True))
         self.known = True
         return True
 
@@ -159,9 +159,9 @@ class RodHalfMotion:
 
     def _seen(self) -> Array:
         """Its angular acceleration for zero accelerations of its ball, shape (3, columns)."""
-        near = self.state.rows.near_links(self.hung.joints[0])
+        near = self.state.rows.near_links(self.half.joints[0])
         turns, omega = self._turns(near), self.motion.field_of_all(near).omega
-        for j in self.hung.joints:
+        for j in self.half.joints:
             back, own = self.state.memory["X", j].rotation.transposed(), self.state.zeros(6)
             own[list(self.state.kind(j).free)] = self.state.configuration(j)[1]
             omega = back.vector(omega)
@@ -199,27 +199,27 @@ class RodHalves:
         apart: Collection[int],
         loops: Callable[[CloseLoop], Sequence[PlanLoop]],
     ) -> None:
-        found = [hung for one in closures for hung in rod_halves_in(state.plan, one)]
+        found = [half for one in closures for half in rod_halves_in(state.plan, one)]
         self.links = tuple(
-            RodHalfMotion(state, motion, hung, loops)
-            for hung in found
-            if not {*hung.joints, hung.carrier - 1}.intersection(apart)
+            RodHalfMotion(state, motion, half, loops)
+            for half in found
+            if not {*half.joints, half.carrier - 1}.intersection(apart)
         )
-        motion.hung = self.links
+        motion.rod_halves = self.links
 
     def by(self, step: CloseLoop) -> RodHalfMotion | None:
         """Return the link that a weld fixes; None where it fixes none."""
-        return next((each for each in self.links if each.hung.closing == step), None)
+        return next((each for each in self.links if each.half.closing == step), None)
 
     def at(self, j: int) -> RodHalfMotion | None:
         """Return the rod half whose ball includes a joint; None if there is none."""
-        return next((each for each in self.links if j in each.hung.joints), None)
+        return next((each for each in self.links if j in each.half.joints), None)
 
     def without(self, steps: Iterable[Eliminate], closure: int) -> list[Eliminate]:
         """Return the elimination of a closure's unknowns, lane by lane, without those of balls."""
-        own = [each.hung for each in self.links if each.hung.closing.closure == closure]
-        moved = {k for hung in own for k in hung.freedoms}
-        rows = {k for hung in own for k in hung.turns}
+        own = [each.half for each in self.links if each.half.closing.closure == closure]
+        moved = {k for half in own for k in half.freedoms}
+        rows = {k for half in own for k in half.turns}
         return [
             replace(
                 step,

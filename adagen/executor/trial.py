@@ -60,23 +60,23 @@ class Trial:
     joint: int
 
 
-def tried(plan: Plan, turned: OwnAxes | None) -> Trial:
+def tried(plan: Plan, own_axes: OwnAxes | None) -> Trial:
     """Return the loss of the sweeps on a robot in the states of ``--check``.
 
     Args:
-        plan: its joints, links and scalar are looked at.
-        turned: joints that are swept in their own axes, always or where digits are lost, all others
-            in those of the base; None: every body is expressed in its link's axes.
+        plan: its joints, links and scalar are used.
+        own_axes: joints that are computed in their own axes, always or where digits are lost, all
+            others in base axes; None: every body is in its link's axes.
     """
     states = _states(plan)
-    shares, errors, _ = _lost(plan, turned, states)
+    shares, errors, _ = _lost(plan, own_axes, states)
     hardest = np.argsort(errors)[-HARDEST:]
-    again, repeated, _ = _lost(plan, turned, _rounded_anew(states, hardest))
+    again, repeated, _ = _lost(plan, own_axes, _rounded_anew(states, hardest))
     return _worst(np.vstack([shares, again]), np.hstack([errors, repeated]))
 
 
 @lru_cache(maxsize=4)  # a warning is looked for, then digits are told
-def tried_hard(plan: Plan, turned: OwnAxes | None) -> Trial:
+def tried_hard(plan: Plan, own_axes: OwnAxes | None) -> Trial:
     """Return the loss of the sweeps in hard states (``hardened``), where they are not refused.
 
     What emitted code would refuse is left out: near gimbal lock of wrists through light links every
@@ -84,7 +84,7 @@ def tried_hard(plan: Plan, turned: OwnAxes | None) -> Trial:
 
     Args:
         plan: as of ``tried``.
-        turned: as of ``tried``.
+        own_axes: as of ``tried``.
     """
     count = max(1, min(HARD, HARD_JOINTS // len(plan.joints)))
     hinges = [joint.q for joint in plan.joints if joint.kind == "revolute"]
@@ -92,20 +92,20 @@ def tried_hard(plan: Plan, turned: OwnAxes | None) -> Trial:
     own, _ = _MORE[plan.scalar]
     hard = hardened(*drawn, hinges, np.random.default_rng(2))
     q, v, tau = (x.astype(own).astype(np.float64) for x in hard)  # as the solver reads them
-    shares, errors, refused = _lost(plan, turned, (q, v, tau))
+    shares, errors, refused = _lost(plan, own_axes, (q, v, tau))
     errors = np.where(refused, 0, errors)
     most = max(1, min(HARDEST, count // HARDEST))
     hardest = np.argsort(errors)[-most:]
     repeated = np.repeat(hardest, TIMES)
     beside = _beside(q[repeated], hinges).astype(own).astype(np.float64)
-    again, more, too = _lost(plan, turned, (beside, v[repeated], tau[repeated]))
+    again, more, too = _lost(plan, own_axes, (beside, v[repeated], tau[repeated]))
     weights = np.ones(count)
     weights[hardest] = 1 / (1 + TIMES)
     weights = np.hstack([weights, np.full(len(repeated), 1 / (1 + TIMES))])
     errors = np.hstack([errors, np.where(too, 0, more)])
     place = _place(errors, weights, OFTEN * count / AS_MANY)
     found = _found(np.vstack([shares, again]), errors, place)
-    beyond = BEYOND_LINES if turned is None else BEYOND_LOOPS
+    beyond = BEYOND_LINES if own_axes is None else BEYOND_LOOPS
     return replace(found, error=found.error * beyond)
 
 
@@ -167,7 +167,7 @@ def _off(plan: Plan, states: States, found: Array, truth: Array) -> tuple[Array,
 
 
 def _lost(
-    plan: Plan, turned: OwnAxes | None, states: States
+    plan: Plan, own_axes: OwnAxes | None, states: States
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
     """The joints' parts in squared errors, the squared errors, and the refused states.
 
@@ -176,7 +176,7 @@ def _lost(
     own, more = _MORE[plan.scalar]
     with np.errstate(all="ignore"):
         truth = Sweep(plan, more, None, states).solved()
-        found, refused = _swept(plan, own, turned, states)
+        found, refused = _swept(plan, own, own_axes, states)
         refused |= ~np.isfinite(found).all(axis=1)
         return *_off(plan, states, found.astype(more), truth), refused
 
@@ -189,19 +189,19 @@ def _rounded_anew(states: States, which: Array) -> States:
 
 
 def _swept(
-    plan: Plan, number: Any, turned: OwnAxes | None, states: States
+    plan: Plan, number: Any, own_axes: OwnAxes | None, states: States
 ) -> tuple[Array, NDArray[np.bool_]]:
     """The answers of emitted code in states, and the states that it would refuse.
 
     Sweeps that lose digits are repeated in own axes.
     """
-    if turned is None:
+    if own_axes is None:
         line = Sweep(plan, number, None, states, rounded=True)
         return line.solved(), line.refused
-    first = Sweep(plan, number, turned.always, states, rounded=True, watched=turned.if_lost)
+    first = Sweep(plan, number, own_axes.always, states, rounded=True, watched=own_axes.if_lost)
     found, refused = first.solved(), first.refused
     if first.lost.any():
-        everywhere = turned.always | turned.if_lost
+        everywhere = own_axes.always | own_axes.if_lost
         again = Sweep(plan, number, everywhere, states, rounded=True)
         found[first.lost] = again.solved()[first.lost]
         refused |= again.refused & first.lost

@@ -36,7 +36,7 @@ class Sweep:
     Args:
         plan: its joints, links and gravity are looked at.
         number: the type.
-        turned: joints that are swept in their own axes, all others in those of the base; None:
+        own_axes: joints that are swept in their own axes, all others in those of the base; None:
             all are, as in straight lines.
         states: q, v and tau.
         rounded: whether entries of bare inertias are rounded up or down one by one.
@@ -51,19 +51,19 @@ class Sweep:
         self,
         plan: Plan,
         number: Any,
-        turned: Set[int] | None,
+        own_axes: Set[int] | None,
         states: tuple[Array, Array, Array],
         rounded: bool = False,
         watched: Set[int] = frozenset(),
     ) -> None:
         self.plan, self.number, self.watched = plan, number, watched
-        self.line = turned is None
+        self.line = own_axes is None
         self.rounded = np.random.default_rng(2) if rounded else None
         q, self.v, self.tau = (x.astype(number) for x in states)
         self.count = len(q)
         self.lost, self.refused = np.zeros((2, self.count), dtype=bool)
         self.own = [True] + [
-            turned is None or j in turned or is_free_base(joint)
+            own_axes is None or j in own_axes or is_free_base(joint)
             for j, joint in enumerate(plan.joints)
         ]
         self.at = LinkMotions(plan, self.own, q, self.line)

@@ -27,10 +27,10 @@ class Ends:
     far: int
 
 
-def ends_of(joints: Sequence[PlanJoint], joint: int, turned: bool = False) -> Ends:
-    """Return a joint's ends; ``turned`` where the child link is the near one."""
+def ends_of(joints: Sequence[PlanJoint], joint: int, backwards: bool = False) -> Ends:
+    """Return a joint's ends; ``backwards`` where the child link is the near one."""
     parent, child = joints[joint].parent, joint + 1
-    return Ends(child, parent) if turned else Ends(parent, child)
+    return Ends(child, parent) if backwards else Ends(parent, child)
 
 
 def inward_order(sweep: Mapping[int, Ends], limbs: Iterable[Limbs]) -> list[Unit]:

@@ -117,8 +117,8 @@ def _led_to(plan: Plan, steps: Sequence[Step], more: Set[int]) -> frozenset[int]
     links = {o.link for o in plan.outputs if o.what == LINK_ACCELERATION}
     for step in reversed(steps):
         match step:
-            case Accelerate(j, turned):
-                ends = ends_of(plan.joints, j, turned)
+            case Accelerate(j, backwards):
+                ends = ends_of(plan.joints, j, backwards)
                 if j in needed or ends.far in links:
                     needed.add(j)
                     links.add(ends.near)

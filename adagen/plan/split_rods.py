@@ -66,15 +66,15 @@ def rod_halves_in(plan: Plan, one: ClosureSteps) -> tuple[RodHalf, ...]:
     links: set[int] = set()
     for closing in one.loops:
         for side in (0, 1):
-            hung = _hung(plan, one, closing, side)
-            if hung and links.isdisjoint((hung.link, hung.carrier)):
-                found.append(hung)
-                links.update((hung.link, hung.carrier))
+            half = _rod_half(plan, one, closing, side)
+            if half and links.isdisjoint((half.link, half.carrier)):
+                found.append(half)
+                links.update((half.link, half.carrier))
                 break
     return tuple(found)
 
 
-def _hung(plan: Plan, one: ClosureSteps, closing: CloseLoop, side: int) -> RodHalf | None:
+def _rod_half(plan: Plan, one: ClosureSteps, closing: CloseLoop, side: int) -> RodHalf | None:
     """The rod half at a weld's first or second link, if it is one."""
     loop, how = one.loop(plan, closing.loop), one.eliminate
     if loop.kind != "weld" or len(closing.rows) < 2 * PLACES:
@@ -135,10 +135,10 @@ def _without_mass(plan: Plan, link: int) -> bool:
     return not any(inertial) and plan.entry_of_parameter("mass", link) is None
 
 
-def signature_of(hung: Collection[RodHalf], one: ClosureSteps) -> tuple[object, ...]:
+def signature_of(halves: Collection[RodHalf], one: ClosureSteps) -> tuple[object, ...]:
     """Return the rod halves of a closure in a form that does not depend on their numbers."""
     place = {j: k for k, j in enumerate(one.path)}
     return tuple(
         (one.loops.index(own.closing), own.side, tuple(place[j] for j in own.joints))
-        for own in hung
+        for own in halves
     )

@@ -50,8 +50,8 @@ def fits_tiles(plan: Plan, in_strips: Sequence[Run], costs: StepCosts) -> bool:
         return False  # certificates and corrections sweep all joints once more
     if any(joint.kind != "revolute" or joint.prescribed for joint in joints):
         return False
-    turned = own_axes_in_loops(plan, ((),))
-    return not turned.always and not turned.if_lost and pays_columns(joints, whole, costs)
+    own_axes = own_axes_in_loops(plan, ((),))
+    return not own_axes.always and not own_axes.if_lost and pays_columns(joints, whole, costs)
 
 
 def tiles_of(run: Run, tile: int) -> Iterator[Run]:

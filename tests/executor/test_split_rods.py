@@ -115,13 +115,13 @@ def ankles(
     return with_loops(assemble("ankles", parts, floating=floating), tuple(loops))
 
 
-def hung_of(plan: Plan) -> list[RodHalf]:
+def rod_halves_of(plan: Plan) -> list[RodHalf]:
     """Return what hangs in the usual way of a plan's processes."""
     return [
-        hung
+        half
         for process in plan.processes
         for one in closures_in(process.steps).values()
-        for hung in rod_halves_in(plan, one)
+        for half in rod_halves_in(plan, one)
     ]
 
 
@@ -130,12 +130,12 @@ def test_halves_that_hang_count_to_the_others(hinges: bool, floating: bool) -> N
     """It is the answer of dense algebra, with far fewer operations than with all unknowns."""
     model = ankles(hinges=hinges, floating=floating)
     plan, states = plan_of(model), states_of(model, 6)
-    assert len(hung_of(plan)) == 2
-    assert {len(hung.joints) for hung in hung_of(plan)} == {3 if hinges else 1}
+    assert len(rod_halves_of(plan)) == 2
+    assert {len(half.joints) for half in rod_halves_of(plan)} == {3 if hinges else 1}
     check(lower(plan, "unrolled"))
     assert worst(model, plan, states) < 1e-11
     forces = make_plan(model, best_schedule(model, 1, load_profile("default")), loop_forces=True)
-    assert not hung_of(forces)
+    assert not rod_halves_of(forces)
     counts = [simulate(each)[0].operations.arithmetic for each in (plan, forces)]
     assert counts[0] < 0.85 * counts[1]
 
@@ -145,7 +145,7 @@ def test_torques_of_balls_go_to_what_they_join(hinges: bool) -> None:
     """Damping, friction and springs at them, too."""
     model = affected_balls(ankles(hinges=hinges))
     plan, states = plan_of(model), states_of(model, 4)
-    assert len(hung_of(plan)) == 2
+    assert len(rod_halves_of(plan)) == 2
     states = States(states.q, states.v, 20.0 * states.tau)
     assert worst(model, plan, states) < 1e-11
 
@@ -207,7 +207,7 @@ def test_hinges_near_one_plane_are_solved_in_another_way(short: float, poor: boo
     """Where the middle hinge of a ball turns by nearly 90 degrees, its inverse is large."""
     model, q = at_angle(np.pi / 2 - short)
     plan = plan_of(model)
-    assert len(hung_of(plan)) == 2
+    assert len(rod_halves_of(plan)) == 2
     v, tau = np.zeros(model.nv), np.random.default_rng(1).uniform(-1, 1, model.ntau)
     usual = Run(plan, {"q": q, "v": v, "tau": tau})
     if poor:

@@ -68,15 +68,15 @@ def values(symbols: Symbols) -> dict[str, object]:
     cuts = mobility.has_cuts(plan)
     program = symbols.program
     slots = program.slots
-    turned = own_axes_in_loops(plan, slots.limbs, program.batch)
+    own_axes = own_axes_in_loops(plan, slots.limbs, program.batch)
     writers = [
-        KernelLines(symbols, p, process, own.operations, slots, turned.always)
+        KernelLines(symbols, p, process, own.operations, slots, own_axes.always)
         for p, (process, own) in enumerate(zip(plan.processes, program.processes, strict=True))
     ]
     if any(process.recovery for process in plan.processes):
         again = zip(plan.recovering().processes, program.processes, strict=True)
         writers += [
-            KernelLines(symbols, p, process, own.recovery, slots, turned.always)
+            KernelLines(symbols, p, process, own.recovery, slots, own_axes.always)
             for p, (process, own) in enumerate(again, start=len(plan.processes))
         ]
     lines = [writer.all_lines() for writer in writers]
@@ -108,8 +108,8 @@ def values(symbols: Symbols) -> dict[str, object]:
             {"type": f"Joint_{symbols.joints[j]}", "id": f"j_{symbols.joints[j]}", "members": lines}
             for j, lines in mobility.members(symbols).items()
         ],
-        "turned": bool(turned.always or turned.if_lost),
-        "loop_settings": _loop_settings(symbols, turned, by_columns, along, in_parts),
+        "turned": bool(own_axes.always or own_axes.if_lost),
+        "loop_settings": _loop_settings(symbols, own_axes, by_columns, along, in_parts),
         "inertias": [_inertia(symbols, link) for link in plan.links[1:]],
         "roles": [writer.roles() for writer in writers],
         "starts": [_starts(plan, writer.process) for writer in writers] if plan.weighed else [],
@@ -126,7 +126,7 @@ def values(symbols: Symbols) -> dict[str, object]:
 
 
 def _loop_settings(
-    symbols: Symbols, turned: OwnAxes, by_columns: bool, along: bool, in_parts: bool
+    symbols: Symbols, own_axes: OwnAxes, by_columns: bool, along: bool, in_parts: bool
 ) -> list[str]:
     """Settings of a solver's loops: memory layout and methods."""
     plan, slots = symbols.plan, symbols.program.slots
@@ -145,14 +145,14 @@ def _loop_settings(
             ("int", "kBlockKindCount", len(block_kinds["first"]), 0),
             ("int", "kBlockKinds[]", _braced(block_kinds["kinds"]), "{}"),
             ("int", "kFirstOfKind[]", _braced(block_kinds["first"]), "{}"),
-            ("bool", "kAnyTurned", bool(turned.always), False),
-            ("bool", "kAnyTurnedIfLost", bool(turned.if_lost), False),
+            ("bool", "kAnyTurned", bool(own_axes.always), False),
+            ("bool", "kAnyTurnedIfLost", bool(own_axes.if_lost), False),
             *(
                 ("bool", f"{name}[kJointCount]", _braced(int(j in own) for j in joints), none)
-                for name, own in (("kTurned", turned.always), ("kTurnedIfLost", turned.if_lost))
+                for name, own in (("kTurned", own_axes.always), ("kTurnedIfLost", own_axes.if_lost))
                 for none in (_braced(0 for _ in joints),)
             ),
-            ("double", "kLosing", ENOUGH if turned.if_lost else 1, 1),
+            ("double", "kLosing", ENOUGH if own_axes.if_lost else 1, 1),
             ("bool", "kCarriesAlong", along, False),
             ("bool", "kInParts", in_parts, False),
             ("bool", "kPassesFree", mobility.passes_free(plan), False),
