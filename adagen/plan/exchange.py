@@ -25,6 +25,7 @@ from adagen.plan.edges import on_the_way
 from adagen.plan.fusions import Run
 from adagen.plan.robot import PlanJoint
 from adagen.plan.segment import SegmentPlanner
+from adagen.plan.sent_passages import can_send_passage
 from adagen.plan.steps import (
     Append,
     Arrive,
@@ -38,7 +39,6 @@ from adagen.plan.steps import (
     Step,
     Traverse,
 )
-from adagen.plan.told import passable
 from adagen.plan.types import Message, Process
 from adagen.schedule import Node, Schedule, postorder
 
@@ -194,7 +194,7 @@ class ExchangePlanner(SegmentPlanner):
         """The part of a serial chain of each process, inner cut first; None without motions."""
         joints = self.joints
         serial = all(joint.parent == j for j, joint in enumerate(joints))
-        if not serial or not passable(joints, range(len(joints))):
+        if not serial or not can_send_passage(joints, range(len(joints))):
             return None
         cuts: list[int] = []
         last = -1

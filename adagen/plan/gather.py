@@ -24,8 +24,8 @@ from adagen.plan.gather_steps import ProcessSteps, about, contribution
 from adagen.plan.gather_trees import Tree, given_trees, laid_out_trees
 from adagen.plan.robot import PlanJoint
 from adagen.plan.segment import SegmentPlanner
+from adagen.plan.sent_passages import inner_runs, with_sent_passages
 from adagen.plan.steps import Step
-from adagen.plan.told import telling, ways_told
 from adagen.plan.types import Message, Process
 from adagen.schedule import postorder
 from adagen.schedule.tree import Gathered
@@ -91,7 +91,7 @@ class GatherPlanner(SegmentPlanner):
         """Return every process's steps, and the messages between them.
 
         Raises:
-            InputError: as ``trees``; or nobody can be told what the schedule asks for.
+            InputError: as ``trees``; or no process can receive the passage that the schedule asks for.
         """
         trees = self.trees()
         steps = self._evaluation(trees)
@@ -104,13 +104,13 @@ class GatherPlanner(SegmentPlanner):
         ]
         if self.schedule.gathered is None or not self.schedule.gathered.told:
             return tuple(processes), tuple(self.messages)
-        ways = ways_told(self.joints, trees, processes)
-        if not ways:
+        runs = inner_runs(self.joints, trees, processes)
+        if not runs:
             raise InputError(
                 "no process needs the motion of joints at the ground that another one has: "
                 'leave "told" out'
             )
-        return telling(self.joints, ways, processes, self.messages)
+        return with_sent_passages(self.joints, runs, processes, self.messages)
 
     def _evaluation(self, trees: Sequence[Tree]) -> list[list[Step]]:
         """Return the steps of every process without kinematics; messages are added."""

@@ -1,9 +1,8 @@
-"""Long chains of hinges inside one process, in parts that are swept side by side and joined there.
+"""Long chains of hinges in parts inside one process, one part in each SIMD lane.
 
-A chain that one process has is a recursion that waits for itself, joint after joint. Parted, it is
-as many short chains as SIMD lanes: each shows its mobility at both of its ends, and the process
-joins them by Eq. (3)-(10), as processes do with theirs. So all parts are swept at once, one in
-each lane.
+In a chain on one process, each joint of a sweep waits for the one before. Divided into parts, it is
+as many short chains as there are SIMD lanes, which are swept side by side. Each part has a mobility
+at both of its ends, and the process joins the parts by Eq. (3)-(10), as processes do with theirs.
 """
 
 from __future__ import annotations
@@ -30,7 +29,7 @@ FEWEST_ROWS = 3
 
 
 def strips_of(joints: range, lanes: int) -> list[range]:
-    """Return as many parts of a run of joints as there are lanes, the last ones a joint shorter."""
+    """Return a run of joints in as many parts as there are lanes, the last ones a joint shorter."""
     rows = -(-len(joints) // lanes)
     longer = len(joints) - (rows - 1) * lanes
     ends = [joints.start]
@@ -40,7 +39,7 @@ def strips_of(joints: range, lanes: int) -> list[range]:
 
 
 def parts_of(joints: Sequence[PlanJoint], members: Container[int], lanes: int) -> list[range]:
-    """Return the strips of a segment's joints; none where it is not parted.
+    """Return the strips of a segment's joints; none where it is not divided.
 
     The first joint of each strip is the one that its part hangs on by. That of the first strip may
     lie before the segment, which then hangs on by it.
@@ -66,7 +65,7 @@ def _is_hinge(joint: PlanJoint) -> bool:
 
 
 def swept_first(steps: Sequence[Step]) -> list[Step]:
-    """Return steps with those of all sweeps inwards before what is found of them and joined.
+    """Return steps with those of all inward sweeps before mobilities and joins.
 
     Args:
         steps: of one process, from its first sweep to its last.
@@ -84,5 +83,5 @@ def _turn(step: Step) -> int:
 
 
 def accelerated_last(steps: Sequence[Step]) -> list[Step]:
-    """Return steps with the accelerations of joints behind all others, which wait for none."""
+    """Return steps with the accelerations of joints last, as no step waits for them."""
     return sorted(steps, key=lambda step: isinstance(step, Accelerate | FreeAcceleration))

@@ -65,7 +65,7 @@ class Gathered:
         owners: the process of each joint; None in the core, which every process sweeps. That of a
             joint that floats on the ground follows from the others.
         told: whether a process is told how the run of joints moves that its own hang on, where
-            another process has all of that, instead of passing it (adagen.plan.told).
+            another process has all of that, instead of passing it (adagen.plan.sent_passages).
     """
 
     roots: tuple[int, ...]

@@ -3,7 +3,7 @@
 The search of layouts (gathered.py) looks at one link after the other, and its budget ends long
 before a chain of a thousand joints does. Here the link follows from what joints take, so that both
 processes are done with their first sweep at once; that takes a few plays. The outer process passes
-the other's joints, or is told how they move its own (adagen/plan/told.py).
+the other's joints, or is told how they move its own (adagen/plan/sent_passages.py).
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from dataclasses import replace
 from itertools import accumulate
 
 from adagen.cost import Timeline
-from adagen.plan.told import PASSED
+from adagen.plan.sent_passages import PASSED
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.tree import Gathered
 from adagen.search.exchanged import Play, first_sweep, passing
@@ -43,7 +43,7 @@ class HalvedSchedules:
         own = (first_sweep(self.costs, kind, outermost=True) for kind in self.kinds)
         self.sums = [0.0, *accumulate(own)]
         serial = all(parent == j for j, parent in enumerate(topology.parents))
-        # As adagen.plan.told.passable asks for it.
+        # As adagen.plan.sent_passages.can_send_passage asks for it.
         self.told = serial and not topology.prescribed and PASSED.issuperset(self.kinds)
 
     @property

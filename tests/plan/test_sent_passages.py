@@ -1,4 +1,4 @@
-"""Processes that are told how the run of joints moves that their own hang on."""
+"""Processes that receive the passage of the run of joints before their own."""
 
 from __future__ import annotations
 
@@ -39,9 +39,7 @@ def motions(plan: Plan, process: int) -> list[type]:
 @pytest.mark.parametrize(
     ("joints", "root", "kind"), [(40, 21, REVOLUTE), (12, 3, REVOLUTE), (9, 4, SPHERICAL)]
 )
-def test_a_process_that_is_told_passes_no_joints_of_others(
-    joints: int, root: int, kind: JointKind
-) -> None:
+def test_a_receiver_computes_no_joints_of_others(joints: int, root: int, kind: JointKind) -> None:
     model = serial_chain(joints, kind=kind)
     plan = make_plan(model, two_halves(model, root))
     for alternative in plan.alternatives:
@@ -67,7 +65,7 @@ def test_the_one_at_the_ground_tells_before_it_places_its_own_links() -> None:
 
 
 @pytest.mark.parametrize("bend", [0.0, 1e-8, 1.0])
-def test_a_straight_arm_is_done_again_with_what_was_told(bend: float) -> None:
+def test_a_straight_arm_is_computed_again_with_the_passage(bend: float) -> None:
     model = serial_chain(30, axes="xy")
     plan = make_plan(model, two_halves(model, 15))
     assert all(process.recovery for process in plan.processes)
@@ -78,7 +76,7 @@ def test_a_straight_arm_is_done_again_with_what_was_told(bend: float) -> None:
     assert np.abs(interpret(plan, q, v, tau) - right).max() < 1e-8 * np.abs(right).max()
 
 
-def test_joints_that_divide_are_not_told_of() -> None:
+def test_branching_joints_have_no_passage() -> None:
     model = random_tree(np.random.default_rng(3), 12, branching=0.9)
     owners = tuple(int(j > 5) for j in range(12))
     schedule = replace(

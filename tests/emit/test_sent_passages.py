@@ -1,4 +1,4 @@
-"""Emitted solvers one of whose processes is told how the joints move that its own hang on."""
+"""Emitted solvers one of whose processes receives the passage of the joints before its own."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from adagen.states import random_states
 from tests.emit.test_strips import balls_and_hinges
 from tests.emitted import ROUNDING, Builder
 from tests.models import serial_chain
-from tests.plan.test_told import two_halves
+from tests.plan.test_sent_passages import two_halves
 from tests.slow import slow
 
 
@@ -26,7 +26,7 @@ from tests.slow import slow
     ],
     ids=["in a window", "corrected", "balls in threads", "float"],
 )
-def test_who_is_told_answers_right(
+def test_the_receiver_answers_right(
     model: Model,
     root: int,
     channel: str,
