@@ -91,7 +91,7 @@ class GatherPlanner(SegmentPlanner):
         """Return every process's steps, and the messages between them.
 
         Raises:
-            InputError: as ``trees``; or no process can receive the passage that the schedule asks for.
+            InputError: as ``trees``; or no process can receive a passage as scheduled.
         """
         trees = self.trees()
         steps = self._evaluation(trees)
