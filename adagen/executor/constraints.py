@@ -208,7 +208,7 @@ class Constraints:
                 front, wide_unknown, self.state.left.of_row(bias, held, wide_unknown)
             )
         column = self.state.column(np.array([bias], dtype=object))[0]
-        if self._told(step):
+        if self._may_be_shared(step):
             front.waiting[unknown], column = column, self.state.zeros(len(column))
         self.arm_lanes.add_bias(front, wide_unknown, column)
         in_frame = matrix_times(frames.two.axes.T, directions[1])
@@ -217,7 +217,7 @@ class Constraints:
             in_frame = matrix_times(turn, in_frame)
         front.loops[step.loop].append((wide_unknown, linear, in_frame))
 
-    def _told(self, step: CloseLoop) -> bool:
+    def _may_be_shared(self, step: CloseLoop) -> bool:
         """Whether other processes may contribute to a loop's rows, the only unknowns then."""
         one = self.alone.get(step.closure)
         return one is not None and not (one.held or one.eliminate.moved)

@@ -1,4 +1,4 @@
-"""State of a closure during the inward sweep: its unknowns, their couplings and biases."""
+"""State of a closure during the inward sweep: its front, as in multifrontal elimination."""
 
 from __future__ import annotations
 

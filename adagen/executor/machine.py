@@ -202,7 +202,7 @@ class Machine(State):
 
     def _send(self, number: int) -> None:
         message = self.plan.messages[number]
-        machine = self._told(message)
+        machine = self._machine_of(message)
         memory, zero = machine.memory, self.graph.constant(0)
         for side in message.sides:
             square, bias = machine.closures.fronts[side.closure].shown(side.rows, zero)
@@ -223,7 +223,7 @@ class Machine(State):
         if number not in self.mail:
             return False
         message = self.plan.messages[number]
-        machine = self._told(message)
+        machine = self._machine_of(message)
         added = {(what, link) for link in message.inertias for what in ("IA", "pA")}
         if message.sweep == ENERGIES and self.plan.messages[number].target == 0:
             added.add(("energies", 0))
@@ -248,7 +248,7 @@ class Machine(State):
             front.take(memory["square", side], memory["bias", side])
         return True
 
-    def _told(self, message: Message) -> Machine:
+    def _machine_of(self, message: Message) -> Machine:
         """The machine that a message belongs to: this one, or that of the current correction."""
         return self if message.repeats is None else self.corrections.current
 

@@ -48,12 +48,14 @@ class Outputs:
         ]
         moved = plus_cross(np.array(linear, dtype=object), turning, place)
         angular = field.alpha + turning
-        return np.concatenate([self._told(output, moved), self._told(output, angular)])
+        return np.concatenate([self._in_frame(output, moved), self._in_frame(output, angular)])
 
     def _reaction(self, output: PlanOutput) -> Array:
         """[force; moment] at the link's origin, in the description's axes."""
         wrench = self._kept("reaction", output.link)
-        return np.concatenate([self._told(output, wrench[3:]), self._told(output, wrench[:3])])
+        return np.concatenate(
+            [self._in_frame(output, wrench[3:]), self._in_frame(output, wrench[:3])]
+        )
 
     def _inverse_inertia(self, output: PlanOutput) -> Array:
         """The link's mobility in the frame: X Phi X^T, linear before angular, row by row."""
@@ -75,7 +77,7 @@ class Outputs:
                 result[i, k] = result[k, i] = total(half[i] * change[k])
         return result.ravel()
 
-    def _told(self, output: PlanOutput, vector: Array) -> Array:
+    def _in_frame(self, output: PlanOutput, vector: Array) -> Array:
         """A vector of the link's axes in those of the frame."""
         return matrix_times(self.state.constants(output.rotation).T, vector)
 

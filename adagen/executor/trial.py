@@ -75,7 +75,7 @@ def tried(plan: Plan, own_axes: OwnAxes | None) -> Trial:
     return _worst(np.vstack([shares, again]), np.hstack([errors, repeated]))
 
 
-@lru_cache(maxsize=4)  # a warning is looked for, then digits are told
+@lru_cache(maxsize=4)  # first for a warning, then for the digits
 def tried_hard(plan: Plan, own_axes: OwnAxes | None) -> Trial:
     """Return the loss of the sweeps in hard states (``hardened``), where they are not refused.
 

@@ -53,9 +53,9 @@ class LinkMotions:
         self.ways = self.place[1:]
         if not line:
             self._orient()
-            told = np.flatnonzero(~np.array(own)[parents])
+            rotated = np.flatnonzero(~np.array(own)[parents])
             self.ways = self.ways.copy()
-            self.ways[told] = self.told(parents[told], self.ways[told])
+            self.ways[rotated] = self.in_base_axes(parents[rotated], self.ways[rotated])
         self.free = self._freedoms()
 
     def turn(self, j: int) -> Array | None:
@@ -66,7 +66,7 @@ class LinkMotions:
             return found
         return self.axes[parent].transpose(0, 2, 1) if self.own[parent] else None
 
-    def told(self, links: Array, vectors: Array) -> Array:
+    def in_base_axes(self, links: Array, vectors: Array) -> Array:
         """Return vectors of links' axes, shape (links, S, 3), in base axes."""
         found: Array = np.einsum("jsik,jsk->jsi", self.axes[links], vectors)
         return found
@@ -210,15 +210,15 @@ class LinkInertias:
         shape = (links.stop - links.start, self.count)
         moments = np.broadcast_to(self._moments[links, None], (*shape, 3))
         about = np.broadcast_to(self._about[links, None], (*shape, 3, 3))
-        told = np.flatnonzero(~np.array(self.placed.own[links]))
-        if not told.size:
+        rotated = np.flatnonzero(~np.array(self.placed.own[links]))
+        if not rotated.size:
             return moments, about
         moments, about = moments.copy(), about.copy()
-        axes = self.placed.axes[links][told]
-        found = np.tril(axes @ about[told] @ axes.transpose(0, 1, 3, 2))
+        axes = self.placed.axes[links][rotated]
+        found = np.tril(axes @ about[rotated] @ axes.transpose(0, 1, 3, 2))
         found = found + np.tril(found, -1).transpose(0, 1, 3, 2)  # symmetric to the last bit
-        about[told] = _as_rounded(found, rounding)
-        moments[told] = self.placed.told(told + links.start, moments[told])
+        about[rotated] = _as_rounded(found, rounding)
+        moments[rotated] = self.placed.in_base_axes(rotated + links.start, moments[rotated])
         return moments, about
 
     def _inertias(self, links: slice, moments: Array, about: Array) -> Array:

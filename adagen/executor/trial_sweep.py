@@ -212,7 +212,7 @@ class Sweep:
         motion = np.zeros((len(kept) + 1, self.count, 6), self.number)
         qdd = np.zeros((self.count, self.v.shape[1]), self.number)
         parents = np.array([joint.parent for joint in self.plan.joints])
-        ways = self.at.told(parents, self.at.place[1:])
+        ways = self.at.in_base_axes(parents, self.at.place[1:])
         arms = skew(ways)
         for j, joint in enumerate(self.plan.joints):
             near, a = motion[joint.parent], motion[j + 1]

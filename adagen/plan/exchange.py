@@ -118,9 +118,17 @@ class ExchangePlanner(SegmentPlanner):
             else:
                 reads = tuple(sorted((*own, *shares)))
                 asked, left = passages.asked_for(p)
-                told = next((k for k, s in enumerate(steps) if isinstance(s, _MEETING)), len(steps))
+                first_message = next(
+                    (k for k, s in enumerate(steps) if isinstance(s, _MEETING)), len(steps)
+                )
                 late = [*left, *map(Kinematics, shares)]
-                every = [*asked, *map(Kinematics, own), *steps[:told], *late, *steps[told:]]
+                every = [
+                    *asked,
+                    *map(Kinematics, own),
+                    *steps[:first_message],
+                    *late,
+                    *steps[first_message:],
+                ]
             found.append(Process(tuple(every), reads, tuple(own), tuple(shares)))
         return tuple(found)
 

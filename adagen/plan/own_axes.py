@@ -85,7 +85,9 @@ def joints_in_own_axes(plan: Plan) -> OwnAxes:
         far = plan.joints[j].parent if backwards else j + 1
         if fused or not plan.links[far].mass:
             usual.add((j, backwards))
-    always = _with_joints_beyond(plan, steps, usual) | _told_at_cuts(plan, {j for j, _ in steps})
+    always = _with_joints_beyond(plan, steps, usual) | _beside_bare_links(
+        plan, {j for j, _ in steps}
+    )
     return OwnAxes(always, _with_joints_beyond(plan, steps, worst) - always)
 
 
@@ -149,7 +151,7 @@ def _with_joints_beyond(
     return frozenset(found)
 
 
-def _told_at_cuts(plan: Plan, articulated: Set[int]) -> set[int]:
+def _beside_bare_links(plan: Plan, articulated: Set[int]) -> set[int]:
     """The joints before bare links that are joined, and before the ends of fused runs.
 
     Values of such links keep their digits in the links' own axes only: constants, and mobilities

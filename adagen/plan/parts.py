@@ -70,8 +70,10 @@ def swept_first(steps: Sequence[Step]) -> list[Step]:
     Args:
         steps: of one process, from its first sweep to its last.
     """
-    told = next((k for k, s in enumerate(steps) if isinstance(s, Send | Receive)), len(steps))
-    return [*sorted(steps[:told], key=_turn), *steps[told:]]
+    first_message = next(
+        (k for k, s in enumerate(steps) if isinstance(s, Send | Receive)), len(steps)
+    )
+    return [*sorted(steps[:first_message], key=_turn), *steps[first_message:]]
 
 
 def _turn(step: Step) -> int:

@@ -218,7 +218,9 @@ def pinned_base() -> Model:
 
 @pytest.mark.parametrize("processes", [1, 2])
 @pytest.mark.parametrize("make", [open_four_bar, partial(open_four_bar, SPHERICAL), pinned_base])
-def test_what_only_loops_resist_is_lent_inertia(make: Callable[[], Model], processes: int) -> None:
+def test_motions_that_only_loops_resist_get_artificial_inertia(
+    make: Callable[[], Model], processes: int
+) -> None:
     """It is taken off again: accelerations and forces are those of the robot itself."""
     model = make()
     states = states_of(model, 4)
@@ -232,10 +234,10 @@ def test_what_only_loops_resist_is_lent_inertia(make: Callable[[], Model], proce
         found, expected = (interpret(one, *row, once=True) for one in (forces, segment))
         assert np.abs(found - expected).max() < 1e-9 * np.abs(expected).max()
     assert plan_from_json(plan_to_json(plan)) == plan
-    assert "lent" in (why_not_in_lines(plan) or "")
+    assert "only loops resist" in (why_not_in_lines(plan) or "")
 
 
-def test_what_nothing_can_be_lent_to_is_refused_by_name() -> None:
+def test_motions_without_artificial_inertia_are_refused_by_name() -> None:
     """A joint that turns and slides has inertias of two units."""
     with pytest.raises(UsageError, match=r"joint p1 \(link p1_link\) moves no inertia.*segment"):
         ada_plan(open_four_bar(PLANAR, "weld"), 1)
