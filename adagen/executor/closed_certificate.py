@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.allowance import Allowance, Sums
-from adagen.executor.front import Front
+from adagen.executor.front import End, Front
 from adagen.executor.segments import Articulated
 from adagen.graph import Expression, factorize, total
 from adagen.plan.arms import WideUnknown
@@ -226,14 +226,30 @@ class ClosedCertificate(Allowance):
             turning, sliding = self.state.rows.of_links("size", end.links, ground)
             spin = self.square(field.omega)
             turning = total([turning, self.square(field.alpha), spin * spin])
-            terms.append(turning * self.square(column[:3]))
-            terms.append(total([sliding, self.square(field.a)]) * self.square(column[3:]))
+            lever, along = self._sizes_of(end, column)
+            terms.append(turning * lever)
+            terms.append(total([sliding, self.square(field.a)]) * along)
         for j, ties in front.ties.items():
             for tied, factor in ties:
                 if (tied,) == wide_unknown:
                     moved = self.memory["accelerated", j][0] * factor
                     terms.append(moved * moved)
         return total(terms)
+
+    def _sizes_of(self, end: End, column: Array) -> tuple[Expression, Expression]:
+        """Upper bounds of |column[:3]|^2 and |column[3:]|^2 of a row; exact where constant.
+
+        The direction d of a row is a unit vector or the product of two; the lever of a row of
+        places is arm x d. With |arm|^2 for its square, all rows of a point have the same bound.
+        """
+        one, exact = self.state.graph.constant(1), (column[:3], column[3:])
+        places = any(x.constant != 0 for x in column[3:])
+        most = (self.square(end.arm), one) if places else (one, self.square(column[3:]))
+        lever, along = (
+            self.square(part) if all(x.constant is not None for x in part) else bound
+            for part, bound in zip(exact, most, strict=True)
+        )
+        return lever, along
 
     # -- floating bases ---------------------------------------------------------------------------
 

@@ -151,7 +151,10 @@ class Constraints:
         front.lanes[place] = tuple(dict.fromkeys(numbers))
         front.loops[step.loop] = []
         lanes = len(front.lanes[place])
-        held = [End(tuple(links), lanes, {}) for links in ends_of]
+        held = [
+            End(tuple(links), lanes, {}, arm)
+            for links, arm in zip(ends_of, frames.arms, strict=True)
+        ]
         front.ends += [end for end in held if any(end.links)]
         closing = _Closing(loops, frames, fields, held)
         for row, number in enumerate(step.rows[:count]):

@@ -105,11 +105,13 @@ class End:
         count: how many of these lanes count; idle ones repeat the last.
         columns: what a unit of each row's force does to it, shape (6,), by the force's number; by
             those of alike arms together.
+        arm: where the loop is in the link's frame, shape (3,).
     """
 
     links: tuple[int, ...]
     count: int
     columns: dict[WideUnknown, Array]
+    arm: Array
 
 
 @dataclass(frozen=True)
