@@ -1,13 +1,13 @@
-"""What rounding may do to an answer: squares that are summed outwards and inwards.
+"""Allowance for rounding in the bound of an answer's error: squares summed outwards and inwards.
 
-What a certificate's residual cannot see is its own rounding, and that of the kinematics that it
-shares with the answer. Two terms allow for that (docs/explanation/certificates.md has the
-derivation):
+A certificate's residual does not show its own rounding, nor that of the kinematics that it shares
+with the answer. Two terms allow for that (docs/explanation/certificates.md has the derivation):
 
-* Wrenches that are passed on are uncertain by some units in their last place; squares of all that
-  comes together at a joint, N, are summed inwards, and N / D are added to the error's square.
-* Accelerations of links are uncertain by some units in the last place of the largest on the way
-  from the ground. An error of them costs no more energy than it has itself: H^-1 J^T I projects.
+* Wrenches that are passed inwards are uncertain by some units in their last place; the squares of
+  all wrenches at a joint, N, are summed inwards, and N / D are added to the error's square.
+* Accelerations of links are uncertain by some units in the last place of the largest one on the
+  path from the ground. The energy of the resulting error is at most the energy of this uncertainty,
+  because H^-1 J^T I is a projection.
 """
 
 from __future__ import annotations
@@ -41,12 +41,12 @@ class Sums:
         self._parts: dict[tuple[Hashable, int], Expression] = {}
 
     def add(self, run: Hashable, count: int, term: Expression) -> None:
-        """Add what the first lanes, ``count`` of them, of a term hold."""
+        """Add the first ``count`` lanes of a term."""
         key = run, count
         self._parts[key] = self._parts[key] + term if key in self._parts else term
 
     def total(self) -> Expression:
-        """Return the sum, zero of nothing."""
+        """Return the sum; zero if there are no terms."""
         rows, by_count = self.state.rows, dict[int, list[Expression]]()
         for (_, count), part in self._parts.items():
             by_count.setdefault(count, []).append(part)
@@ -59,7 +59,7 @@ class Sums:
 
 @dataclass(frozen=True)
 class _Reached:
-    """A link whose acceleration is there.
+    """A link whose acceleration is known.
 
     Attributes:
         link: the link.
@@ -82,7 +82,7 @@ class _Reached:
 
 
 class Allowance:
-    """Sums what rounding may add to the square of an answer's error.
+    """Sums the allowance for rounding in the square of an answer's error.
 
     What is kept of links: ``("size", link)``, squares of angular and linear accelerations, shape
     (2,); ``("left", link)``, the wrench that the motion of the link and of all beyond takes, shape
@@ -111,7 +111,7 @@ class Allowance:
         return total([self.state.graph.constant(0), *(x * x for x in numbers)])
 
     def count(self, j: int) -> int:
-        """How many joints are treated as a joint."""
+        """Number of joints in the lanes of a joint."""
         return len(self.state.rows.own(j))
 
     def run(self, j: int) -> int:
@@ -139,7 +139,7 @@ class Allowance:
         return self.square(self.memory["a", link][:3, 0])
 
     def size(self, j: int, inertia: Array, fall: Array | None = None) -> None:
-        """What a joint's child link's accelerations are added up from, no less than before.
+        """Magnitude from which a joint's child link's accelerations are computed, never decreasing.
 
         Args:
             j: the joint.
@@ -164,7 +164,7 @@ class Allowance:
         self._reach(j + 1, j, "parent", inertia, arm, turning, sliding, own)
 
     def size_back(self, j: int, inertia: Array) -> None:
-        """The same of the parent link of a joint that is reversed."""
+        """The same for the parent link of a reversed joint."""
         graph, far = self.state.graph, self.state.plan.joints[j].parent
         turning, sliding = self.memory["size", j + 1]
         arm, slides = self._across(j)
@@ -184,14 +184,14 @@ class Allowance:
         sliding: Expression,
         own: Expression,
     ) -> None:
-        """Keep what is known of a link that a joint reaches."""
+        """Store the data of a link that a joint reaches."""
         self._marks[link] = self.state.graph.mark
         whole = np.array([total(inertia[k, k] for k in range(3)), inertia[3, 3]], dtype=object)
         self.memory["size", link] = np.array([turning, sliding], dtype=object)
         self._reached.append(_Reached(link, j, near, whole, arm, turning, own))
 
     def _across(self, j: int) -> tuple[Expression, list[Expression]]:
-        """The square of a joint's arm, and of what slides along it."""
+        """Squares of a joint's lever arm, and of its sliding."""
         state = self.state
         x: Transform = self.memory["X", j]
         slides: list[Expression] = []
@@ -204,7 +204,7 @@ class Allowance:
         return self.square(x.origin), slides
 
     def uncertain_motions(self) -> None:
-        """Add the energy of what is uncertain of all links' accelerations.
+        """Add the energy of the uncertainty of all links' accelerations.
 
         Of a link that is tr(I) times the square of the angular one and m times that of the linear
         one. The latter is that of the link before and an arm's square times the angular one, so
@@ -230,7 +230,7 @@ class Allowance:
 
     @contextmanager
     def when_reached(self, link: int) -> Iterator[None]:
-        """Have what is computed count for the step that reached a link.
+        """Have a computation belong to the step that reached a link.
 
         Straight lines compute it there, where its operands are at hand.
         """
@@ -240,12 +240,12 @@ class Allowance:
         graph.mark = now
 
     def swept(self, step: Step) -> None:
-        """Look at a step of a correction, if what is left over is swept inwards by one."""
+        """Use a step of a correction, if it sweeps residuals inwards."""
 
     # -- what is passed on ------------------------------------------------------------------------
 
     def pushed(self, link: int) -> Array:
-        """Squares of moments and forces of outer forces: they may cancel what the motion takes."""
+        """Squares of moments and forces of outer forces, which may cancel inertial forces."""
         noise = self.state.zeros(4)
         for push in self.motion.pushes(link):
             noise[:3] = noise[:3] + push[:3] * push[:3]
@@ -253,24 +253,24 @@ class Allowance:
         return noise
 
     def noise_at(self, link: int) -> Array:
-        """Squares of the moments and forces that come together at a link, shape (4,)."""
+        """Squares of all moments and forces at a link, shape (4,)."""
         left, passed = self.memory["left", link], self.memory["noise", link]
         moments = [total([passed[k], left[k] * left[k]]) for k in range(3)]
         force = total([passed[3], *(x * x for x in left[3:])])
         return np.array([*moments, force], dtype=object)
 
     def handed_noise(self, x: Transform, free: list[int], given: Array, noise: Array) -> Array:
-        """What a joint hands on of it: of its torques no more than they are themselves."""
+        """The squares that a joint passes on; along it at most those of its torques."""
         turned = x.rotation.magnitudes(self.torques_in(free, given, noise)[:3])
         return np.array([*(turned + self._levers(x, noise[3])), noise[3]], dtype=object)
 
     def torques_in(self, free: list[int], given: Array, noise: Array) -> Array:
-        """Squares of moments and forces with a joint's torques for what is found along it."""
+        """Squares of moments and forces with a joint's torques in place of those along it."""
         torques = dict(zip(free, given * given, strict=True))
         return np.array([*(torques.get(k, noise[k]) for k in range(3)), noise[3]], dtype=object)
 
     def noise_back(self, x: Transform, noise: Array) -> Array:
-        """Squares of moments and forces at a joint's parent link as they are at its child link."""
+        """Squares of moments and forces at a joint's parent link, from those at its child link."""
         moved = noise[:3] + self._levers(x, noise[3])
         return np.array([*x.rotation.transposed().magnitudes(moved), noise[3]], dtype=object)
 
@@ -280,7 +280,7 @@ class Allowance:
         return np.array([self.square(arm) * force for arm in arms], dtype=object)
 
     def weigh_noise(self, run: Hashable, count: int, factors: Factors, noise: Array) -> Array:
-        """Add what rounding may add to the energy of what has these factors, squares of it given.
+        """Add the energy of rounding with given factors and squares.
 
         Args:
             run: what they belong to.

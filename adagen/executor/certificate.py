@@ -1,10 +1,9 @@
-"""A bound of an answer's error, for a fraction of what the answer costs.
+"""A bound of an answer's error, for a fraction of the cost of the answer.
 
-With the accelerations of the answer each link's equation of motion leaves something over. One sweep
-inwards with the factors at hand finds what the joints would have to be driven with besides, u, and
-sum u^T D^-1 u is the square of the error in the energy norm: what forward dynamics makes of the
-residual, r^T H^-1 r, without its accelerations. So are errors of the factors seen, whatever their
-cause. What the sweep cannot see is allowed for (allowance.py).
+The answer's accelerations leave a residual in each link's equation of motion. One inward sweep with
+the known factors gives the missing joint forces u, and sum u^T D^-1 u is the square of the error in
+the energy norm, r^T H^-1 r, without an outward sweep. Errors of the factors show in the residual,
+whatever their cause. Rounding that does not show is allowed for (allowance.py).
 """
 
 from __future__ import annotations
@@ -16,14 +15,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.allowance import Allowance, Sums
-from adagen.executor.elsewhere import Elsewhere
 from adagen.executor.frames import Transform
+from adagen.executor.inner_root import InnerRoot
 from adagen.executor.kinematics import Motion
 from adagen.executor.segments import Articulated
 from adagen.executor.shares_of_bound import Heard, parting, seen_with, spread_of, told
 from adagen.executor.state import State
 from adagen.graph import Expression, Factors, factorize, matrix_times, total
-from adagen.plan.certificate import ROUNDING, meets_elsewhere
+from adagen.plan.certificate import ROUNDING, has_inner_root
 from adagen.plan.digits import EPSILON
 from adagen.plan.steps import Certify, StartLink, Step
 
@@ -31,19 +30,19 @@ Array = NDArray[Any]
 
 
 class Certificate(Allowance):
-    """Bounds the error of an answer from what a process's memory holds after it.
+    """Bounds the error of an answer, from the memory of a process after the answer.
 
     What is kept of links beside what rounding takes: ``("bare", link)``, under floating bases,
     force that the reference field takes of the link and all beyond (3), and their mass, shape (4,).
 
     Processes that gather elsewhere than at the base reach links from there, and find the energy of
-    the answer link by link (elsewhere.py).
+    the answer link by link (inner_root.py).
 
     Attributes:
         seen: the square of the error that shows.
         answer: the energy of the answer.
         own: links that the process looks at.
-        elsewhere: what is known of where processes gather, if that is not the base or the ground.
+        inner_root: the root where processes gather, if that is not the base or the ground.
     """
 
     def __init__(self, state: State, motion: Motion, steps: Iterable[Step]) -> None:
@@ -51,20 +50,20 @@ class Certificate(Allowance):
         steps = list(steps)
         self.seen, self.answer = Sums(state), Sums(state)
         self.own = {step.link for step in steps if isinstance(step, StartLink)}
-        self.elsewhere: Elsewhere | None = None
-        if meets_elsewhere(state.plan):
-            self.elsewhere = Elsewhere(state, motion, steps, self.bases)
+        self.inner_root: InnerRoot | None = None
+        if has_inner_root(state.plan):
+            self.inner_root = InnerRoot(state, motion, steps, self.bases)
             self.bases = []  # nothing is taken of their free fall as a whole
 
     def reach(self, j: int, *, root: bool = False) -> None:
-        """Look at the link beyond a joint, whose acceleration is there: while it is at hand.
+        """Use the acceleration of the link beyond a joint as soon as it is known.
 
         Args:
             j: the joint.
             root: whether all others are reached from that link.
         """
-        fall = self.elsewhere.fall_at(j, root=root) if self.elsewhere else None
-        if root and self.elsewhere and self.elsewhere.shown and self.elsewhere.held == j + 1:
+        fall = self.inner_root.fall_at(j, root=root) if self.inner_root else None
+        if root and self.inner_root and self.inner_root.shown and self.inner_root.held == j + 1:
             self.memory["unheld", j + 1] = self.memory["a", j + 1]
             self.size(j, self.state.zeros(6, 6), fall)
             return  # it is looked at as the way to the ground has it
@@ -73,10 +72,10 @@ class Certificate(Allowance):
         self._look_at(j + 1, inertia)
 
     def reach_back(self, j: int) -> None:
-        """Look at the parent link of a joint that is reversed."""
+        """Use the acceleration of the parent link of a reversed joint."""
         link = self.state.plan.joints[j].parent
-        assert self.elsewhere is not None
-        if link == self.elsewhere.held:  # it is looked at as the way to the ground has it
+        assert self.inner_root is not None
+        if link == self.inner_root.held:  # it is looked at as the way to the ground has it
             self.memory["unheld", link] = self.memory["a", link]
             return
         inertia = self._inertia(link)
@@ -84,7 +83,7 @@ class Certificate(Allowance):
         self._look_at(link, inertia)
 
     def _inertia(self, link: int) -> Array:
-        """That of a link; zeros where another process adds it."""
+        """A link's inertia; zeros where another process adds it."""
         return self.motion.link_inertia(link) if link in self.own else self.state.zeros(6, 6)
 
     def _look_at(self, link: int, inertia: Array) -> None:
@@ -95,7 +94,7 @@ class Certificate(Allowance):
         self.memory["bare", link] = self.state.zeros(4)
 
     def carry_out(self, step: Certify) -> None:
-        """Find the squares of the energy norms of the error, as bounded, and of the answer.
+        """Compute the squared energy norms of the error's bound and of the answer.
 
         Where several processes share the robot, each finds its share; process 0 finishes it.
         """
@@ -111,32 +110,32 @@ class Certificate(Allowance):
             self.memory["share", step.tells.process] = told(self, step, own)
             return
         parted = [x for each in shares for x in each.parted]
-        if self.elsewhere is not None and self.elsewhere.held:
+        if self.inner_root is not None and self.inner_root.held:
             seen = self._with_held(seen)
-            limbs = spread_of(self, self.elsewhere.beyond, self.elsewhere.held)
-            parted += parting(self, self.elsewhere.apart(), limbs)
+            limbs = spread_of(self, self.inner_root.beyond, self.inner_root.held)
+            parted += parting(self, self.inner_root.apart(), limbs)
         error = seen_with(seen, parted) if parted else seen
         self.state.certificate = (error + rounded, energy)
 
     def _heard(self, step: Certify) -> list[Heard]:
-        """What others have told."""
-        if self.elsewhere is None or not step.hears:
+        """The parts that other processes have sent."""
+        if self.inner_root is None or not step.hears:
             return [Heard(self, share) for share in step.hears]
-        found: list[Heard] = self.elsewhere.set_aside(
+        found: list[Heard] = self.inner_root.set_aside(
             lambda: [Heard(self, share) for share in step.hears]
         )
         return found
 
     def _with_held(self, seen: Expression) -> Expression:
-        """The square of a sum of lengths: what is seen beyond the held link, and up to it."""
+        """The squared sum of two lengths: of the residuals beyond the held link, and up to it."""
         held = self.held.total()
         return total([seen, held, self.state.graph.sqrt(seen * held) * 2])
 
     def _sweep(self, step: Certify) -> None:
-        """Sweep what is left over inwards."""
+        """Sweep residuals inwards."""
         inwards = [name[1] for name in list(self.memory) if _is(name, "articulated")]
         inwards = [j for j in inwards if not step.joints or j in step.joints]
-        if self.elsewhere is not None:
+        if self.inner_root is not None:
             self._sweep_elsewhere(inwards, step)
             return
         for j in inwards:
@@ -151,8 +150,8 @@ class Certificate(Allowance):
                 self.answer.add(base, 1, self._energy_of_base(base))
 
     def _sweep_elsewhere(self, inwards: Sequence[int], step: Certify) -> None:
-        """The same towards another root; from the ground to a link that is held before the rest."""
-        at = self.elsewhere
+        """The same towards another root; first from the ground to a held link."""
+        at = self.inner_root
         assert at is not None
         for base in at.bases:
             if not step.joints or base in step.joints:
@@ -181,7 +180,7 @@ class Certificate(Allowance):
                 self._weigh_shown(at.held, self.memory[at.shown])
 
     def _weigh_shown(self, root: int, phi: Array) -> None:
-        """What is left for a root; what hangs on it makes its error less than by Phi alone."""
+        """The residual at a root of known mobility Phi: its error is at most that by Phi alone."""
         left, noise = self.memory["left", root], self.noise_at(root)
         for x, moved in zip(left, matrix_times(phi, left), strict=True):
             self.seen.add(root - 1, 1, x * moved)
@@ -191,20 +190,20 @@ class Certificate(Allowance):
     # -- the sweep --------------------------------------------------------------------------------
 
     def _start(self, link: int, inertia: Array) -> None:
-        """What a link by itself takes."""
+        """The wrench of a bare link."""
         own = self.motion.link_force(link)
         a = self.memory["a", link][:, 0]
         taken = matrix_times(inertia, a)
         self.memory["left", link] = taken + own
-        if self.elsewhere is not None:
-            for energy in self.elsewhere.energies(link, inertia, a, taken):
+        if self.inner_root is not None:
+            for energy in self.inner_root.energies(link, inertia, a, taken):
                 self.answer.add(self.run(link - 1), self.count(link - 1), energy)
         self.memory["noise", link] = self.pushed(link)
         if self.bases:
             self.memory["bare", link] = np.array([*own[3:], inertia[3, 3]], dtype=object)
 
     def _inwards(self, j: int) -> None:
-        """Hand on what a joint's far link takes; what that says of the error, squared."""
+        """Sweep a wrench through a joint to its near link; returns the squared error there."""
         x: Transform = self.memory["X", j]
         body: Articulated = self.memory["articulated", j]
         left, noise = self.memory["left", j + 1], self.noise_at(j + 1)
@@ -223,7 +222,7 @@ class Certificate(Allowance):
             self.state.rows.hand_on("bare", j, own)
 
     def _back(self, j: int) -> None:
-        """The same of a joint that is reversed: from its parent link to its child link."""
+        """The same for a reversed joint: from its parent link to its child link."""
         x: Transform = self.memory["X", j]
         body: Articulated = self.memory["articulated", j]
         far, free = self.state.plan.joints[j].parent, list(self.state.kind(j).free)
@@ -239,14 +238,14 @@ class Certificate(Allowance):
             self.memory[name, j + 1] = self.memory[name, j + 1] + own
 
     def _given(self, j: int, sign: int) -> Array:
-        """What drives the far side of a joint, less what its rotor needs."""
+        """Torque on the far side of a joint, less the rotor's."""
         given, rotor = self.state.torques(j)[:, 0], self.state.rotor(j)
         if rotor is not None:
             given = given - self.memory["accelerated", j] * rotor
         return given * sign
 
     def _passed(self, j: int, left: Array, given: Array, driven: Array) -> Array:
-        """What a joint hands on of the wrench that its far link takes."""
+        """The wrench that a joint passes to its near link."""
         body: Articulated = self.memory["articulated", j]
         free, rotor = list(self.state.kind(j).free), self.state.rotor(j)
         passed = left.copy()
@@ -258,7 +257,7 @@ class Certificate(Allowance):
         return passed
 
     def _weigh(self, j: int, factors: Factors, u: Array, noise: Array) -> None:
-        """Add u^T M^-1 u to what is seen of the error, and what rounding may add to it."""
+        """Add u^T M^-1 u to the squared residual error, and the allowance for its rounding."""
         y = factors.forward(u.reshape(-1, 1))[:, 0]
         for k, inverse in enumerate(factors.inverses):
             self.seen.add(self.run(j), self.count(j), y[k] * y[k] * inverse)
@@ -267,7 +266,7 @@ class Certificate(Allowance):
     # -- floating bases ---------------------------------------------------------------------------
 
     def _error_of_base(self, j: int) -> None:
-        """What is left over at a floating base, and what its acceleration of free fall rounds."""
+        """Residual at a floating base, and the rounding of its free fall."""
         link, free = j + 1, list(self.state.kind(j).free)
         left, noise = self.memory["left", link].copy(), self.noise_at(link)
         left[free] = left[free] - self.state.torques(j)[:, 0]
@@ -277,7 +276,7 @@ class Certificate(Allowance):
         self.rounded.add(j, 1, self.memory["bare", link][3] * fall)
 
     def _energy_of_base(self, j: int) -> Expression:
-        """What a floating base adds to the energy of the answer, that of free fall among it.
+        """Part of a floating base in the energy of the answer, free fall included.
 
         Links' accelerations are relative to free fall, d; with m the mass and P the sum of
         what they take, the energy is that relative to it less 2 d^T P - m d^T d.

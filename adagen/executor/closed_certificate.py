@@ -1,13 +1,12 @@
-"""A bound of an answer's error where loops hold the robot.
+"""A bound of an answer's error for robots with closed loops.
 
-What the answer leaves over is swept inwards once more, as where it is refined (corrections.py).
-Each elimination on the way takes its share of the square of the energy norm, so that no correction
-has to be found outwards; how its rows part is weighed by itself. What rounding may do beside that
-is summed as for trees (allowance.py). A closure's unknowns hand on
-what comes together at their joints, and take their share of it by the inertia of the accelerations
-that its rows leave free. Its rows are uncertain by what the accelerations at their ends are; what
-follows from them by that has the energy of moving these unknowns alone, since the rest only gives
-way.
+The residual of the answer is swept inwards once more, as for a correction (corrections.py). Each
+elimination adds its part of the squared energy norm, so that no outward sweep is needed; the
+residual of the rows is a separate term. Allowances for rounding are summed as for trees
+(allowance.py). The unknowns of a closure pass on all wrenches at their joints, and their part uses
+the inertia of the independent accelerations. Rows are as uncertain as the accelerations at their
+ends; the resulting change of the dependent accelerations has at most the energy of moving these
+alone.
 """
 
 from __future__ import annotations
@@ -34,7 +33,7 @@ Array = NDArray[Any]
 
 
 class ClosedCertificate(Allowance):
-    """Bounds the error of an answer from it and one correction."""
+    """Bounds the error of an answer by the residuals of one correction."""
 
     def __init__(self, machine: Machine) -> None:
         super().__init__(machine, machine.motion)
@@ -47,13 +46,13 @@ class ClosedCertificate(Allowance):
         self.size(j, self.motion.link_inertia(j + 1))
 
     def carry_out(self, _: Certify) -> None:
-        """Find the squares of the energy norms of the error, as bounded, and of the answer."""
+        """Compute the squared energy norms of the error's bound and of the answer."""
         self.uncertain_motions()
         error = self.seen.total() + self.rounded.total() * self.unit**2
         self.state.certificate = (error, self._energy_of_answer())
 
     def _energy_of_answer(self) -> Expression:
-        """The square of its energy norm: what links and rotors were found to take."""
+        """The squared energy norm of the answer, from its links and rotors."""
         corrections, sums = self.machine.corrections, Sums(self.machine)
         answer, energies = corrections.answer(), corrections.energies()
         for link in energies.links:
@@ -68,7 +67,7 @@ class ClosedCertificate(Allowance):
         return sums.total()
 
     def swept(self, step: Step) -> None:
-        """Add what a step sees of the error, squared, and what it may round."""
+        """Add a step's squared residual error, and its allowance for rounding."""
         if not self.state.plan.certified:
             return
         residual = self.machine.corrections.current
@@ -97,7 +96,7 @@ class ClosedCertificate(Allowance):
                 self.seen.add(self.run(link - 1), 1, -total(p[:, 0] * a[:, 0]))
 
     def _closure(self, step: Eliminate) -> tuple[str, int]:
-        """What the sums of a closure's elimination are called."""
+        """Names of the sums of a closure's elimination."""
         return ("closure", step.closure)
 
     def _of_wrench(self, wrench: Array) -> Array:
@@ -106,7 +105,7 @@ class ClosedCertificate(Allowance):
         return np.array([*squares[:3], total(squares[3:])], dtype=object)
 
     def noise_at(self, link: int) -> Array:
-        """Squares of the moments and forces that come together at a link, shape (4,)."""
+        """Squares of all moments and forces at a link, shape (4,)."""
         self.memory["left", link] = self.machine.corrections.current.memory["pA", link][:, 0]
         return super().noise_at(link)
 
@@ -121,7 +120,7 @@ class ClosedCertificate(Allowance):
         self._hand_on(j, free, given, noise)
 
     def _pass_held(self, step: HoldBack) -> None:
-        """What comes together at a joint that is held back is its unknowns', and goes on whole."""
+        """Squares at a joint whose acceleration is an unknown: its own, and all passed on."""
         j, noise = step.joint, self.noise_at(step.joint + 1)
         front = self.machine.closures.fronts[step.closure]
         tied = [
@@ -144,7 +143,7 @@ class ClosedCertificate(Allowance):
     # -- closures ---------------------------------------------------------------------------------
 
     def _eliminate(self, step: Eliminate, front: Front, left: Front) -> None:
-        """What the unknowns' share of rounding does to what the rows leave free, and to the top.
+        """Effect of the unknowns' rounding on independent accelerations and on the top.
 
         Args:
             step: what eliminates them.
@@ -167,12 +166,12 @@ class ClosedCertificate(Allowance):
             self._hand_over(noise, freed.others, freed.gained, rest, len(freed.unknowns[0]))
 
     def _lanes(self, step: Eliminate, unknowns: Sequence[WideUnknown]) -> int:
-        """How many arms, or closures, unknowns are of."""
+        """Number of arms, or closures, of wide unknowns."""
         closures = self.machine.closures.lanes(step.closure)
         return max(len(unknowns[0]), len({lane.number for lane in closures}))
 
     def _noise_of(self, noise: dict[int, Expression], unknowns: Sequence[WideUnknown]) -> Array:
-        """What comes together at unknowns, shape (n,)."""
+        """Squares at unknowns, shape (n,)."""
         together = self.machine.closures.arm_lanes.together
         return np.array(
             [together([noise[u] for u in wide_unknown]) for wide_unknown in unknowns], dtype=object
@@ -186,7 +185,7 @@ class ClosedCertificate(Allowance):
         own: Array,
         count: int,
     ) -> None:
-        """Add what comes together at unknowns of so many arms to those that they follow from."""
+        """Add the squares at dependent unknowns to those that they depend on."""
         for k, wide_unknown in enumerate(others):
             handed = total((gained[:, k] * gained[:, k]) * own)
             if len(wide_unknown) == 1:
@@ -199,7 +198,7 @@ class ClosedCertificate(Allowance):
                 noise[unknown] = noise[unknown] + x if unknown in noise else x
 
     def _hand_to_top(self, step: Eliminate, across: Array, moved: Array, arms: int) -> None:
-        """What comes together at unknowns that follow from the top's acceleration is handed on."""
+        """Pass squares at unknowns that depend on the top's acceleration to the top."""
         parts = [total((across[:, i] * across[:, i]) * moved) for i in range(6)]
         lanes = self.machine.closures.lanes(step.closure)
         tops = [lane.eliminate.link for lane in lanes]
@@ -208,7 +207,7 @@ class ClosedCertificate(Allowance):
         self.state.rows.add("noise", tops, count, self.state.rows.sum_of(handed, arms))
 
     def _of_row(self, front: Front, left: Front, wide_unknown: WideUnknown) -> Expression:
-        """The square of how a row parts, and of what is added up for that, in squares of units.
+        """Squared residual of a row, and of the terms in its sum, in squares of units.
 
         Rows of alike arms are looked at together, also where what follows from them is not.
         """
@@ -254,7 +253,7 @@ class ClosedCertificate(Allowance):
     # -- floating bases ---------------------------------------------------------------------------
 
     def _at_root(self, link: int) -> None:
-        """What comes together at a floating base, and what its acceleration of free fall rounds."""
+        """Squares at a floating base, and the rounding of its free fall."""
         noise = self.noise_at(link)
         factors = factorize(self.memory["IA", link])
         self.weigh_noise(link - 1, self.count(link - 1), factors, noise[[0, 1, 2, 3, 3, 3]])

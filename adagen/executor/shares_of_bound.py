@@ -1,10 +1,10 @@
-"""What processes that share a robot tell each other of the bound of an answer's error.
+"""Parts of the bound of an answer's error that processes send to each other.
 
-Each process sweeps what its own limbs leave over to the links at which they hang; process 0 goes on
-from there. Each has solved for these links by itself, so that their accelerations may differ in the
-last digits, and the answer has those of process 0. Limbs that move with others are in error by
-more: as a motion of all their links its energy is at most ``spread`` (adagen/plan/certificate.py),
-which is added as a length: with |a + b|^2 <= 9/8 |a|^2 + 9 |b|^2.
+Each process sweeps the residuals of its own limbs to the core links; process 0 continues from
+there. Each process has solved for the core by itself, so the core's accelerations may differ in the
+last digits, and the answer contains those of process 0. The difference moves a limb as one body;
+its energy is at most ``spread`` (adagen/plan/certificate.py), which is added as a length: with
+|a + b|^2 <= 9/8 |a|^2 + 9 |b|^2.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ Array = NDArray[Any]
 
 
 def told(found: Allowance, step: Certify, sums: Sequence[Expression]) -> Array:
-    """Return what a process tells of its share: three sums, and what is known of each link."""
+    """Return the contents of a process's message: three sums, and the data of each core link."""
     assert step.tells is not None
     content = list(sums)
     for link in step.tells.links:
@@ -36,12 +36,12 @@ def told(found: Allowance, step: Certify, sums: Sequence[Expression]) -> Array:
 
 
 def _kept(found: Allowance) -> list[tuple[int, str]]:
-    """What is kept of a link that limbs add to: how many numbers, and its name."""
+    """The numbers stored of a core link, by name, and how many they are."""
     return [(6, "left"), (4, "noise"), *([(4, "bare")] if found.bases else [])]
 
 
 def spread_of(found: Allowance, joints: Sequence[int], link: int) -> list[Expression]:
-    """Return what limbs at a link take where it turns otherwise, and where it slides."""
+    """Return the energy bounds of limbs at a link for relative rotation and translation."""
     graph, limbs = found.state.graph, spread(found.state.plan, joints, link)
     distances = [graph.input(f"q[{entry}]") * scale**0.5 for entry, scale in limbs.along]
     turning = total([graph.constant(limbs.turning), found.square(distances)])
@@ -49,7 +49,7 @@ def spread_of(found: Allowance, joints: Sequence[int], link: int) -> list[Expres
 
 
 class Heard:
-    """What another process has told: adds what its limbs leave over to the links that they hang on.
+    """The part of another process: adds its limbs' residuals to the core links.
 
     Attributes:
         seen: the square of what shows of the error.
@@ -75,11 +75,11 @@ class Heard:
 
 
 def parting(found: Allowance, apart: Array, limbs: Sequence[Expression]) -> list[Expression]:
-    """Return the squares of what limbs take whose link accelerates otherwise, by apart."""
+    """Return squared energies of limbs for the difference of their link's acceleration."""
     turning, sliding = limbs
     return [turning * found.square(apart[:3]), sliding * found.square(apart[3:])]
 
 
 def seen_with(seen: Expression, parted: Sequence[Expression]) -> Expression:
-    """Return the square of a sum: that of what is seen, and those that the rest is made of."""
+    """Return the square of a sum: of the residual error, and of the other parts."""
     return seen * 1.125 + total(parted) * 9

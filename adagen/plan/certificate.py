@@ -1,7 +1,7 @@
-"""Which plans can be certified, and how much rounding a certificate allows for.
+"""Plans that can be certified, and the allowance for rounding.
 
-Where several processes share a robot, each finds what its own limbs leave over. Process 0 adds up
-the links that they hang on, and finishes the certificate (adagen/executor/shares_of_bound.py).
+If several processes share a robot, each computes the residuals of its own limbs. Process 0 adds the
+core links and finishes the certificate (adagen/executor/shares_of_bound.py).
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ def certified(plan: Plan) -> Plan:
 
 
 def _weighed(plan: Plan, steps: tuple[Step, ...]) -> tuple[Step, ...]:
-    """Steps and their certificate: loops have one by a correction, which is not added."""
+    """Steps with their certificate: closed loops compute it by a correction that is not added."""
     if not steps:
         return ()
     correction = (Correct(0, 0, len(steps)),) if plan.closed else ()
@@ -78,7 +78,7 @@ def _weighed(plan: Plan, steps: tuple[Step, ...]) -> tuple[Step, ...]:
 
 
 def why_not(plan: Plan) -> str | None:
-    """Return why what a plan's answers leave over is not weighed, None where it can be."""
+    """Return why a plan's residuals cannot be swept, None where they can."""
     if plan.form != "segment":
         return f"that is for form segment, not {plan.form}"
     if plan.slaved:
@@ -114,7 +114,7 @@ _GATHERED = (
 
 
 def why_not_shared(plan: Plan) -> str | None:
-    """Return why several processes do not certify what they answer together, None if they do."""
+    """Return why several processes cannot certify their answer, None if they can."""
     if not plan.several:
         return None
     if plan.closed or not all(isinstance(step, _GATHERED) for step in plan.steps):
@@ -135,15 +135,15 @@ def why_not_shared(plan: Plan) -> str | None:
     return _why_not_held(plan)
 
 
-def meets_elsewhere(plan: Plan) -> bool:
-    """Return whether processes gather elsewhere than at the base or the ground."""
+def has_inner_root(plan: Plan) -> bool:
+    """Return whether processes gather at a root that is neither the base nor the ground."""
     turned = any(getattr(step, "reversed", False) for step in plan.steps)
     return turned or any(plan.steps_of(HoldMobility, SolveMobility))
 
 
 def _why_not_held(plan: Plan) -> str | None:
-    """Why a robot whose ground is beyond where processes gather is not certified."""
-    if not meets_elsewhere(plan):
+    """Why a robot whose ground is beyond the root cannot be certified."""
+    if not has_inner_root(plan):
         return None
     if any(any(process.steps_of(Propagate, FreeBase)) for process in plan.processes[1:]):
         return "another process than the first one is on the way to the ground"
@@ -154,7 +154,7 @@ def _why_not_held(plan: Plan) -> str | None:
 
 
 def _shared(plan: Plan) -> Plan:
-    """The plan with a certificate to which each process adds its share."""
+    """The plan with a certificate in parts of several processes."""
     messages = list(plan.messages)
     steps = _with_shares(plan, [process.steps for process in plan.processes], messages)
     recovery = [process.recovery for process in plan.processes]
@@ -170,7 +170,7 @@ def _shared(plan: Plan) -> Plan:
 def _with_shares(
     plan: Plan, steps: Sequence[tuple[Step, ...]], messages: list[Message]
 ) -> list[tuple[Step, ...]]:
-    """Steps of each process, and what it does for the certificate; adds the messages of that."""
+    """Steps of each process with its part of the certificate; adds the messages."""
     met = {j for process in plan.processes for j in process.shares}
     found, shares, hears = list(steps), list[Share](), list[Step]()
     for p, process in enumerate(plan.processes):
@@ -190,7 +190,7 @@ def _with_shares(
 
 @dataclass(frozen=True)
 class Spread:
-    """What limbs that hang on a link take if it accelerates otherwise, and their joints do not.
+    """Energy bounds of a link's limbs for a different acceleration of the link, joints as they are.
 
     Of a difference of its angular acceleration x and of its linear one y, at most
     turning |x|^2 + sliding |y|^2, kg m^2 and kg; squares of distances along joints come to turning.
@@ -207,7 +207,7 @@ class Spread:
 
 
 def spread(plan: Plan, joints: Iterable[int], link: int) -> Spread:
-    """Return what those of some joints take that are limbs of a link.
+    """Return the energy bounds for some joints that are limbs of a link.
 
     A link at p with its centre of mass at p + c takes m |y + x cross (p + c)|^2 and its rotation,
     and the n vectors that p + c is a sum of are no longer together than n times their squares.
@@ -234,7 +234,7 @@ def spread(plan: Plan, joints: Iterable[int], link: int) -> Spread:
 
 
 def beyond_held(plan: Plan, steps: Iterable[Step]) -> list[int]:
-    """Return the joints beyond what a process sweeps from the ground to a link, ascending.
+    """Return the joints beyond a process's path from the ground to a link, ascending.
 
     That is a link that is held, or the root, whose mobility it tells others of.
     """
@@ -248,5 +248,5 @@ def beyond_held(plan: Plan, steps: Iterable[Step]) -> list[int]:
 
 
 def own_links(process: Process) -> Iterator[int]:
-    """Yield the links whose inertia a process starts with."""
+    """Yield the links whose own inertia a process adds."""
     return (step.link for step in process.steps_of(StartLink))

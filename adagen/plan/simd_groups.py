@@ -1,7 +1,7 @@
-"""Limbs side by side: which joints of a process can be treated at once, one in each SIMD lane.
+"""Limbs side by side: joints of a process that are computed together, one in each SIMD lane.
 
-Limbs that have nothing to do with each other, such as two arms and two legs, are passed together as
-far as their joints are of the same kinds.
+Independent limbs, such as two arms and two legs, are computed together as far as their joints are
+of the same kinds.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ Saving = Callable[[Sequence[str], int], float]
 
 @dataclass(frozen=True)
 class Limbs:
-    """Chains of joints, each on the link of the one before, the k-th joints of all being of a kind.
+    """Chains of joints, each on the link of the one before, whose k-th joints are of one kind.
 
     Attributes:
         rows: the limbs' k-th joints, those next to the base first.
@@ -65,7 +65,7 @@ class Limbs:
 
     @property
     def lanes(self) -> int:
-        """How many lanes they take."""
+        """Number of their lanes."""
         return 2 if self.count == 2 else 4
 
     @property
@@ -74,14 +74,14 @@ class Limbs:
         return self.lanes - self.count
 
     def members(self) -> Iterator[int]:
-        """Yield the joints as they lie in memory: row by row."""
+        """Yield the joints in memory order: row by row."""
         for row in self.rows:
             yield from row
 
 
 @lru_cache(maxsize=16)  # of one plan it is asked for each process
 def placed_links(plan: Plan) -> frozenset[int]:
-    """Return the links whose own inertia is put down before sweeps: they are swept to, or twice.
+    """Return the links whose own inertia is set up before sweeps.
 
     These are the links at which several processes' inertias are gathered, and those whose mobility
     is inverted to an inertia.
@@ -94,7 +94,7 @@ def placed_links(plan: Plan) -> frozenset[int]:
 def simd_groups(
     plan: Plan, process: Process, saved: Saving, counts: Iterable[int] = COUNTS
 ) -> list[Limbs]:
-    """Return limbs that a process may take side by side.
+    """Return limbs that a process may compute side by side.
 
     Those that save most are chosen first, as long as their sweeps can be brought into an order.
 
@@ -117,7 +117,7 @@ def simd_groupings(
 
 
 def nearly_fewest(process: Process, offers: Iterable[tuple[Limbs, ...]]) -> list[tuple[Limbs, ...]]:
-    """Return the groupings of a process that leave nearly as few joints to compute as can be.
+    """Return the groupings of a process with nearly the fewest rows to compute.
 
     To count them takes far less than to price a grouping, and the others are hardly ever faster.
     """
@@ -141,7 +141,7 @@ def _groups(
     saved: Saving,
     counts: frozenset[int],
 ) -> list[Limbs]:
-    """The limbs that are chosen one after the other."""
+    """The limbs, chosen one group after the other."""
     found: list[Limbs] = []
     for chains in pools:
         while (best := _best(joints, chains, last, found, saved, counts)) is not None:
@@ -154,7 +154,7 @@ def _groups(
 def more_alike(
     plan: Plan, process: Process, found: Iterable[Limbs], unlike: Callable[[Limbs], float]
 ) -> list[Limbs]:
-    """Return limbs some of which are exchanged for chains left over, if that makes them more alike.
+    """Return limbs, some exchanged for unused chains if that makes them more similar.
 
     Args:
         plan: of form "segment".
@@ -185,7 +185,7 @@ def _exchanged(
     limbs: Limbs,
     last: Sequence[int],
 ) -> Iterator[Limbs]:
-    """Yield limbs with one of them exchanged for the end of a chain of which nothing is used."""
+    """Yield limbs with one of them exchanged for the end of an unused chain."""
     taken = {j for each in found for j in each.members()}
     own = list(zip(*limbs.rows, strict=True))
     kinds = [joints[j].kind for j in own[0]]
@@ -200,7 +200,7 @@ def _exchanged(
 
 
 def _chains(plan: Plan, process: Process) -> list[list[list[int]]]:
-    """All joints that fit, as chains that are as long as can be; those that may go together."""
+    """All joints that fit, as longest chains; those that may share lanes."""
     fit = _fit(plan, process)
     pools: dict[object, list[list[int]]] = {}
     for chain in longest_chains(plan.joints, fit):
@@ -209,7 +209,7 @@ def _chains(plan: Plan, process: Process) -> list[list[list[int]]]:
 
 
 def longest_chains(joints: Sequence[PlanJoint], fit: Mapping[int, object]) -> list[list[int]]:
-    """Return joints as chains, each joint on the link of the one before: as long as can be.
+    """Return joints as longest chains, each joint on the link of the one before.
 
     Args:
         joints: the plan's joints.
@@ -239,7 +239,7 @@ def _best(
     saved: Saving,
     counts: frozenset[int],
 ) -> Limbs | None:
-    """The limbs that save most beside those chosen; None where nothing is saved."""
+    """The limbs that save most beside those chosen; None if none saves."""
     offers: list[tuple[float, int, list[list[int]]]] = []
     kinds = [tuple(joints[j].kind for j in reversed(c)) for c in chains]  # outermost first
     distinct = list(dict.fromkeys(kinds))
@@ -268,7 +268,7 @@ def _best(
 
 
 def _meets_any(end: int, chains: Iterable[list[int]], rows: int, last: Sequence[int]) -> bool:
-    """Whether a joint hangs on that joint of a chain with which it would share a row, or bears it.
+    """Whether a joint is beyond or before the joint of a chain with which it would share a row.
 
     Written without calls: it is asked some ten thousand times for each grouping of a large robot.
     """
@@ -281,7 +281,7 @@ def _meets_any(end: int, chains: Iterable[list[int]], rows: int, last: Sequence[
 
 
 def _follows(limbs: Limbs, taken: Sequence[Limbs], last: Sequence[int]) -> bool:
-    """Whether limbs can be passed beside others that can follow each other."""
+    """Whether limbs can be in an order with others."""
     hangs = any(_hang_on(limbs, other, last) for other in taken)
     bears = hangs and any(_hang_on(other, limbs, last) for other in taken)
     return not bears or _in_order([*taken, limbs], last)
@@ -291,7 +291,7 @@ _STARTS = 4  # chains that limbs to go together are looked for beside
 
 
 def _common(one: Sequence[str], other: Sequence[str]) -> int:
-    """How many kinds two sequences have in common from their start on."""
+    """Number of common kinds of two sequences from their start on."""
     count = 0
     for a, b in zip(one, other, strict=False):
         if a != b:
@@ -305,12 +305,12 @@ def _one_beyond_other(one: int, other: int, last: Sequence[int]) -> bool:
 
 
 def _beyond(joint: int, other: int, last: Sequence[int]) -> bool:
-    """Whether a joint is another one or hangs on it."""
+    """Whether a joint is another one or beyond it."""
     return other <= joint <= last[other]
 
 
 def _in_order(all_limbs: Sequence[Limbs], last: Sequence[int]) -> bool:
-    """Whether limbs can follow each other so that none is passed before what hangs on it."""
+    """Whether limbs can be ordered so that each comes after those that it depends on."""
     waiting = list(all_limbs)
     while waiting:
         free = [limbs for limbs in waiting if not any(_hang_on(o, limbs, last) for o in waiting)]
@@ -321,7 +321,7 @@ def _in_order(all_limbs: Sequence[Limbs], last: Sequence[int]) -> bool:
 
 
 def _hang_on(some: Limbs, others: Limbs, last: Sequence[int]) -> bool:
-    """Whether one of some limbs hangs on one of the others."""
+    """Whether one of some limbs is beyond one of the others."""
     if some is others:
         return False
     starts = others.rows[0]  # what hangs on a joint of a limb hangs on its first one
@@ -342,7 +342,7 @@ def _last_beyond(joints: Sequence[PlanJoint]) -> list[int]:
 
 
 def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
-    """Joints that may be computed side by side, with the rows of steps in which they are passed.
+    """Joints that may be in lanes, with the rows of steps in which they are computed.
 
     They are the process's own, passed once, away from the sweep's root, and their links are bare.
     No mobility, no force at a handle and no rows of loops go through them: those go joint by
@@ -369,7 +369,7 @@ def _fit(plan: Plan, process: Process) -> dict[int, tuple[int, ...]]:
 
 
 def fits_beside(joint: PlanJoint) -> bool:
-    """Whether a joint is of a kind that is treated side by side.
+    """Whether a joint is of a kind that can be in lanes.
 
     Where its motion is prescribed, it may have one freedom, and be beside joints that move freely.
     """
@@ -380,7 +380,7 @@ _Sweep = TypeVar("_Sweep", Kinematics, Articulate, Accelerate)
 
 
 def _row_of(process: Process, parts: Iterable[Stage], kind: type[_Sweep]) -> dict[int, int]:
-    """In which row of steps of a kind, as they follow each other in a stage, a joint is."""
+    """The row of steps of a kind, in their order within a stage, that a joint is in."""
     found: dict[int, int] = {}
     for stage in parts:
         steps = process.steps[stage.first : stage.last]
@@ -398,5 +398,5 @@ _SWEEPS: dict[type, type] = {
 
 
 def sweep_of(step: Step) -> type:
-    """Return what a step is grouped by: steps of one sweep may be done in another order."""
+    """Return the sweep of a step: steps of one sweep may be reordered."""
     return _SWEEPS.get(type(step), type(step))

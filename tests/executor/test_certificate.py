@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from adagen.errors import UsageError
 from adagen.executor import certificate, shares_of_bound
 from adagen.executor.allowance import Allowance
-from adagen.executor.elsewhere import Elsewhere
 from adagen.executor.grouping import offered_groupings
+from adagen.executor.inner_root import InnerRoot
 from adagen.executor.lanes import Grouping
 from adagen.executor.refine import WideLinks
 from adagen.executor.run import each_for_itself
@@ -243,9 +243,9 @@ def test_how_a_held_link_moves_otherwise_is_part_of_the_bound(
     model = serial_chain(14)
     plan, (state,) = plan_elsewhere(model), zip(*_one(model), strict=True)
     right = _squares(plan, state)[1]
-    honest = Elsewhere.apart
+    honest = InnerRoot.apart
     monkeypatch.setattr(
-        Elsewhere, "apart", lambda at: honest(at) + at.state.constants(np.full(6, 1e-6))
+        InnerRoot, "apart", lambda at: honest(at) + at.state.constants(np.full(6, 1e-6))
     )
     each_for_itself.cache_clear()
     _, bound, _ = _squares(plan, state)

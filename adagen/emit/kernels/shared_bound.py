@@ -1,4 +1,4 @@
-"""What processes of shape kernels tell process 0 of the bound of an answer's error.
+"""Messages to process 0 about the bound of the answer's error, in shape kernels.
 
 See templates/include/adagen/kernels/shared_bound.hpp.
 """
@@ -17,12 +17,12 @@ from adagen.program import Operation
 
 
 def tells(symbols: Symbols, operation: Operation) -> bool:
-    """Return whether a message tells what a process adds to the bound of the answer's error."""
+    """Return whether a message contains a process's part of the error bound."""
     return exchanged(symbols, operation)[1].sweep == CERTIFICATE
 
 
 def told(symbols: Symbols, process: Process, operation: Operation) -> list[str]:
-    """Return the lines that tell process 0 of a process's share."""
+    """Return the lines that send a process's part to process 0."""
     number, message = exchanged(symbols, operation)
     (joints,) = (step.joints for step in process.steps_of(Certify))
     lines = [
@@ -37,12 +37,12 @@ def told(symbols: Symbols, process: Process, operation: Operation) -> list[str]:
 
 
 def beyond(symbols: Symbols, steps: Iterable[Step], link: int) -> str:
-    """Return what all beyond a held link takes where it turns otherwise, and where it slides."""
+    """Return the energy bounds of everything beyond a held link for rotation and translation."""
     return _spread(symbols, beyond_held(symbols.plan, steps), link)
 
 
 def _spread(symbols: Symbols, joints: Iterable[int], link: int) -> str:
-    """What limbs at a link take where it turns otherwise, and where it slides."""
+    """Energy bounds of limbs at a link for rotation and translation."""
     number, limbs = symbols.printer.number, spread(symbols.plan, joints, link)
     terms = [number(limbs.turning)]
     terms += [f"{number(scale)} * w.q[{k}] * w.q[{k}]" for k, scale in limbs.along]
@@ -50,7 +50,7 @@ def _spread(symbols: Symbols, joints: Iterable[int], link: int) -> str:
 
 
 def heard(symbols: Symbols, operation: Operation) -> list[str]:
-    """Return the lines that keep what another process has told."""
+    """Return the lines that store another process's part."""
     number, message = exchanged(symbols, operation)
     call = f"channel.receive({number}, w.status)"
     about = f"  // from process {message.source}: {describe_message(symbols, message)}"
@@ -58,12 +58,12 @@ def heard(symbols: Symbols, operation: Operation) -> list[str]:
 
 
 def sums(step: Certify) -> list[str]:
-    """Return the lines that add what others have found of error and answer."""
+    """Return the lines that add other processes' sums of error and answer."""
     return [f"hear_sums(w, w.heard[{k}]);" for k in range(len(step.hears))]
 
 
 def at_links(symbols: Symbols, operation: Operation) -> list[str]:
-    """Return the lines that add what limbs of another process leave over.
+    """Return the lines that add residuals of another process's limbs.
 
     Args:
         symbols: the C++ names of the plan's joints, links and buffers.
@@ -80,5 +80,5 @@ def at_links(symbols: Symbols, operation: Operation) -> list[str]:
 
 
 def _place(symbols: Symbols, source: int) -> int:
-    """Where what a process has told is kept."""
+    """The index of a process's stored part."""
     return [m.source for m in symbols.plan.messages if m.sweep == CERTIFICATE].index(source)

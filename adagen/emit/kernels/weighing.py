@@ -23,7 +23,7 @@ from adagen.program.slots import Slots
 
 
 def word(first: bool) -> str:
-    """Return whether what is left at a link is the first there, as a template argument."""
+    """Return whether the inertia at a link is the first there, as a template argument."""
     return "true" if first else "false"
 
 
@@ -33,7 +33,7 @@ def blocks_of(slots: Slots, joints: Iterable[int]) -> list[tuple[str, str]]:
 
 
 def links_looked_at(step: Step) -> set[int]:
-    """Return the links whose accelerations processes compare that share a certificate."""
+    """Return the links whose accelerations are compared between processes."""
     if not isinstance(step, Certify):
         return set()
     shares = [*step.hears, *([] if step.tells is None else [step.tells])]
@@ -41,7 +41,7 @@ def links_looked_at(step: Step) -> set[int]:
 
 
 class Weighing:
-    """Turns operations of a process into the lines that sweep what its answer leaves over.
+    """The operations of a process as lines that sweep the residuals of its answer.
 
     Args:
         symbols: the C++ names of the plan's joints, links and buffers.
@@ -83,7 +83,7 @@ class Weighing:
         return [*lines, *shared_bound.sums(share), end]
 
     def _look_at(self, operations: Sequence[Operation]) -> None:
-        """Find which links the joint before them is swept away from, and which is held."""
+        """Find the links whose joint is swept outwards, and the held link."""
         steps = [step for op in operations for step in op.steps]
         swept = [step for step in steps if isinstance(step, Articulate)]
         self.forward = {step.joint + 1 for step in swept if not step.reversed}
@@ -109,7 +109,7 @@ class Weighing:
         return ["begin_rest(w);", f"weigh_held<{step.link}>(w, {beyond});"]
 
     def _cleared(self, operation: Operation) -> list[str]:
-        """What hangs on a link whose mobility is shown comes behind what holds it."""
+        """Residuals at a link of known mobility come after those of its ground's side."""
         assert isinstance(operation.block, Links)
         held = self.held.intersection(operation.block.numbers)
         return ["begin_rest(w);"] if held else []
@@ -133,7 +133,7 @@ class Weighing:
         return [f"weigh_root<{self.p}, {step.link}>(w);"]
 
     def _received(self, operation: Operation) -> list[str]:
-        """What others' limbs leave over comes where their inertias came."""
+        """Residuals of other processes' limbs come where their inertias came."""
         if shared_bound.tells(self.symbols, operation):
             return []
         return shared_bound.at_links(self.symbols, operation)
@@ -156,7 +156,7 @@ class Weighing:
 
 
 def _is_own(share: Certify, operation: Operation) -> bool:
-    """Whether a share of a certificate has an operation: others sweep their own joints."""
+    """Whether an operation belongs to a process's part of a certificate."""
     if operation.does == "receive":
         return bool(share.hears)
     swept = next(iter(operation.steps), None)

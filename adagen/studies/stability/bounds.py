@@ -22,7 +22,7 @@ from adagen.executor.solve import interpret
 from adagen.graph import BALLS
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
-from adagen.plan.certificate import certified, meets_elsewhere
+from adagen.plan.certificate import certified, has_inner_root
 from adagen.run import launch
 from adagen.schedule import load_profile
 from adagen.schedule.tree import Gathered
@@ -120,7 +120,7 @@ def plan_elsewhere(model: Model, scalar: str = "double") -> Plan:
         shared = replace(alone, meeting="gather", gathered=Gathered((root,), owners))
         with suppress(AdagenError):
             plan = certified(make_plan(model, shared, scalar=scalar, channel="threads"))
-            if meets_elsewhere(plan) and plan.processes[1].steps:
+            if has_inner_root(plan) and plan.processes[1].steps:
                 return plan
     raise UsageError("there is no link beyond the base or the ground to gather at")
 

@@ -1,13 +1,12 @@
-"""Certificates of processes that gather elsewhere than at the base or the ground.
+"""Certificates of processes that gather at an inner root, neither the base nor the ground.
 
-Links are reached from the root that is chosen, and what is left over is swept towards it. Where the
-ground is beyond that root, the joints between it and a link h show h's mobility, whose inverse
-stands for all of them (``HoldMobility``). Whatever force acts at h between these and the rest, what
-both leave over makes up the error. It is taken to be the one that h was loaded with, which leaves
-little over on either side. What the joints up to h leave over costs no more than if nothing but
-this force held them, and lengths of both errors are added. The answer has h moving as the ground's
-side has it; all that is beyond moves along, which is added as for limbs of other processes
-(shares_of_bound.py).
+Links are reached from that root, and residuals are swept towards it. If the ground is beyond the
+root, the joints between it and a link h have a mobility at h, whose inverse acts as a body
+(``HoldMobility``). The force at h between these joints and the rest may be chosen freely; it is the
+one that acted in the evaluation, so that both residuals are small. The residual of the joints up to
+h costs no more than if only this force acted on them, and the lengths of both errors are added. The
+answer has the motion of h as computed from the ground. Its difference from that as computed from
+the root is added as for limbs of other processes (shares_of_bound.py).
 """
 
 from __future__ import annotations
@@ -28,8 +27,8 @@ from adagen.plan.steps import Articulate, LoadRoot, SolveMobility, SolveRoot, St
 Array = NDArray[Any]
 
 
-class Elsewhere:
-    """Where processes gather, and what a process's certificate needs of that.
+class InnerRoot:
+    """The root where processes gather, as a process's certificate needs it.
 
     What is kept of links: ``("fall", link)``, by how much a base falls, in the link's frame, shape
     (3,).
@@ -59,7 +58,7 @@ class Elsewhere:
         self.beyond = beyond_held(state.plan, steps) if self.held else list(every)
 
     def fall_at(self, j: int, *, root: bool) -> Array:
-        """Return by how much a base falls, in the frame of a joint's child link, shape (3,).
+        """Return the free fall of a base in the frame of a joint's child link, shape (3,).
 
         That of a root is known first, and with it those on the way to the base.
         """
@@ -88,7 +87,7 @@ class Elsewhere:
         return x.rotation.transposed().vector(near)
 
     def energies(self, link: int, inertia: Array, a: Array, taken: Array) -> Iterator[Expression]:
-        """Yield what makes up the energy of a link's acceleration, less a base's fall d.
+        """Yield the terms of the energy of a link's acceleration, less a base's free fall d.
 
         That is a^T I a - 2 d^T f + m d^T d, with f the force of I a.
         """
@@ -98,7 +97,7 @@ class Elsewhere:
             yield total(fall * (fall * inertia[3, 3] - taken[3:] * 2))
 
     def load(self, square: Callable[[Iterable[Expression]], Expression], *, of_rest: bool) -> None:
-        """Have the force that a held link is loaded with act on it, or on what is beyond.
+        """Apply the force on a held link to it, or to the links beyond.
 
         Args:
             square: the sum of squares.
@@ -119,7 +118,7 @@ class Elsewhere:
             self.memory["noise", link] = noise + self._aside[1]
 
     def set_aside(self, add: Callable[[], Any]) -> Any:
-        """Have something added to a root whose mobility is shown that is of the rest's."""
+        """Store what ``add`` adds at a root of known mobility separately: it is of the rest."""
         if self.shown is None:
             return add()
         names = ("left", self.held), ("noise", self.held)
@@ -133,7 +132,7 @@ class Elsewhere:
         return found
 
     def apart(self) -> Array:
-        """Return by how much the held link accelerates otherwise than it was found to beyond it."""
+        """Return the difference of the held link's accelerations from both sides."""
         link = self.held
         found: Array = self.memory["a", link][:, 0] - self.memory["unheld", link][:, 0]
         return found
