@@ -1,4 +1,4 @@
-"""Which joint joins which partial chains on which process, and what that is predicted to cost."""
+"""Schedules: which process joins which partial chains, and the predicted cost of that."""
 
 from adagen.schedule.fabric import Fabric, read_fabric, shipped_fabric
 from adagen.schedule.hosts import Host, read_hosts

@@ -1,4 +1,4 @@
-"""What the steps of a plan cost on a machine: the coefficients of a measured cost profile.
+"""Costs of the steps of a plan on a machine: the coefficients of a measured cost profile.
 
 Eq. (11) prices a join as a whole, in the paper's form of the algorithm. A machine spends its time
 on steps (kinematics, articulated bodies, joins, messages), each of which costs a base per joint

@@ -1,4 +1,4 @@
-"""A schedule tree while it is being put together: joints, their descendants and their ranges."""
+"""A schedule tree under construction: joints, their descendants and their ranges."""
 
 from __future__ import annotations
 

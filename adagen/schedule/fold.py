@@ -1,7 +1,7 @@
-"""Robots whose joints are not all places to join at, as the scheduler is to see them.
+"""Robots in which runs or clusters of joints are joined as one, as the scheduler sees them.
 
-A run of joints that is joined as one is one joint to the search, and links that hang together by
-joints of no concern are one link. What is found is unfolded to a schedule of all joints.
+A run that is joined as one is one joint to the search, and a cluster of links is one link. The
+schedule that is found is unfolded to one of all joints.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What a search comes back with, and the schedule that it makes."""
+"""The result of a search, and the schedule made from it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Hosts and the processes that they take, as mpiexec's files name them."""
+"""Hosts and their numbers of processes, from mpiexec's host files."""
 
 from __future__ import annotations
 

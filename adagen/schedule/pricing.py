@@ -1,4 +1,4 @@
-"""A schedule tree priced by segments: what each node costs where a profile has step costs.
+"""Costs of the nodes of a schedule tree by segments, where a profile has costs of steps.
 
 The costs are laid so that the rules of the tree (:func:`adagen.schedule.tree.makespan_of`) play the
 plan through: a joint inside a segment costs what it takes there, the topmost one also what its

@@ -1,4 +1,4 @@
-"""What a join costs: the constants of Eq. (11), read from a profile and strictly checked.
+"""Cost profiles: the constants of Eq. (11) and costs of steps, read and strictly checked.
 
 Inside the scheduler a time is a whole number of picoseconds (*ticks*). Sums of ticks are exact, so
 that two schedules are equally long or they are not: no tolerance decides a tie, and the answer is

@@ -1,4 +1,4 @@
-"""Inside a segment: from its root to its handles, in the order in which mobility is carried."""
+"""Paths from a segment's root to its handles, in the order of carried mobilities."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What parts of a schedule of form `segment` cost, sweep by sweep; ticks on a core of speed 1."""
+"""Prices of parts of a schedule of form `segment`, by sweep; ticks on a core of speed 1."""
 
 from __future__ import annotations
 

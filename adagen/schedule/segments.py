@@ -1,4 +1,4 @@
-"""Form `segment` priced: what one process takes for a partial chain, and what a cut costs.
+"""Prices of form `segment`: of a partial chain on one process, and of a cut.
 
 Inside a chain of one process no order matters: every joint is articulated once, and along the paths
 between the chain's handles mobility is carried outwards. Prices follow the plan (adagen.plan) step

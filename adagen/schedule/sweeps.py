@@ -1,4 +1,4 @@
-"""How long a schedule takes: both sweeps over its tree, and the active time of each process."""
+"""The time of a schedule: both sweeps over its tree, and the active time of each process."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the scheduler needs to know of a robot: which joint joins which links, and nothing more."""
+"""The topology of a robot: the links that each joint connects."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The schedule tree (Section II-C): nodes, the whole schedule, and ways to walk it."""
+"""The schedule tree (Section II-C): nodes, the whole schedule, and its traversals."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What makes a schedule right: every joint once, each on its side, ranges as in III-C."""
+"""Validity of a schedule: every joint once, each on its side, ranges as in III-C."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Schedules searched at the price that is played: families of candidates, and what is proven."""
+"""Search for schedules by predicted time: families of candidates, and proven bounds."""
 
 from adagen.search.best import best_schedule
 from adagen.search.choose import choose_processes, predicted_time

@@ -1,4 +1,4 @@
-"""What several hosts bring: one evaluation shared by them, and batches distributed to them."""
+"""Predictions for several hosts: one evaluation shared by them, and batches distributed to them."""
 
 from __future__ import annotations
 

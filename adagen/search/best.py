@@ -1,4 +1,4 @@
-"""The schedule that the tool takes by itself: the fastest of all families, as it is played."""
+"""The default schedule: the fastest of all families by predicted time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Long chains on the many processes of a cluster, as they are predicted to go there.
+"""Long chains on the many processes of a cluster: predicted times.
 
 The search for schedules weighs ways to meet against each other on one machine. Here chains are cut
 for exchanges pair by pair alone, the way that long chains take, with every message at the price of

@@ -1,4 +1,4 @@
-"""Lower bounds on layouts, in the price that is played.
+"""Lower bounds on the predicted time of layouts.
 
 Whoever takes part in an exchange has passed the way to the core and the core itself, and its limbs;
 it waits for the slowest of the others, whose message is under way for the latency; and then sweeps

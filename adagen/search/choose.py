@@ -1,4 +1,4 @@
-"""How many processes pay: one schedule after another, played through on the machine's costs."""
+"""The number of processes that pays, by the predicted times of schedules."""
 
 from __future__ import annotations
 

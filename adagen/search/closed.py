@@ -1,4 +1,4 @@
-"""Schedules of robots with closed loops: who has which limbs and which closures.
+"""Schedules of robots with closed loops: owners of limbs and closures.
 
 Each closure belongs to one process (adagen/plan/closed_segment.py). Limbs around the base, or
 around the middle of a long path, are distributed. Each of these layouts is priced as its straight

@@ -1,4 +1,4 @@
-"""Layouts of straight lines: limbs around a root, distributed; each priced as it is emitted."""
+"""Layouts priced as straight lines: the limbs around a root, distributed among processes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Serial chains whose processes exchange pair by pair (adagen/plan/exchange.py): where to cut.
+"""Serial chains whose processes exchange pair by pair (adagen/plan/exchange.py): their cuts.
 
 Pairs of processes meet level by level, so each waits for the slowest of those that it meets. The
 parts are cut so that all processes are done with their first sweep at once. That takes a few

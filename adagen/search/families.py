@@ -1,4 +1,4 @@
-"""Candidates of all families, compared at the price that is played, in the shape that is emitted.
+"""Candidates of all families, compared by predicted time in the emitted shape.
 
 * ``alone``: one process does everything.
 * ``parts``: likewise, a long chain of hinges in parts, one in each SIMD lane (parted.py).

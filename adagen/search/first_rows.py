@@ -1,4 +1,4 @@
-"""Rows next to the base are narrow: what they take more than the share of a full row.
+"""Bound for the rows next to the base, which are narrow: their cost beyond that of full rows.
 
 A process passes rows one after the other, none before what its joints hang on. So its first d rows
 hold joints alone that have fewer than d others before them on their own limb. An arm has one joint

@@ -1,4 +1,4 @@
-"""Lower bounds on what joints cost, whatever they are passed with: what proofs rest on.
+"""Lower bounds on the costs of joints in any grouping.
 
 A joint is passed by itself, by columns, in strips, or in a row with one to three others. Rows
 hold joints of limbs that do not hang on each other, so that two joints on one way outwards are

@@ -1,4 +1,4 @@
-"""Frames: where processes may gather, one after another, the simplest first.
+"""Frames (root and core of a layout), one after another, the simplest first.
 
 Trees are shared first, then their cores grow, from where limbs part to where they part next: each
 frame comes from one other.

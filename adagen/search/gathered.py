@@ -1,4 +1,4 @@
-"""Branch and bound over layouts: where processes meet, and who takes which limbs.
+"""Branch and bound over layouts: root, core, and owners of limbs.
 
 Frames (frames.py) are tried by their bounds, the smallest first, until none can be faster than the
 best layout found; the limbs of each are distributed by branch and bound as well (handout.py).

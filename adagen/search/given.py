@@ -1,4 +1,4 @@
-"""Schedules that somebody gives: read from JSON, checked and priced anew."""
+"""Schedules from JSON files: read, checked and priced."""
 
 from __future__ import annotations
 

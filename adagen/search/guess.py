@@ -1,4 +1,4 @@
-"""First layouts: limbs distributed by what they take by themselves, before anything is proven."""
+"""First layouts: limbs distributed by their costs, before any bound."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Serial chains whose two processes gather at one link: where, and whether one tells the other.
+"""Serial chains on two processes that gather: their cut, and whether a passage is sent.
 
 The search of layouts (gathered.py) looks at one link after the other, and its budget ends long
 before a chain of a thousand joints does. Here the link follows from what joints take, so that both

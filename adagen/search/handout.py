@@ -1,4 +1,4 @@
-"""Handing out the limbs of a frame, process by process, by branch and bound.
+"""Assignment of the limbs of a frame to processes, by branch and bound.
 
 The next process takes the heaviest limb that is left, and some of the others. Limbs of one kind
 that follow each other are interchangeable, and processes of equal speed are alike.

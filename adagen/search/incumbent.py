@@ -1,4 +1,4 @@
-"""The best layout so far, what was spent on finding it, and those that come nearest to it."""
+"""The best layout so far, the expansions spent, and the next best layouts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Schedules whose processes are joined at cuts: what the search by steps finds, and a bound on all.
+"""Schedules whose processes are joined at cuts, by predicted time, and a bound on all of them.
 
 That search (adagen/search/segment_search.py) prices joints one by one. What is played takes limbs
 side by side and runs by columns, too, so that its own bound says nothing about the price that is

@@ -1,4 +1,4 @@
-"""Layouts: who takes which limbs, and what that takes.
+"""Layouts: owners of limbs, and the predicted time of each process.
 
 The time of a layout is composed of its processes' shares (price.py), each priced once: a share is
 known by the kinds of its limbs in their order, wherever else on the robot they are.

@@ -1,4 +1,4 @@
-"""Where processes may gather, and the limbs that hang there: what a search hands out.
+"""Cores where processes may gather, and their limbs, which the search assigns.
 
 In a tree of moving links that several processes share, a *core* is chosen: a root link and joints
 that hang together below it. What is left are limbs, each the work of one process: subtrees that

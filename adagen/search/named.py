@@ -1,4 +1,4 @@
-"""Schedules that need no search: fixed assembly orders, and trees that somebody gives.
+"""Schedules without a search: fixed assembly orders, and given trees.
 
 They go to processes as Section III-C has it, so that they compare with what the search finds.
 """

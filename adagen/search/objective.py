@@ -1,4 +1,4 @@
-"""Schedules for time, for accuracy, or for both: what is predicted of the digits decides, too.
+"""Schedules for time, for accuracy, or for both, with predicted digits.
 
 In form `segment` digits go where processes meet: g, the growth at a cut, says how many. Cuts above
 a limit are not made, so that the search moves them to other joints. In form `ada` every joint is

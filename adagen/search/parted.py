@@ -1,4 +1,4 @@
-"""Long chains that processes sweep in parts, one in each SIMD lane: where that can be done.
+"""Long chains in parts, one in each SIMD lane: where a chain may be divided.
 
 See adagen/plan/parts.py. Parts are as long as each other, so that there is nothing to search: they
 are cut where that falls, and where a cut would cost digits the chain stays whole.

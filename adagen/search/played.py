@@ -1,4 +1,4 @@
-"""Form `ada` searched under the price that is played: latency and repeated kinematics included.
+"""Search for schedules of form `ada` by predicted time, with latency and repeated kinematics.
 
 Eq. (11) knows neither what messages take nor that every process does the kinematics of all joints
 between the ground and its own. So the schedule that is optimal by Eq. (11) is where this search

@@ -1,4 +1,4 @@
-"""The price that is played, as the search sees it: nothing else here knows how steps are priced.
+"""Predicted times for the search: the only module here that prices steps.
 
 A schedule is priced by its plan as a whole (``played``), the share of one process by itself
 (``Pricing.share``): what the processes of a layout take is composed of such shares.

@@ -1,4 +1,4 @@
-"""How long a partial chain of form `segment` takes at the very least, before any search.
+"""Lower bounds on the time of a partial chain in form `segment`, before any search.
 
 Two arguments, each of which holds where the other is weak:
 

@@ -1,4 +1,4 @@
-"""First schedules: a robot cut so that no segment takes longer than must be.
+"""First schedules: a robot cut into segments of equal time.
 
 What a search of a few options at a time misses: the outermost segment of a long chain carries no
 mobility, so that one process passes several times as many joints there as in between.

@@ -1,4 +1,4 @@
-"""Ways to do a part of a schedule of form `segment`: none better than another in both sweeps."""
+"""Pareto fronts of the two sweeps' times, for parts of a schedule of form `segment`."""
 
 from __future__ import annotations
 

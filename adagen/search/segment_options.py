@@ -1,4 +1,4 @@
-"""What can be done with a partial chain of form `segment`: its cuts, and ways to divide P."""
+"""Successors of a partial chain in form `segment`: its cuts, and divisions of its processes."""
 
 from __future__ import annotations
 

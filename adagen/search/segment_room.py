@@ -1,4 +1,4 @@
-"""How many segments a partial chain needs if none of them may take longer than some time.
+"""Least number of segments of a partial chain within a given time.
 
 Besides its joints a segment repeats the kinematics towards the ground, and carries mobility from
 its root to its handles: what lies far out, or between others, takes longer than its share.

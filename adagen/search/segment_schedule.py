@@ -1,4 +1,4 @@
-"""Schedules for form `segment` under measured costs, with what is proven about them."""
+"""Schedules for form `segment` under measured costs, with their proven bounds."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The search for schedules of form `segment`: where to cut, for whom, which side stays local.
+"""The search for schedules of form `segment`: cuts, processes, and the side that stays local.
 
 What a chain on a range of processes can take is not one time but several: the sooner it is
 assembled, the later perhaps its processes are done once the forces on it are known. So a state has

@@ -1,4 +1,4 @@
-"""The least that processes take for some limbs: rows are no wider than what lies side by side.
+"""Lower bounds for the limbs of one process: a row is no wider than its independent joints.
 
 A row holds joints of one kind none of which hangs on another. Where a process has two chains of
 revolute joints and nothing else, no row has more than two; the floors of the whole robot
