@@ -94,7 +94,7 @@ CHANNEL_KEYS = ("send", "latency", "number")
 
 @dataclass(frozen=True)
 class ChannelCosts:
-    """What a message costs, in microseconds.
+    """Costs of a message, in microseconds.
 
     Attributes:
         send: time of the sender, whatever the message holds.
@@ -150,16 +150,16 @@ class StepCosts:
         return sum(self.table[name] * count for name, count in counts.items())
 
     def joint(self, kind: str) -> float:
-        """Return the least that a joint takes that is passed alone or in a run, microseconds."""
+        """Return the least time of a joint, alone or in a run, microseconds."""
         sweeps = min(self[f"articulate.{kind}"], self[f"articulate_columns.{kind}"])
         return self[f"kinematics.{kind}"] + sweeps + self[f"accelerate.{kind}"]
 
     def carried(self, kind: str) -> float:
-        """Return the least that carrying unit wrenches across a joint of a run takes."""
+        """Return the least time of carrying unit wrenches across a joint of a run."""
         return min(self[f"propagate_run.{kind}"], self[f"propagate_along.{kind}"])
 
     def row(self, kind: str, count: int) -> float:
-        """Return what two, three or four joints of a kind take side by side, microseconds."""
+        """Return the time of two, three or four joints of a kind side by side, microseconds."""
         lanes = "two" if count == 2 else "four"
         groups = ("kinematics", "articulate", "accelerate")
         return sum(self[f"{group}_{lanes}.{kind}"] for group in groups)
@@ -201,7 +201,7 @@ def check(name: str, value: float) -> None:
 
 
 def read_steps(source: Source, document: Mapping[str, object]) -> StepCosts | None:
-    """Return what the tables [steps.*], [channel.*] and the list cores of a profile say, if any.
+    """Return the tables [steps.*], [channel.*] and the list cores of a profile, if there are any.
 
     Raises:
         InputError: a table or key is missing, unknown, of the wrong type or out of range.

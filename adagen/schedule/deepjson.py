@@ -52,7 +52,7 @@ class _Raw:
 
 
 def loads(text: str) -> Any:
-    """Return what a JSON text says.
+    """Return the data of a JSON text.
 
     Raises:
         json.JSONDecodeError: it is not JSON; tells the line.

@@ -32,14 +32,14 @@ class Draft:
         return self.root_child[joint], self.end_child[joint]
 
     def hang(self, above: int, joint: int, is_end: bool) -> None:
-        """Hang a joint under another one, on its end side or root side; -1 makes it the root."""
+        """Add a joint below another one, on its end side or root side; -1 makes it the root."""
         if above < 0:
             self.root = joint
         else:
             (self.end_child if is_end else self.root_child)[above] = joint
 
     def contract(self, topology: Topology, order: Sequence[int]) -> int:
-        """Hang the joints of a partial chain under each other as this order of assembly tells.
+        """Build the tree of a partial chain for an order of assembly.
 
         Args:
             topology: the robot.

@@ -60,7 +60,7 @@ class Fabric:
         return tuple(Host(f"{self.levels[0].name}{k}", cores) for k in range(prod(above)))
 
     def level(self, a: int, b: int) -> Level:
-        """Return the lowest level that holds two processes."""
+        """Return the lowest level that contains two processes."""
         for level in self.levels:
             a, b = a // level.size, b // level.size
             if a == b:
@@ -68,11 +68,11 @@ class Fabric:
         raise ValueError("a process that the fabric has no room for")
 
     def links(self, a: int, b: int) -> ChannelCosts | None:
-        """Return what a message costs between two processes; None where they share memory."""
+        """Return the costs of a message between two processes; None where they share memory."""
         return self.level(a, b).costs
 
     def network(self, a: int, b: int) -> ChannelCosts:
-        """Return what a message costs between two nodes, by their numbers."""
+        """Return the costs of a message between two nodes, by their numbers."""
         cores = self.levels[0].size
         costs = self.links(a * cores, b * cores)
         assert costs is not None  # of two nodes, not of one
@@ -115,7 +115,7 @@ def shipped_fabric() -> Fabric:
 
 
 def parse_fabric(text: str, file: str) -> Fabric:
-    """Return the fabric written in TOML; ``file`` is what messages call it.
+    """Return the fabric written in TOML; ``file`` is its name in messages.
 
     Raises:
         InputError: as ``read_fabric``.

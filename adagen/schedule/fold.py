@@ -20,7 +20,7 @@ from adagen.schedule.tree import Node, Schedule, preorder
 
 @dataclass(frozen=True)
 class Fold:
-    """A robot and what the search sees of it.
+    """A robot, and the folded robot that the search sees.
 
     Attributes:
         full: the robot.
@@ -62,7 +62,7 @@ class Fold:
         )
 
     def _unfold_node(self, draft: Draft, node: Node) -> None:
-        """Hang a run's joints below each other, on the side of the process that joins them."""
+        """Add a run's joints below each other, on the side of the process that joins them."""
         run, (first, _) = self.joints[node.joint], node.processes
         sides = [side.processes for side in node.children if side.processes[0] == first]
         for joint in run:
@@ -84,7 +84,7 @@ class Fold:
         return run[0] if beyond else run[-1]
 
     def _side(self, draft: Draft, node: Node, side: Node | None, link: int) -> int:
-        """The joint at the top of what is assembled on one side of a node, -1 for a bare link."""
+        """The top joint of one side of a node, -1 for a bare link."""
         if side is not None:
             return self._top(side)
         inner = self.inner[link]
@@ -98,7 +98,7 @@ class Fold:
 def fold(
     topology: Topology, runs: Sequence[tuple[int, ...]], inside: AbstractSet[int] = frozenset()
 ) -> Fold:
-    """Return what the search is to see of a robot.
+    """Return the folded robot for the search.
 
     Args:
         topology: the robot.

@@ -13,7 +13,7 @@ from adagen.schedule.tree import Named, Schedule, Split, Strategy, Tie
 
 @dataclass(frozen=True)
 class Found:
-    """What a search comes back with; times in ticks.
+    """The result of a search; times in ticks.
 
     Attributes:
         draft: the best schedule tree found.

@@ -17,14 +17,14 @@ _SLOTS = re.compile(r"\sslots\s*=\s*([0-9]+)")
 
 @dataclass(frozen=True)
 class Host:
-    """A host and how many processes it takes."""
+    """A host and its number of processes."""
 
     name: str
     slots: int
 
 
 def read_hosts(path: Path) -> tuple[Host, ...]:
-    """Return the hosts of a file, in order; one named twice takes as many processes as both say.
+    """Return the hosts of a file, in order; repeated hosts add up their processes.
 
     A line is ``NAME``, ``NAME slots=N`` (Open MPI) or ``NAME:N`` (MPICH); # begins a remark.
 

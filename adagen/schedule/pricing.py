@@ -20,7 +20,7 @@ from adagen.schedule.tree import Node
 
 
 class NodePrice(NamedTuple):
-    """What a node costs in either sweep and how long its messages are under way; ticks."""
+    """Cost of a node in either sweep, and time of its messages under way; ticks."""
 
     assembly: int
     disassembly: int
@@ -55,7 +55,7 @@ def segment_prices(
     children: Sequence[tuple[int, int]],
     ranges: Sequence[tuple[int, int]],
 ) -> list[NodePrice]:
-    """Return what each joint's node costs.
+    """Return the cost of each joint's node.
 
     Args:
         topology: the robot.
@@ -68,7 +68,7 @@ def segment_prices(
 
 
 class _Part(NamedTuple):
-    """A part of the tree, and what its process joins further up; positions."""
+    """A part of the tree, and the joints that its process joins further up; positions."""
 
     joint: int
     chain: Chain
@@ -101,7 +101,7 @@ class _Pricing:
         return self.found
 
     def _join(self, part: _Part) -> list[_Part]:
-        """Price a joint between processes; return what is below it."""
+        """Price a joint between processes; return the parts below it."""
         costs, (joint, chain, joined, _) = self.costs, part
         process, position = self.ranges[joint][0], self.place[joint]
         speed = costs.costs.speed(process)
@@ -148,7 +148,7 @@ class _Pricing:
 
 
 def segment_time(costs: SegmentCosts, chain: Chain, beyond: int, speed: float) -> tuple[int, int]:
-    """Return what a process takes for a segment in the first and in the second sweep, ticks.
+    """Return the time of a process for a segment in the first and in the second sweep, ticks.
 
     Args:
         costs: prices.

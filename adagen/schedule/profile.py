@@ -73,7 +73,7 @@ class CostProfile:
 
     @property
     def measured(self) -> StepCosts:
-        """What the steps of a plan cost.
+        """Costs of the steps of a plan.
 
         Raises:
             ValueError: the profile prices joins alone, as the paper's does.
@@ -136,7 +136,7 @@ def load_profile(name: str) -> CostProfile:
 
 
 def profile_text(name: str) -> tuple[str, str]:
-    """Return the text of the profile that ``load_profile`` reads, and what messages call its file.
+    """Return the text of the profile that ``load_profile`` reads, and its name in messages.
 
     Raises:
         UsageError: there is no such profile.
@@ -167,7 +167,7 @@ def with_steps(profile: CostProfile | None) -> CostProfile:
 
 
 def step_costs(profile: CostProfile | None) -> StepCosts:
-    """Return what steps cost on a profile, or on the shipped one likewise."""
+    """Return the costs of steps of a profile, or of the shipped one if it has none."""
     return with_steps(profile).measured
 
 
@@ -178,7 +178,7 @@ def _shipped() -> CostProfile:
 
 @lru_cache(maxsize=16)  # a call of the tool asks for its profile several times
 def parse_profile(text: str, file: str) -> CostProfile:
-    """Return the profile written in TOML; ``file`` is what messages call it.
+    """Return the profile written in TOML; ``file`` is its name in messages.
 
     Raises:
         InputError: not TOML, a key is missing, unknown or of the wrong type, or a value is out of

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 
 class Price(NamedTuple):
-    """What something takes in the first sweep and in the second one; ticks."""
+    """Times of the first sweep and of the second one; ticks."""
 
     assembly: int
     disassembly: int
@@ -22,7 +22,7 @@ class Price(NamedTuple):
 
 
 class SegmentPrice(NamedTuple):
-    """What a chain takes on one process; ticks.
+    """Times of a chain on one process; ticks.
 
     Attributes:
         kinematics: of its joints and of those between it and the ground, once.
@@ -36,7 +36,7 @@ class SegmentPrice(NamedTuple):
 
 
 class Transit(NamedTuple):
-    """What a chain's two messages take; ticks.
+    """Times of a chain's two messages; ticks.
 
     Attributes:
         assembly: to put the first one in, and again to take it out.
@@ -60,5 +60,5 @@ class Transit(NamedTuple):
 
     @property
     def handling(self) -> Price:
-        """What the process of the joint takes for them in either sweep."""
+        """Time of the joint's process for them in either sweep."""
         return Price(self.assembly, self.disassembly + self.send)

@@ -122,7 +122,7 @@ class SegmentCosts:
         return known
 
     def work(self, chain: Chain) -> tuple[int, int, int]:
-        """Return what a chain's joints take alone: kinematics, assembly, disassembly."""
+        """Return the time of a chain's joints alone: kinematics, assembly, disassembly."""
         first, last = self.chains.span(chain)
         end = self.chains.end
         found = []
@@ -134,7 +134,7 @@ class SegmentCosts:
         return found[0], found[1], found[2]
 
     def price(self, chain: Chain) -> SegmentPrice:
-        """Return what a chain takes on one process."""
+        """Return the price of a chain on one process."""
         known = self._prices.get(chain)
         if known is None:
             known = self._prices[chain] = self._price(chain)
@@ -163,7 +163,7 @@ class SegmentCosts:
         return SegmentPrice(own + self.kinematics[chain.top], Price(assembly, disassembly), path)
 
     def _reversed(self, swept: int, outwards: int) -> Price:
-        """Return what joints cost more whose segment has its root below them."""
+        """Return the extra cost of joints whose segment has its root below them."""
         return Price(
             swept * self._ticks("articulate.reversed")
             + outwards * self._ticks("propagate.reversed"),
@@ -175,7 +175,7 @@ class SegmentCosts:
         return [p for p, link in enumerate(self.chains.parent) if not link and p not in chain.cuts]
 
     def _grounded(self, chain: Chain) -> list[Way]:
-        """Return the ways to the handles of a chain that holds the ground, from each root.
+        """Return the paths to the handles of a chain with the ground, from each root.
 
         What hangs on a free joint is not held by the ground: its root is its first handle.
         """
@@ -209,7 +209,7 @@ class SegmentCosts:
         return extra
 
     def cut(self, chain: Chain, position: int) -> Price:
-        """Return what joining the two sides of a cut and taking them apart costs."""
+        """Return the cost of joining the two sides of a cut, and of their disassembly."""
         key = (chain, position)
         known = self._cuts.get(key)
         if known is None:
@@ -229,7 +229,7 @@ class SegmentCosts:
         return len(handles) - b, b
 
     def coupled(self, position: int, a: int, b: int) -> Price:
-        """Return what a join costs more with so many handles on its two sides."""
+        """Return the extra cost of a join with so many handles on its two sides."""
         rows = block_rows(self.priced_as[position])
         same = rows * (a * (a + 1) + b * (b + 1)) / 2
         extra = (
@@ -242,11 +242,11 @@ class SegmentCosts:
         return Price(round(extra * TICKS), round(apart * TICKS))
 
     def bare(self) -> int:
-        """Return what a side costs that is a bare link."""
+        """Return the cost of a side that is a bare link."""
         return self._ticks("link.bias")
 
     def transit(self, chain: Chain) -> Transit | None:
-        """Return what a chain's messages take; None if it has nothing to tell."""
+        """Return the times of a chain's messages; None if it sends nothing."""
         if chain not in self._transits:
             self._transits[chain] = self._transit(self.handles(chain))
         return self._transits[chain]
@@ -260,7 +260,7 @@ class SegmentCosts:
         return self.message(groups.values())
 
     def message(self, groups: Collection[int]) -> Transit:
-        """Return what messages about groups of handles take, each group coupled in itself."""
+        """Return the time of messages about groups of handles, each group coupled in itself."""
         count = sum(groups)
         pairs = sum(m * (m + 1) // 2 for m in groups)
         channel = self.costs.window

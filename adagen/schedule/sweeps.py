@@ -9,7 +9,7 @@ from adagen.schedule.tree import Node, postorder, preorder
 
 
 class Sweeps(NamedTuple):
-    """How long a part of a schedule takes; ticks.
+    """Times of a part of a schedule; ticks.
 
     Attributes:
         assembly: from the start until its process has assembled it.

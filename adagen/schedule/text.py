@@ -101,7 +101,7 @@ def schedule_tree(schedule: Schedule, topology: Topology) -> str:
 
 
 def gathered_line(gathered: Gathered, topology: Topology) -> str:
-    """Return where processes gather, and who has what, in one line of printable ASCII.
+    """Return root and owners of a gathered layout in one line of printable ASCII.
 
     ``gathered at JOINT ...: core JOINT ...; 0: JOINT ...; 1: ...``, a root by the joint above it.
     """

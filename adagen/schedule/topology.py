@@ -72,7 +72,7 @@ class Topology:
         return "revolute" if dofs == 1 else "spherical" if dofs < 6 else "floating"
 
     def priced_as(self, joint: int) -> str:
-        """Return what a joint is priced as, but for its kinematics: its kind, or prescribed."""
+        """Return the kind by which a joint is priced, apart from kinematics, or prescribed."""
         return PRESCRIBED if joint in self.prescribed else self.kind(joint)
 
     def __len__(self) -> int:

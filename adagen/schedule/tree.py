@@ -57,7 +57,7 @@ class Node:
 
 @dataclass(frozen=True)
 class Gathered:
-    """Where processes gather, and who has what (adagen.plan.gather).
+    """A layout of gathering processes: roots and owners (adagen.plan.gather).
 
     Attributes:
         roots: for each tree of links that move together, in the order of their first joints, the
@@ -75,7 +75,7 @@ class Gathered:
 
 @dataclass(frozen=True, eq=False)
 class Schedule:
-    """A schedule tree and what is known about it; times in microseconds.
+    """A schedule tree with its predicted time and bound; times in microseconds.
 
     Attributes:
         root: the joint assembled last.
@@ -136,14 +136,14 @@ class Schedule:
 
     @property
     def among(self) -> str:
-        """What the verdict is about, in words: straight lines are bounded only by being priced."""
+        """The programs that the verdict covers, in words: straight lines only as far as priced."""
         lines = self.straight_lines
         priced = f" and {lines} straight line{'s' * (lines > 1)}" if lines else ""
         return f"loops{priced}" if self.families else ""
 
     @property
     def proven(self) -> str:
-        """What is proven, in words."""
+        """The proven bound, in words."""
         among = f" among {self.among}" if self.among else ""
         if self.verdict == "optimal":
             return f"optimal{among}"

@@ -34,7 +34,7 @@ def validate(schedule: Schedule, topology: Topology) -> None:
 
 
 def _check_tree(root: Node, topology: Topology) -> None:
-    """Assemble the robot in postorder, and see that each node joins what its sides have made."""
+    """Assemble the robot in postorder, and check that each node joins what its sides have made."""
     leaders = UnionFind[int]()  # of links that are assembled
     seen = [False] * len(topology)
     degrees = list(topology.degrees)

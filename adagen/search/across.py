@@ -66,7 +66,7 @@ class HandedOut:
 
 @dataclass(frozen=True)
 class Across:
-    """What hosts bring.
+    """Predictions for several hosts.
 
     Attributes:
         alone: the best of one host.
@@ -102,7 +102,7 @@ class Across:
 def across_hosts(
     model: Model, hosts: Sequence[Host], profile: CostProfile, network: Network | None = None
 ) -> Across:
-    """Return what is predicted of a robot on several hosts.
+    """Return the predictions for a robot on several hosts.
 
     One evaluation is searched with every message at the price of the network, so that the
     processes meet as seldom as pays there; then it is played through with messages of one host at
@@ -138,7 +138,7 @@ def across_hosts(
 
 
 def network_of(profile: CostProfile) -> Network:
-    """Return what a profile says of messages between any two hosts.
+    """Return the costs of messages between any two hosts in a profile.
 
     Raises:
         ValueError: it says nothing.
@@ -182,7 +182,7 @@ def placed(hosts: Sequence[Host], processes: int) -> list[int]:
 
 
 def state_time(model: Model, profile: CostProfile) -> float:
-    """Return what a process is predicted to take for one state of a batch, microseconds.
+    """Return the predicted time of a process for one state of a batch, microseconds.
 
     It is the time of the program that a batch runs, by the price of single evaluations, shared by
     the lanes: what registers take longer for than numbers is not in it.

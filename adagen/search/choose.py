@@ -32,7 +32,7 @@ def predicted_time(
     *,
     reproducible: bool = False,
 ) -> float:
-    """Return what a schedule is predicted to take, microseconds.
+    """Return the predicted time of a schedule, microseconds.
 
     By its plan where the profile prices steps, else by Eq. (11).
 

@@ -94,7 +94,7 @@ def _played(
 
 @dataclass(frozen=True)
 class _Limb:
-    """What is distributed together.
+    """Joints that are distributed together.
 
     Attributes:
         first: its joints at the core.

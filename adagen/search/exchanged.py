@@ -38,7 +38,7 @@ Play = Callable[[Schedule], tuple[Plan, Timeline]]
 
 
 def numbers_of_processes(topology: Topology, processes: int) -> list[int]:
-    """Return on how many processes a robot may be done by exchanges: all, half of them, ..."""
+    """Return the numbers of processes to try for exchanges: all, half of them, ..."""
     serial = all(parent == j for j, parent in enumerate(topology.parents))
     counts = halves(processes) if serial and processes > 1 else []
     # The joint of a cut is in neither part.
@@ -78,7 +78,7 @@ class ExchangedSchedules:
         )
 
     def least(self, processes: int, count: int) -> float:
-        """Return a time that no such schedule beats, microseconds.
+        """Return a lower bound on the time of such schedules, microseconds.
 
         The outermost of m parts takes a share of what its joints would take elsewhere, at least,
         and the last process is done no sooner than all are on average.
@@ -103,7 +103,7 @@ class ExchangedSchedules:
         return (costs["process.evaluation"] + least) / fastest
 
     def _besides(self, count: int) -> float:
-        """What each of some processes takes on average besides its own joints, at the least.
+        """Least average time of some processes beside their own joints.
 
         Each takes part in log2(m) joins, all but the last of which have a handle beside them. All
         parts but one have a root, all but two are carried through. Where two wait for each other,
@@ -129,7 +129,7 @@ class ExchangedSchedules:
         )
 
     def best(self, processes: int, count: int, play: Play) -> Schedule | None:
-        """Return the fastest schedule found on some of the processes; None where it is not cut.
+        """Return the fastest schedule found on some of the processes; None if it is not cut.
 
         Args:
             processes: P.
@@ -161,7 +161,7 @@ class ExchangedSchedules:
         return min(found)[2] if found else None
 
     def _first_sweep(self, kind: str, outermost: bool) -> float:
-        """What a joint takes until its process tells others of it; microseconds."""
+        """Time of a joint until its process sends its own part; microseconds."""
         sweep = self.costs["parts.inwards"] if self.parts else None
         return first_sweep(self.costs, kind, outermost, sweep)
 
@@ -170,7 +170,7 @@ class ExchangedSchedules:
         return sums[beyond] - sums[first]
 
     def _latest(self, count: int) -> list[int] | None:
-        """Return the last places in ``cuts`` of so many cuts with a joint between any two."""
+        """Return the last places for a number of cuts with a joint between any two."""
         found: list[int] = []
         for place in reversed(range(len(self.cuts))):
             if len(found) < count and (not found or self.cuts[place] + 1 < self.cuts[found[-1]]):
@@ -178,7 +178,7 @@ class ExchangedSchedules:
         return found[::-1] if len(found) == count else None
 
     def _even(self, others: Sequence[float], latest: Sequence[int]) -> list[int] | None:
-        """Return cuts by which all processes take equally long, with what they do besides."""
+        """Return cuts for equal times of all processes, with their other work."""
         low, high = 0.0, self.inner[-1] + max(others)
         found = None
         while high - low > _FINE:
@@ -193,7 +193,7 @@ class ExchangedSchedules:
     def _within(
         self, time: float, others: Sequence[float], latest: Sequence[int]
     ) -> list[int] | None:
-        """Where to cut so that no process takes longer than a time; None: nowhere."""
+        """Cuts with which no process takes longer than a time; None if there are none."""
         cuts: list[int] = []
         first = 0
         for p, other in enumerate(others[:-1]):
@@ -239,14 +239,14 @@ def _sweep(costs: StepCosts, kind: str) -> float:
 
 
 def passing(costs: StepCosts, kind: str) -> float:
-    """Return what a joint takes whose motion alone is found, at the least; microseconds."""
+    """Return the least time of a joint of which only the passage is needed; microseconds."""
     return min(costs[f"kinematics.{kind}"], costs[f"passing_strips.{kind}"])
 
 
 def first_sweep(
     costs: StepCosts, kind: str, outermost: bool, in_lane: float | None = None
 ) -> float:
-    """Return what a joint takes in a part until its process tells others of it; microseconds.
+    """Return the time of a joint in a part until its process sends its own part; microseconds.
 
     Args:
         costs: what joints take.
@@ -263,7 +263,7 @@ def first_sweep(
 
 
 def _ready(plan: Plan, line: Timeline) -> list[float]:
-    """When each process first tells another what its part shows."""
+    """Time at which each process first sends its own part."""
     first: list[float] = []
     for p, process in enumerate(plan.processes):
         messages = {

@@ -19,7 +19,7 @@ MOST_PARTS = 64
 def schedule_from_json(
     text: str, topology: Topology, profile: CostProfile, file: str | None = None
 ) -> Schedule:
-    """Return the schedule that a JSON text describes, checked and priced anew.
+    """Return the schedule of a JSON text, checked and priced.
 
     Read are ``root``: joints by name, their ``processes`` and ``children``; and ``meeting``, if it
     is there. Which side a child is on follows from the robot; where the file tells it, it must

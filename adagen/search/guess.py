@@ -32,7 +32,7 @@ class Guess:
 
 
 def evenly(weights: Sequence[float], processes: int) -> Guess:
-    """Hand out limbs, the heaviest first to who has least, and exchange them while that helps.
+    """Distribute limbs, the heaviest first to the least busy process, then exchange some.
 
     Args:
         weights: what each limb takes.
@@ -51,7 +51,7 @@ def evenly(weights: Sequence[float], processes: int) -> Guess:
 
 
 def _exchange(weights: Sequence[float], shares: list[list[int]], loads: list[float]) -> bool:
-    """Give a limb of the busiest process away, perhaps for another, if both have less then."""
+    """Move a limb from the busiest process, perhaps in exchange, if both then take less."""
     busiest = loads.index(max(loads))
     for p in range(len(loads)):
         difference = loads[busiest] - loads[p]

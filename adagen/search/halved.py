@@ -48,7 +48,7 @@ class HalvedSchedules:
 
     @property
     def fits(self) -> bool:
-        """Whether the robot is a chain whose motion can be told, and takes longer than a message.
+        """Whether the robot is a chain with passages that take longer than a message.
 
         This family is defined by that: of fewer joints, each process passes all that it needs.
         """
@@ -57,7 +57,7 @@ class HalvedSchedules:
         return sum(passing(self.costs, kind) for kind in self.kinds) > self.latency
 
     def least(self, processes: int) -> float:
-        """Return a time that no such schedule beats where one is told of the other, microseconds.
+        """Return a lower bound on the time of such schedules with a passage, microseconds.
 
         Each of the two is done no sooner than both are on average.
 
@@ -104,6 +104,6 @@ class HalvedSchedules:
 
 
 def _ready(line: Timeline) -> tuple[float, float]:
-    """When each of the two has sent what it has swept, which is the last that it sends."""
+    """Time at which each of the two has sent its articulated bodies, its last message."""
     first, second = (max(e.sent for e in line.exchanges if e.sender == p) for p in (0, 1))
     return first, second

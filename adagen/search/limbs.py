@@ -41,7 +41,7 @@ class Core:
 
 @dataclass(frozen=True)
 class Limb:
-    """What one process takes as a whole.
+    """A subtree that one process computes as a whole.
 
     Attributes:
         tree: number of its tree.
@@ -109,7 +109,7 @@ class Robot:
         self._edges: dict[tuple[int, int], list[Edge]] = {}
 
     def _long(self, run: Run) -> Iterator[Run]:
-        """The parts of a run that may be passed in strips, as long as can be."""
+        """The longest parts of a run that can be in strips."""
         own = range(run.first, run.last + 1)
         for fit, group in groupby(own, lambda j: self.joints[j].kind in KINDS):
             part = list(group)
@@ -122,7 +122,7 @@ class Robot:
         return base is not None and link == base + 1
 
     def limbs(self, cores: Sequence[Core]) -> tuple[Limb, ...]:
-        """Return what hangs on cores, and the trees that are not shared, by their first joints."""
+        """Return the limbs of cores, and the trees that are not shared, by their first joints."""
         shared = {core.tree for core in cores}
         found = [self._whole(t) for t in range(len(self.trees)) if t not in shared]
         for core in cores:
@@ -150,7 +150,7 @@ class Robot:
         )
 
     def _kind(self, joint: int) -> object:
-        """The kinds of a subtree's joints and how they hang together, as a number."""
+        """A number for the kinds and the topology of a subtree's joints."""
         if joint not in self._kind_of:
             span = range(joint, self.last[joint] + 1)
             if len(span) > _COMPARED or joint in self.prolonging:

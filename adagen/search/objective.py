@@ -54,7 +54,7 @@ _BETTER = 0.5  # of the predicted error, for a slower schedule to be chosen
 
 @dataclass(frozen=True)
 class Digits:
-    """What is predicted of a schedule's accuracy.
+    """Predicted digits of a schedule.
 
     Attributes:
         objective: it was searched for.
@@ -143,7 +143,7 @@ def _faster(found: Schedule, stricter: Schedule) -> Schedule:
 
 
 def predicted_digits(objective: str, model: Model, plan: Plan, shape: str = "kernels") -> Digits:
-    """Return what is predicted of a plan's accuracy.
+    """Return the predicted digits of a plan.
 
     The error is what sweeping the robot loses in a trial as the shape does it; where processes
     share it also what the growth of joins predicts, or what carrying out the plan in generic states
@@ -184,7 +184,7 @@ def predicted_digits(objective: str, model: Model, plan: Plan, shape: str = "ker
 
 
 def _carried_out(plan: Plan, shape: str) -> Trial:
-    """What the plan loses in the program's own states, where the executor can show that."""
+    """Loss of the plan in the program's own states, where the executor can show that."""
     slaved = any(joint.mimic for joint in plan.joints)
     if plan.wanted or slaved or len(plan.joints) > MANY:  # many: seconds
         return Trial(0.0, 0)
@@ -263,7 +263,7 @@ def _most_accurate(
 
 
 def _growth(model: Model, schedule: Schedule, form: str, scalar: str) -> Growth | None:
-    """What a schedule loses; None where it cannot be carried out at all."""
+    """Loss of digits of a schedule's joins; None where it cannot be carried out."""
     try:
         return predicted_growth(make_plan(model, schedule, form=form, scalar=scalar))
     except FloatingPointError:

@@ -39,7 +39,7 @@ Place = tuple[int, ...]
 def played_schedule(
     model: Model, found: Schedule, profile: CostProfile, scalar: str = "double"
 ) -> Schedule:
-    """Return the schedule of form `ada` that takes least when it is played through.
+    """Return the schedule of form `ada` of least predicted time.
 
     Args:
         model: the robot.
@@ -117,7 +117,7 @@ class _Played:
         return best
 
     def least(self) -> float:
-        """Return the least that any schedule of this form takes, microseconds.
+        """Return a lower bound on the time of any schedule of this form, microseconds.
 
         Every joint is placed, joined and released by some process, at the prices of joins without
         couplings, and the processes share that evenly at best.
@@ -134,7 +134,7 @@ class _Played:
         return costs["process.evaluation"] / max(speeds) + work / sum(speeds)
 
     def _timed(self, schedule: Schedule) -> Schedule:
-        """The schedule with the time that it takes when it is played through."""
+        """The schedule with its predicted time."""
         self.played += 1
         plan = make_plan(self.model, schedule, form="ada", scalar=self.scalar)
         return replace(schedule, makespan=predict(plan, self.profile, "joints").makespan)

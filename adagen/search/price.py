@@ -30,7 +30,7 @@ from adagen.schedule.costs import ChannelCosts, StepCosts
 
 
 def played(model: Model, schedule: Schedule, profile: CostProfile) -> float:
-    """Return what a schedule takes as loops, its program played through; microseconds.
+    """Return the predicted time of a schedule as loops; microseconds.
 
     Args:
         model: the robot.
@@ -42,7 +42,7 @@ def played(model: Model, schedule: Schedule, profile: CostProfile) -> float:
 
 @dataclass(frozen=True)
 class Share:
-    """What one process takes on a core of speed 1, without messages; microseconds.
+    """Predicted time of one process on a core of speed 1, without messages; microseconds.
 
     Attributes:
         kinematics: of all joints that it passes, long runs in strips unless another process
@@ -65,7 +65,7 @@ class Share:
 
 
 class Pricing:
-    """Prices of what single processes do.
+    """Predicted times of single processes.
 
     Args:
         plan: any plan of the robot, for its joints.
@@ -83,7 +83,7 @@ class Pricing:
         return self._plan.joints
 
     def share(self, process: Process, messages: tuple[Message, ...]) -> Share | None:
-        """Return what a process takes; None where no shape gathers with such steps.
+        """Return the predicted time of a process; None where no shape has such steps.
 
         Args:
             process: its steps, with one message for all that it sends and takes at a time.
@@ -117,7 +117,7 @@ class Pricing:
         return Loops(plan, process, slots, limbs, batch=False, costs=self.costs).operations()
 
     def sweeps(self, process: Process, *, singly: bool) -> tuple[float, float]:
-        """Return what a process that exchanges nothing takes in its first and second sweep.
+        """Return the times of the first and second sweep of a process without messages.
 
         Long runs are assumed to be passed outwards as is best; nothing is known of a process that
         shape kernels does not take.
@@ -139,14 +139,14 @@ class Pricing:
         return inwards, outwards
 
     def _singly(self, steps: Sequence[Step]) -> float:
-        """What steps take one by one."""
+        """Times of steps one by one."""
         return sum(self.costs.total(step_features(step, self.joints)) for step in steps)
 
     def _time(self, operation: Operation) -> float:
         return self.costs.total(operation_features(operation, self.joints))
 
     def _least_kinematics(self, operations: Sequence[Operation]) -> float:
-        """What kinematics take at least, each joint by itself or in a strip, or in its limbs."""
+        """Least time of kinematics: each joint alone, in a strip, or in its limbs."""
         total = 0.0
         for operation in operations:
             moves = [step for step in operation.steps if isinstance(step, Kinematics)]
@@ -161,7 +161,7 @@ class Pricing:
         return total
 
     def kinematics(self, shares: Sequence[Share]) -> list[float]:
-        """Return what the kinematics of processes take that part each other's long runs."""
+        """Return the times of processes' kinematics that divide each other's long runs."""
         processes = tuple(
             replace(s.process, steps=tuple(t for t in s.process.steps if isinstance(t, Kinematics)))
             for s in shares
@@ -176,5 +176,5 @@ class Pricing:
         ]
 
     def numbers(self, message: Message) -> int:
-        """Return how many numbers a message holds."""
+        """Return the count of numbers in a message."""
         return message.numbers(self._plan.right_hand_sides, self._plan.joints)
