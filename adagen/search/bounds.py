@@ -13,7 +13,8 @@ from dataclasses import dataclass
 from math import inf
 
 from adagen.schedule.costs import ChannelCosts, StepCosts
-from adagen.search.floors import NOTHING, Floors
+from adagen.search.floor import NOTHING
+from adagen.search.floors import Floors
 from adagen.search.limbs import Core, Limb, Robot
 from adagen.search.side_by_side import SideBySide
 

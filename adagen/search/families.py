@@ -49,9 +49,8 @@ from adagen.search.price import Pricing, played
 
 _FULL = 128
 """Joints up to which a robot gets all expansions, and schedules by name are looked at."""
-_PLAYED = 16  # the same where chains are priced as they are played
 _FEWEST = 64  # expansions that any robot gets
-_JOINTS = 10
+_JOINTS = 8
 """Joints that may be priced in shares of processes for each expansion."""
 
 _EVEN = 2
@@ -259,8 +258,10 @@ class Families:
             self.bounds.append(search.lower)
             fewer = self._on_fewer(search, prices, floors, roots)
         if self._straight is not None:  # what is slower in loops may be faster in a line
-            spent.limit = spent.spent + spent.limit // _NEAR
-            search.run(_NEARLY * self.least)
+            if not self.loops or search.lower == search.found.best:  # else it would end no later
+                spent.limit = spent.spent + spent.limit // _NEAR
+                search.run(_NEARLY * self.least)
+            fewer += self._lines_of_fewer(prices, floors, roots)
         self._try_layouts(fewer + [layout for _, _, layout in search.found.nearest], robot)
         self.candidates += search.found.candidates
         self.expanded += spent.expanded
@@ -292,6 +293,26 @@ class Families:
             self.expanded += spent.expanded
         return found
 
+    def _lines_of_fewer(
+        self, prices: LayoutPrices, floors: Floors, roots: Sequence[bool]
+    ) -> list[Layout]:
+        """Return layouts of half as many processes, and so on, that are nearly as fast in loops.
+
+        They are those whose straight lines are priced where there are no more processes.
+        """
+        found: list[Layout] = []
+        for working in halves(self.processes)[1:]:
+            spent = Spent(_JOINTS * self.most // _NEAR)
+            bounds = Bounds(prices.robot, floors, working, self.costs, prices.pricing.channel)
+            fewer = GatheredSearch(prices, bounds, roots, spent)
+            for look in (fewer.guess, lambda own=fewer: own.run(_NEARLY * self.least)):
+                look()
+                near = [(time, layout) for time, _, layout in fewer.found.nearest]
+                found += [layout for time, layout in near if time < _NEARLY * self.least]
+            self.candidates += fewer.found.candidates
+            self.expanded += spent.expanded
+        return found
+
     def _try_layouts(self, layouts: Iterable[Layout], robot: Robot) -> None:
         """Play layouts in each shape."""
         assert self.best is not None  # one process comes first
@@ -312,14 +333,11 @@ class Families:
         floor = JoinedFloor(
             self.model, self.seen, self.processes, self.profile, self._pricing(self.best), cuttable
         )
-        long = len(self.topology) > LONG  # priced joint by joint: an expansion costs less
-        most = max(_FEWEST, self.most * _PLAYED // len(self.topology))
-        most = self.expansions if long else min(self.expansions, most)
-        lower, spent, made = floor.lower(self.least, most, tie)
+        lower, spent, made = floor.lower(self.least, self.expansions, tie)
         self.expanded += spent
         self.bounds.append(lower)
         if lower < self.least:
-            if made is not None and not long:
+            if made is not None and len(self.topology) <= LONG:
                 self.consider(made, "joined")
             for working in halves(self.processes):
                 self.consider(floor.found(tie, self.expansions, working), "joined")

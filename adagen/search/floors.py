@@ -9,8 +9,8 @@ many joints as there can be in it is the least that a joint adds to the work of 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
-from dataclasses import astuple, dataclass
+from collections.abc import Sequence
+from dataclasses import astuple
 from itertools import accumulate
 from math import inf
 
@@ -19,34 +19,12 @@ from adagen.plan.simd_groups import KINDS
 from adagen.plan.tip_mobility import can_carry_wrenches
 from adagen.program.runs import OF_ONE_FREEDOM, Run
 from adagen.schedule.costs import PRESCRIBED, StepCosts
+from adagen.search.floor import NOTHING, Floor, longest_of
+from adagen.search.in_full import InFull
 from adagen.search.limbs import Limb, Robot
 
 ROWS = {2: ("two", 2), 3: ("four", 3), 4: ("four", 4)}
 """By joints in a row: the coefficients that price it, and how many share it."""
-
-
-@dataclass(frozen=True)
-class Floor:
-    """The least that a joint takes, microseconds.
-
-    Attributes:
-        inwards: kinematics and the sweep inwards.
-        outwards: the sweep outwards.
-        both: all of it; at least the sum of the two.
-    """
-
-    inwards: float
-    outwards: float
-    both: float
-
-    def plus(self, other: Floor) -> Floor:
-        """Return the sum of two."""
-        return Floor(
-            self.inwards + other.inwards, self.outwards + other.outwards, self.both + other.both
-        )
-
-
-NOTHING = Floor(0.0, 0.0, 0.0)
 
 
 def _least(ways: Sequence[tuple[float, float]]) -> Floor:
@@ -123,11 +101,21 @@ class Floors:
         self.ends = [1] * len(joints)
         for j in reversed(range(len(joints))):
             self.ends[j] = sum(self.ends[k] for k in robot.at[j + 1]) or 1
-            self._deepest[j] = self.row[j].plus(_longest(self._deepest[k] for k in robot.at[j + 1]))
+            self._deepest[j] = self.row[j].plus(
+                longest_of(self._deepest[k] for k in robot.at[j + 1])
+            )
+        self._in_full = InFull(robot, costs)
+        if whole:
+            beyond = self._in_full.beyond(range(len(joints)))
+            for j, joint in enumerate(joints):
+                own = self.row[j] if joint.parent == 0 else NOTHING
+                self._deepest[j] = longest_of((self._deepest[j], own.plus(beyond[j])))
         self._upwards: dict[int, Floor] = {}
         self._way = [0.0] * (len(joints) + 1)
         self._depth = [0] * (len(joints) + 1)
         self._turned = [NOTHING] * (len(joints) + 1)
+        self._passed = [(0, NOTHING)] * (len(joints) + 1)
+        self._beside = [NOTHING] * (len(joints) + 1)
         self._above = [NOTHING] * (len(joints) + 1)
         for j, joint in enumerate(joints):
             self._climb(j, joint)
@@ -167,7 +155,7 @@ class Floors:
             way = self._above[limb.link].plus(self.upwards(limb))
         else:
             way = self._deepest[limb.spans[0].start]
-        return _longest((way, self.work(limb)))
+        return longest_of((way, self.work(limb)))
 
     def entered(self, limb: Limb) -> Floor:
         """Return the least that some process takes for a limb, however far a core grows into it."""
@@ -290,7 +278,17 @@ class Floors:
         )
         self._turned[link] = self._turned[parent].plus(spared)
         beside = (self._deepest[k] for k in self.robot.at[parent] if k != j and parent > 0)
-        self._above[link] = passed.plus(_longest([self._above[parent], *beside]))
+        self._beside[link] = longest_of([self._beside[parent], *beside])
+        # Joints that are passed the other way are in rows of their own, and in a run at least.
+        known, others = self._passed[parent]
+        if self.whole and self._in_full.plain[j]:
+            self._passed[link] = known + 1, others.plus(Floor(0.0, passed.outwards, 0.0))
+        else:
+            self._passed[link] = known, others.plus(passed)
+        known, others = self._passed[link]
+        self._above[link] = others.plus(self._beside[link])
+        if known:
+            self._above[link] = self._above[link].plus(self._in_full.run(known))
 
     def _all_entered(self) -> list[Floor]:
         """The least for the limb that begins with each joint, however far a core grows into it.
@@ -305,11 +303,11 @@ class Floors:
             below = at[j + 1]
             span = range(j, self.robot.last[j] + 1)
             work = (sums[span.stop] - sums[span.start] for sums in self._sums)
-            found[j] = whole = _longest((self._deepest[j], Floor(*work)))
+            found[j] = whole = longest_of((self._deepest[j], Floor(*work)))
             if not below:
                 core[j] = Floor(inf, inf, inf)  # limbs never part here
                 continue
-            beyond = core[below[0]] if len(below) == 1 else _longest(found[k] for k in below)
+            beyond = core[below[0]] if len(below) == 1 else longest_of(found[k] for k in below)
             joint = self.single[j].both  # all of it comes after the exchange, or beside it
             core[j] = Floor(beyond.inwards + joint, beyond.outwards, beyond.both + joint)
             found[j] = Floor(*map(min, astuple(whole), astuple(core[j])))
@@ -336,7 +334,7 @@ class Floors:
         costs, joints = self.costs, self.robot.joints
         held = self.robot.held[limb.link]
         inwards = costs["root.invert"] if held else 0.0
-        beyond, link = 0, held or limb.link
+        beyond, link, spared = 0, held or limb.link, 0.0
         while link > 0:
             joint = joints[link - 1]
             priced = PRESCRIBED if joint.prescribed else joint.kind
@@ -344,22 +342,14 @@ class Floors:
             if can_carry_wrenches(joints, link - 1) or (
                 beyond and can_carry_wrenches(joints, beyond - 1)
             ):
-                price = min(price, costs.carried(joint.kind))
+                carried = min(price, costs.carried(joint.kind))
+                spared, price = spared + price - carried, carried
             inwards += price
             beyond, link = link, joint.parent
+        inwards += min(spared, costs["propagate_run.run"])  # joints are carried in a run at least
         return Floor(inwards, 0.0, inwards)
 
 
 def _within(run: Run) -> range:
     """The joints of a run."""
     return range(run.first, run.last + 1)
-
-
-def _longest(floors: Iterable[Floor]) -> Floor:
-    """The largest of each, 0 for none."""
-    inwards = outwards = both = 0.0
-    for floor in floors:
-        inwards = max(inwards, floor.inwards)
-        outwards = max(outwards, floor.outwards)
-        both = max(both, floor.both)
-    return Floor(inwards, outwards, both)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import heapq
 from collections import Counter
 from collections.abc import Sequence
-from itertools import accumulate
+from itertools import accumulate, count
 from math import inf
 
 from adagen.search.bounds import Bounds
@@ -118,22 +118,26 @@ class GatheredSearch:
         """
         found = self.found
         found.best = min(known, *(time for time, _, _ in found.nearest[:1]), inf)
-        order = 0
-        heap: list[tuple[float, int, Frame]] = []
+        order = count()
+        heap: list[tuple[float, int, Frame, HandOut | None]] = []
         waiting = self.frames.first()
         left = found.best
         while True:
             for frame in waiting:
                 bound = self.bounds.frame(frame.cores, frame.limbs, found.best)
                 if bound < found.best:
-                    heapq.heappush(heap, (bound, order, frame))
-                    order += 1
+                    heapq.heappush(heap, (bound, next(order), frame, None))
             if not heap or heap[0][0] >= found.best or not self.spent.on(LOOK):
                 break
-            bound, _, frame = heapq.heappop(heap)
-            if self.frames.meets(frame):
-                left = min(left, HandOut(found, frame, bound).run())
+            bound, _, frame, own = heapq.heappop(heap)
+            if own is not None:
+                left, waiting = min(left, own.run()), []
+                continue
             waiting = self.frames.after(frame)
+            if self.frames.meets(frame):  # its own layouts come when their bound is the least
+                own = HandOut(found, frame, bound)
+                if own.bound < found.best:
+                    heapq.heappush(heap, (own.bound, next(order), frame, own))
         if heap:
             left = min(left, heap[0][0])
         self.lower = min(left, found.best)

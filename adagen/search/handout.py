@@ -52,6 +52,19 @@ class _Block:
     trees: frozenset[int]
 
 
+@dataclass(frozen=True)
+class _Rest:
+    """What limbs take at least that are not handed out; microseconds on the fastest core.
+
+    Attributes:
+        work: one of the processes that share them.
+        before: the slowest of these until it sends, for each core.
+    """
+
+    work: float
+    before: tuple[float, ...]
+
+
 def _last(tree: int, blocks: Sequence[_Block], rest: float) -> float:
     """The least that it takes until the last block is done, each waiting for all others.
 
@@ -79,7 +92,7 @@ class HandOut:
     Attributes:
         found: the best layout so far, and the budget.
         frame: the frame.
-        bound: on all its layouts.
+        bound: on all its layouts; at first that on those of frames that come from it, too.
         left: on those that were not looked at.
     """
 
@@ -106,12 +119,25 @@ class HandOut:
         if len(self.found.bounds.robot.trees) == 1 and self.cores:
             self.around = self.cores[0][1]
         self.blocks: dict[Counts, _Block | None] = {}
+        self._known: dict[Counts, _Block] = {}
+        self._left: dict[tuple[Counts, int], _Rest] = {}
+        self._looks = 0  # at limbs, that are not yet paid
+        self.counts: Counts = tuple(len(own) for own in self.classes)
+        self.bound = max(self.bound, self._whole())
 
     def run(self) -> float:
         """Look for faster layouts; return a bound on those that were not looked at."""
-        counts = tuple(len(own) for own in self.classes)
-        self._next(counts, [], self.found.bounds.processes)
+        self.left = self.found.best
+        self._next(self.counts, [], self.found.bounds.processes)
         return self.left
+
+    def _whole(self) -> float:
+        """The least for all layouts: of those who share the limbs, and of who has the longest."""
+        bounds, most = self.found.bounds, 0.0
+        for k, long in enumerate(self.long):
+            cores, messages = self._beside([k], 1)
+            most = max(most, (long.both + cores) / bounds.fastest + messages)
+        return max(self._bound(self.counts, [], bounds.processes), bounds.start + most)
 
     def _next(self, remaining: Counts, blocks: list[_Block], processes: int) -> None:
         """Hand out what remains to so many processes."""
@@ -127,9 +153,13 @@ class HandOut:
         if before is not None and any(n for c, n in enumerate(before) if self._leads(c, lead)):
             before = None
         for counts, bound, every in self._promising(remaining, blocks, lead, processes):
+            looks, self._looks = self._looks, 0
+            if looks and not found.spent.on(2 * looks):
+                self.left = min(self.left, max(every, self.bound))
+                return
             if bound >= found.best or (before is not None and counts > before):
                 continue
-            cost = LOOK if counts in self.blocks else found.share
+            cost = LOOK if self._at_hand(counts) else found.share
             if not found.spent.on(cost):
                 self.left = min(self.left, max(every, self.bound))
                 return
@@ -167,6 +197,12 @@ class HandOut:
 
     def _least(self, counts: Counts) -> _Block:
         """The least that a process takes for so many limbs, without a look at them together."""
+        if counts not in self._known:
+            self._looks += 1
+            self._known[counts] = self._bounded(counts)
+        return self._known[counts]
+
+    def _bounded(self, counts: Counts) -> _Block:
         bounds, together = self.found.bounds, self.found.bounds.side_by_side
         limbs = [k for own, n in zip(self.classes, counts, strict=True) for k in own[:n]]
         work = together.least(self.floors[k] for k in limbs).both
@@ -212,20 +248,6 @@ class HandOut:
         messages = shared * (bounds.sending_one + bounds.receiving_one)
         return total / processes, messages / processes
 
-    def _busiest(self, limbs: Sequence[int], processes: int) -> float:
-        """What the busiest of some processes takes that share limbs, on a core of speed 1."""
-        bounds, alone = self.found.bounds, self.around is not None
-
-        def besides(count: int) -> float:
-            """What so many of them take for cores; where there are several trees, they may not."""
-            if not alone and count < processes:
-                return 0.0
-            cores, messages = self._beside(limbs, count)
-            return count * (cores + messages * bounds.fastest)
-
-        floors = [self.floors[k] for k in limbs]
-        return bounds.side_by_side.busiest(floors, processes, besides)
-
     def _leads(self, c: int, lead: int) -> bool:
         """Whether limbs of a class are distributed before those of another."""
         return (-self.weights[c], c) < (-self.weights[lead], lead)
@@ -242,10 +264,20 @@ class HandOut:
             found = [(*own, n) for own in found for n in range(count, least - 1, -1)]
         yield from found
 
+    def _limbs(self, counts: Counts) -> tuple[int, ...]:
+        """The numbers of so many limbs of each class, ascending."""
+        return tuple(sorted(k for c, n in enumerate(counts) for k in self.classes[c][:n]))
+
+    def _at_hand(self, counts: Counts) -> bool:
+        """Whether the price of so many limbs of each class is known."""
+        if counts in self.blocks:
+            return True
+        return self.found.prices.knows(self.frame, self._limbs(counts))
+
     def _block(self, counts: Counts) -> _Block | None:
         """What a process takes that has so many limbs of each class; None where it cannot."""
         if counts not in self.blocks:
-            own = tuple(sorted(k for c, n in enumerate(counts) for k in self.classes[c][:n]))
+            own = self._limbs(counts)
             piece = self.found.prices.piece(self.frame, own, frozenset())
             self.blocks[counts] = None
             if piece is not None:
@@ -260,52 +292,57 @@ class HandOut:
 
     def _bound(self, remaining: Counts, blocks: list[_Block], processes: int) -> float:
         """The least that layouts take which begin with some blocks, the rest shared by others."""
-        bounds = self.found.bounds
-        alone = max((block.total for block in blocks), default=0.0)
-        limbs = [k for own, n in zip(self.classes, remaining, strict=True) for k in own[:n]]
-        if limbs and not processes:
+        bounds, some = self.found.bounds, any(remaining)
+        if some and not processes:
             return float("inf")
+        alone = max((block.total for block in blocks), default=0.0)
         messages = bounds.sending_one + bounds.receiving_one if self.around is not None else 0.0
-        least = bounds.start + alone + messages * bool(blocks)
-        if limbs:
-            cores, messages = self._beside(limbs, processes)
-            work = bounds.side_by_side.least(self.floors[k] for k in limbs).both / processes + cores
-            least = max(least, bounds.start + work / bounds.fastest + messages)
-        for core, around in self.cores:
-            before = self._slowest(core.tree, around, limbs, blocks, processes)
+        rest = self._rest(remaining, processes)
+        least = bounds.start + max(alone + messages * bool(blocks), rest.work)
+        waited = bounds.start + bounds.sending_one + bounds.receiving_one + bounds.latency
+        for (core, around), others in zip(self.cores, rest.before, strict=True):
+            before = max([others, *(b.before for b in blocks if core.tree in b.trees)])
             floor = (around.after + bounds.outwards) / bounds.fastest
             known = [block.after for block in blocks]
-            after = min([*known, *([floor] if limbs or not known else [])])
-            waited = bounds.sending_one + bounds.receiving_one + bounds.latency
-            least = max(least, bounds.start + before + waited + after)
-            rest = self._slowest(core.tree, around, limbs, (), processes)
-            least = max(least, bounds.start + waited + _last(core.tree, blocks, rest))
+            after = min([*known, *([floor] if some or not known else [])])
+            least = max(least, waited + before + after, waited + _last(core.tree, blocks, others))
         return least
 
-    def _slowest(
-        self,
-        tree: int,
-        around: Around,
-        limbs: Sequence[int],
-        blocks: Sequence[_Block],
-        processes: int,
-    ) -> float:
-        """What the slowest process of a tree takes before the exchange."""
+    def _rest(self, remaining: Counts, processes: int) -> _Rest:
+        """What limbs take at least that are left to so many processes."""
+        key = remaining, processes
+        if key not in self._left:
+            self._looks += 1
+            limbs = [k for own, n in zip(self.classes, remaining, strict=True) for k in own[:n]]
+            work = 0.0
+            if limbs:
+                bounds = self.found.bounds
+                cores, messages = self._beside(limbs, processes)
+                whole = bounds.side_by_side.least(self.floors[k] for k in limbs).both
+                work = (whole / processes + cores) / bounds.fastest + messages
+            before = [self._slowest(core.tree, by, limbs, processes) for core, by in self.cores]
+            self._left[key] = _Rest(work, tuple(before))
+        return self._left[key]
+
+    def _slowest(self, tree: int, around: Around, limbs: Sequence[int], processes: int) -> float:
+        """What the slowest process of a tree takes before the exchange that has some of the limbs.
+
+        None is 0.
+        """
         bounds = self.found.bounds
         own = [k for k in limbs if self.frame.limbs[k].tree == tree]
+        if not own:
+            return 0.0
         least = 0.0
         for k in own:
             way = 0.0 if self.frame.limbs[k].up else around.way
             least = max(least, self.long[k].inwards + way)
-        if own:
-            up = any(self.frame.limbs[k].up for k in own)
-            work = bounds.side_by_side.least(
-                (self.floors[k] for k in own), (self.floors[k] for k in limbs)
-            ).inwards
-            least = max(least, (work + around.way * (processes - up)) / processes)
-        if own:
-            least = (least + around.before) / bounds.fastest
-        return max([least, *(block.before for block in blocks if tree in block.trees)])
+        up = any(self.frame.limbs[k].up for k in own)
+        work = bounds.side_by_side.least(
+            (self.floors[k] for k in own), (self.floors[k] for k in limbs)
+        ).inwards
+        least = max(least, (work + around.way * (processes - up)) / processes)
+        return (least + around.before) / bounds.fastest
 
     def _shares(self, blocks: Sequence[_Block]) -> list[tuple[int, ...]]:
         """The limbs of each block, by their numbers, those of a class one after the other."""

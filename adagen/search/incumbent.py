@@ -12,7 +12,7 @@ from adagen.search.bounds import Bounds
 from adagen.search.frames import in_place
 from adagen.search.layouts import Frame, Layout, LayoutPrices
 
-LOOK = 2
+LOOK = 1
 """What a look at a frame or a layout costs."""
 NEAREST = 3
 """Layouts that are kept, the best one among them, no two of which take as long."""

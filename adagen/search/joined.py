@@ -31,7 +31,9 @@ from adagen.schedule.profile import TICKS
 from adagen.schedule.segments import SegmentCosts
 from adagen.schedule.sweeps import Sweeps
 from adagen.schedule.tree import Tie
-from adagen.search.floors import ROWS, Floor, Floors
+from adagen.search.floor import Floor
+from adagen.search.floors import ROWS, Floors
+from adagen.search.in_full import InFull
 from adagen.search.limbs import Robot
 from adagen.search.price import Pricing
 from adagen.search.segment_bounds import SegmentBounds
@@ -41,6 +43,9 @@ from adagen.search.segment_search import FOREVER, SegmentSearch
 
 LONG = 128
 """Joints up to which the longest ways through chains are looked at."""
+
+_PLAYED, _FEWEST = 2, 16
+"""Joints that are priced as they are played for each expansion, and chains at least."""
 
 
 def least_profile(
@@ -121,18 +126,25 @@ class _CutSearch(SegmentSearch):
 
     Args:
         joints: by position; empty for no bounds of chains beyond those of their joints.
+        in_full: what a process takes at least up to the end of the sweep inwards for a chain, by
+            its positions; ticks.
         played: what a chain takes on one process, by its positions, as far as that is known:
             both sweeps without what every process takes, ticks on a core of speed 1.
+        most: chains of which that is asked at most.
     """
 
     def __init__(
         self,
         *arguments: Any,
         joints: Sequence[_Joint] = (),
+        in_full: Callable[[Sequence[int]], int],
+        most: int,
         played: Callable[[Sequence[int]], tuple[int, int]],
     ) -> None:
         super().__init__(*arguments)
         self._joints = joints
+        self._in_full = in_full
+        self._most = most
         self._played = played
         self._exact: dict[Chain, tuple[int, int]] = {}
         self._known: dict[State, Label] = {}
@@ -150,6 +162,8 @@ class _CutSearch(SegmentSearch):
         if not self._joints:
             return quick
         if state.chain not in self._exact:
+            if len(self._exact) == self._most:
+                return quick
             self._exact[state.chain] = self._played(self.costs.chains.positions(state.chain))
         speed, (inwards, outwards) = self._speeds[state.first], self._exact[state.chain]
         first = round((self.costs.start + state.beyond + inwards) / speed)
@@ -193,7 +207,8 @@ class _CutSearch(SegmentSearch):
                 longest[sweep] = max(longest[sweep], reached[position + 1][sweep])
         own, assembly, disassembly = self.costs.work(chain)
         way = sum(self._joints[p].passed - self.costs.passed[p] for p in chains.above(chain.top))
-        inwards = max(0, max(total[0], longest[0]) - own - assembly)
+        most = max(total[0], longest[0], self._in_full(positions))
+        inwards = max(0, most - own - assembly)
         return inwards + max(0, way), max(0, max(total[1], longest[1]) - disassembly)
 
     def _widths(self, positions: Sequence[int]) -> dict[str, int]:
@@ -239,6 +254,7 @@ class JoinedFloor:
         robot = Robot(joints_of(model))
         self.pricing = pricing
         self.floors = Floors(robot, profile.measured)
+        self._rows = InFull(robot, profile.measured)
         self.seen, self.processes, self.profile = seen, processes, profile
         least = least_profile(profile, self.floors.most, folded=not seen.trivial)
         self.costs = SegmentCosts(seen.topology, least, passing=least_passing(least.measured))
@@ -252,8 +268,19 @@ class JoinedFloor:
         original = self.costs.chains.original
         joints = [self._joint(j) for j in original] if len(original) <= LONG else []
         return _CutSearch(
-            self.costs, self.bounds, self.speeds, budget, joints=joints, played=self._segment
+            *(self.costs, self.bounds, self.speeds, budget),
+            joints=joints,
+            in_full=self._in_full,
+            most=max(_FEWEST, _PLAYED * expansions // len(original)),
+            played=self._segment,
         )
+
+    def _in_full(self, positions: Sequence[int]) -> int:
+        """The least that a process takes up to the end of the sweep inwards, ticks."""
+        if not self.seen.trivial:
+            return 0
+        original = self.costs.chains.original
+        return math.floor(self._rows.inwards(sorted(original[p] for p in positions)) * TICKS)
 
     def _segment(self, positions: Sequence[int]) -> tuple[int, int]:
         """What one process takes for some joints of the folded robot and no others, ticks."""

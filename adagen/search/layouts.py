@@ -18,6 +18,8 @@ from adagen.search.limbs import Core, Limb, Robot
 from adagen.search.price import Pricing, Share
 
 _HERE, _ELSEWHERE = 0, 1
+_KEPT = 200_000
+"""Joints in all of the shares whose prices are kept."""
 
 
 @dataclass(frozen=True)
@@ -81,10 +83,10 @@ class Layout:
 
 @dataclass(frozen=True)
 class _Piece:
-    """A share, and how many numbers its process tells in each shared tree."""
+    """A share, and how many numbers its process tells in each shared tree that it has limbs of."""
 
     share: Share
-    numbers: tuple[int, ...]
+    numbers: dict[int, int]
 
 
 class LayoutPrices:
@@ -101,7 +103,6 @@ class LayoutPrices:
     def __init__(self, robot: Robot, pricing: Pricing) -> None:
         self.robot, self.pricing = robot, pricing
         self.priced = 0
-        self._frame: Frame | None = None
         self._pieces: dict[object, _Piece | None] = {}
         self._parted = bool(robot.prolonging)
 
@@ -113,27 +114,37 @@ class LayoutPrices:
             own: the numbers of its limbs.
             owned: the trees of whose cores it adds what belongs to them.
         """
-        if frame is not self._frame:
-            self._frame, self._pieces = frame, {}
-        # Where processes part each other's runs, it matters which joints they have.
-        kinds = own if self._parted else (frame.limbs[k].kind for k in own)
-        key = (tuple(kinds), owned)
+        key = self._key(frame, own, owned)
         if key not in self._pieces:
             self.priced += 1
+            if self.priced % max(1, _KEPT // len(self.robot.joints)) == 0:
+                self._pieces.clear()
             self._pieces[key] = self._priced(frame, own, owned)
         return self._pieces[key]
 
+    def knows(self, frame: Frame, own: Sequence[int]) -> bool:
+        """Return whether what a process takes that owns no core is at hand."""
+        return self._key(frame, own, frozenset()) in self._pieces
+
+    def _key(self, frame: Frame, own: Sequence[int], owned: frozenset[int]) -> object:
+        """What the price of a share depends on; other trees' cores do not count."""
+        mine = {frame.limbs[k].tree for k in own}
+        cores = tuple(core for core in frame.cores if core.tree in mine)
+        # Where processes part each other's runs, it matters which joints they have.
+        if self._parted:
+            return tuple(frame.limbs[k].spans for k in own), cores, owned
+        return tuple(frame.limbs[k].kind for k in own), cores, owned
+
     def _priced(self, frame: Frame, own: Sequence[int], owned: frozenset[int]) -> _Piece | None:
         trees = self._trees(frame, own, owned)
-        numbers, messages = [], []
+        numbers, messages = dict.fromkeys(trees, 0), []
         for core in frame.cores:
             tree = trees.get(core.tree)
             found = contribution(tree, _HERE) if tree is not None else None
             if tree is None or found is None:
-                numbers.append(0)
                 continue
             message = found.message(_HERE, _ELSEWHERE, core.root - 1)
-            numbers.append(self.pricing.numbers(message))
+            numbers[core.tree] = self.pricing.numbers(message)
             # All links of the core are sent by some process, and added to what others know.
             links = tuple(sorted(tree.core_links - {0}))
             messages.append(replace(message, blocks=(), biases=(), inertias=links))
@@ -145,7 +156,7 @@ class LayoutPrices:
             recovery = ProcessSteps(self.robot.joints, again, _HERE).evaluation(each, each)
         process = steps.process_of(steps.evaluation(each, each), recovery)
         share = self.pricing.share(process, tuple(messages))
-        return None if share is None else _Piece(share, tuple(numbers))
+        return None if share is None else _Piece(share, numbers)
 
     def _trees(self, frame: Frame, own: Sequence[int], owned: frozenset[int]) -> dict[int, Tree]:
         """The trees in which a process takes part, as far as it is concerned."""
@@ -191,10 +202,10 @@ class LayoutPrices:
             for p, piece in pieces.items()
         }
         messages: list[tuple[int, float, float]] = []  # target, when it was sent, time to take it
-        for place, core in enumerate(layout.frame.cores):
+        for core in layout.frame.cores:
             together = layout.taking_part(core.tree)
             for p in together:
-                numbers = pieces[p].numbers[place] * channel.number / 2
+                numbers = pieces[p].numbers[core.tree] * channel.number / 2
                 for other in together:
                     if other != p:
                         clock[p] += channel.send + numbers

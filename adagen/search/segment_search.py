@@ -83,7 +83,7 @@ class SegmentSearch:
             else:
                 low = middle
         self.lower = low
-        step = 8
+        step = 10
         try:
             while self.lower < known:
                 limit = known if step <= 1 else self.lower + max(1, (known - self.lower) // step)
@@ -92,7 +92,7 @@ class SegmentSearch:
                     self.lower = self.best.time.total
                     return True
                 self.lower = limit
-                step //= 2
+                step -= 1
         except OutOfBudget:
             return False
         return True

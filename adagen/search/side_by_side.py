@@ -18,7 +18,8 @@ import numpy as np
 
 from adagen.plan.robot import PlanJoint
 from adagen.search.first_rows import FirstRows, Levels
-from adagen.search.floors import NOTHING, Floor, Floors
+from adagen.search.floor import NOTHING, Floor
+from adagen.search.floors import Floors
 from adagen.search.limbs import Limb
 
 _MOST = 4

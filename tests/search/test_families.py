@@ -18,7 +18,9 @@ from adagen.plan.cuts import cuttable_joints
 from adagen.schedule import Topology, load_profile, schedule_to_json, validate
 from adagen.search import best_schedule, find_schedule, schedule_from_json
 from adagen.search.price import played
+from adagen.urdf import read_robot
 from tests.models import binary, human_figure, random_tree, serial_chain, star
+from tests.real import real_robot
 from tests.search.test_frames import with_hands
 from tests.slow import slow
 
@@ -139,3 +141,12 @@ def test_fewer_processes_are_searched_where_the_budget_strikes() -> None:
     assert two < 0.9 * alone
     assert least(4, 20) <= two
     assert least(8, 20) <= two
+
+
+def test_more_processes_are_not_predicted_slower() -> None:
+    """The straight line that is best on two processes is no candidate of those on four alone."""
+    path = real_robot("anymal_b_simple_description/robots/anymal-kinova.urdf")
+    model = read_robot(path, floating=True).model
+    two, four = (best_schedule(model, processes, DEFAULT) for processes in (2, 4))
+    assert two.meeting == four.meeting == "gather"
+    assert four.makespan <= two.makespan
