@@ -154,6 +154,7 @@ def _turned(group: str, key: str, turned: bool) -> Features:
 
 _IN_PARTS: dict[type, Features] = {
     Articulate: {"parts.inwards": 1},  # unit wrenches carried along
+    InvertRoot: {},
     Propagate: {},
     Deliver: {},
     Accelerate: {"parts.outwards": 1},
@@ -213,10 +214,9 @@ def _run_features(operation: Operation, run: Run, joints: Sequence[PlanJoint]) -
     if operation.method == "turned":
         found["articulate.turned"] = len(operation.steps)
     first, last = operation.steps[0], operation.steps[-1]
-    if isinstance(last, Propagate) and operation.method in ("carried", "along", "parts"):
+    if isinstance(last, Propagate) and operation.method in ("carried", "along"):
         from_ground = isinstance(first, Propagate) and first.near is None
-        if operation.method != "parts":
-            found["propagate_run.run"] = 1
+        found["propagate_run.run"] = 1
         found["propagate_run.product"] = (0 if from_ground else 2) + len(last.spreads)
     return found
 

@@ -69,6 +69,15 @@ def _captions(program: Program) -> Captions:
     return caption
 
 
+_HOW = {
+    "columns": "by columns",
+    "turned": "by turned",
+    "strips": "by strips",
+    "parts": "in parts",
+}
+"""How an operation passes a run, in words, where that is worth one."""
+
+
 def operation_name(program: Program, operation: Operation) -> str:
     """Return what an operation does to which joints or links, in words."""
     plan = program.plan
@@ -80,12 +89,8 @@ def operation_name(program: Program, operation: Operation) -> str:
             return f"{does} {about} in {limbs.lanes} lanes"
         case Run() as run:
             about = _span(program, run.first, run.last)
-            by = (
-                f", by {operation.method}"
-                if operation.method in ("columns", "turned", "strips")
-                else ""
-            )
-            return f"{does} {about}{by}"
+            how = _HOW.get(operation.method)
+            return f"{does} {about}" if how is None else f"{does} {about}, {how}"
     if operation.block is not None:
         return does
     (step,) = operation.steps
@@ -158,7 +163,11 @@ def _methods(program: Program) -> dict[int, str]:
     found: dict[int, str] = {}
     for process in program.processes:
         for operation in process.operations:
-            if operation.does == "articulate" and operation.method in ("columns", "turned"):
+            if operation.does == "articulate" and operation.method in (
+                "columns",
+                "turned",
+                "parts",
+            ):
                 found |= {getattr(step, "joint", 0): operation.method for step in operation.steps}
     for number, (_, limbs) in enumerate(lanes(program), start=1):
         for row in limbs.rows:

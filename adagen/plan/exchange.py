@@ -132,6 +132,9 @@ class ExchangePlanner(SegmentPlanner):
             found.append(Process(tuple(every), reads, tuple(own), tuple(shares)))
         return tuple(found)
 
+    def _parts_of(self, node: Node) -> int:  # noqa: ARG002 (each process begins with a cut)
+        return self.schedule.parts
+
     # --- mobilities and forces -------------------------------------------------------------------
 
     def _knows(self, part: Chain) -> tuple[int, ...]:

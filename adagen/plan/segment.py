@@ -150,10 +150,18 @@ class SegmentPlanner(AdaPlanner):
         if node.joint not in self.members:
             return None
         members = {below.joint for below in preorder(node)}
-        strips = [] if self.asked else parts_of(self.joints, members, self.schedule.parts)
+        strips = [] if self.asked else parts_of(self.joints, members, self._parts_of(node))
         if strips:
             return self._in_parts(strips, node.processes[0])
         return self._whole(node.joint, members, node.processes[0])
+
+    def _parts_of(self, node: Node) -> int:
+        """In how many parts a segment is to be; 0: none.
+
+        Of processes that are joined, some place a cut's joint with their own: then parts would not
+        be the strips in which links are placed.
+        """
+        return self.schedule.parts if node is self.schedule.root else 0
 
     def _in_parts(self, strips: Sequence[range], process: int) -> Chain:
         """Join the parts of a chain outwards, each by its first joint.

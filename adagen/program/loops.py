@@ -20,6 +20,7 @@ from adagen.plan.steps import (
     Deliver,
     FreeAcceleration,
     FreeBase,
+    InvertRoot,
     Kinematics,
     Load,
     Propagate,
@@ -95,6 +96,7 @@ class Loops:
         self.along: set[Run] = set()  # those that unit wrenches are carried through meanwhile
         self.loaded: set[Run] = set()  # of these, those whose joints take a load when they move
         self.parted: dict[Run, list[Run]] = {}  # runs, and their parts that are swept side by side
+        self.roots: dict[int, InvertRoot] = {}  # by link: of the first links of these parts
         # A sweep that is repeated with other forces leaves mobilities as they are.
         self.once = not (again or plan.slaved)
         self.found: list[Operation] = []
@@ -111,6 +113,7 @@ class Loops:
             StartEmpty: self._clear,
             FreeBase: self._free_bases,
             Articulate: self._articulate,
+            InvertRoot: self._invert_roots,
             Propagate: self._propagate,
             Load: self._load,
             Deliver: self._deliver,
@@ -266,9 +269,9 @@ class Loops:
             shown = carried | {parts[-1]} if parts[-1] not in carried else carried
             if not units & whole & shown >= set(parts):
                 continue
-            links = range(run.first + 2, run.last + 2)
-            turned = self.told_apart | self.turned
-            if turned.isdisjoint(run.joints()) and self.own.issuperset(links):
+            links = range(run.first + 1, run.last + 2)
+            alone = self.own.issuperset(links) and self.holding.isdisjoint(links)
+            if alone and (self.told_apart | self.turned).isdisjoint(run.joints()):
                 self.parted[run] = parts
 
     def _carried(self) -> set[Run]:
@@ -320,19 +323,31 @@ class Loops:
         self.by_columns |= among
         self._add("link_columns", Links(tuple(sorted(among))), "columns")
 
+    def _invert_roots(self, steps: list[InvertRoot]) -> None:
+        in_parts = {part.first for parts in self.parted.values() for part in parts}
+        for step in steps:
+            if step.link in in_parts:  # whose first link's number is that of their first joint
+                self.roots[step.link] = step
+            else:
+                self._add(step.does, None, "step", (step,))
+
     def _propagate(self, steps: list[Propagate]) -> None:
-        for run in tip_mobility_runs(self.plan, steps, self.named, self.told_apart):
-            if len(run) > 1:
-                first, last = sorted((run[0].joint, run[-1].joint))
-                block = Run(first, last, run[0].reversed)
-                if any(block in parts for parts in self.parted.values()):
-                    self._add("propagate", block, "parts", run)
-                    continue
+        for run, parts in self.parted.items():
+            joints = {j for part in parts for j in part.joints()}
+            own = [step for step in steps if step.joint in joints]
+            steps = [step for step in steps if step.joint not in joints]
+            if own:
+                roots = [self.roots[part.first] for part in parts]
+                self._add("propagate", run, "parts", [*roots, *own])
+        for chain in tip_mobility_runs(self.plan, steps, self.named, self.told_apart):
+            if len(chain) > 1:
+                first, last = sorted((chain[0].joint, chain[-1].joint))
+                block = Run(first, last, chain[0].reversed)
                 if block in self.swept and self.once and not block.reversed:
                     self.along.add(block)
-                self._add("propagate", block, "along" if block in self.along else "carried", run)
+                self._add("propagate", block, "along" if block in self.along else "carried", chain)
             else:
-                self._add("propagate", None, "step", run)
+                self._add("propagate", None, "step", chain)
 
     def _passed_through(self) -> frozenset[int]:
         """Links inside runs through which handle forces pass, without forces of their own."""

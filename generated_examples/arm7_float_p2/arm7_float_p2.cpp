@@ -1,7 +1,7 @@
 // Forward dynamics of "arm7" on 2 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "arm7", 9 joints, 9 degrees of freedom, description sha256 35a799ae72b600eeca178cc12eccff22927d06b6ca76bda0ede3ef5832ebda29
 // command   adagen ../models/arm7.urdf --procs 2 --schedule=balanced --shape=kernels --scalar=float --name=arm7_float
-// input     profile default, sha256 c75a57ea53171c230096f879685e5cf7ff80899f390e7871947aafede68929bf
+// input     profile default, sha256 84d66972401a4b8c76d20f0dea7a825cfba5dfa36a5179a32dea22649f36b4ba
 // options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar float, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // needs     Eigen's headers
 // links     adagen_program.cpp -DADAGEN_MPI -DADAGEN_FLOAT; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes arm7_float_p2.h
@@ -212,7 +212,7 @@ static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   }
   stamp(6);
   w.loads[4] = in_base(w, 4, w.j_shoulder_pitch.F_on_forearm);
-  deliver_along<0, 3>(w, way_0);  // "base_yaw" .. "elbow_pitch"
+  deliver_along<0, 3>(w, way_0.moved);  // "base_yaw" .. "elbow_pitch"
   accelerate_along<0, 0, 3>(w);  // "base_yaw" .. "elbow_pitch"
   stamp(7);
   require_finite(w, w.answer.data(), 0, 5, &JointConstants::v, kOverflow);

@@ -1,7 +1,7 @@
 // Forward dynamics of "chain16" on 3 processes, emitted by adagen 0.1.0 (solver.cpp.j2). Do not edit: generate again. Licence: yours to choose.
 // robot     "chain16", 16 joints, 16 degrees of freedom, description sha256 b739552da6e27ec438b5eb7d6da98218430542949a453e8cd1010513e6e26b8a
 // command   adagen ../models/chain16.urdf --procs 3 --schedule=balanced --shape=kernels
-// input     profile default, sha256 c75a57ea53171c230096f879685e5cf7ff80899f390e7871947aafede68929bf
+// input     profile default, sha256 84d66972401a4b8c76d20f0dea7a825cfba5dfa36a5179a32dea22649f36b4ba
 // options   form segment (articulated-body algorithm), shape kernels (spatial vectors [angular; linear] in the axes of the base, about each link's origin), scalar double, channel auto, fixed base, gravity 0.0, 0.0, -9.81
 // needs     Eigen's headers
 // links     adagen_program.cpp -DADAGEN_MPI; or, compiled with -DADAGEN_NO_MAIN, a program of yours that includes chain16_p3.h
@@ -268,7 +268,7 @@ static void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   }
   stamp(6);
   w.loads[7] = in_base(w, 7, w.j_joint04.F_on_rod07);
-  deliver_along<0, 6>(w, way_0);  // "joint01" .. "joint07"
+  deliver_along<0, 6>(w, way_0.moved);  // "joint01" .. "joint07"
   accelerate_along<0, 0, 6>(w);  // "joint01" .. "joint07"
   stamp(7);
   require_finite(w, w.answer.data(), 0, 8, &JointConstants::v, kOverflow);
@@ -343,7 +343,7 @@ static void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& chann
   stamp(8);
   w.loads[8] = in_base(w, 8, w.j_joint12.F_on_rod08);
   w.loads[11] = in_base(w, 11, w.j_joint10.F_on_rod11);
-  deliver_along<8, 10>(w, way_8);  // "joint09" .. "joint11"
+  deliver_along<8, 10>(w, way_8.moved);  // "joint09" .. "joint11"
   accelerate_root<8>(w, w.j_joint10.Phi_rod08, w.j_joint10.b_rod08);
   accelerate_along<1, 8, 10>(w);  // "joint09" .. "joint11"
   stamp(9);

@@ -66,6 +66,12 @@ class KernelLines:
         )
         self.traversed = {op.block for op in operations if op.method == "traversed"}
         self.parted = {op.block for op in operations if op.method == "parts"}
+        self.part_of = {
+            part: (op.block, number)
+            for op in operations
+            if op.does == "articulate" and op.method == "parts" and isinstance(op.block, Run)
+            for number, part in enumerate(parts_in(op.steps))
+        }
         self.delivered = {op.block for op in operations if op.does == "deliver"}
         self.along = {
             op.block for op in operations if (op.does, op.method) == ("propagate", "along")
@@ -311,9 +317,8 @@ class KernelLines:
         assert all(operation.first)  # bodies are left, not added
         parts = parts_in(operation.steps)
         self.gathers.update(part.first for part in parts)
-        ways = ", ".join(map(mobility.way_of, parts))
-        sweep = f"inward_in_parts<{self.p}, {run.first}, {run.last}>(w);"
-        return [f"const auto [{ways}] = {sweep}{self._names(run)}"]
+        sweep = f"inward_in_parts<{run.first}, {run.last}>(w);"
+        return [f"const SweptParts {mobility.swept_parts(run)} = {sweep}{self._names(run)}"]
 
     def _articulate_limbs(self, limbs: Limbs, first: tuple[bool, ...]) -> list[str]:
         """Sweep limbs inwards and add the results to the links before them."""
@@ -338,7 +343,11 @@ class KernelLines:
         assert isinstance(operation.block, Run)
         run = operation.block
         if operation.method in ("along", "parts"):
-            call = f"deliver_along<{run.first}, {run.last}>(w, {mobility.way_of(run)});"
+            moved = f"{mobility.way_of(run)}.moved"
+            if operation.method == "parts":
+                whole, number = self.part_of[run]
+                moved = f"{mobility.swept_parts(whole)}.moved[{number}]"
+            call = f"deliver_along<{run.first}, {run.last}>(w, {moved});"
         else:
             call = mobility.delivery(self.symbols, run, through=operation.method == "through")
         return [call + self._names(run)]

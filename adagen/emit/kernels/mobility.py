@@ -37,9 +37,9 @@ from adagen.plan.steps import (
     blocks_set_by,
 )
 from adagen.program import Operation, Program
-from adagen.program.runs import Run, ends_of_run
+from adagen.program.runs import Run, ends_of_run, spans
 
-CARRIED = ("carried", "along", "parts")
+CARRIED = ("carried", "along")
 """Methods by which wrenches are carried through runs."""
 
 STEPS = (
@@ -71,7 +71,7 @@ def holds_ground(plan: Plan) -> bool:
 def carries(program: Program) -> bool:
     """Return whether unit wrenches are carried through runs."""
     return any(
-        operation.method in CARRIED
+        operation.method in (*CARRIED, "parts")
         for own in program.processes
         for operation in (*own.operations, *own.recovery)
     )
@@ -124,7 +124,13 @@ def _computed(program: Program) -> Iterator[Step]:
     """Yield the steps whose results are stored: of a run with carried wrenches the last one."""
     for own in program.processes:
         for operation in (*own.operations, *own.recovery):
-            yield from operation.steps[-1:] if operation.method in CARRIED else operation.steps
+            if operation.method == "parts":
+                shown = shown_by_parts(operation)
+                yield from (step for steps in shown for step in steps if step is not None)
+            elif operation.method in CARRIED:
+                yield operation.steps[-1]
+            else:
+                yield from operation.steps
 
 
 def _members_of_join(symbols: Symbols, join: Join) -> list[str]:
@@ -205,8 +211,45 @@ def way_of(run: Run) -> str:
     return f"way_{run.first}"
 
 
+def swept_parts(run: Run) -> str:
+    """Return the variable that tells what the sweep of a run's parts finds."""
+    return f"swept_{run.first}"
+
+
+def shown_by_parts(operation: Operation) -> list[tuple[InvertRoot, Propagate | None]]:
+    """Return what is found of each part: its first link's mobility, and its last one's, if asked.
+
+    Args:
+        operation: that shows the mobilities of parts, or another of parts, which shows none.
+    """
+    roots = [step for step in operation.steps if isinstance(step, InvertRoot)]
+    across = {step.joint: step for step in operation.steps if isinstance(step, Propagate)}
+    last = {first: across[end] for first, end in spans(across)}
+    return [(root, last.get(root.link)) for root in roots]
+
+
+def _parts(symbols: Symbols, operation: Operation) -> list[str]:
+    """Return the lines that show the mobilities of parts."""
+    run = operation.block
+    assert isinstance(run, Run)
+    rows = []
+    for root, step in shown_by_parts(operation):
+        members = [symbols.block(root.block), symbols.bias(root.bias)]
+        if step is not None:
+            (spread,) = step.spreads  # with the first link
+            assert spread.target_transposed
+            members += [symbols.block(of) for of in (step.block, spread.target)]
+            members.append(symbols.bias(step.bias))
+        numbers = [f"&{member}" for member in members] + ["nullptr"] * (5 - len(members))
+        rows.append(f"    {{{', '.join(numbers)}}},")
+    call = f"show_parts<{run.first}, {run.last}>(w, {swept_parts(run)}, {{{{"
+    return [call, *rows, "}});"]
+
+
 def propagation(symbols: Symbols, operation: Operation) -> list[str]:
     """Return the lines of an operation that carries mobilities outwards."""
+    if operation.method == "parts":
+        return _parts(symbols, operation)
     steps = [step for step in operation.steps if isinstance(step, Propagate)]
     first, last = steps[0], steps[-1]
     if operation.method not in CARRIED:
@@ -222,7 +265,7 @@ def propagation(symbols: Symbols, operation: Operation) -> list[str]:
             f"show({way}, {symbols.block(first.near)}, {symbols.bias(first.near_bias)}, {target});"
         )
     lines = [shown, *_coupled(symbols, run, first, last)]
-    if operation.method in ("along", "parts"):
+    if operation.method == "along":
         return lines
     turned = "true" if run.reversed else "false"
     return [

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #include "../common.hpp"
@@ -19,6 +20,7 @@
 #include "algebra.hpp"
 #include "carry.hpp"
 #include "columns.hpp"
+#include "guards.hpp"
 #include "inward.hpp"
 #include "lanes.hpp"
 #include "links.hpp"
@@ -148,44 +150,130 @@ ADAGEN_NOINLINE Yields yields_of_parts(Workspace& w) {
   return found;
 }
 
-// Process p sweeps the parts of joints first .. last inwards. Bodies are left at the parts' first
-// links; what wrenches on the last ones find on their way is returned.
-using Ways = std::array<Way, kPerBlock>;
-template <int p, int first, int last>
-ADAGEN_NOINLINE Ways inward_in_parts(Workspace& w) {
+// What the sweep inwards of a run's parts finds: the bodies at the parts' first links, without the
+// joints that these hang on, and how unit wrenches on the last ones arrive there; for each part L,
+// by which its last link moves as the first one does.
+struct SweptParts {
+  Body<Lanes> bodies;
+  ThreeWrenches moments, forces;
+  std::array<Mat6, kPerBlock> moved;
+
+  // A column of all L: what each wrench has become along one direction.
+  ADAGEN_INLINE void column(int k, Lanes (&found)[6]) const {
+    using V = Vector<Lanes>;
+    constexpr Lanes V::* components[]{&V::x, &V::y, &V::z};
+    ADAGEN_FOR (i, 0, 6) {
+      const ThreeWrenches& own = i < 3 ? moments : forces;
+      found[i] = (k < 3 ? own.n : own.f)[i % 3].*components[k % 3];
+    }
+  }
+};
+template <int first, int last>
+ADAGEN_NOINLINE SweptParts inward_in_parts(Workspace& w) {
   using Run = Strips<first, last>;
   static_assert(sizeof(Value) == sizeof(Real));
-  const Body<Lanes> X = inward_along_parts<Run>(w);
-  Lanes body[kBodyNumbers];
-  std::memcpy(body, &X, sizeof body);
-  lay_out(body, [&w](int lane) {
-    return reinterpret_cast<Real*>(&w.bodies[static_cast<std::size_t>(Run::joint(lane, 0) + 1)]);
-  });
-
-  const ThreeWrenches moments = carry_along_parts<Run, 0>(w), forces = carry_along_parts<Run, 3>(w);
-  const Yields yields = yields_of_parts<Run>(w);
-  Ways ways;
-  const auto row = [](int i, int k) { return i < k ? i * (11 - i) / 2 + k : k * (11 - k) / 2 + i; };
-  using V = Vector<Lanes>;
-  constexpr Lanes V::* components[]{&V::x, &V::y, &V::z};
+  SweptParts swept;
+  swept.bodies = inward_along_parts<Run>(w);
+  add_bare_link(w, Run::row(0, 0), swept.bodies);
+  swept.moments = carry_along_parts<Run, 0>(w), swept.forces = carry_along_parts<Run, 3>(w);
   ADAGEN_FOR (k, 0, 6) {
-    Lanes moved[6], own[6];
-    ADAGEN_FOR (i, 0, 6) {
-      const ThreeWrenches& wrenches = i < 3 ? moments : forces;
-      moved[i] = (k < 3 ? wrenches.n : wrenches.f)[i % 3].*components[k % 3];
-      own[i] = yields.own[row(i, k)];
-    }
-    const auto column = [&ways, k](Mat6 Way::* of) {
-      return [&ways, of, k](int lane) {
-        return (ways[static_cast<std::size_t>(lane)].*of).data() + 6 * k;
-      };
-    };
-    lay_out(moved, column(&Way::moved));
-    lay_out(own, column(&Way::own));
+    Lanes column[6];
+    swept.column(k, column);
+    lay_out(column, [&swept, k](int lane) {
+      return swept.moved[static_cast<std::size_t>(lane)].data() + 6 * k;
+    });
   }
-  lay_out(yields.free,
-          [&ways](int lane) { return ways[static_cast<std::size_t>(lane)].free.data(); });
-  return ways;
+  return swept;
+}
+
+// See invert in mobility.hpp: the same of a body in each lane, Phi and b = -Phi p. What is returned
+// is positive in lanes where each pivot exceeds what it must at least.
+ADAGEN_INLINE Lanes invert(const Body<Lanes>& X, Lanes (&Phi)[6][6], Lanes (&b)[6]) {
+  constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
+  const auto& [A, B, C, n, f] = X;
+  Lanes m[6][6]{{A.xx},
+                {A.xy, A.yy},
+                {A.xz, A.yz, A.zz},
+                {B.x.x, B.y.x, B.z.x, C.xx},
+                {B.x.y, B.y.y, B.z.y, C.xy, C.yy},
+                {B.x.z, B.y.z, B.z.z, C.xz, C.yz, C.zz}};
+  const Lanes p[6]{n.x, n.y, n.z, f.x, f.y, f.z};
+  Lanes over[6], least[6], L[6][6]{};
+  LaneBits good = ~LaneBits{};
+  ADAGEN_FOR (c, 0, 6) least[c] = m[c][c] * kRounding;
+  ADAGEN_FOR (c, 0, 6) {
+    good &= (m[c][c] > least[c]) & (m[c][c] <= std::numeric_limits<Real>::max());
+    over[c] = 1 / m[c][c];
+    ADAGEN_FOR (i, c + 1, 6) {
+      const Lanes l = m[i][c] * over[c];
+      ADAGEN_FOR (k, c + 1, i + 1) m[i][k] -= l * m[k][c];
+      ADAGEN_FOR (k, 0, c) L[i][k] -= l * L[c][k];
+      L[i][c] -= l;
+    }
+  }
+  ADAGEN_FOR (i, 0, 6)
+    ADAGEN_FOR (k, 0, i + 1) {
+      Lanes sum = k == i ? over[i] : over[i] * L[i][k];
+      ADAGEN_FOR (row, i + 1, 6) sum += L[row][i] * over[row] * L[row][k];
+      Phi[i][k] = Phi[k][i] = sum;
+    }
+  ADAGEN_FOR (i, 0, 6) {
+    b[i] = Lanes{};
+    ADAGEN_FOR (k, 0, 6) b[i] -= Phi[i][k] * p[k];
+  }
+  return chosen(good, Lanes{} + 1, Lanes{} - 1);
+}
+
+// Where it is put what a part shows: Phi and b of its first link and of its last one, and Phi of
+// the two; nothing is where nothing is joined to the last one.
+struct ShownPart {
+  Mat6* near;
+  Columns6* near_bias;
+  Mat6 *far, *across;
+  Columns6* far_bias;
+};
+template <int first, int last>
+ADAGEN_NOINLINE void show_parts(Workspace& w, const SweptParts& swept,
+                                std::array<ShownPart, kPerBlock> shown) {
+  using Run = Strips<first, last>;
+  Mat6 nowhere;
+  Columns6 no_bias;
+  for (ShownPart& each : shown)
+    if (each.far == nullptr) each.far = each.across = &nowhere, each.far_bias = &no_bias;
+  const auto put = [&shown](auto place, int column, const Lanes(&numbers)[6]) ADAGEN_ALWAYS {
+    lay_out(numbers, [&](int lane) ADAGEN_ALWAYS {
+      return (shown[static_cast<std::size_t>(lane)].*place)->data() + 6 * column;
+    });
+  };
+  Lanes Phi[6][6], b[6];
+  const Lanes good = invert(swept.bodies, Phi, b);
+  if (__builtin_expect(!all_positive(good), 0)) fail_one(w, Run::row(0, 0), good);
+  ADAGEN_FOR (k, 0, 6) put(&ShownPart::near, k, Phi[k]);
+  put(&ShownPart::near_bias, 0, b);
+
+  const Yields yields = yields_of_parts<Run>(w);
+  Lanes L[6][6], half[6][6];  // L by columns; L Phi by rows
+  ADAGEN_FOR (k, 0, 6) swept.column(k, L[k]);
+  ADAGEN_FOR (i, 0, 6)
+    ADAGEN_FOR (k, 0, 6) {
+      half[i][k] = L[0][i] * Phi[0][k];
+      ADAGEN_FOR (h, 1, 6) half[i][k] += L[h][i] * Phi[h][k];
+    }
+  ADAGEN_FOR (k, 0, 6) put(&ShownPart::across, k, half[k]);
+  int at = 0;
+  ADAGEN_FOR (i, 0, 6)
+    ADAGEN_FOR (k, i, 6) {
+      Lanes sum = yields.own[at++];
+      ADAGEN_FOR (h, 0, 6) sum += half[i][h] * L[h][k];
+      Phi[i][k] = Phi[k][i] = sum;
+    }
+  ADAGEN_FOR (k, 0, 6) put(&ShownPart::far, k, Phi[k]);
+  Lanes far_bias[6];
+  ADAGEN_FOR (i, 0, 6) {
+    far_bias[i] = yields.free[i];
+    ADAGEN_FOR (h, 0, 6) far_bias[i] += L[h][i] * b[h];
+  }
+  put(&ShownPart::far_bias, 0, far_bias);
 }
 
 // The parts' joints outwards. Each takes its part of the load of its part's last link: what unit

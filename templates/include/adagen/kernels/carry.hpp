@@ -101,8 +101,8 @@ void show(Workspace& w, const Way& way, Mat6& Phi, Columns6& b) {
 
 // What the near link feels of the load of the link beyond joints first .. last.
 template <int first, int last>
-void deliver_along(Workspace& w, const Way& way) {
-  w.loads[kJoints[first].parent] += way.moved.transpose() * w.loads[last + 1];
+void deliver_along(Workspace& w, const Mat6& moved) {
+  w.loads[kJoints[first].parent] += moved.transpose() * w.loads[last + 1];
 }
 
 }  // namespace
