@@ -26,10 +26,10 @@ struct Group {
 
 // Groups that go through each part before the next one, so that its instructions are fetched once
 // for all: as many as fill half of the second-level cache, or many where not even the code fits.
-// One where all instructions fit the first-level cache, as those of three functions and the two
+// One where all instructions fit the first-level cache, as those of four functions and the two
 // around them do: what a group holds then stays in that of data.
 constexpr int kGroups = [] {
-  constexpr std::size_t kCache = 1 << 20, kCodeOfPart = 8 << 10, kMost = 8, kFew = 5;
+  constexpr std::size_t kCache = 1 << 20, kCodeOfPart = 8 << 10, kMost = 8, kFew = 6;
   constexpr std::size_t kCode = kParts.size() * kCodeOfPart;
   if (kParts.size() <= kFew) return 1;
   if (kCode + sizeof(Group) > kCache) return static_cast<int>(kMost);
