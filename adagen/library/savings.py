@@ -90,7 +90,8 @@ def _whole(
     if request.form == "ada":
         profile = profile.joins_only()
     try:
-        schedule = best_schedule(full, processes, profile, request.form, request.scalar)
+        asked = request.form, request.scalar
+        schedule = best_schedule(full, processes, profile, *asked, in_parts=request.may_part)
         plan = make_plan(full, schedule, form=request.form, scalar=request.scalar)
     except InputError:
         return None
