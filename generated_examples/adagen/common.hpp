@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include "arithmetic.hpp"
+
 #define ADAGEN_NOINLINE [[maybe_unused]] __attribute__((noinline))
 // A counted loop that is to be unrolled whole, so that indices computed in it become constants.
 #if defined(__clang__)

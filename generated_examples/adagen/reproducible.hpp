@@ -12,9 +12,6 @@ namespace {
 // Answers are the same to the last bit on every machine with numbers of IEEE 754: each operation of
 // the text is done by itself and rounded to the nearest number. What would change that is refused.
 #define ADAGEN_REPRODUCIBLE
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
-#error "this solver was emitted with --reproducible: compile it without -ffast-math and -Ofast"
-#endif
 #if FLT_EVAL_METHOD != 0
 #error "this solver was emitted with --reproducible: compile it for SSE2 (-mfpmath=sse)"
 #endif

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "arithmetic.hpp"
 #include "main.hpp"
 #include "options.hpp"
 #include "program_setting.hpp"

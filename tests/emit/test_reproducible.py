@@ -35,7 +35,7 @@ FLAGS = (
     ("-O3", "-march=x86-64-v3"),
     ("-O3", "-march=x86-64-v3", "-ffp-contract=fast"),
     ("-O3", "-march=x86-64-v4"),
-    ("-O1", "-march=native", "-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math"),
+    ("-O1", "-march=native", "-fno-signed-zeros", "-fno-trapping-math"),
 )
 """What reproducible solvers are compiled with; the last two only where the processor can."""
 CLANG_FLAGS = (*FLAGS[:2], FLAGS[3], ("-O1", "-march=native"))
