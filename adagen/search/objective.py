@@ -41,7 +41,7 @@ _ALIKE = 2.0
 FEW = {"double": 1e-7, "float": 1e-2}
 """Predicted errors that a warning tells: a decade below wrong ones, as predictions may be off by
 that (a chain of far masses, cut in two: 3e-7 predicted, 2e-6 found)."""
-_TRIALS, _TRIED = 6, 1200
+_TRIALS, _TRIED = 6, 800
 """Generic states in which a plan is carried out, and joints of all of them together, about: a long
 chain has all sorts of poses in one state."""
 _WORSE = 3.0

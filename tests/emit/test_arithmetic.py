@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 import subprocess
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -14,7 +15,7 @@ from tests.emitted import Builder
 from tests.golden.make_models import MODELS
 from tests.slow import spread
 
-SOURCES = {
+SOURCES: dict[str, dict[str, Any]] = {
     "straight line": {"shape": "unrolled"},
     "loops": {"shape": "kernels"},
     "joint by joint": {"shape": "joints"},
