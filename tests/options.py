@@ -66,6 +66,7 @@ OPTIONS: dict[str, tuple[str, ...]] = {
     "--runtime": ("", "gravity", "mass:{link}"),
     "--single-file": ("", "yes"),
     "--loop-forces": ("", "yes"),
+    "--parts": ("", "none"),
 }
 """Values of each option, the default first; "" leaves it out, "yes" is that of a flag."""
 

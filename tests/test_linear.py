@@ -22,12 +22,12 @@ from tests.slow import slow
 
 ROOT = Path(adagen.__file__).resolve().parents[1]
 OURS = (str(ROOT / "adagen"), str(ROOT / "templates"), __file__)
-FEW, MANY = 30, 60
+FEW, MANY = 40, 80
 """Joints of the chains."""
 MOST_GROWTH = 2.6
 """Twice the joints: twice the runs of a line, and somewhat more where something is sorted."""
 OFTEN = 10 * MANY
-"""Runs of a line that count: those of a line that is run for each pair of joints are 3,600."""
+"""Runs of a line that count: those of a line that is run for each pair of joints are 6,400."""
 OTHERS = {("adagen/plan/segment.py", "SegmentPlanner.__init__.<locals>.<genexpr>")}
 """Code that still does more: each node of a schedule lists all joints below it."""
 

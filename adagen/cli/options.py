@@ -19,6 +19,7 @@ _SEARCH = {
     "--naive": False,
     "--expansions": None,
     "--split": "always",
+    "--parts": "auto",
     "--objective": "both",
 }
 """Options of the search for a schedule, and their defaults."""
@@ -84,6 +85,7 @@ RARE = frozenset(
         "--naive",
         "--expansions",
         "--split",
+        "--parts",
         "--objective",
         "--form",
         "--shape",
@@ -167,6 +169,14 @@ def _add_search(parser: Parser) -> None:
         default=_SEARCH["--split"],
         help="whether two branches always divide their processes (default, as in the paper), may "
         "share them (free), or may also divide them unevenly (any)",
+    )
+    group.add_argument(
+        "--parts",
+        choices=("auto", "none"),
+        default=_SEARCH["--parts"],
+        help="auto (default): long chains are swept in parts, one in each SIMD lane, where the "
+        "profile predicts that it pays; none: never. The shipped profiles are of processors with "
+        "AVX-512: with AVX2, parts take longer",
     )
     group.add_argument(
         "--objective",

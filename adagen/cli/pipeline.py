@@ -95,7 +95,7 @@ _ASKED = (
         "schedule",
         "objective",
     ),
-    *("tie", "strategy", "split", "naive", "expansions", "name", "single_file"),
+    *("tie", "strategy", "split", "parts", "naive", "expansions", "name", "single_file"),
     *("reproducible", "certify", "loop_forces"),
     *("runtime", "target"),
 )

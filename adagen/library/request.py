@@ -33,6 +33,7 @@ class Request:
         tie: among equally fast schedules, "work" or "lex".
         strategy: of the search, "exact", "astar" or "paper".
         split: how branches divide processes, "always", "free" or "any".
+        parts: of long chains, one in each SIMD lane: where they pay ("auto"), or "none".
         naive: whether A* uses the paper's naive successors.
         expansions: how much the search may expand; None: what takes seconds.
         name: of the files; None: the robot description's.
@@ -63,6 +64,7 @@ class Request:
     tie: Literal["work", "lex"] = "work"
     strategy: Literal["exact", "astar", "paper"] = "exact"
     split: Literal["always", "free", "any"] = "always"
+    parts: Literal["auto", "none"] = "auto"
     naive: bool = False
     expansions: int | None = None
     name: str | None = None
@@ -164,7 +166,7 @@ class Request:
         processes.
         """
         alone = self.batch or self.certify or self.reproducible or self.target != "host"
-        return self.may_gather and self.form == "segment" and not alone
+        return self.parts == "auto" and self.may_gather and self.form == "segment" and not alone
 
     @property
     def priced_shape(self) -> str:
@@ -189,4 +191,5 @@ _KNOWN = {
     "tie": ("work", "lex"),
     "strategy": ("exact", "astar", "paper"),
     "split": ("always", "free", "any"),
+    "parts": ("auto", "none"),
 }

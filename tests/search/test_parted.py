@@ -68,11 +68,14 @@ def test_processes_of_several_part_their_own() -> None:
             {"shape": "unrolled"},
             {"objective": "accuracy"},
             {"form": "ada"},
+            {"parts": "none"},
         ),
     ],
     ids=lambda asked: next(iter(asked)),
 )
-def test_answers_that_parts_cannot_give_come_without(asked: dict[str, object]) -> None:
+def test_chains_stay_whole_where_parts_cannot_be_or_are_not_wanted(
+    asked: dict[str, object],
+) -> None:
     model = hinges(300, seed=1)
     request = Request(profile="xeon", **asked)  # type: ignore[arg-type]
     assert schedule_of(model, request).parts == 0

@@ -30,6 +30,10 @@
 #include "shuffles.hpp"
 #include "strips.hpp"
 
+#if defined(ADAGEN_SOLVER) && defined(__x86_64__) && !defined(__AVX512F__)
+#pragma message("parts of a chain suit AVX-512; here it is faster whole: adagen MODEL --parts none")
+#endif
+
 namespace {
 
 // A long run of hinges that is parted (adagen/plan/parts.py), one part in each lane: a part is a
