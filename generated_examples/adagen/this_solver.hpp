@@ -81,7 +81,7 @@ class ThisSolver final : public adagen::AnySolver<Number, Comm> {
   int end_at_root() override { return solver_.end_at_root(); }
   bool has_part() const override {
 #if defined(ADAGEN_MPI) || defined(ADAGEN_THREADS)
-    return kProcess[static_cast<std::size_t>(solver_.channel.rank())].own.count > 0;
+    return kProcess[static_cast<std::size_t>(solver_.channel.rank())].takes_part();
 #else
     return true;
 #endif

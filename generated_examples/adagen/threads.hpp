@@ -114,7 +114,7 @@ class Solver : public InPlace {
   static constexpr std::chrono::microseconds kAwake{20}, kRest{100};
 
   static constexpr std::size_t at(int p) { return static_cast<std::size_t>(p); }
-  static bool has_part(int p) { return !kAlone && kProcess[at(p)].own.count > 0; }
+  static bool has_part(int p) { return !kAlone && kProcess[at(p)].takes_part(); }
 
   // Lets the threads run on any core but the caller's. Linux may leave two threads that rest
   // between calls on one core, beside an idle one, and each call would wait until they take turns.

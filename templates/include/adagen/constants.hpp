@@ -77,6 +77,9 @@ struct Stages {
 struct ProcessInfo {
   Ranges q, v, own, tau;
   Stages stages{0, nullptr};
+
+  // Whether it computes anything. Where few accelerations are wanted, it may do so and have none.
+  constexpr bool takes_part() const { return q.count + v.count + own.count + tau.count > 0; }
 };
 
 // What a process runs that has nothing to do.

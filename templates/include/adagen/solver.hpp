@@ -75,14 +75,14 @@ class Solver : public InPlace {
  private:
   // Whether a process computes when all data goes through process 0.
   static bool has_part(int p) {
-    return !kAlone && kProcess[static_cast<std::size_t>(p)].own.count > 0;
+    return !kAlone && kProcess[static_cast<std::size_t>(p)].takes_part();
   }
 
   // patient: however long process 0 lets it wait.
   int solve_for_root(bool patient = false) {
     const int rank = channel.rank();
     const ProcessInfo& own = kProcess[static_cast<std::size_t>(rank)];
-    if (own.own.count == 0) return finish(kFine);
+    if (!own.takes_part()) return finish(kFine);
     int status = kFine;
     const Number* content = channel.receive(state_message(rank), status, patient);
     content = unpack(content, own.q, q_.data());
@@ -102,7 +102,7 @@ class Solver : public InPlace {
                     int status = kFine) {
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
-      if (other.own.count == 0) continue;
+      if (!other.takes_part()) continue;
       Number* content = channel.outgoing(state_message(p), status);
       content = pack(content, other.q, q);
       content = pack(content, other.v, v);
@@ -115,7 +115,7 @@ class Solver : public InPlace {
     run();
     for (int p = 1; p < kProcesses; ++p) {
       const ProcessInfo& other = kProcess[static_cast<std::size_t>(p)];
-      if (other.own.count == 0) continue;
+      if (!other.takes_part()) continue;
       const Number* result = channel.receive(result_message(p), w.status);
       unpack(result, other.own, qdd_.data());
     }
