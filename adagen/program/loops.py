@@ -228,10 +228,9 @@ class Loops:
         by_joint = {step.joint: step for step in steps}
         swept_inwards = list(units_of_sweep(self.joints, steps, self.limbs, inward_order))
         self._find_parts(swept_inwards)
-        in_parts = {part for parts in self.parted.values() for part in parts}
         columns: set[int] = set()
         for unit in swept_inwards:
-            if isinstance(unit, Run) and unit not in in_parts and self._in_columns(unit):
+            if isinstance(unit, Run) and unit not in self._in_parts() and self._in_columns(unit):
                 columns |= set(links_of_run(self.joints, unit)) - {self._near(unit)}
         self._set_up_columns(columns & self.own)
         for run, parts in self.parted.items():
@@ -239,7 +238,7 @@ class Loops:
             first = [self._first(self._near(part)) for part in parts]
             self._add("articulate", run, "parts", own, first)
         for unit in swept_inwards:
-            if unit in in_parts:
+            if unit in self._in_parts():
                 continue
             if isinstance(unit, Limbs):
                 nears = [self.joints[j].parent for j in unit.rows[0]]
@@ -266,13 +265,17 @@ class Loops:
             strips = strips_of(range(run.first, run.last + 1), LANES[self.plan.scalar])
             parts = [Run(strip.start + 1, strip.stop - 1) for strip in strips]
             # The last one may end the chain, and shows nothing at its end then.
-            shown = carried | {parts[-1]} if parts[-1] not in carried else carried
+            shown = carried | {parts[-1]}
             if not units & whole & shown >= set(parts):
                 continue
             links = range(run.first + 1, run.last + 2)
             alone = self.own.issuperset(links) and self.holding.isdisjoint(links)
             if alone and (self.told_apart | self.turned).isdisjoint(run.joints()):
                 self.parted[run] = parts
+
+    def _in_parts(self) -> set[Run]:
+        """Parts of runs that are swept side by side."""
+        return {part for parts in self.parted.values() for part in parts}
 
     def _carried(self) -> set[Run]:
         """Runs whose mobility is needed at the far link only."""
@@ -324,9 +327,9 @@ class Loops:
         self._add("link_columns", Links(tuple(sorted(among))), "columns")
 
     def _invert_roots(self, steps: list[InvertRoot]) -> None:
-        in_parts = {part.first for parts in self.parted.values() for part in parts}
+        first = {part.first for part in self._in_parts()}
         for step in steps:
-            if step.link in in_parts:  # whose first link's number is that of their first joint
+            if step.link in first:  # whose first link's number is that of their first joint
                 self.roots[step.link] = step
             else:
                 self._add(step.does, None, "step", (step,))
@@ -378,7 +381,7 @@ class Loops:
             if method == "through" and run in self.along & whole and self._of_one_freedom(run):
                 method = "along"
                 self.loaded.add(run)
-            if any(run in parts for parts in self.parted.values()):
+            if run in self._in_parts():
                 method = "parts"
             self._add("deliver", run, method, (by_joint[j] for j in _inwards(run)))
 
@@ -390,12 +393,11 @@ class Loops:
 
     def _accelerate(self, steps: list[Accelerate]) -> None:
         by_joint = {step.joint: step for step in steps}
-        in_parts = {part for parts in self.parted.values() for part in parts}
         for run, parts in self.parted.items():
             in_lanes = [by_joint[j] for part in parts for j in part.joints()]
             self._add("accelerate", run, "parts", in_lanes)
         for unit in units_of_sweep(self.joints, steps, self.limbs, outward_order):
-            if unit in in_parts:
+            if unit in self._in_parts():
                 continue
             if isinstance(unit, Limbs):
                 if not self.needed.isdisjoint(unit.members()):
