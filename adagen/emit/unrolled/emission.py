@@ -338,8 +338,13 @@ class _ProcessText:
         return run
 
     def _chunk(self, chunk: Chunk) -> list[str]:
-        """The statements of one function."""
-        lines = [self._load(k, at) for k, at in sorted(chunk.loads.items())]
+        """The statements of one function.
+
+        What another function has stored is loaded right before its first use: loaded at the
+        beginning, most of it would go through memory once more, as there are so few registers.
+        """
+        lines: list[str] = []
+        loads = dict(chunk.loads)
         named = self._named(chunk)
         mark = -1
         for index, right in self.text.statements(chunk.values).items():
@@ -352,8 +357,10 @@ class _ProcessText:
             if index in chunk.stores:
                 right = self._stored(index, right, chunk.stores[index])
             name = f"const {self._type(index)} x{index} = " if index in named else ""
-            lines.append(f"{name}{right};")
-            lines += self.followers.get(index, [])
+            own = [f"{name}{right};", *self.followers.get(index, [])]
+            first = sorted({k for line in own for k in _names(line)} & loads.keys())
+            lines += [self._load(k, loads.pop(k)) for k in first]
+            lines += own
         return lines
 
     def _known(self, node: Node) -> bool:
@@ -363,7 +370,7 @@ class _ProcessText:
     def _named(self, chunk: Chunk) -> set[int]:
         """The values of a function that it uses itself: all but some for other functions."""
         lines = " ".join(line for k in chunk.values for line in self.followers.get(k, []))
-        used = {int(number) for number in _NAMES.findall(lines)}
+        used = set(_names(lines))
         used.update(k for index in chunk.values for k in self.graph.nodes[index].args)
         return used | (set(chunk.values) - set(chunk.stores))
 
@@ -384,3 +391,8 @@ class _ProcessText:
         if self.graph.nodes[index].width == 1:
             return f"w.x[{place}] = {right}"
         return f"put({right}, w.x.data() + {place})"
+
+
+def _names(text: str) -> list[int]:
+    """The indices of the values that are named in a text."""
+    return [int(number) for number in _NAMES.findall(text)]
