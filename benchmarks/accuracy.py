@@ -3,17 +3,15 @@
     python -m benchmarks.accuracy [URDF ...] [--procs 1,2] [--states 5]
                                   [--write docs/records/accuracy.md]
 
-The truth is computed with 60 certified digits from the same model; errors are in the energy norm
+The truth is computed with certified digits from the same model; errors are in the energy norm
 sqrt(e^T H e / t^T H t) and, as the residual, of inverse dynamics. Without URDFs: the robots of
 generated_examples/models.
 """
 
 from __future__ import annotations
 
-import argparse
 import platform
-import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -23,22 +21,17 @@ from adagen.errors import AdagenError
 from adagen.model import Model
 from adagen.plan import make_plan
 from adagen.plan.cuts import cuttable_joints
-from adagen.reference import (
-    energy_norm_error,
-    exact_forward_dynamics,
-    forward_dynamics,
-    joint_space_inertia,
-    residual,
-)
+from adagen.reference import forward_dynamics
 from adagen.schedule import Topology, load_profile
 from adagen.search import find_schedule
-from adagen.states import States, random_states
+from adagen.states import States
+from adagen.studies.bench.report import table
+from adagen.studies.truth import DOUBLE, Errors, truth_of
 from adagen.urdf import read_robot
-from benchmarks.page import write_between_marks
-from benchmarks.solvers import answers
+from benchmarks.page import MODELS, command, publish
+from benchmarks.solvers import answers, tell
 
 Array = NDArray[np.float64]
-ROOT = Path(__file__).resolve().parents[1]
 
 
 def emitted(model: Model, form: str, scalar: str, processes: int, states: States) -> Array:
@@ -53,68 +46,48 @@ def emitted(model: Model, form: str, scalar: str, processes: int, states: States
     return answers(plan, model, states).qdd
 
 
-def errors(model: Model, states: States, truth: Array, found: Array) -> tuple[float, float]:
-    """Return the largest forward error in the energy norm, and the largest residual."""
-    forward = back = 0.0
-    for s in range(states.count):
-        inertia = joint_space_inertia(model, states.q[s])
-        forward = max(forward, energy_norm_error(inertia, found[s] - truth[s], truth[s]))
-        back = max(back, residual(model, states.q[s], states.v[s], states.tau[s], found[s]))
-    return forward, back
-
-
-def rows_of(path: Path, processes: Sequence[int], count: int) -> list[str]:
-    """Return a table row for every variant on one robot."""
+def rows_of(path: Path, processes: Sequence[int], count: int) -> Iterator[tuple[object, ...]]:
+    """Yield a row for every variant on one robot."""
     model = read_robot(path).model
-    states = random_states(model, count, seed=1)
-    each = list(zip(states.q, states.v, states.tau, strict=True))
-    truth = np.array([exact_forward_dynamics(model, *state).value for state in each])
+    truth = truth_of(model, count, digits=DOUBLE)
+    states = truth.states
+
+    def row(variant: str, p: int, errors: Errors) -> tuple[object, ...]:
+        return path.stem, model.nv, variant, p, *(f"{error:.1e}" for error in errors)
+
+    each = zip(states.q, states.v, states.tau, strict=True)
     dense = np.array([forward_dynamics(model, *state) for state in each])
-    start = f"| {path.stem} | {model.nv} |"
-    forward, back = errors(model, states, truth, dense)
-    rows = [f"{start} composite bodies, solve | 1 | {forward:.1e} | {back:.1e} |"]
+    yield row("composite bodies, solve", 1, truth.errors(dense))
     for form, scalar in (("segment", "double"), ("ada", "double"), ("segment", "float")):
         for p in processes:
             try:
                 found = emitted(model, form, scalar, p, states)
+                yield row(f"{form}, {scalar}", p, truth.errors(found))
             except (AdagenError, RuntimeError) as error:
                 reason = str(error).removeprefix("error: ").split(";")[0]
-                rows.append(f"{start} {form}, {scalar} | {p} | {reason} | |")
-                continue
-            forward, back = errors(model, states, truth, found)
-            rows.append(f"{start} {form}, {scalar} | {p} | {forward:.1e} | {back:.1e} |")
-    return rows
+                yield path.stem, model.nv, f"{form}, {scalar}", p, reason, ""
 
 
-def main() -> int:
+def main() -> None:
     """Print the table, or put it into a document."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
-    )
+    parser = command(__doc__)
     parser.add_argument("models", nargs="*", type=Path)
     parser.add_argument("--procs", default="1,2")
     parser.add_argument("--states", type=int, default=5)
-    parser.add_argument("--write", type=Path)
     options = parser.parse_args()
-    models = options.models or sorted((ROOT / "generated_examples" / "models").glob("*.urdf"))
     processes = [int(p) for p in options.procs.split(",")]
+    rows: list[tuple[object, ...]] = []
+    for path in options.models or sorted(MODELS.glob("*.urdf")):
+        tell(path.stem)
+        rows += rows_of(path, processes, options.states)
     lines = [
         f"{options.states} random states each, {platform.machine()}, "
         "`python -m benchmarks.accuracy`",
         "",
-        "| robot | DOF | variant | P | forward error | residual |",
-        "|---|---|---|---|---|---|",
+        *table(("robot", "DOF", "variant", "P", "forward error", "residual"), rows),
     ]
-    for path in models:
-        print(path.stem, file=sys.stderr)
-        lines += rows_of(path, processes, options.states)
-    table = "\n".join(lines)
-    if options.write is None:
-        print(table)
-        return 0
-    write_between_marks(options.write, "accuracy", table)
-    return 0
+    publish(options, "accuracy", "\n".join(lines))
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -14,9 +14,7 @@ the robots that are not there yet.
 
 from __future__ import annotations
 
-import argparse
 import platform
-import sys
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import asdict
@@ -27,9 +25,11 @@ from typing import Any
 from adagen.build import Toolchain, find_toolchain
 from adagen.model import Model
 from adagen.states import States
+from adagen.studies.bench.report import table
 from adagen.studies.stability.audit import Audit, Way, audited
-from benchmarks.hard import Asked, Record, hard_robots
-from benchmarks.page import write_between_marks
+from benchmarks.hard import Asked, hard_robots
+from benchmarks.page import Record, command, publish
+from benchmarks.solvers import tell
 
 WAYS = [
     Way("kernels"),
@@ -74,26 +74,17 @@ def summed(records: Iterable[dict[str, dict[str, Any]]]) -> dict[str, Counter[st
     return sums
 
 
-def table(sums: dict[str, Counter[str]]) -> list[str]:
-    """Return the table of all ways."""
-    lines = [
-        "| emitted | robots | answered | refused | wrong, warned | wrong, silent |",
-        "|---|--:|--:|--:|--:|--:|",
-    ]
+def lines_of(sums: dict[str, Counter[str]]) -> list[str]:
+    """Return the table of all ways, and what it comes to."""
+    counted = ("robots", "answered", "refused", "warned")
+    rows = []
     for way, n in sums.items():
         where = f", on {n['robots silent']} robots" * bool(n["silent"])
-        cells = (
-            way,
-            n["robots"],
-            n["answered"],
-            n["refused"],
-            n["warned"],
-            f"{n['silent']}{where}",
-        )
-        lines.append(f"| {' | '.join(map(str, cells))} |")
+        rows.append((way, *(n[key] for key in counted), f"{n['silent']}{where}"))
+    head = ("emitted", "robots", "answered", "refused", "wrong, warned", "wrong, silent")
     evaluations = sum(n["answered"] + n["refused"] for n in sums.values())
     wrong = sum(n["silent"] for n in sums.values())
-    return [*lines, "", f"{evaluations} evaluations, {wrong} wrong in silence."]
+    return [*table(head, rows), "", f"{evaluations} evaluations, {wrong} wrong in silence."]
 
 
 def tell_wrong(k: int, name: str, found: dict[str, dict[str, Any]]) -> None:
@@ -103,29 +94,25 @@ def tell_wrong(k: int, name: str, found: dict[str, dict[str, Any]]) -> None:
             continue
         worst = max(one["wrong"], key=lambda wrong: float(wrong["error"]))
         manner = "warned" if one["warned"] else "silent"
-        print(
+        tell(
             f"{k} {name}: {way}: {len(one['wrong'])} wrong, {manner}, the worst "
-            f"{worst['error']:.1e} in state {worst['state']}",
-            file=sys.stderr,
+            f"{worst['error']:.1e} in state {worst['state']}"
         )
 
 
-def main() -> int:
+def main() -> None:
     """Print the table, or put it into a document."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
-    )
+    parser = command(__doc__)
     parser.add_argument("--robots", type=int, default=120)
     parser.add_argument("--states", type=int, default=200)
     parser.add_argument("--seed", type=int, nargs="+", default=[1], metavar="SEED")
     parser.add_argument("--record", type=Path)
-    parser.add_argument("--write", type=Path)
     options = parser.parse_args()
     toolchain, record, records = find_toolchain(), Record(options.record), []
     for seed in options.seed:
         asked = Asked(options.robots, options.states, seed)
         for k, (_, model, states) in enumerate(hard_robots(asked)):
-            found = record.of(asked, k, partial(_figures, model, states, toolchain))
+            found = record.of(asked.key(k), partial(_figures, model, states, toolchain))
             records.append(found)
             tell_wrong(k, model.name, found)
     seeds = " ".join(map(str, options.seed))
@@ -133,14 +120,10 @@ def main() -> int:
         f"{len(records)} robots, {options.states} states each, {platform.machine()}, `python -m "
         f"benchmarks.adversary --robots {options.robots} --states {options.states} --seed {seeds}`",
         "",
-        *table(summed(records)),
+        *lines_of(summed(records)),
     ]
-    if options.write is None:
-        print("\n".join(lines))
-    else:
-        write_between_marks(options.write, "adversary", "\n".join(lines))
-    return 0
+    publish(options, "adversary", "\n".join(lines))
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

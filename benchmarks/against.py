@@ -12,7 +12,6 @@ asserted: figures of one machine are no test.
 
 from __future__ import annotations
 
-import argparse
 import hashlib
 import json
 import os
@@ -35,17 +34,18 @@ from adagen.model import Model
 from adagen.studies.bench.contest import WORDS, Contestant, Rules, Times, cores, hold
 from adagen.studies.bench.emitted import Emitted
 from adagen.studies.bench.machine import machine
+from adagen.studies.bench.report import table
 from adagen.studies.bench.variants import MOST_TEXT, VARIANTS
 from adagen.urdf import read_robot
 from benchmarks.bench import entries
-from benchmarks.page import write_between_marks
+from benchmarks.page import ROOT, command, publish
 
-ROOT = Path(__file__).resolve().parents[1]
 WORK = ROOT / "build" / "against"
-PAGE, RECORD = ROOT / "docs" / "records" / "against.md", WORK / "record.json"
+RECORD = WORK / "record.json"
 SLOWER = 1.03
 """Ratio of times from which a figure counts as slower."""
 THIS = "this"
+HEAD = ("robot", "figure", "before, ns", "this, ns", "ratio", "ratio of least", "")
 
 
 @dataclass(frozen=True)
@@ -256,27 +256,24 @@ def _rows(
         )
 
 
-def table(rows: Sequence[Row]) -> str:
+def report(rows: Sequence[Row]) -> str:
     """Return the rows, slowest figure of a robot first, and what they come to, as Markdown."""
-    lines = [
-        "| robot | figure | before, ns | this, ns | ratio | ratio of least |  |",
-        "|---|---|--:|--:|--:|--:|---|",
-    ]
+    lines = []
     names = list(dict.fromkeys(row.robot for row in rows))
     for row in sorted(rows, key=lambda row: (names.index(row.robot), -row.ratio)):
         mark = "slower" if row.ratio > SLOWER else ""
-        lines.append(
-            f"| {row.robot} | {row.figure} | {_ns(row.before)} | {_ns(row.now)} "
-            f"| {row.ratio:.3f} | {row.least_ratio:.3f} | {mark} |"
-        )
-    ratios = [row.ratio for row in rows]
-    slower = sum(ratio > SLOWER for ratio in ratios)
-    lines += [
-        "",
-        f"{len(rows)} figures: {slower} take more than {SLOWER} x the other revision's time; "
-        f"ratios from {min(ratios):.2f} to {max(ratios):.2f}, median {median(ratios):.3f}.",
-    ]
-    return "\n".join(lines)
+        ratios = (f"{row.ratio:.3f}", f"{row.least_ratio:.3f}")
+        lines.append((row.robot, row.figure, _ns(row.before), _ns(row.now), *ratios, mark))
+    every = [row.ratio for row in rows]
+    slower = sum(ratio > SLOWER for ratio in every)
+    return "\n".join(
+        [
+            *table(HEAD, lines),
+            "",
+            f"{len(rows)} figures: {slower} take more than {SLOWER} x the other revision's time; "
+            f"ratios from {min(every):.2f} to {max(every):.2f}, median {median(every):.3f}.",
+        ]
+    )
 
 
 def _ns(time: float) -> str:
@@ -285,16 +282,11 @@ def _ns(time: float) -> str:
 
 def main() -> None:
     """Build and measure what the command line names, and print the table."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = command(__doc__, "records/against.md")
     parser.add_argument("revision", help="the other revision, as git names it")
     parser.add_argument("--robots", nargs="+", metavar="NAME", help="these alone")
     parser.add_argument("--rounds", type=int, default=Rules().rounds)
     parser.add_argument("--build", action="store_true", help="emit and build, time nothing")
-    parser.add_argument(
-        "--page", action="store_true", help="write the table into docs/records/against.md"
-    )
     parser.add_argument("--kept", action="store_true", help="measure nothing: use the record")
     options = parser.parse_args()
     commit = _git("rev-parse", "--verify", f"{options.revision}^{{commit}}")
@@ -308,10 +300,8 @@ def main() -> None:
             return
         _measure(commit, robots, sources, Rules(rounds=options.rounds))
     record = json.loads(RECORD.read_text(encoding="utf-8"))
-    text = table([Row(**row) for row in record["rows"]])
-    print(text)
-    if options.page:
-        write_between_marks(PAGE, "against", f"{_about(record)}\n\n{text}")
+    text = report([Row(**row) for row in record["rows"]])
+    publish(options, "against", f"{_about(record)}\n\n{text}")
 
 
 def _measure(

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-import sysconfig
 import time
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -25,20 +24,13 @@ from adagen.errors import AdagenError
 from adagen.studies.bench.contest import Rules
 from adagen.studies.bench.record import Record, read_record, write_record
 from adagen.studies.bench.report import markdown
-from benchmarks.page import write_between_marks
+from benchmarks.page import ROOT, write_between_marks
 from benchmarks.paper import robots
+from benchmarks.real_robots import FLOATING, file_of
 
-ROOT = Path(__file__).resolve().parents[1]
 WORK = ROOT / "build" / "bench"
-REAL = (
-    ("ur5", "ur_description/urdf/ur5_robot.urdf", False),
-    ("panda", "panda_description/urdf/panda.urdf", False),
-    ("anymal", "anymal_b_simple_description/robots/anymal.urdf", True),
-    ("g1", "g1_description/urdf/g1_29dof_rev_1_0.urdf", True),
-    ("icub", "icub_description/robots/icub.urdf", True),
-    ("talos", "talos_data/robots/talos_full_v2.urdf", True),
-)
-"""Names, files of the package example-robot-data, whether the base floats."""
+REAL = ("ur5", "panda", "anymal_b", "g1", "icub", "talos")
+"""Of benchmarks.real_robots."""
 CHAINS = (16, 50, 100, 200, 500, 1000)
 TOO_LONG = {
     1000: {
@@ -54,10 +46,10 @@ QUICK = ("ur5", "human40")
 
 def entries() -> Iterator[Entry]:
     """Yield the robots; those of example-robot-data where it is installed."""
-    folder = Path(sysconfig.get_path("purelib"), "cmeel.prefix/share/example-robot-data/robots")
-    for name, path, floating in REAL:
-        if (folder / path).is_file():
-            yield Entry(name, folder / path, ("--floating",) if floating else ())
+    for name in REAL:
+        if file_of(name).is_file():
+            words = ("--floating",) * (name in FLOATING)
+            yield Entry(name.removesuffix("_b"), file_of(name), words)
         else:
             note(f"without {name}: pip install example-robot-data")
     for dofs in robots.HUMANS:

@@ -9,7 +9,6 @@ the levels that it passes. RECORD is what benchmarks.chains or adagen bench --sc
 
 from __future__ import annotations
 
-import argparse
 import sys
 import tempfile
 from collections.abc import Iterator, Sequence
@@ -27,7 +26,7 @@ from adagen.studies.bench.figures import chain
 from adagen.studies.bench.report import table
 from adagen.studies.bench.scale import predicted_batches
 from adagen.studies.bench.scale_record import STRETCHES, Scale, read_scale
-from benchmarks.page import write_between_marks
+from benchmarks.page import command, publish
 
 JOINTS = (1000, 2000, 5000)
 PROCESSES = (4, 16, 64, 256, 1024)
@@ -81,7 +80,7 @@ def of_limits(found: Found) -> Iterator[str]:
         for one in each:
             times = one.limits.times
             shares = [f"{times[kind] / one.time:.0%}" for kind in KINDS]
-            rows.append([str(joints), str(one.processes), *shares, str(one.limits.hops)])
+            rows.append((joints, one.processes, *shares, one.limits.hops))
     yield from table(("joints", "P", *KINDS, "messages"), rows)
 
 
@@ -93,15 +92,10 @@ def of_batches(profile: CostProfile, fabric: Fabric) -> Iterator[str]:
         model = robot(joints)
         state = state_time(model, profile)
         rows += [
-            [
-                str(joints),
-                f"{1e3 * state:.0f}",
-                str(one.hosts),
-                str(one.processes),
-                f"{one.in_place:.3g}",
-                f"{one.distributed:.3g}",
-                one.limit,
-            ]
+            (
+                *(joints, f"{1e3 * state:.0f}", one.hosts, one.processes),
+                *(f"{one.in_place:.3g}", f"{one.distributed:.3g}", one.limit),
+            )
             for one in predicted_batches(model, fabric, profile.steps, state)
         ]
     head = ("joints", "ns a state", "hosts", "P", "own states/s", "distributed/s", "limited by")
@@ -119,18 +113,12 @@ def of_check(scale: Scale) -> Iterator[str]:
         foretold = "" if one is None or not one.scaled else f"{1 - row.scaled / one.scaled:.1%}"
         mark = "≈" if row.source == STRETCHES else ""
         rows.append(
-            [
-                str(row.joints),
-                str(row.processes),
-                row.meeting,
-                f"{mark}{row.least / 1e3:.2f}",
-                f"{row.predicted / 1e3:.2f}",
-                f"{row.least / row.predicted - 1:+.0%}",
-                f"{row.scaled / 1e3:.2f}",
-                f"{row.least / row.scaled - 1:+.0%}",
-                saved,
-                foretold,
-            ]
+            (
+                *(row.joints, row.processes, row.meeting, f"{mark}{row.least / 1e3:.2f}"),
+                *(f"{row.predicted / 1e3:.2f}", f"{row.least / row.predicted - 1:+.0%}"),
+                *(f"{row.scaled / 1e3:.2f}", f"{row.least / row.scaled - 1:+.0%}"),
+                *(saved, foretold),
+            )
         )
     head = ("joints", "P", "meeting", "us", "predicted", "off", "at this speed", "off")
     yield from table((*head, "saved", "predicted to be saved"), rows)
@@ -138,15 +126,12 @@ def of_check(scale: Scale) -> Iterator[str]:
 
 def main(words: Sequence[str] | None = None) -> int:
     """Predict what the command line names, print tables, and return the exit status."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = command(__doc__)
     parser.add_argument("--joints", type=int, nargs="+", default=JOINTS)
     parser.add_argument("--processes", type=int, nargs="+", default=PROCESSES)
     parser.add_argument("--profile", default="default", help="a measured one")
     parser.add_argument("--hosts", type=Path, metavar="FILE", help="levels of a cluster (TOML)")
     parser.add_argument("--check", type=Path, metavar="RECORD", help="of measured chains")
-    parser.add_argument("--write", type=Path, metavar="PAGE", help="put the tables there")
     options = parser.parse_args(words)
     try:
         profile = load_profile(options.profile)
@@ -165,9 +150,7 @@ def main(words: Sequence[str] | None = None) -> int:
         print(error, file=sys.stderr)
         return error.status
     for name, text in blocks.items():
-        print(f"{text}\n")
-        if options.write is not None:
-            write_between_marks(options.write, f"beyond.{name}", f"{text}\n")
+        publish(options, f"beyond.{name}", f"{text}\n")
     return 0
 
 

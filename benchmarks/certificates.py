@@ -24,7 +24,6 @@ that are not there yet. Each table has a file of its own.
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
@@ -43,10 +42,13 @@ from adagen.schedule import load_profile
 from adagen.search import best_schedule
 from adagen.search.objective import predicted_digits
 from adagen.states import States
+from adagen.studies.bench.report import table
 from adagen.studies.stability.adversary import arms, trees
 from adagen.studies.stability.bounds import FACTOR, Bounded, Certified, bounded, certified_plan
 from benchmarks.closed_robots import MECHANISMS
-from benchmarks.hard import MODELS, Asked, Record, fastest, hard_mechanisms, hard_robots, study
+from benchmarks.hard import Asked, fastest, hard_mechanisms, hard_robots, study
+from benchmarks.page import MODELS, Record
+from benchmarks.solvers import tell
 
 WAYS = [
     Certified("unrolled"),
@@ -77,11 +79,7 @@ SHAPES = [(shape, batch) for batch in (False, True) for shape in ("unrolled", "k
 
 def errors_table(found: Mapping[tuple[str, str], Sequence[Bounded]]) -> list[str]:
     """Return the table of bounds and errors, by way and family."""
-    lines = [
-        "| emitted | robots | evaluations | refused | largest error | largest bound "
-        "| bound / error, median | error / bound, largest | above 3 |",
-        "|---|---|--:|--:|--:|--:|--:|--:|--:|",
-    ]
+    rows = []
     for (way, family), parts in found.items():
         errors = np.concatenate([one.errors for one in parts])
         bounds = np.concatenate([one.bounds for one in parts])
@@ -94,7 +92,10 @@ def errors_table(found: Mapping[tuple[str, str], Sequence[Bounded]]) -> list[str
             *(way, family, errors.size, refused, f"{errors.max():.0e}", f"{bounds.max():.0e}"),
             *(f"{pessimism:.2g}", f"{ratios.max():.2f}", int((ratios > FACTOR).sum())),
         )
-        lines.append(f"| {' | '.join(map(str, cells))} |")
+        rows.append(cells)
+    head = ("emitted", "robots", "evaluations", "refused", "largest error", "largest bound")
+    more = ("bound / error, median", "error / bound, largest", "above 3")
+    lines = table((*head, *more), rows)
     evaluations = sum(one.errors.size for parts in found.values() for one in parts)
     exceeded = sum(int((one.ratios > FACTOR).sum()) for parts in found.values() for one in parts)
     return [*lines, "", f"{evaluations} evaluations, {exceeded} bounds exceeded by more than 3."]
@@ -125,7 +126,7 @@ def _measured(
     found: dict[tuple[str, str], list[Bounded]] = {}
     for k, (family, model, hard) in enumerate(robots):
         find = partial(_figures, model, hard, ways, toolchain)
-        for way, one in record.of(asked, k, find).items():
+        for way, one in record.of(asked.key(k), find).items():
             errors, bounds = np.array(one["errors"]), np.array(one["bounds"])
             parts = found.setdefault((way, family), [])
             parts.append(Bounded(errors, bounds, one["refused"]))
@@ -152,7 +153,7 @@ def measured_predictions(asked: Asked, record: Record, toolchain: Toolchain) -> 
     ways = [way for way in WAYS if not way.batch]
     ratios: dict[str, list[tuple[float, str]]] = {str(way): [] for way in ways}
     for k, (family, model, hard) in enumerate(hard_robots(asked)):
-        found = record.of(asked, k, partial(_figures, model, hard, ways, toolchain))
+        found = record.of(asked.key(k), partial(_figures, model, hard, ways, toolchain))
         for way in ways:
             errors = found.get(str(way), {}).get("errors")
             if errors:
@@ -161,26 +162,21 @@ def measured_predictions(asked: Asked, record: Record, toolchain: Toolchain) -> 
                 found_once = min(1.0, max(max(errors), 1e-17))  # more than 1 is as wrong as 1
                 decades = np.log10(found_once / max(told, 1e-17))
                 ratios[str(way)].append((float(decades), family))
-    lines = [
-        "| emitted | robots | within a decade | more than half a decade too optimistic | median, "
-        "decades | worst, decades |",
-        "|---|--:|--:|--:|--:|---|",
-    ]
+    lines = []
     for name, rows in ratios.items():
         decades = np.array([row[0] for row in rows])
         worst = ", ".join(f"{x:.1f} ({family})" for x, family in sorted(rows)[:-4:-1])
         near, beyond = np.mean(abs(decades) <= 1), np.mean(decades > 0.5)
         cells = (name, len(rows), f"{near:.0%}", f"{beyond:.0%}", f"{np.median(decades):.1f}")
-        lines.append(f"| {' | '.join(map(str, cells))} | {worst} |")
-    return lines
+        lines.append((*cells, worst))
+    optimistic = "more than half a decade too optimistic"
+    head = ("emitted", "robots", "within a decade", optimistic, "median, decades")
+    return list(table((*head, "worst, decades"), lines))
 
 
 def measured_times(paths: Iterable[Path], toolchain: Toolchain) -> list[str]:
     """Return the table of times."""
-    lines = [
-        "| robot | shape | plain, ns | certified, ns | ratio |",
-        "|---|---|--:|--:|--:|",
-    ]
+    rows = []
     for path in paths:
         scene = path.with_suffix(".toml")
         robot = adagen.read(path, scene=scene if scene.exists() else None)
@@ -192,27 +188,18 @@ def measured_times(paths: Iterable[Path], toolchain: Toolchain) -> list[str]:
                     source = made.files[f"{made.stem}.cpp"]
                     programs.append(build_executable(source, made.stem, toolchain))
             except AdagenError as error:
-                print(f"{path.stem}, {shape}: {error}", file=sys.stderr)
+                tell(f"{path.stem}, {shape}: {error}")
                 continue
             plain, certified = fastest(programs, toolchain)
             name = f"{shape}{', batch' * batch}"
-            cells = (
-                path.stem,
-                name,
-                f"{plain:.0f}",
-                f"{certified:.0f}",
-                f"{certified / plain:.2f}",
-            )
-            lines.append(f"| {' | '.join(cells)} |")
-    return lines
+            ratio = f"{certified / plain:.2f}"
+            rows.append((path.stem, name, f"{plain:.0f}", f"{certified:.0f}", ratio))
+    return list(table(("robot", "shape", "plain, ns", "certified, ns", "ratio"), rows))
 
 
 def measured_mechanisms(_: Asked, __: Record, toolchain: Toolchain) -> list[str]:
     """Return the table of times of mechanisms, plain and certified, which nothing is asked of."""
-    lines = [
-        "| mechanism | plain, ns | certified, ns | ratio | batch: plain | certified | ratio |",
-        "|---|--:|--:|--:|--:|--:|--:|",
-    ]
+    rows = []
     profile = load_profile("default")
     for name, make in MECHANISMS.items():
         model = make()
@@ -222,7 +209,7 @@ def measured_mechanisms(_: Asked, __: Record, toolchain: Toolchain) -> list[str]
             try:
                 plans = [each.alternatives[-batch] for each in (plain, certified(plain))]
             except AdagenError as error:
-                print(f"{name}: {error}", file=sys.stderr)
+                tell(f"{name}: {error}")
                 break
             sources = [emit(each, name="timed", shape="unrolled", batch=batch) for each in plans]
             programs = [
@@ -231,11 +218,12 @@ def measured_mechanisms(_: Asked, __: Record, toolchain: Toolchain) -> list[str]
             least = fastest(programs, toolchain)
             cells += [*(f"{x:.0f}" for x in least), f"{least[1] / least[0]:.2f}"]
         else:
-            lines.append(f"| {' | '.join(cells)} |")
-    return lines
+            rows.append(cells)
+    head = ("mechanism", "plain, ns", "certified, ns", "ratio", "batch: plain", "certified")
+    return list(table((*head, "ratio"), rows))
 
 
-def main() -> int:
+def main() -> None:
     """Print a table, or put it into a document."""
     usual = Asked(24, 400, 1)
     tables = {
@@ -245,8 +233,8 @@ def main() -> int:
         "predicted": measured_predictions,
         "mechanisms": measured_mechanisms,
     }
-    return study("certificates", __doc__, usual, ROBOTS, tables, measured_times)
+    study("certificates", __doc__, usual, ROBOTS, tables, measured_times)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -10,10 +10,8 @@ all anew and keeps from it what programs took to compile that are in the cache s
 
 from __future__ import annotations
 
-import argparse
 import sys
 from collections.abc import Sequence
-from pathlib import Path
 
 from adagen.cli.console import speaking
 from adagen.cli.scale import draw
@@ -22,9 +20,9 @@ from adagen.studies.bench.contest import Rules
 from adagen.studies.bench.scale import Wanted, measure_chains
 from adagen.studies.bench.scale_record import read_scale, write_scale
 from adagen.studies.bench.scale_report import markdown
-from benchmarks.page import write_between_marks
+from benchmarks.page import ROOT, command, publish
 
-RECORD = Path(__file__).resolve().parents[1] / "build" / "chains" / "scale.json"
+RECORD = ROOT / "build" / "chains" / "scale.json"
 JOINTS = (200, 500, 1000, 2000, 5000, 10000)
 PROCESSES = (1, 2, 4, 8, 16)
 MOST_SHARED = 2000
@@ -33,9 +31,7 @@ MOST_SHARED = 2000
 
 def main(words: Sequence[str] | None = None) -> int:
     """Measure what the command line names, print tables, and return the exit status."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = command(__doc__)
     parser.add_argument("--joints", type=int, nargs="+", default=JOINTS)
     parser.add_argument("--processes", type=int, nargs="+", default=PROCESSES)
     parser.add_argument("--profile", default="default", help="what solvers are made with")
@@ -45,7 +41,6 @@ def main(words: Sequence[str] | None = None) -> int:
     parser.add_argument("--peer", action="store_true", help="beside pinocchio")
     parser.add_argument("--resume", action="store_true", help="keep chains measured before")
     parser.add_argument("--again", action="store_true", help="keep what making them took")
-    parser.add_argument("--write", type=Path, metavar="PAGE", help="put tables and picture there")
     options = parser.parse_args(words)
     chains = [
         (joints, options.processes if joints <= MOST_SHARED else (1,)) for joints in options.joints
@@ -67,14 +62,13 @@ def main(words: Sequence[str] | None = None) -> int:
     except AdagenError as error:
         print(error, file=sys.stderr)
         return error.status
-    text = markdown(scale)
-    print(text)
+    shown = ""
     if options.write is not None:
         pictures = draw(scale, options.write.parent / "pictures")
         for path in pictures:
             write_scale(scale, path.with_suffix(".json"))
         shown = "".join(f"![{path.stem}](pictures/{path.name})\n\n" for path in pictures)
-        write_between_marks(options.write, "chains", f"{shown}{text}")
+    publish(options, "chains", f"{shown}{markdown(scale)}")
     return 0
 
 

@@ -16,10 +16,7 @@ process it is: that is not timed again.
 
 from __future__ import annotations
 
-import argparse
 import json
-import sys
-import sysconfig
 import time
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
@@ -43,62 +40,27 @@ from adagen.run import fresh_copy, launch
 from adagen.schedule import CostProfile, load_profile, step_costs
 from adagen.search import best_schedule
 from adagen.studies.bench.machine import machine
+from adagen.studies.bench.report import table
 from adagen.urdf import read_robot
-from benchmarks.page import write_between_marks
+from benchmarks.page import MODELS, ROOT, command, publish
+from benchmarks.real_robots import FIXED, FLOATING, file_of
+from benchmarks.solvers import tell
 
-ROOT = Path(__file__).resolve().parents[1]
-PAGE, RECORD = ROOT / "docs" / "records" / "choice.md", ROOT / "build" / "choice.json"
+RECORD = ROOT / "build" / "choice.json"
 FASTEST, SLOWEST = 1.05, 1.15
 """Ratios to the fastest shape that nearly all choices, and all, are to keep."""
+HEAD = ("robot", "DOF", "P", "auto", "ns", "predicted", "fastest", "ns", "ratio")
 MOST_TEXT = 2_500_000  # characters of a source: beyond, compilers take minutes
 
-ROBOTS: tuple[tuple[str, str, bool], ...] = (
-    ("ur3", "ur_description/urdf/ur3_robot.urdf", False),
-    ("ur5", "ur_description/urdf/ur5_robot.urdf", False),
-    ("ur10", "ur_description/urdf/ur10_robot.urdf", False),
-    ("ur5_gripper", "ur_description/urdf/ur5_gripper.urdf", False),
-    ("panda", "panda_description/urdf/panda.urdf", False),
-    ("kinova", "kinova_description/robots/kinova.urdf", False),
-    ("xarm7", "xarm_description/urdf/xarm7.urdf", False),
-    ("z1", "z1_description/urdf/z1.urdf", False),
-    ("so100", "so_arm_description/urdf/so100.urdf", False),
-    ("talos_left_arm", "talos_data/robots/talos_left_arm.urdf", False),
-    ("finger_edu", "finger_edu_description/robots/finger_edu.urdf", False),
-    ("double_pendulum", "double_pendulum_description/urdf/double_pendulum.urdf", False),
-    ("allegro_right", "allegro_hand_description/urdf/allegro_right_hand.urdf", False),
-    ("allegro_left", "allegro_hand_description/urdf/allegro_left_hand.urdf", False),
-    ("baxter", "baxter_description/urdf/baxter.urdf", False),
-    ("pr2", "pr2_description/urdf/pr2.urdf", False),
-    ("tiago", "tiago_description/robots/tiago.urdf", False),
-    ("tiago_no_hand", "tiago_description/robots/tiago_no_hand.urdf", False),
-    ("tiago_dual", "tiago_description/robots/tiago_dual.urdf", False),
-    ("tiago_pro", "tiago_pro_description/urdf/tiago_pro.urdf", False),
-    ("a1", "a1_description/urdf/a1.urdf", True),
-    ("go1", "go1_description/urdf/go1.urdf", True),
-    ("go2", "go2_description/urdf/go2.urdf", True),
-    ("b1", "b1_description/urdf/b1.urdf", True),
-    ("b1_z1", "b1_description/urdf/b1-z1.urdf", True),
-    ("laikago", "laikago_description/urdf/laikago.urdf", True),
-    ("anymal_b", "anymal_b_simple_description/robots/anymal.urdf", True),
-    ("anymal_kinova", "anymal_b_simple_description/robots/anymal-kinova.urdf", True),
-    ("anymal_c", "anymal_c_simple_description/urdf/anymal.urdf", True),
-    ("hyq", "hyq_description/robots/hyq_no_sensors.urdf", True),
-    ("solo8", "solo_description/robots/solo.urdf", True),
-    ("solo12", "solo_description/robots/solo12.urdf", True),
-    ("bolt", "bolt_description/robots/bolt.urdf", True),
-    ("quadruped", "quadruped_description/urdf/quadruped.urdf", True),
-    ("g1", "g1_description/urdf/g1_29dof_rev_1_0.urdf", True),
-    ("g1_hands", "g1_description/urdf/g1_29dof_with_hand_rev_1_0.urdf", True),
-    ("icub", "icub_description/robots/icub.urdf", True),
-    ("talos", "talos_data/robots/talos_full_v2.urdf", True),
-    ("simple_humanoid", "simple_humanoid_description/urdf/simple_humanoid.urdf", True),
-    ("arm7", "arm7.urdf", False),
-    ("chain16", "chain16.urdf", False),
-    ("human40", "human40.urdf", False),
-    ("humanoid", "humanoid.urdf", True),
-    ("mobile", "mobile.urdf", False),
-)
-"""Names, files of the package example-robot-data or shipped ones, whether the base floats."""
+LEFT_OUT = ("alex_nub_hands", "centauro", "human", "icub_reduced", "romeo_small", "talos_reduced")
+SHIPPED = {"arm7": False, "chain16": False, "human40": False, "humanoid": True, "mobile": False}
+"""Shipped robots, and whether the base floats."""
+ROBOTS = {
+    **{name: (file_of(name), False) for name in FIXED if name not in LEFT_OUT},
+    **{name: (file_of(name), True) for name in FLOATING if name not in LEFT_OUT},
+    **{name: (MODELS / f"{name}.urdf", floating) for name, floating in SHIPPED.items()},
+}
+"""Files, and whether the base floats."""
 
 
 @dataclass
@@ -159,13 +121,6 @@ class Case:
     def ratio(self) -> float:
         """How much slower than the fastest program the chosen one is, as a ratio."""
         return self.auto.time / self.best.time
-
-
-def path_of(file: str) -> Path:
-    """Return a robot's file."""
-    shipped = ROOT / "generated_examples" / "models" / file
-    data = Path(sysconfig.get_path("purelib"), "cmeel.prefix/share/example-robot-data/robots")
-    return shipped if shipped.is_file() else data / file
 
 
 def built(name: str, path: Path, floating: bool, profile: CostProfile) -> list[Case]:
@@ -237,24 +192,21 @@ def _alternatives(plan: Plan, profile: CostProfile) -> Iterator[tuple[str, Group
             yield "unrolled", grouping
 
 
-def table(found: Sequence[Case]) -> str:
+def report(found: Sequence[Case]) -> str:
     """Return the rows and what they come to, as Markdown."""
-    lines = [
-        "| robot | DOF | P | auto | ns | predicted | fastest | ns | ratio |",
-        "|---|---|---|---|---|---|---|---|---|",
-    ]
+    rows = []
     for case in found:
         auto, best = case.auto, case.best
         cells = [case.robot, case.freedoms, case.processes, auto.label, _ns(auto.time)]
         cells += [_ns(auto.predicted), best.label, _ns(best.time), f"{case.ratio:.2f}"]
-        lines.append(f"| {' | '.join(map(str, cells))} |")
+        rows.append(cells)
     ratios = [case.ratio for case in found]
     near = sum(ratio <= FASTEST for ratio in ratios) / len(ratios)
     off = [way.predicted / way.time - 1 for case in found for way in case.ways]
     robots, programs = len({case.robot for case in found}), sum(len(c.ways) for c in found)
     return "\n".join(
         [
-            *lines,
+            *table(HEAD, rows),
             "",
             f"{robots} robots, {programs} programs. Of {len(found)} choices {near:.0%} take at "
             f"most {FASTEST} x the fastest program; the largest ratio is {max(ratios):.2f} (asked: "
@@ -270,12 +222,9 @@ def _ns(time: float) -> str:
 
 def main() -> None:
     """Do what the command line says."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = command(__doc__, "records/choice.md")
     parser.add_argument("--build", action="store_true", help="build what is not built yet")
     parser.add_argument("--time", action="store_true", help="time all that was built")
-    parser.add_argument(
-        "--page", action="store_true", help="write the table into docs/records/choice.md"
-    )
     parser.add_argument("--profile", default="default", help="what auto goes by")
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--only", nargs="*", metavar="NAME", help="these robots")
@@ -287,35 +236,29 @@ def main() -> None:
     cases = _read()
     if not cases or not all(way.times for case in cases for way in case.ways):
         return
-    text = table(cases)
-    print(text)
-    if options.page:
-        record = _recorded()
-        where, by = record["machine"], ", ".join(record["machine"]["compilers"].values())
-        about = (
-            f"{where['processor']}, {by}; {record['rounds']} rounds by turns; profile "
-            f"{record['profile']}."
-        )
-        write_between_marks(PAGE, "choice", f"{about}\n\n{text}")
+    record = _recorded()
+    where, by = record["machine"], ", ".join(record["machine"]["compilers"].values())
+    about = f"{where['processor']}, {by}; {record['rounds']} rounds by turns; profile"
+    publish(options, "choice", f"{about} {record['profile']}.\n\n{report(cases)}")
 
 
 def _build(name: str, only: Sequence[str] | None) -> None:
-    wanted = [r for r in ROBOTS if (not only or r[0] in only) and path_of(r[1]).is_file()]
+    wanted = [name for name in only or ROBOTS if ROBOTS[name][0].is_file()]
     profile, began = load_profile(name), time.monotonic()
     before = _recorded().get("profile") if only else None
     cases = _read() if before == profile.name else []
-    order = [r[0] for r in ROBOTS]
+    order = list(ROBOTS)
     with ProcessPoolExecutor(2) as pool:
-        futures = {pool.submit(built, r[0], path_of(r[1]), r[2], profile): r[0] for r in wanted}
+        futures = {pool.submit(built, name, *ROBOTS[name], profile): name for name in wanted}
         for done in as_completed(futures):
             robot = futures[done]
             try:
                 found = done.result()
             except AdagenError as error:
-                print(f"{robot} is left out: {error}", file=sys.stderr)
+                tell(f"{robot} is left out: {error}")
                 continue
             ways = ", ".join(f"{len(c.ways)} on {c.processes}" for c in found)
-            print(f"{time.monotonic() - began:.0f} s: {robot}: {ways}", file=sys.stderr, flush=True)
+            tell(f"{time.monotonic() - began:.0f} s: {robot}: {ways}")
             cases = [*(c for c in cases if c.robot != robot), *found]
             cases.sort(key=lambda case: (order.index(case.robot), case.processes))
             _write({"profile": profile.name, "cases": list(map(asdict, cases))})
@@ -331,7 +274,7 @@ def _time(rounds: int) -> None:
                 way.times.append(measured(way, case.processes, toolchain))
             if left:
                 _write(record | {"cases": list(map(asdict, cases))})
-        print(f"round {k + 1} of {rounds}", file=sys.stderr, flush=True)
+        tell(f"round {k + 1} of {rounds}")
 
 
 def _recorded() -> dict[str, Any]:

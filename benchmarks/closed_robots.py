@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sysconfig
 import tempfile
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -14,13 +13,10 @@ from numpy.typing import NDArray
 from adagen.library import read
 from adagen.model import Frame, LoopEnd, Model, NamedLoop, closed
 from adagen.reference.closed import pose_of
+from benchmarks.page import MODELS
 from benchmarks.paper import robots
+from benchmarks.real_robots import file_of
 
-ROBOTS = Path(
-    sysconfig.get_path("purelib"), "cmeel.prefix", "share", "example-robot-data", "robots"
-)
-EXAMPLES = Path(__file__).resolve().parents[1] / "generated_examples" / "models"
-G1 = "g1_description/urdf/g1_29dof_rev_1_0.urdf"
 G1_FEET = ("left_ankle_roll_link", "right_ankle_roll_link")
 LEGS = 6
 Array = NDArray[np.float64]
@@ -62,14 +58,14 @@ def _held(model: Model, *feet: str, kind: str, pose: Array) -> Model:
     return closed(model, loops, (), links.__getitem__, dict[str, int]().__getitem__)
 
 
-def _standing(file: str, *feet: str, kind: str) -> Model:
-    model = read(ROBOTS / file, floating=True).model
+def _standing(name: str, *feet: str, kind: str) -> Model:
+    model = read(file_of(name), floating=True).model
     return _held(model, *feet, kind=kind, pose=pose_with(model, {}))
 
 
 def on_springs() -> tuple[Model, Array]:
     """Return g1 on both feet with its knees bent, on springs that keep it up, and this pose."""
-    model = read(ROBOTS / G1, floating=True).model
+    model = read(file_of("g1"), floating=True).model
     pose = pose_with(model, {"hip_pitch": -0.3, "knee": 0.6, "ankle_pitch": -0.3})
     joints = list(model.joints)
     for j, (start, joint) in enumerate(zip(model.q_start, joints, strict=True)):
@@ -83,7 +79,7 @@ def on_springs() -> tuple[Model, Array]:
 
 
 def _of_example(name: str) -> Model:
-    return read(EXAMPLES / f"{name}.urdf", scene=EXAMPLES / f"{name}.toml").model
+    return read(MODELS / f"{name}.urdf", scene=MODELS / f"{name}.toml").model
 
 
 def _pinned_chain(joints: int) -> Model:
@@ -154,12 +150,12 @@ MECHANISMS: dict[str, Callable[[], Model]] = {
     "four-bar": lambda: _of_example("fourbar"),
     "leg with a parallel ankle": lambda: _of_example("ankle"),
     "Stewart platform": _stewart,
-    "g1 on both feet": lambda: _standing(G1, *G1_FEET, kind="weld"),
+    "g1 on both feet": lambda: _standing("g1", *G1_FEET, kind="weld"),
     "a1 on four point feet": lambda: _standing(
-        "a1_description/urdf/a1.urdf", "FL_foot", "FR_foot", "RL_foot", "RR_foot", kind="point"
+        "a1", "FL_foot", "FR_foot", "RL_foot", "RR_foot", kind="point"
     ),
     "talos on both feet": lambda: _standing(
-        "talos_data/robots/talos_reduced.urdf", "leg_left_6_link", "leg_right_6_link", kind="weld"
+        "talos_reduced", "leg_left_6_link", "leg_right_6_link", kind="weld"
     ),
     "chain of 50 pinned at both ends": lambda: _pinned_chain(50),
 }

@@ -16,41 +16,33 @@ docs/records/compile_time.md.
 
 from __future__ import annotations
 
-import argparse
 import os
 import shlex
 import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import adagen
 from adagen.build import find_toolchain
 from adagen.build.cache import uses_mpi
-from adagen.emit import emit, stem_of
+from adagen.emit import stem_of
 from adagen.emit.runtime import joined
 from adagen.plan import FORMS, make_plan
 from adagen.schedule import Topology, load_profile
 from adagen.search import find_schedule
 from adagen.studies.bench.machine import machine
-from benchmarks.page import write_between_marks
+from adagen.studies.bench.report import table
+from benchmarks.page import command, publish
+from benchmarks.real_robots import FLOATING, file_of
+from benchmarks.solvers import source_of, tell
 from tests.large import human161
-from tests.real import real_robot
 
-ROOT = Path(__file__).resolve().parents[1]
 LIBRARY = ("-DADAGEN_NO_MAIN", "-fPIC", "-c")
-ROBOTS = {
-    "ur5": ("ur_description/urdf/ur5_robot.urdf", False),
-    "z1": ("z1_description/urdf/z1.urdf", False),
-    "panda": ("panda_description/urdf/panda.urdf", False),
-    "solo12": ("solo_description/robots/solo12.urdf", True),
-    "talos": ("talos_data/robots/talos_reduced.urdf", True),
-    "icub": ("icub_description/robots/icub.urdf", True),
-}
-"""Files, and whether they are put on a floating base."""
+ROBOTS = ("ur5", "z1", "panda", "solo12", "talos_reduced", "icub")
 
 SHAPES = ("auto", "unrolled", "kernels", "joints")
 
@@ -99,13 +91,9 @@ def own_lines(name: str, sources: Mapping[str, str]) -> float:
     return sum(not all(line in text for text in others) for line in lines) / len(lines)
 
 
-def solvers() -> list[str]:
-    """Return the rows of the table of solvers, shape by shape."""
-    robots = {
-        name: adagen.read(real_robot(file), floating=floating)
-        for name, (file, floating) in ROBOTS.items()
-    }
-    rows = []
+def solvers() -> Iterator[tuple[object, ...]]:
+    """Yield the rows of the table of solvers, shape by shape."""
+    robots = {name: adagen.read(file_of(name), floating=name in FLOATING) for name in ROBOTS}
     for shape in SHAPES:
         sources, chosen, seconds = {}, {}, {}
         for name, robot in robots.items():
@@ -119,39 +107,36 @@ def solvers() -> list[str]:
             share = f"{own_lines(name, alike):.0%}" if len(alike) > 1 else "-"
             cost = compiled_in(name, text, (), LIBRARY)
             shown = f"auto: `{chosen[name]}`" if shape == "auto" else f"`{shape}`"
-            rows.append(
-                f"| {name} | {len(robots[name].model.joints)} | {shown} | {len(text.splitlines())} "
-                f"| {share} | {seconds[name]:.1f} | {cost.wall:.2f} | {cost.memory:.0f} |"
+            tell(f"{name}, {shown}")
+            yield (
+                *(name, len(robots[name].model.joints), shown, len(text.splitlines()), share),
+                *(f"{seconds[name]:.1f}", f"{cost.wall:.2f}", f"{cost.memory:.0f}"),
             )
-            print(rows[-1], file=sys.stderr)
-    return rows
 
 
-def large(processes: int, flags: Sequence[str]) -> list[str]:
-    """Return the rows of the table of a large robot, form by form."""
-    model, rows = human161(), []
+def large(processes: int, flags: Sequence[str]) -> Iterator[tuple[object, ...]]:
+    """Yield the rows of the table of a large robot, form by form."""
+    model = human161()
     for form in FORMS:
         start = time.perf_counter()
         schedule = find_schedule(Topology.of(model), processes, profile=load_profile("default"))
         plan = make_plan(model, schedule, form=form)
         stem = stem_of(plan)
-        text = joined(emit(plan)[f"{stem}.cpp"])
+        text = joined(source_of(plan))
         generated = time.perf_counter() - start
         cost = compiled_in(stem, text, flags)
-        rows.append(
-            f"| {stem} | {form} | {generated:.1f} | {cost.wall:.1f} | {cost.processor:.1f} "
-            f"| {cost.memory:.0f} | {len(text.encode()) / 1024:.0f} |"
+        yield (
+            *(stem, form, f"{generated:.1f}", f"{cost.wall:.1f}", f"{cost.processor:.1f}"),
+            *(f"{cost.memory:.0f}", f"{len(text.encode()) / 1024:.0f}"),
         )
-    return rows
 
 
 def main() -> None:
     """Measure what the command line names and print a table, or write it."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = command(__doc__, "records/compile_time.md")
     parser.add_argument("--large", action="store_true", help="a figure of 161 degrees of freedom")
     parser.add_argument("--procs", type=int, default=4, help="processes of --large (default: 4)")
     parser.add_argument("--flags", type=shlex.split, default=[], help="of --large: its options")
-    parser.add_argument("--page", action="store_true", help="write docs/records/compile_time.md")
     options = parser.parse_args()
     if options.large:
         head = "file | form | generate, s | compile, s | processor s | MiB | KiB of text"
@@ -165,12 +150,8 @@ def main() -> None:
     priority = "real-time" if os.sched_getscheduler(0) else "ordinary"
     head_line = f"Machine: virtual, cores of an {about['processor']}, "
     head_line += f"{compiler.get('g++', 'another compiler')}, {priority} priority."
-    rule = "|---" * (head.count("|") + 1) + "|"
-    text = "\n".join([head_line, "", f"| {head} |", rule, *rows])
-    print(text)
-    if options.page:
-        mark = "compile_cost --large" if options.large else "compile_cost"
-        write_between_marks(ROOT / "docs" / "records" / "compile_time.md", mark, text)
+    mark = "compile_cost --large" if options.large else "compile_cost"
+    publish(options, mark, "\n".join([head_line, "", *table(head.split(" | "), rows)]))
 
 
 if __name__ == "__main__":

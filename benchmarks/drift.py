@@ -10,8 +10,6 @@ linkages (NAME.urdf, NAME.scene.toml).
 
 from __future__ import annotations
 
-import argparse
-import sys
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
@@ -25,13 +23,16 @@ from adagen.library import read
 from adagen.model import Model
 from adagen.reference.closed import constraints
 from adagen.states import States
+from adagen.studies.bench.report import table
 from adagen.studies.chart.motion import Played, Player, drifts, state_error
 from adagen.studies.chart.variants import REFERENCE
 from adagen.studies.random_states import drawn_states
 from benchmarks.closed_robots import MECHANISMS, on_springs
-from benchmarks.page import write_between_marks
+from benchmarks.page import command, publish
+from benchmarks.solvers import tell
 
 SPRINGS = "g1 on both feet, on springs"
+DRIFTS = ("energy's drift", "from the finest step")
 
 
 def _player(model: Model) -> Player:
@@ -59,29 +60,29 @@ def _start(name: str, model: Model) -> States:
     return States(state.q, state.v, np.zeros_like(state.tau))
 
 
-def row(name: str, model: Model, seconds: float, steps: tuple[float, ...]) -> list[str]:
+def rows_of(
+    name: str, model: Model, seconds: float, steps: tuple[float, ...]
+) -> list[tuple[str, ...]]:
     """Return a linkage's rows of the table, one for each step."""
     player, start = _player(model), _start(name, model)
     found = {step: player.play(start, seconds, step, "rk4") for step in steps}
     finest = found[min(steps)]
-    lines = []
+    rows = []
     for step, motion in found.items():
         energy, _ = drifts(model, motion)
         apart = "-" if motion is finest else f"{state_error(model, motion, finest):.0e}"
         kept = "-" if energy is None else f"{energy:.0e}"
-        cells = (name, f"{step:g}", f"{_open(model, motion):.0e}", kept, apart)
-        lines.append(f"| {' | '.join(cells)} |")
-    return lines
+        rows.append((name, f"{step:g}", f"{_open(model, motion):.0e}", kept, apart))
+    return rows
 
 
-def main() -> int:
+def main() -> None:
     """Print the table, or put it into a document."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = command(__doc__)
     parser.add_argument("--seconds", type=float, default=100.0)
     parser.add_argument("--steps", default="1e-3,2.5e-4")
     parser.add_argument("--only", nargs="+", metavar="NAME")
     parser.add_argument("--mechanisms", type=Path)
-    parser.add_argument("--write", type=Path)
     options = parser.parse_args()
     known: dict[str, Callable[[], Model]] = {**MECHANISMS, SPRINGS: lambda: on_springs()[0]}
     for scene in sorted(options.mechanisms.glob("*.scene.toml")) if options.mechanisms else ():
@@ -89,24 +90,20 @@ def main() -> int:
         urdf = scene.with_name(f"{name}.urdf")
         known[name] = partial(_read, urdf, scene)
     steps = tuple(float(step) for step in options.steps.split(","))
+    rows: list[tuple[str, ...]] = []
+    for name in options.only or known:
+        try:
+            rows += rows_of(name, known[name](), options.seconds, steps)
+        except AdagenError as error:
+            rows.append((name, "", str(error).removeprefix("error: "), "", ""))
+        tell(", ".join(rows[-1]))
     lines = [
         f"RK4, {options.seconds:g} s from a random closed state, no torques; on springs from rest.",
         "",
-        "| linkage | step, s | loops open by, m or rad | energy's drift | from the finest step |",
-        "|---|--:|--:|--:|--:|",
+        *table(("linkage", "step, s", "loops open by, m or rad", *DRIFTS), rows),
     ]
-    for name in options.only or known:
-        try:
-            lines += row(name, known[name](), options.seconds, steps)
-        except AdagenError as error:
-            lines.append(f"| {name} | | {str(error).removeprefix('error: ')} | | |")
-        print(lines[-1], file=sys.stderr)
-    if options.write is None:
-        print("\n".join(lines))
-    else:
-        write_between_marks(options.write, "drift", "\n".join(lines))
-    return 0
+    publish(options, "drift", "\n".join(lines))
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -10,27 +10,22 @@ sqrt(e^T H e / t^T H t).
 
 from __future__ import annotations
 
-import argparse
 import platform
-import sys
 from collections.abc import Callable
-from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from adagen.executor import interpret
 from adagen.model import Inertia, Model
 from adagen.plan import Plan, make_plan
-from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.schedule import load_profile
 from adagen.search import best_schedule
-from adagen.states import States, random_states
+from adagen.states import random_states
+from adagen.studies.bench.report import table
 from adagen.studies.stability import robots
-from benchmarks.page import write_between_marks
-from benchmarks.solvers import answers
-
-Array = NDArray[np.float64]
+from adagen.studies.truth import DOUBLE, truth_of
+from benchmarks.page import command, publish
+from benchmarks.solvers import answers, tell
 
 
 def slender_tool(radius: float) -> Model:
@@ -60,57 +55,39 @@ ROBOTS: dict[str, Case] = {
 }
 
 
-def states_of(model: Model, count: int) -> States:
-    """Return the suite's state and so many random ones."""
-    first, more = robots.state(model), random_states(model, count, seed=1)
-    return States(
-        *(np.vstack([a, b]) for a, b in zip(first, (more.q, more.v, more.tau), strict=True))
-    )
-
-
-def row(name: str, model: Model, plan: Plan, states: States) -> str:
+def row(name: str, model: Model, plan: Plan, count: int) -> tuple[object, ...]:
     """Return a row of the table: the errors of a plan as loops and of its executor."""
-    each = list(zip(states.q, states.v, states.tau, strict=True))
-    truth = [exact_forward_dynamics(model, *state).value for state in each]
-    inertia = [joint_space_inertia(model, q) for q in states.q]
-
-    def largest(found: list[Array] | Array) -> str:
-        rows = zip(inertia, found, truth, strict=True)
-        return f"{max(energy_norm_error(h, x - t, t) for h, x, t in rows):.1e}"
-
-    loops = largest(answers(plan, model, states, shape="kernels").qdd)
-    executor = largest([interpret(plan, *state) for state in each])
-    return f"| {name} | {len(plan.processes)} | {plan.scalar} | {loops} | {executor} |"
-
-
-def main() -> int:
-    """Print the table, or put it into a document."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
+    states = robots.states_with(model, random_states(model, count, seed=1))
+    truth = truth_of(model, states, digits=DOUBLE)
+    each = zip(states.q, states.v, states.tau, strict=True)
+    found = (
+        answers(plan, model, states, shape="kernels").qdd,
+        np.array([interpret(plan, *state) for state in each]),
     )
+    errors = (f"{truth.errors(qdd).forward:.1e}" for qdd in found)
+    return name, len(plan.processes), plan.scalar, *errors
+
+
+def main() -> None:
+    """Print the table, or put it into a document."""
+    parser = command(__doc__)
     parser.add_argument("--states", type=int, default=5)
-    parser.add_argument("--write", type=Path)
     options = parser.parse_args()
+    rows = []
+    for name, (make, processes, scalar) in ROBOTS.items():
+        tell(name)
+        model = make()
+        schedule = best_schedule(model, processes, load_profile("default"))
+        plan = make_plan(model, schedule, form="segment", scalar=scalar)
+        rows.append(row(name, model, plan, options.states))
     lines = [
         f"The suite's state and {options.states} random ones, {platform.machine()}, "
         f"`python -m benchmarks.emitted_digits --states {options.states}`",
         "",
-        "| robot | P | scalar | loops | executor, double |",
-        "|---|---|---|---|---|",
+        *table(("robot", "P", "scalar", "loops", "executor, double"), rows),
     ]
-    for name, (make, processes, scalar) in ROBOTS.items():
-        print(name, file=sys.stderr)
-        model = make()
-        schedule = best_schedule(model, processes, load_profile("default"))
-        plan = make_plan(model, schedule, form="segment", scalar=scalar)
-        lines.append(row(name, model, plan, states_of(model, options.states)))
-    table = "\n".join(lines)
-    if options.write is None:
-        print(table)
-    else:
-        write_between_marks(options.write, "emitted_digits", table)
-    return 0
+    publish(options, "emitted_digits", "\n".join(lines))
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -15,10 +15,10 @@ from __future__ import annotations
 
 import argparse
 import json
-import sys
 import tempfile
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import product
 from pathlib import Path
 from typing import Any
@@ -36,8 +36,8 @@ from adagen.search.objective import schedule_for
 from adagen.states import States, read_result, read_states
 from adagen.urdf import read_robot
 from benchmarks.estimates_report import report, within
-from benchmarks.page import write_between_marks
-from benchmarks.solvers import answers
+from benchmarks.page import Record, publish
+from benchmarks.solvers import answers, tell
 
 Array = NDArray[np.float64]
 FIELDS = ("q", "v", "tau")
@@ -125,28 +125,23 @@ def measured(subject: Subject, form: str, scalar: str, processes: int) -> dict[s
     return {"said": bounds.tolist(), "true": true, "own": own, "busy": busy}
 
 
-def measure(options: argparse.Namespace) -> int:
+def measure(options: argparse.Namespace) -> None:
     """Measure what the record lacks."""
-    record: Path = options.record
-    done = {tuple(row["key"]) for row in rows_of(record)} if record.exists() else set()
+    record = Record(options.record)
     chosen = list(product(options.procs, options.scalars, options.forms))
     for path in options.robots:
         for subject in subjects(path):
             for processes, scalar, form in chosen:
-                key = (subject.name, form, scalar, processes)
-                if key in done:
-                    continue
-                row = {"key": key, "dof": subject.model.nv}
-                row |= measured(subject, form, scalar, processes)
-                with record.open("a", encoding="utf-8") as file:
-                    file.write(json.dumps(row) + "\n")
-                print(*key, row.get("refused", ""), file=sys.stderr, flush=True)
-    return 0
+                key = [subject.name, form, scalar, processes]
+                find = partial(measured, subject, form, scalar, processes)
+                row = record.of({"key": key, "dof": subject.model.nv}, find)
+                tell(f"{' '.join(map(str, key))} {row.get('refused', '')}")
 
 
-def rows_of(record: Path) -> list[dict[str, Any]]:
-    """Return the lines of a record."""
-    return [json.loads(line) for line in record.read_text(encoding="utf-8").splitlines()]
+def told(options: argparse.Namespace) -> None:
+    """Print the tables, or put them into a document."""
+    rows = [{"key": row["key"], **row["found"]} for row in Record(options.record).rows]
+    publish(options, "estimates", report(rows))
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -165,20 +160,11 @@ def main(argv: Sequence[str] | None = None) -> int:
     other = verbs.add_parser("report")
     other.add_argument("record", type=Path)
     other.add_argument("--write", type=Path)
-    other.set_defaults(run=tell)
+    other.set_defaults(run=told)
     options = parser.parse_args(argv)
-    return int(options.run(options))
-
-
-def tell(options: argparse.Namespace) -> int:
-    """Print the tables, or put them into a document."""
-    text = report(rows_of(options.record))
-    if options.write is None:
-        print(text)
-    else:
-        write_between_marks(options.write, "estimates", text)
+    options.run(options)
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -7,6 +7,8 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from adagen.studies.bench.report import table
+
 FACTOR = 3.0
 ROUNDING = 2.0**-53
 Row = dict[str, Any]
@@ -49,55 +51,47 @@ def report(rows: Sequence[Row]) -> str:
 
 
 def _summary(rows: Sequence[Row]) -> Iterator[str]:
-    yield (
-        "| form, scalar, P | runs | refused | states | within 3 of the true error | "
-        "within 3 but for rounded constants | at rest | beyond |"
-    )
-    yield "|---|---|---|---|---|---|---|---|"
+    within_3 = ("within 3 of the true error", "within 3 but for rounded constants")
+    head = ("form, scalar, P", "runs", "refused", "states", *within_3, "at rest", "beyond")
+    yield from table(head, _variants(rows))
+
+
+def _variants(rows: Sequence[Row]) -> Iterator[tuple[object, ...]]:
     for variant in dict.fromkeys(tuple(row["key"][1:]) for row in rows):
         some = [row for row in rows if tuple(row["key"][1:]) == variant]
         answered = [row for row in some if "said" in row]
         count = Counter(verdict for row in answered for verdict in judged(row))
-        form, scalar, processes = variant
-        yield (
-            f"| {form}, {scalar}, {processes} | {len(some)} | {len(some) - len(answered)} | "
-            f"{count.total()} | {count['file']} | {count['own']} | {count['rest']} | "
-            f"{count['beyond']} |"
-        )
+        kinds = (count[kind] for kind in ("file", "own", "rest", "beyond"))
+        runs = (len(some), len(some) - len(answered), count.total())
+        yield ", ".join(map(str, variant)), *runs, *kinds
 
 
 def _beyond(rows: Sequence[Row]) -> Iterator[str]:
     beyond = [
-        (row, s)
+        (*_named(row), s, *(f"{row[what][s]:.1e}" for what in ("said", "true", "own")))
         for row in rows
         if "said" in row
         for s, verdict in enumerate(judged(row))
         if verdict == "beyond"
     ]
-    if not beyond:
-        return
-    yield "| beyond: robot | form, scalar, P | state | estimate | error | of the robot as read |"
-    yield "|---|---|---|---|---|---|"
-    for row, s in beyond:
-        name, form, scalar, processes = row["key"]
-        yield (
-            f"| {name} | {form}, {scalar}, {processes} | {s} | {row['said'][s]:.1e} | "
-            f"{row['true'][s]:.1e} | {row['own'][s]:.1e} |"
-        )
-    yield ""
+    head = ("beyond: robot", "form, scalar, P", "state", "estimate", "error")
+    if beyond:
+        yield from (*table((*head, "of the robot as read"), beyond), "")
+
+
+def _named(row: Row) -> tuple[str, str]:
+    """The robot of a row, and form, scalar and processes."""
+    name, *variant = row["key"]
+    return name, ", ".join(map(str, variant))
 
 
 def _refused(rows: Sequence[Row]) -> Iterator[str]:
     reasons: dict[tuple[str, str], list[str]] = {}
     for row in rows:
         if "refused" in row:
-            name, form, scalar, processes = row["key"]
+            name, variant = _named(row)
             reason = row["refused"].removeprefix("error: ").split(";")[0]
-            variant = f"{form}, {scalar}, {processes}"
             reasons.setdefault((variant, reason), []).append(name)
-    if not reasons:
-        return
-    yield "| refused: form, scalar, P | why | robots |"
-    yield "|---|---|---|"
-    for (variant, reason), names in reasons.items():
-        yield f"| {variant} | {reason} | {', '.join(names)} |"
+    if reasons:
+        lines = [(*key, ", ".join(names)) for key, names in reasons.items()]
+        yield from table(("refused: form, scalar, P", "why", "robots"), lines)

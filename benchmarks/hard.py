@@ -1,15 +1,13 @@
-"""What studies of hard states share: families of robots, records, fastest runs, and their words."""
+"""What studies of hard states share: families of robots, fastest runs, and their words."""
 
 from __future__ import annotations
 
-import argparse
 import json
 import platform
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -19,9 +17,7 @@ from adagen.run import launch
 from adagen.states import States
 from adagen.studies.stability.adversary import FAMILIES, Family, hard_states, robots
 from adagen.studies.stability.mechanisms import mechanisms, worst_states
-from benchmarks.page import write_between_marks
-
-MODELS = Path(__file__).resolve().parents[1] / "generated_examples" / "models"
+from benchmarks.page import Record, command, publish
 
 
 def name_of(family: Family) -> str:
@@ -46,34 +42,12 @@ class Asked:
     states: int
     seed: int
 
+    def key(self, robot: int) -> dict[str, int]:
+        """Return what tells a robot, by its number, from others in a record."""
+        return {"seed": self.seed, "states": self.states, "robot": robot}
+
     def __str__(self) -> str:
         return f"--robots {self.robots} --states {self.states} --seed {self.seed}"
-
-
-class Record:
-    """A file of what was found of each robot, a line of JSON for each: a study can go on with it.
-
-    Args:
-        path: of the file, which need not be there yet; without it nothing is kept.
-    """
-
-    def __init__(self, path: Path | None) -> None:
-        there = path is not None and path.exists()
-        rows = map(json.loads, path.read_text().splitlines()) if path and there else ()
-        self.path = path
-        self.known = {(row["seed"], row["states"], row["robot"]): row["ways"] for row in rows}
-
-    def of(self, asked: Asked, robot: int, find: Callable[[], Any]) -> Any:
-        """Return what the record has of a robot, by its number, or find it and keep that."""
-        known = self.known.get((asked.seed, asked.states, robot))
-        if known is not None:
-            return known
-        found = find()
-        if self.path is not None:
-            row = {"seed": asked.seed, "states": asked.states, "robot": robot, "ways": found}
-            with self.path.open("a") as record:
-                record.write(json.dumps(row) + "\n")
-        return found
 
 
 Errors = Callable[[Asked, Record, Toolchain], list[str]]
@@ -120,7 +94,7 @@ def study(
     timed: Sequence[Path],
     errors: Mapping[str, Errors],
     times: Times,
-) -> int:
+) -> None:
     """Print a table, or put it into a document; what the command line of a study does.
 
     Args:
@@ -131,15 +105,12 @@ def study(
         errors: makes a table of errors, by the word that asks for it.
         times: makes the table of times.
     """
-    parser = argparse.ArgumentParser(
-        description=about, formatter_class=argparse.RawTextHelpFormatter
-    )
+    parser = command(about)
     parser.add_argument("what", choices=(*errors, "times"))
     parser.add_argument("urdf", nargs="*", type=Path)
     for option, value in asdict(usual).items():
         parser.add_argument(f"--{option}", type=int, default=value)
     parser.add_argument("--record", type=Path, help="what is there already; it is gone on with")
-    parser.add_argument("--write", type=Path)
     options = parser.parse_args()
     toolchain = find_toolchain()
     if options.what in errors:
@@ -150,10 +121,5 @@ def study(
         paths = options.urdf or timed
         asked = " ".join(path.name for path in paths)
         lines = times(paths, toolchain)
-    command = f"`python -m benchmarks.{name} {options.what} {asked}`"
-    text = "\n".join([f"{platform.machine()}, {command}", "", *lines])
-    if options.write is None:
-        print(text)
-    else:
-        write_between_marks(options.write, f"{name}.{options.what}", text)
-    return 0
+    head = f"{platform.machine()}, `python -m benchmarks.{name} {options.what} {asked}`"
+    publish(options, f"{name}.{options.what}", "\n".join([head, "", *lines]))

@@ -12,22 +12,22 @@ Nothing is asserted: figures of one machine are no test.
 from __future__ import annotations
 
 import argparse
-import sys
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
 from adagen.build import find_toolchain
 from adagen.build.toolchain import with_compiler
-from adagen.emit import emit, stem_of
 from adagen.emit.shapes import chosen_shape
 from adagen.executor import straight_line
 from adagen.model import Model
-from adagen.studies.bench.contest import Contestant, Rules, Times, hold
-from adagen.studies.bench.emitted import Emitted
+from adagen.studies.bench.contest import Contestant, Times
 from adagen.studies.bench.figures import AXES, chain
+from adagen.studies.bench.report import table
 from adagen.studies.chart import Variant
 from adagen.urdf import read_robot
+from benchmarks.page import command, publish
+from benchmarks.solvers import by_turns, contestant, source_of, tell
 
 WAYS = {
     "loops": ("kernels", True),
@@ -41,12 +41,10 @@ def contestants(model: Model, name: str, compiler: str = "") -> list[Contestant]
     """Return a robot's solvers on one process, compiled."""
     toolchain = with_compiler(find_toolchain(), compiler)
     _, plan = Variant("segment").plan(model)
-    stem = stem_of(plan)
     found = []
     for way, (shape, lanes) in WAYS.items():
-        text = emit(plan, shape=shape, limbs=None if lanes else ((),))[f"{stem}.cpp"]
-        source = Emitted(f"{name} {way}", model, f"{stem}.cpp", text, shape, 1, "double", None)
-        found.append(source.contestant(toolchain))
+        text = source_of(plan, shape=shape, limbs=None if lanes else ((),))
+        found.append(contestant(f"{name} {way}", model, plan, text, toolchain))
     return found
 
 
@@ -57,17 +55,13 @@ def instructions(model: Model) -> tuple[int, int]:
     return alone.instructions, together.instructions
 
 
-def line(name: str, model: Model, times: list[Times]) -> str:
+def row(name: str, model: Model, times: list[Times]) -> tuple[object, ...]:
     """Return a row of the table: least medians of a turn, ns, and the counts of instructions."""
     loops, single, lanes = (min(one.turns) for one in times)
     ratio = min(loops, single) / lanes
     _, plan = Variant("segment").plan(model)
-    cells = (
-        *(name, model.nv, *instructions(model)),
-        *(f"{x:.0f}" for x in (loops, single, lanes)),
-        *(f"{ratio:.2f}", chosen_shape(plan)),
-    )
-    return f"| {' | '.join(map(str, cells))} |"
+    figures = (f"{x:.0f}" for x in (loops, single, lanes))
+    return name, model.nv, *instructions(model), *figures, f"{ratio:.2f}", chosen_shape(plan)
 
 
 def subjects(options: argparse.Namespace) -> Iterator[tuple[str, Model]]:
@@ -84,7 +78,7 @@ def subjects(options: argparse.Namespace) -> Iterator[tuple[str, Model]]:
 
 def main() -> None:
     """Measure what the command line names and print a table."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = command(__doc__)
     parser.add_argument("urdf", nargs="*", help="robots")
     parser.add_argument(
         "--chains", type=int, nargs="+", default=[], metavar="N", help="of N hinges"
@@ -94,22 +88,18 @@ def main() -> None:
     parser.add_argument("--compiler", default="", help="what the MPI wrapper is to call")
     parser.add_argument("--build", action="store_true", help="compile alone")
     options = parser.parse_args()
-    print(
-        "| robot | freedoms | instructions, single | in lanes | loops, ns | single | in lanes "
-        "| ratio | auto |"
-    )
-    print("|---|---|---|---|---|---|---|---|---|")
+    rows = []
     for name, model in subjects(options):
-        print(f"compiling {name}", file=sys.stderr)
+        tell(f"compiling {name}")
         ways = contestants(model, name, options.compiler)
         if options.build:
             continue
-        times, gone = hold(ways, Rules(options.rounds), lambda text: print(text, file=sys.stderr))
-        for way, reason in gone.items():
-            print(f"{way}: {reason}", file=sys.stderr)
-        if not gone:
-            found = [times[way.name]["in_place"] for way in ways]
-            print(line(name, model, found), flush=True)
+        times = by_turns(ways, options.rounds)
+        if len(times) == len(ways):
+            rows.append(row(name, model, [times[way.name]["in_place"] for way in ways]))
+            tell(", ".join(map(str, rows[-1])))
+    head = ("robot", "freedoms", "instructions, single", "in lanes", "loops, ns", "single")
+    publish(options, "lanes", "\n".join(table((*head, "in lanes", "ratio", "auto"), rows)))
 
 
 if __name__ == "__main__":

@@ -14,36 +14,21 @@ from there; several may work on parts (--from, --to) and one file. The last one 
 
 from __future__ import annotations
 
-import argparse
-import json
 import platform
 import sys
 from dataclasses import asdict, fields
+from functools import partial
 from pathlib import Path
+from typing import Any
 
+from adagen.model import Model
+from adagen.studies.bench.report import table
 from adagen.studies.stability.mechanisms import FAMILIES, Outcome, audit, mechanisms
-from benchmarks.page import write_between_marks
+from benchmarks.page import Record, command, publish
+from benchmarks.solvers import tell
 
-
-def table(found: dict[str, Outcome]) -> list[str]:
-    """Return the table of all families."""
-    lines = [
-        "| family | mechanisms | refused at emission | answered | refused | wrong | strange"
-        " | largest error |",
-        "|---|--:|--:|--:|--:|--:|--:|--:|",
-    ]
-    for name, one in found.items():
-        cells = (one.mechanisms, one.never, one.answered, one.refused, one.wrong, one.strange)
-        lines.append(f"| {name} | {' | '.join(map(str, cells))} | {one.worst:.0e} |")
-    return lines
-
-
-def _known(path: Path | None, of: list[int]) -> dict[int, Outcome]:
-    """Outcomes of mechanisms that were tried before, with the same states and seed."""
-    if path is None or not path.is_file():
-        return {}
-    rows = (json.loads(line) for line in path.read_text(encoding="utf-8").splitlines())
-    return {row["number"]: Outcome(**row["outcome"]) for row in rows if row["of"] == of}
+FIGURES = ("mechanisms", "never", "answered", "refused", "wrong", "strange")
+HEAD = ("family", "mechanisms", "refused at emission", *FIGURES[2:], "largest error")
 
 
 def _sum(parts: list[Outcome]) -> Outcome:
@@ -53,47 +38,49 @@ def _sum(parts: list[Outcome]) -> Outcome:
     return total
 
 
+def _found(model: Model, states: int, seed: int) -> dict[str, Any]:
+    outcome = Outcome()
+    audit(model, states, outcome, seed=seed)
+    return asdict(outcome)
+
+
 def main() -> int:
-    """Print the table, or put it into a document."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    """Print the table, or put it into a document; 1 if something is wrong or strange."""
+    parser = command(__doc__)
     parser.add_argument("--count", type=int, default=2000)
     parser.add_argument("--states", type=int, default=8)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--kept", type=Path)
     parser.add_argument("--from", dest="first", type=int, default=0)
     parser.add_argument("--to", type=int)
-    parser.add_argument("--write", type=Path)
     options = parser.parse_args()
-    of = [options.seed, options.states]
-    found = _known(options.kept, of)
-    names = {}
+    record, of = Record(options.kept), [options.seed, options.states]
+    families, found = {}, {}
     for k, (family, model) in enumerate(mechanisms(options.count, options.seed)):
-        names[k] = family
-        if k in found or not options.first <= k < (options.to or options.count):
-            continue
-        found[k] = Outcome()
-        audit(model, options.states, found[k], seed=options.seed + k)
-        if options.kept is not None:
-            row = {"number": k, "of": of, "family": family, "outcome": asdict(found[k])}
-            with options.kept.open("a", encoding="utf-8") as file:
-                file.write(json.dumps(row) + "\n")
+        families[k] = family
+        if options.first <= k < (options.to or options.count):
+            find = partial(_found, model, options.states, options.seed + k)
+            record.of({"number": k, "of": of}, find)
         if k % 20 == 19:
-            print(f"{k + 1} of {options.count}", file=sys.stderr)
-    tried = [k for k in names if k in found]
-    sums = {name: _sum([found[k] for k in tried if names[k] == name]) for name in FAMILIES}
+            tell(f"{k + 1} of {options.count}")
+    for row in record.rows:
+        if row["of"] == of and row["number"] in families:
+            found[row["number"]] = Outcome(**row["found"])
+    sums = {name: _sum([found[k] for k in found if families[k] == name]) for name in FAMILIES}
+    rows = [
+        (name, *(getattr(one, each) for each in FIGURES), f"{one.worst:.0e}")
+        for name, one in sums.items()
+    ]
     lines = [
-        f"{len(tried)} mechanisms, seed {options.seed}, {options.states} states each at most;"
+        f"{len(found)} mechanisms, seed {options.seed}, {options.states} states each at most;"
         f" {platform.machine()}, Python {platform.python_version()}.",
         "",
-        *table(sums),
+        *table(HEAD, rows),
     ]
-    if options.write is None:
-        print("\n".join(lines))
-    else:
-        write_between_marks(options.write, "mechanisms", "\n".join(lines))
-    bad = [k for k in tried if found[k].wrong or found[k].strange]
+    publish(options, "mechanisms", "\n".join(lines))
+    bad = [k for k in sorted(found) if found[k].wrong or found[k].strange]
     if bad:
-        print(f"wrong or strange: mechanisms {', '.join(map(str, bad))}", file=sys.stderr)
+        tell(f"wrong or strange: mechanisms {', '.join(map(str, bad))}")
     return 1 if bad else 0
 
 

@@ -10,10 +10,7 @@ joint of a chain in turn. Errors are in the energy norm, the largest of three st
 
 from __future__ import annotations
 
-import argparse
-import sys
 from collections.abc import Iterator
-from pathlib import Path
 from typing import get_args
 
 import numpy as np
@@ -23,17 +20,17 @@ from adagen.executor.growth import predicted_growth
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.cuts import LARGEST_GROWTH
-from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
 from adagen.schedule import Node, Schedule, Topology, load_profile
 from adagen.schedule.tree import Named
 from adagen.search import named_schedule
-from adagen.states import random_states
+from adagen.studies.bench.report import table
 from adagen.studies.stability import robots
+from adagen.studies.truth import DOUBLE, truth_of
 from adagen.urdf import read_robot
-from benchmarks.page import write_between_marks
+from benchmarks.page import MODELS, command, publish
+from benchmarks.solvers import tell
 from tests.schedules import random_schedule, wrapped
 
-ROOT = Path(__file__).resolve().parents[1]
 STATES = 3
 NONE = float("inf")
 
@@ -43,23 +40,17 @@ class Truth:
 
     def __init__(self, name: str, model: Model) -> None:
         self.name, self.model = name, model
-        states = random_states(model, STATES, seed=1)
-        self.states = list(zip(states.q, states.v, states.tau, strict=True))
-        self.truth = [
-            exact_forward_dynamics(model, *state, digits=25).value for state in self.states
-        ]
-        self.inertia = [joint_space_inertia(model, state[0]) for state in self.states]
+        self._true = truth_of(model, STATES, digits=DOUBLE)
 
     def error(self, plan: Plan) -> float:
         """Return the largest error of a plan; infinity where a factorization fails."""
-        worst = 0.0
-        for state, truth, inertia in zip(self.states, self.truth, self.inertia, strict=True):
-            try:
-                wrong = interpret(plan, *state) - truth
-            except FloatingPointError:
-                return NONE
-            worst = max(worst, energy_norm_error(inertia, wrong, truth))
-        return worst
+        states = self._true.states
+        each = zip(states.q, states.v, states.tau, strict=True)
+        try:
+            found = np.array([interpret(plan, *state) for state in each])
+        except FloatingPointError:
+            return NONE
+        return self._true.errors(found).forward
 
 
 def subjects() -> Iterator[Truth]:
@@ -72,7 +63,7 @@ def subjects() -> Iterator[Truth]:
     yield Truth("30 slender rods", robots.rods(30, radius=5e-4))
     yield Truth("30 rods, tip of 1e8 kg", robots.with_mass(30, 30, 1e8))
     for name in ("human40", "humanoid"):
-        yield Truth(name, read_robot(ROOT / f"generated_examples/models/{name}.urdf").model)
+        yield Truth(name, read_robot(MODELS / f"{name}.urdf").model)
 
 
 def orders(model: Model, count: int) -> Iterator[Schedule]:
@@ -83,17 +74,15 @@ def orders(model: Model, count: int) -> Iterator[Schedule]:
         yield random_schedule(model, 1, np.random.default_rng(seed))
 
 
-def order_rows(truth: Truth, count: int) -> str:
+def order_row(truth: Truth, count: int) -> tuple[object, ...]:
     """Return a table row: how errors of form ada spread over schedules."""
     plans = [make_plan(truth.model, s, form="ada") for s in orders(truth.model, count)]
     errors = np.array([truth.error(plan) for plan in plans])
     predicted = np.median([predicted_growth(plan).error for plan in plans])
     alone = truth.error(make_plan(truth.model, next(orders(truth.model, 0)), form="segment"))
     spread = np.log10(errors.max() / errors.min())
-    return (
-        f"| {truth.name} | {len(plans)} | {errors.min():.0e} | {np.median(errors):.0e} | "
-        f"{errors.max():.0e} | {spread:.1f} | {predicted:.0e} | {alone:.0e} |"
-    )
+    found = (f"{x:.0e}" for x in (errors.min(), np.median(errors), errors.max()))
+    return truth.name, len(plans), *found, f"{spread:.1f}", f"{predicted:.0e}", f"{alone:.0e}"
 
 
 def cut_at(model: Model, joint: int) -> Schedule:
@@ -110,58 +99,39 @@ def cut_at(model: Model, joint: int) -> Schedule:
     return wrapped(Node(joint, (0, 2), *sides, 0.0, 0), model, 2)
 
 
-def cut_rows(truth: Truth) -> list[str]:
-    """Return table rows: the error of form segment and g, for a cut at each joint of a chain."""
-    rows = []
+def cut_rows(truth: Truth) -> Iterator[tuple[str, ...]]:
+    """Yield table rows: the error of form segment and g, for a cut at each joint of a chain."""
     for joint in range(1, len(truth.model.joints) - 1):
         plan = make_plan(truth.model, cut_at(truth.model, joint), form="segment")
         error, growth = truth.error(plan), predicted_growth(plan)
         refused = "no" if growth.largest > LARGEST_GROWTH["double"] else "yes"
-        name = truth.model.joints[joint].name
-        rows.append(
-            f"| {truth.name} | {name} | {growth.largest:.0e} | {growth.error:.0e} | {error:.0e} | "
-            f"{refused} |"
-        )
-    return rows
+        figures = (f"{x:.0e}" for x in (growth.largest, growth.error, error))
+        yield truth.name, truth.model.joints[joint].name, *figures, refused
 
 
 def tables(count: int) -> list[str]:
     """Return both tables as Markdown."""
-    lines = [
-        "Orders in form `ada`:",
-        "",
-        "| robot | orders | best error | median | worst | decades between | predicted | "
-        "form segment |",
-        "|---|---|---|---|---|---|---|---|",
-    ]
+    orders, cuts = [], []
     for truth in subjects():
-        print(truth.name, file=sys.stderr)
-        lines.append(order_rows(truth, count))
-    lines += ["", "Cuts in form `segment`, two processes:", ""]
-    lines += [
-        "| robot | cut at | g | predicted | error | g below the limit |",
-        "|---|---|---|---|---|---|",
-    ]
+        tell(truth.name)
+        orders.append(order_row(truth, count))
     for mass in (1.0, 1e-4, 1e-8):
-        lines += cut_rows(Truth(f"12 rods, link 6 of {mass:g} kg", robots.with_mass(12, 6, mass)))
-    return lines
+        cuts += cut_rows(Truth(f"12 rods, link 6 of {mass:g} kg", robots.with_mass(12, 6, mass)))
+    head = ("robot", "orders", "best error", "median", "worst", "decades between", "predicted")
+    return [
+        *("Orders in form `ada`:", "", *table((*head, "form segment"), orders), ""),
+        *("Cuts in form `segment`, two processes:", ""),
+        *table(("robot", "cut at", "g", "predicted", "error", "g below the limit"), cuts),
+    ]
 
 
-def main() -> int:
+def main() -> None:
     """Print the tables, or put them into a document."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
-    )
+    parser = command(__doc__)
     parser.add_argument("--random", type=int, default=10)
-    parser.add_argument("--write", type=Path)
     options = parser.parse_args()
-    text = "\n".join(tables(options.random))
-    if options.write is None:
-        print(text)
-        return 0
-    write_between_marks(options.write, "order_and_accuracy", text)
-    return 0
+    publish(options, "order_and_accuracy", "\n".join(tables(options.random)))
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -17,10 +17,8 @@ from __future__ import annotations
 
 import argparse
 import platform
-import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from importlib.metadata import PackageNotFoundError, files
 from pathlib import Path
 
 import numpy as np
@@ -33,19 +31,21 @@ from adagen.library import Origin
 from adagen.library.robot import read_whole
 from adagen.model import Inertia, Model
 from adagen.plan import Plan, make_plan
-from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia
+from adagen.reference import energy_norm_error, joint_space_inertia
 from adagen.schedule import load_profile
 from adagen.search import best_schedule
 from adagen.search.objective import predicted_digits
 from adagen.states import States
+from adagen.studies.bench.report import table
 from adagen.studies.stability import robots
+from adagen.studies.truth import DOUBLE, truth_of
 from benchmarks.emitted_digits import light_wrists, slender_tool
-from benchmarks.page import write_between_marks
-from benchmarks.solvers import answers
+from benchmarks.page import MODELS, command, publish
+from benchmarks.real_robots import DATA
+from benchmarks.solvers import answers, tell
 from tests.models import human_figure, motion_capture_figure, random_tree, serial_chain, star
 
 Array = NDArray[np.float64]
-EXAMPLES = Path(__file__).resolve().parents[1] / "generated_examples" / "models"
 URDFS = (
     *("icub_description/robots/icub.urdf", "human_description/robots/human.urdf"),
     *("talos_data/robots/talos_reduced.urdf", "panda_description/urdf/panda.urdf"),
@@ -101,14 +101,13 @@ def light_tree(seed: int) -> Model:
 
 def corpus() -> Iterator[tuple[str, Callable[[], Model]]]:
     """Yield names of robots, and what makes them."""
-    for path in sorted(EXAMPLES.glob("*.urdf")):
+    for path in sorted(MODELS.glob("*.urdf")):
         yield path.stem, lambda path=path: example(path)  # type: ignore[misc]
-    folder = _robots()
     for name in URDFS:
-        if folder is not None and (folder / name).exists():
-            yield Path(name).stem, lambda path=folder / name: example(path)  # type: ignore[misc]
-    if folder is not None:
-        yield "icub, floating", lambda: example(folder / URDFS[0], True)
+        if (DATA / name).exists():
+            yield Path(name).stem, lambda path=DATA / name: example(path)  # type: ignore[misc]
+    if (DATA / URDFS[0]).exists():
+        yield "icub, floating", lambda: example(DATA / URDFS[0], True)
     for seed in range(8):
         rng = np.random.default_rng(seed)
         size = int(rng.integers(4, 20))
@@ -136,16 +135,6 @@ def corpus() -> Iterator[tuple[str, Callable[[], Model]]]:
     yield "light wrists x 40", light_wrists
 
 
-def _robots() -> Path | None:
-    """The folder of example-robot-data's robots, if that is installed."""
-    try:
-        listed = files("example-robot-data") or []
-    except PackageNotFoundError:
-        return None
-    one = next((Path(str(file.locate())) for file in listed if file.name == "icub.urdf"), None)
-    return None if one is None else one.parents[2]
-
-
 def rows_of(name: str, model: Model, count: int) -> Iterator[Row]:
     """Yield a robot's rows; ways that are refused are left out."""
     for processes, shape, scalar in WAYS:
@@ -154,18 +143,12 @@ def rows_of(name: str, model: Model, count: int) -> Iterator[Row]:
         try:
             plan = _planned(model, processes, scalar)
             predicted = predicted_digits("both", model, plan, shape).error
-            states = _states(model, plan, count)
+            states = robots.states_with(model, States(*program_states(plan, count)))
             found = answers(plan, model, states, shape=shape).qdd
         except (AdagenError, FloatingPointError, RuntimeError) as error:
-            print(f"{name}, {processes}, {shape}, {scalar}: {error}", file=sys.stderr)
+            tell(f"{name}, {processes}, {shape}, {scalar}: {error}")
             continue
         yield Row(name, processes, shape, scalar, predicted, largest(model, plan, states, found))
-
-
-def _states(model: Model, plan: Plan, count: int) -> States:
-    """The suite's state and so many of the program's own."""
-    first, more = robots.state(model), program_states(plan, count)
-    return States(*(np.vstack([a, b]) for a, b in zip(first, more, strict=True)))
 
 
 def predicted_again(page: Path, word: str) -> Iterator[Row]:
@@ -193,8 +176,8 @@ def largest(model: Model, plan: Plan, states: States, found: Array) -> float:
     about = accelerations(plan, states.q, states.v, states.tau)
     rough = zip(inertia, found, about.astype(np.float64), strict=True)
     s = int(np.argmax([energy_norm_error(h, x - t, t) for h, x, t in rough]))
-    truth = exact_forward_dynamics(model, states.q[s], states.v[s], states.tau[s]).value
-    return min(1.0, energy_norm_error(inertia[s], found[s] - truth, truth))
+    one = States(*(x[s : s + 1] for x in (states.q, states.v, states.tau)))
+    return min(1.0, truth_of(model, one, digits=DOUBLE).errors(found[s : s + 1]).forward)
 
 
 def page(rows: list[Row], count: int) -> str:
@@ -203,6 +186,13 @@ def page(rows: list[Row], count: int) -> str:
     within = np.mean((ratios > 0.1) & (ratios < 10))
     worst = np.log10(ratios.max())
     too_few = int((ratios > HALF_A_DECADE).sum())
+    rows_of_page = [
+        (
+            *(row.robot, row.processes, row.shape, row.scalar, f"{row.predicted:.1e}"),
+            *(f"{row.measured:.1e}", f"{row.ratio:.2f}"),
+        )
+        for row in rows
+    ]
     lines = [
         f"The suite's state and {count} of `--check`, {platform.machine()}, "
         f"`python -m benchmarks.predicted_digits --states {count}`",
@@ -211,14 +201,8 @@ def page(rows: list[Row], count: int) -> str:
         f"too optimistic, the worst by {worst:.2f} decades; median of measured over predicted "
         f"{np.median(ratios):.2f}.",
         "",
-        "| robot | P | shape | scalar | predicted | measured | ratio |",
-        "|---|---|---|---|---|---|---|",
+        *table(("robot", "P", "shape", "scalar", "predicted", "measured", "ratio"), rows_of_page),
     ]
-    for row in rows:
-        lines.append(
-            f"| {row.robot} | {row.processes} | {row.shape} | {row.scalar} | {row.predicted:.1e} | "
-            f"{row.measured:.1e} | {row.ratio:.2f} |"
-        )
     return "\n".join(lines)
 
 
@@ -231,26 +215,19 @@ def _rows(options: argparse.Namespace) -> Iterator[Row]:
             yield from rows_of(name, make(), options.states)
 
 
-def main() -> int:
+def main() -> None:
     """Print the table, or put it into a document."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
-    )
+    parser = command(__doc__)
     parser.add_argument("--states", type=int, default=64)
     parser.add_argument("--only", default="", metavar="WORD", help="robots whose name has it")
     parser.add_argument("--again", type=Path, metavar="PAGE", help="only predict, see above")
-    parser.add_argument("--write", type=Path)
     options = parser.parse_args()
     rows = []
     for row in _rows(options):
-        print(row, f"{row.ratio:.2f}", file=sys.stderr, flush=True)
+        tell(f"{row} {row.ratio:.2f}")
         rows.append(row)
-    if options.write is None:
-        print(page(rows, options.states))
-    else:
-        write_between_marks(options.write, "predicted_digits", page(rows, options.states))
-    return 0
+    publish(options, "predicted_digits", page(rows, options.states))
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

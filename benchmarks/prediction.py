@@ -15,10 +15,8 @@ from measured stretches of computing (docs/records/benchmarks.md); the report sa
 
 from __future__ import annotations
 
-import argparse
 import dataclasses
 import json
-import sysconfig
 import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -36,21 +34,13 @@ from adagen.model import Model
 from adagen.plan import Plan, make_plan, plan_to_json
 from adagen.schedule import Schedule, Topology, load_profile
 from adagen.search import best_schedule, find_schedule
-from adagen.urdf import read_robot
-from benchmarks.page import write_between_marks
+from benchmarks.page import command, publish
 from benchmarks.prediction_report import report
+from benchmarks.real_robots import model_of
 
 ROUNDS = 4
 REPEAT = 30
-EXAMPLES = (
-    ("ur5", "ur_description/urdf/ur5_robot.urdf", False),
-    ("panda", "panda_description/urdf/panda.urdf", False),
-    ("anymal", "anymal_b_simple_description/robots/anymal.urdf", True),
-    ("g1", "g1_description/urdf/g1_29dof_rev_1_0.urdf", True),
-    ("talos", "talos_data/robots/talos_reduced.urdf", True),
-    ("icub", "icub_description/robots/icub.urdf", True),
-    ("simple_humanoid", "simple_humanoid_description/urdf/simple_humanoid.urdf", True),
-)
+EXAMPLES = ("ur5", "panda", "anymal_b", "g1", "talos_reduced", "icub", "simple_humanoid")
 
 
 def models() -> Iterator[Model]:
@@ -62,11 +52,10 @@ def models() -> Iterator[Model]:
     yield robot("figure", [0, *tree(20, 0.25, 9)[1:]], ["floating", *["spherical"] * 15], 15)
     yield squared(robot("arm9", chain(9), ["revolute"], 17))
     yield robot("chain48", chain(48), ["revolute"], 16)
-    folder = Path(sysconfig.get_path("purelib"), "cmeel.prefix/share/example-robot-data/robots")
-    for name, path, floating in EXAMPLES:
-        if (folder / path).is_file():
-            reading = read_robot(str(folder / path), floating=floating)
-            yield dataclasses.replace(reading.model, name=name)
+    for name in EXAMPLES:
+        model = model_of(name)
+        if model is not None:
+            yield dataclasses.replace(model, name=name)
 
 
 def schedules(model: Model) -> Iterator[tuple[str, Schedule]]:
@@ -148,23 +137,16 @@ def measure(path: Path) -> None:
 
 def main() -> None:
     """Carry out the command line."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = command(__doc__)
     parser.add_argument("what", choices=("measure", "report"))
     parser.add_argument("file", type=Path)
     parser.add_argument("--profile", default="default")
     parser.add_argument("--machine", default="this one", help="what the report calls it")
-    parser.add_argument("--write", type=Path, metavar="PAGE", help="put the tables there")
     options = parser.parse_args()
     if options.what == "measure":
         measure(options.file)
         return
-    text = report(options.file, options.profile, options.machine)
-    if options.write is None:
-        print(text)
-    else:
-        write_between_marks(options.write, "prediction", text)
+    publish(options, "prediction", report(options.file, options.profile, options.machine))
 
 
 if __name__ == "__main__":

@@ -14,6 +14,7 @@ import numpy as np
 from adagen.emit.predicted import predict
 from adagen.plan import plan_from_json
 from adagen.schedule import load_profile
+from adagen.studies.bench.report import table
 
 
 @dataclasses.dataclass(frozen=True)
@@ -88,25 +89,17 @@ GROUPS: dict[str, Callable[[Row], bool]] = {
 
 def _summary(rows: list[Row], names: list[str], profile: str, machine: str) -> Iterator[str]:
     yield f"Machine: {machine}. Profile: `{profile}`. {len(names)} robots, {len(rows)} programs.\n"
-    yield "| programs | count | median error | 90 % below | largest | rank correlation |"
-    yield "|---|---|---|---|---|---|"
+    lines = []
     for title, wanted in GROUPS.items():
         some = [row for row in rows if wanted(row)]
         if not some:
             continue
         title += ", from stretches" if all(row.played for row in some) else ""
-        sizes = sorted(abs(row.error) for row in some)
-        rank = spearman([r.predicted for r in some], [r.measured for r in some])
-        yield (
-            f"| {title} | {len(some)} | {median(sizes):.1%} | "
-            f"{sizes[int(0.9 * (len(sizes) - 1))]:.1%} | {sizes[-1]:.1%} | {rank:.3f} |"
-        )
-    errors = [abs(row.predicted / row.fastest - 1) for row in rows]
-    rank = spearman([r.predicted for r in rows], [r.fastest for r in rows])
-    yield (
-        f"| all P, against the fastest evaluation | {len(rows)} | {median(errors):.1%} | "
-        f"{sorted(errors)[int(0.9 * (len(errors) - 1))]:.1%} | {max(errors):.1%} | {rank:.3f} |"
-    )
+        lines.append(_line(title, [(row.predicted, row.measured) for row in some]))
+    fastest = [(row.predicted, row.fastest) for row in rows]
+    lines.append(_line("all P, against the fastest evaluation", fastest))
+    head = ("programs", "count", "median error", "90 % below", "largest", "rank correlation")
+    yield from table(head, lines)
     yield ""
     yield (
         "The fastest evaluation is what the machine does undisturbed: with two processes on two "
@@ -120,6 +113,14 @@ def _summary(rows: list[Row], names: list[str], profile: str, machine: str) -> I
         )
 
 
+def _line(title: str, pairs: Sequence[tuple[float, float]]) -> tuple[object, ...]:
+    """A row of the summary, of predicted and measured times."""
+    sizes = sorted(abs(predicted / measured - 1) for predicted, measured in pairs)
+    rank = spearman(*zip(*pairs, strict=True))
+    shown = (median(sizes), sizes[int(0.9 * (len(sizes) - 1))], sizes[-1])
+    return title, len(pairs), *(f"{size:.1%}" for size in shown), f"{rank:.3f}"
+
+
 def _by_model(rows: list[Row], names: list[str]) -> Iterator[str]:
     yield "## The order of schedules\n"
     yield (
@@ -127,25 +128,27 @@ def _by_model(rows: list[Row], names: list[str]) -> Iterator[str]:
         "much slower the schedule\nthat is predicted to be the fastest really is than the fastest "
         "one.\n"
     )
-    yield "| robot | programs | median error | rank correlation | lost by trusting the prediction |"
-    yield "|---|---|---|---|---|"
-    ranks = []
+    ranks, lines = [], []
     for name in names:
         some = [row for row in rows if row.model == name and GROUPS["P = 1 and 2"](row)]
         ranks.append(spearman([r.predicted for r in some], [r.measured for r in some]))
         chosen = min(some, key=lambda r: r.predicted).measured
         lost = chosen / min(r.measured for r in some) - 1
         typical = median(abs(r.error) for r in some)
-        yield f"| {name} | {len(some)} | {typical:.1%} | {ranks[-1]:.2f} | {lost:.1%} |"
+        lines.append((name, len(some), f"{typical:.1%}", f"{ranks[-1]:.2f}", f"{lost:.1%}"))
+    head = ("robot", "programs", "median error", "rank correlation")
+    yield from table((*head, "lost by trusting the prediction"), lines)
     yield f"\nMedian of the rank correlations: {median(ranks):.2f}.\n"
 
 
 def _all(rows: list[Row]) -> Iterator[str]:
     yield "## All programs\n"
-    yield "| robot | schedule | shape | measured (µs) | fastest (µs) | predicted (µs) | error |"
-    yield "|---|---|---|---|---|---|---|"
-    for r in rows:
-        yield (
-            f"| {r.model} | {r.label} | {r.shape} | {'≈' if r.played else ''}{r.measured:.2f} | "
-            f"{r.fastest:.2f} | {r.predicted:.2f} | {r.error:+.1%} |"
+    head = ("robot", "schedule", "shape", "measured (µs)", "fastest (µs)", "predicted (µs)")
+    lines = (
+        (
+            *(r.model, r.label, r.shape, f"{'≈' if r.played else ''}{r.measured:.2f}"),
+            *(f"{r.fastest:.2f}", f"{r.predicted:.2f}", f"{r.error:+.1%}"),
         )
+        for r in rows
+    )
+    yield from table((*head, "error"), lines)

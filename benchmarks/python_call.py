@@ -10,7 +10,6 @@ call solvers of their own.
 
 from __future__ import annotations
 
-import argparse
 import threading
 import time
 from collections.abc import Callable
@@ -22,9 +21,8 @@ import numpy as np
 import adagen
 from adagen.states import random_states
 from adagen.studies.bench.machine import machine
-from benchmarks.page import write_between_marks
+from benchmarks.page import MODELS, command, publish
 
-ROOT = Path(__file__).resolve().parents[1]
 ROUNDS, CALLS, STATES, SHARED = 15, 20_000, 1000, 20_000
 SECONDS = 1.0
 
@@ -104,10 +102,8 @@ def of_the_lock(model: Path) -> dict[str, dict[str, float]]:
 
 def main() -> None:
     """Measure, and print or write what came of it."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    shipped = ROOT / "generated_examples" / "models" / "arm7.urdf"
-    parser.add_argument("model", nargs="?", type=Path, default=shipped)
-    parser.add_argument("--page", action="store_true", help="write it into docs/how_to/python.md")
+    parser = command(__doc__, "how_to/python.md")
+    parser.add_argument("model", nargs="?", type=Path, default=MODELS / "arm7.urdf")
     options = parser.parse_args()
     found = measured(options.model)
     alone, lambda_ = found["one of many"], found["an empty lambda"]
@@ -128,9 +124,7 @@ def main() -> None:
         f"{kept['beside Python']:.3g}; beside a thread that calls another solver, "
         f"{released['beside another']:.3g} instead of {kept['beside another']:.3g}."
     )
-    print(text)
-    if options.page:
-        write_between_marks(ROOT / "docs" / "how_to" / "python.md", "python_call", text)
+    publish(options, "python_call", text)
 
 
 if __name__ == "__main__":

@@ -11,7 +11,6 @@ in their own numbers. Times are minima of runs by turns, those of wider residual
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterable
 from functools import partial
 from pathlib import Path
@@ -26,10 +25,12 @@ from adagen.model import Model
 from adagen.plan import Plan
 from adagen.reference import energy_norm_error, joint_space_inertia
 from adagen.states import States
+from adagen.studies.bench.report import table
 from adagen.studies.stability.adversary import FAMILIES
 from adagen.studies.stability.audit import Way, planned, solved, truths
 from benchmarks.certificates import ROBOTS
-from benchmarks.hard import MODELS, Asked, Record, fastest, hard_robots, name_of, study
+from benchmarks.hard import Asked, fastest, hard_robots, name_of, study
+from benchmarks.page import MODELS, Record
 
 RESIDUALS = ("", "own", "wide")
 """How answers are refined: not at all, or by residuals in these numbers."""
@@ -65,26 +66,21 @@ def errors_table(asked: Asked, record: Record, toolchain: Toolchain) -> list[str
         plan = planned(model, Way("kernels"))
         assert plan is not None  # one process has all
         find = partial(_errors, model, plan, hard, toolchain)
-        found[family] += record.of(asked, k, find)
-    lines = [
-        "| robots | states | plain, largest | median | refined, largest | median |",
-        "|---|--:|--:|--:|--:|--:|",
-    ]
+        found[family] += record.of(asked.key(k), find)
+    lines = []
     for name, rows in found.items():
         if not rows:
             continue
         every = np.array(rows)
         cells = [f"{x:.0e}" for one in every.T for x in (one.max(), np.median(one))]
-        lines.append(f"| {' | '.join([name, str(len(rows)), *cells])} |")
-    return lines
+        lines.append((name, len(rows), *cells))
+    head = ("robots", "states", "plain, largest", "median", "refined, largest", "median")
+    return list(table(head, lines))
 
 
 def times_table(paths: Iterable[Path], toolchain: Toolchain) -> list[str]:
     """Return the table of times in loops."""
-    lines = [
-        "| robot | plain, ns | own, ns | ratio | wide, ns | ratio |",
-        "|---|--:|--:|--:|--:|--:|",
-    ]
+    rows = []
     for path in paths:
         robot = adagen.read(path)
         programs = []
@@ -95,17 +91,16 @@ def times_table(paths: Iterable[Path], toolchain: Toolchain) -> list[str]:
         plain, own, wide = fastest(programs, toolchain)
         cells = [f"{plain:.0f}"]
         cells += [cell for x in (own, wide) for cell in (f"{x:.0f}", f"{x / plain:.2f}")]
-        lines.append(f"| {' | '.join([path.stem, *cells])} |")
-    return lines
+        rows.append((path.stem, *cells))
+    return list(table(("robot", "plain, ns", "own, ns", "ratio", "wide, ns", "ratio"), rows))
 
 
-def main() -> int:
+def main() -> None:
     """Print a table, or put it into a document."""
     timed = [*ROBOTS, MODELS / "mobile.urdf"]
-    return study(
-        "refinement", __doc__, Asked(24, 100, 2), timed, {"errors": errors_table}, times_table
-    )
+    errors = {"errors": errors_table}
+    study("refinement", __doc__, Asked(24, 100, 2), timed, errors, times_table)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

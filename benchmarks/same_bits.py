@@ -9,10 +9,8 @@ FILE:floating, one in float as FILE:float. --page writes docs/records/reproducib
 
 from __future__ import annotations
 
-import argparse
 import os
 import shutil
-import sys
 import tempfile
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -32,11 +30,12 @@ from adagen.plan.constants import joints_of
 from adagen.plan.types import THREADS
 from adagen.run import launch
 from adagen.states import random_states, write_states
+from adagen.studies.bench.report import table
 from adagen.urdf import read_robot
-from benchmarks.page import write_between_marks
+from benchmarks.page import command, publish
+from benchmarks.solvers import tell
 from tests.gathered import distributed, reproducible_plan
 
-ROOT = Path(__file__).resolve().parents[1]
 COMPILERS = ("g++", "clang++")
 FLAGS = (
     ("-O2", "-march=x86-64"),
@@ -126,15 +125,12 @@ def ways() -> list[tuple[str, Toolchain]]:
 
 def main() -> None:
     """Build and run all, and print or write what came of it."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = command(__doc__, "records/reproducible.md")
     parser.add_argument("urdf", nargs="+", help="robots, FILE[:floating][:float]")
-    parser.add_argument(
-        "--page", action="store_true", help="write it into docs/records/reproducible.md"
-    )
     options = parser.parse_args()
     toolchains = ways()
-    lines = [f"| {' | '.join(HEAD)} |", "|---|---|--:|--:|--:|--:|"]
-    others = []
+    rows: list[tuple[object, ...]] = []
+    others: list[str] = []
     for word in options.urdf:
         path, *how = word.split(":")
         scalar = "float" if "float" in how else "double"
@@ -147,14 +143,12 @@ def main() -> None:
         (expected, agreeing), *_ = Counter(said.values()).most_common(1)
         others += [f"{word}, {name}" for name, text in said.items() if text != expected]
         numbers = (len(found), len(said), states, len(said) - agreeing)
-        lines.append(f"| {' | '.join((Path(path).stem, scalar, *map(str, numbers)))} |")
-        print(lines[-1], file=sys.stderr, flush=True)
+        rows.append((Path(path).stem, scalar, *numbers))
+        tell(", ".join(map(str, rows[-1])))
     compiled = [f"`{name}`" for name, _ in toolchains]
-    text = "\n".join([*lines, "", f"Compiled with {', '.join(compiled)}."])
-    print(text)
-    print(*others, sep="\n", file=sys.stderr)
-    if options.page:
-        write_between_marks(ROOT / "docs" / "records" / "reproducible.md", "same_bits", text)
+    lines = [*table(HEAD, rows), "", f"Compiled with {', '.join(compiled)}."]
+    publish(options, "same_bits", "\n".join(lines))
+    tell("\n".join(others))
 
 
 if __name__ == "__main__":

@@ -10,11 +10,9 @@ from __future__ import annotations
 import argparse
 import random
 import sys
-import sysconfig
 import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 from adagen.emit.predicted import predict
@@ -27,45 +25,23 @@ from adagen.schedule import Schedule, Topology, load_profile
 from adagen.schedule.tree import Split
 from adagen.search import best_schedule, find_schedule
 from adagen.studies.stability.robots import chain, rod
-from adagen.urdf import read_robot
+from benchmarks.page import ROOT
 from benchmarks.paper import robots
 from benchmarks.paper.measured import machine, model_of
+from benchmarks.real_robots import FLOATING, file_of
+from benchmarks.real_robots import model_of as real_model
 
 PAPER = load_profile("paper")
 DEFAULT = load_profile("default")
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "records" / "search.md"
-PACKAGE = "cmeel.prefix/share/example-robot-data/robots"
-REAL = {  # floating base or not, file within the package
-    "talos": (True, "talos_data/robots/talos_full_v2.urdf"),
-    "g1": (True, "g1_description/urdf/g1_29dof_with_hand_rev_1_0.urdf"),
-    "icub": (True, "icub_description/robots/icub_reduced.urdf"),
-    "tiago_dual": (True, "tiago_description/robots/tiago_dual.urdf"),
-}
-PLAYED = {  # floating base or not, as they are used
-    "a1_description/urdf/a1.urdf": True,
-    "alex_description/urdf/alex_nub_hands.urdf": False,
-    "allegro_hand_description/urdf/allegro_left_hand.urdf": False,
-    "anymal_b_simple_description/robots/anymal-kinova.urdf": True,
-    "b1_description/urdf/b1-z1.urdf": True,
-    "baxter_description/urdf/baxter.urdf": False,
-    "bolt_description/robots/bolt.urdf": True,
-    "centauro_description/urdf/centauro.urdf": True,
-    "g1_description/urdf/g1_29dof_with_hand_rev_1_0.urdf": True,
-    "human_description/robots/human.urdf": True,
-    "icub_description/robots/icub.urdf": True,
-    "panda_description/urdf/panda.urdf": False,
-    "pr2_description/urdf/pr2.urdf": False,
-    "romeo_description/urdf/romeo_small.urdf": True,
-    "simple_humanoid_description/urdf/simple_humanoid.urdf": True,
-    "solo_description/robots/solo12.urdf": True,
-    "talos_data/robots/talos_full_v2.urdf": True,
-    "talos_data/robots/talos_reduced.urdf": True,
-    "tiago_description/robots/tiago.urdf": False,
-    "tiago_description/robots/tiago_dual.urdf": False,
-    "tiago_pro_description/robots/tiago_pro.urdf": False,
-    "ur_description/urdf/ur5_robot.urdf": False,
-    "xarm_description/urdf/xarm7.urdf": False,
-}
+PAGE = ROOT / "docs" / "records" / "search.md"
+REAL = {"talos": "talos", "g1": "g1_hands", "icub": "icub_reduced", "tiago_dual": "tiago_dual"}
+"""Robots of the table of joins, as it calls them; all of them float."""
+PLAYED = (
+    *("a1", "alex_nub_hands", "allegro_left", "anymal_kinova", "b1_z1", "baxter", "bolt"),
+    *("centauro", "g1_hands", "human", "icub", "panda", "pr2", "romeo_small", "simple_humanoid"),
+    *("solo12", "talos", "talos_reduced", "tiago", "tiago_dual", "tiago_pro", "ur5", "xarm7"),
+)
+"""Robots that are played, on a base as they are used."""
 CHAINS = ((200, 4), (200, 8), (2000, 4), (10_000, 16))  # joints that turn, processes
 SPLITS: tuple[Split, ...] = ("always", "free", "any")
 
@@ -112,10 +88,10 @@ def real() -> Iterator[tuple[str, Model]]:
     """Yield the three human figures, and the real robots that there are."""
     for dofs in robots.HUMANS:
         yield f"human {dofs}", model_of(robots.human(dofs))
-    folder = Path(sysconfig.get_paths()["purelib"], PACKAGE)
-    for name, (floating, file) in REAL.items():
-        if (folder / file).exists():
-            yield name, read_robot(folder / file, floating=floating).model
+    for shown_as, name in REAL.items():
+        model = real_model(name, floating=True)
+        if model is not None:
+            yield shown_as, model
 
 
 def tasks() -> Iterator[Task]:
@@ -180,11 +156,10 @@ def searched(name: str, model: Model, processes: int) -> str:
 
 def shown() -> Iterator[tuple[str, Model]]:
     """Yield the real robots that there are."""
-    folder = Path(sysconfig.get_paths()["purelib"], PACKAGE)
-    for file, floating in PLAYED.items():
-        if (folder / file).exists():
-            name = Path(file).stem + ", floating" * floating
-            yield name, read_robot(folder / file, floating=floating).model
+    for name in PLAYED:
+        model = real_model(name)
+        if model is not None:
+            yield file_of(name).stem + ", floating" * (name in FLOATING), model
 
 
 def turning(joints: int) -> Model:

@@ -11,7 +11,6 @@ computing, played through with what messages cost.
 
 from __future__ import annotations
 
-import argparse
 import re
 import sys
 import tempfile
@@ -30,11 +29,10 @@ from adagen.studies.bench.contest import Progress, Rules, hold
 from adagen.studies.bench.machine import machine
 from adagen.studies.bench.report import table
 from adagen.studies.bench.scale import at_priority, made
-from benchmarks.closed_robots import ROBOTS
-from benchmarks.page import write_between_marks
+from benchmarks.page import command, publish
+from benchmarks.real_robots import file_of
 
 HEAD = ("robot", "DOF", "P", "meeting", "us", "saved", "predicted, us", "saved as predicted")
-TALOS = ROBOTS / "talos_data" / "robots" / "talos_full_v2.urdf"
 HAND = "arm_left_7_link"
 _LEFT_OUT = re.compile(r"<(visual|collision|transmission|gazebo)\b.*?</\1>", re.DOTALL)
 _BAR = (
@@ -46,7 +44,7 @@ _BAR = (
 
 def pair(folder: Path) -> Robot:
     """Return two talos that carry a bar; what they are read from is written into a folder."""
-    body = _LEFT_OUT.sub("", TALOS.read_text(encoding="utf-8"))
+    body = _LEFT_OUT.sub("", file_of("talos").read_text(encoding="utf-8"))
     body = body[body.index("<link") : body.rindex("</robot>")]
     parts = ['<robot name="two_talos"><link name="world"/>']
     for name, x in (("a", 0.0), ("b", 1.2)):
@@ -81,7 +79,7 @@ def measured(
     rules: Rules,
     priority: int,
     on_progress: Progress,
-) -> Iterator[tuple[str, ...]]:
+) -> Iterator[tuple[object, ...]]:
     """Yield a row of HEAD for each number of processes, one among them."""
     toolchain, solvers = find_toolchain(), []
     for count in sorted({1, *processes}):
@@ -102,8 +100,8 @@ def measured(
                 played = source == "stretches"
                 yield (
                     name,
-                    str(robot.model.nv),
-                    str(one.processes),
+                    robot.model.nv,
+                    one.processes,
                     solver.meeting,
                     f"{'≈' * played}{found[source].least / 1e3:.3g}",
                     "" if one is alone else f"{saved:.0%}",
@@ -116,18 +114,15 @@ def measured(
 
 def main(words: Sequence[str] | None = None) -> int:
     """Measure what the command line names, print the table, and return the exit status."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = command(__doc__)
     parser.add_argument("models", type=Path, nargs="*", metavar="MODEL")
     parser.add_argument("--pair", action="store_true", help="two talos that carry a bar, too")
     parser.add_argument("--processes", type=int, nargs="+", default=(2, 4))
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--priority", type=int, default=0, help="real-time, of what is timed")
-    parser.add_argument("--write", type=Path, metavar="PAGE", help="put the table there")
     options = parser.parse_args(words)
     rules = Rules(rounds=options.rounds, repeat=20)
-    rows: list[tuple[str, ...]] = []
+    rows: list[tuple[object, ...]] = []
     try:
         with (
             speaking("robots") as on_progress,
@@ -153,9 +148,7 @@ def main(words: Sequence[str] | None = None) -> int:
             "",
         ]
     )
-    print(text)
-    if options.write is not None:
-        write_between_marks(options.write, "shared_robots", text)
+    publish(options, "shared_robots", text)
     return 0
 
 

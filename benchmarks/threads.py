@@ -12,30 +12,26 @@ Nothing is asserted: figures of one machine are no test.
 
 from __future__ import annotations
 
-import argparse
 import os
 import subprocess
-import sys
 import tempfile
+from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 from statistics import median
 
 from adagen.build import Toolchain, build_executable, find_toolchain
-from adagen.emit import emit, stem_of
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.types import THREADS
 from adagen.schedule import Topology, load_profile
 from adagen.search import named_schedule
-from adagen.studies.bench.contest import Rules, Times, hold
-from adagen.studies.bench.emitted import Emitted
+from adagen.studies.bench.contest import Times
 from adagen.studies.bench.machine import machine
+from adagen.studies.bench.report import table
 from adagen.urdf import read_robot
-from benchmarks.page import write_between_marks
+from benchmarks.page import MODELS, command, publish
+from benchmarks.solvers import by_turns, contestant, source_of
 
-ROOT = Path(__file__).resolve().parents[1]
-MODELS = ROOT / "generated_examples" / "models"
 ROBOTS = {"arm7": False, "humanoid": True, "human40": False, "chain16": False}
 """Shipped robots, and whether they stand on a floating base."""
 
@@ -112,46 +108,33 @@ def plan_of(model: Model) -> Plan:
     return make_plan(model, schedule)
 
 
-def text_of(plan: Plan, name: str) -> tuple[str, str]:
-    """Return the file name and the text of a plan's solver."""
-    file = f"{stem_of(plan, name)}.cpp"
-    return file, emit(plan, name=name)[file]
-
-
-def latency(models: dict[str, Model], rounds: int, toolchain: Toolchain) -> list[str]:
-    """Return the rows of the table of times."""
+def latency(
+    models: dict[str, Model], rounds: int, toolchain: Toolchain
+) -> Iterator[tuple[str, ...]]:
+    """Yield the rows of the table of times."""
     contestants = []
     for name, model in models.items():
         plan = plan_of(model)
         for what, own in (("window", plan), ("threads", replace(plan, channel=THREADS))):
-            file, text = text_of(own, f"{name}_{what}")
-            launched = own.launched
-            emitted = Emitted(f"{name} {what}", model, file, text, "auto", launched, "double", None)
-            contestants.append(emitted.contestant(toolchain))
-    times, gone = hold(contestants, Rules(rounds), lambda text: print(text, file=sys.stderr))
-    for name, reason in gone.items():
-        print(f"{name}: {reason}", file=sys.stderr)
-    rows = []
+            text = source_of(own)
+            contestants.append(contestant(f"{name} {what}", model, own, text, toolchain))
+    times = by_turns(contestants, rounds)
     for name in models:
         window = times[f"{name} window"]["through_root"]
         threads = times[f"{name} threads"]["in_place"]
-        rows.append(_row(name, window, threads))
-    return rows
+        yield _row(name, window, threads)
 
 
-def _row(name: str, window: Times, threads: Times) -> str:
+def _row(name: str, window: Times, threads: Times) -> tuple[str, ...]:
     above = median(b - a for a, b in zip(window.turns, threads.turns, strict=True))
-    return (
-        f"| {name} | {window.median / 1e3:.2f} | {threads.median / 1e3:.2f} | {above / 1e3:+.2f} "
-        f"| {window.least / 1e3:.2f} | {threads.least / 1e3:.2f} |"
-    )
+    medians = f"{window.median / 1e3:.2f}", f"{threads.median / 1e3:.2f}", f"{above / 1e3:+.2f}"
+    return name, *medians, f"{window.least / 1e3:.2f}", f"{threads.least / 1e3:.2f}"
 
 
-def idle(model: Model, name: str, toolchain: Toolchain) -> tuple[float, float]:
+def idle(model: Model, toolchain: Toolchain) -> tuple[float, float]:
     """Return the share of a core, in per cent, that a thread takes at 1 kHz, and us of a call."""
     plan = replace(plan_of(model), channel=THREADS)
-    _, text = text_of(plan, name)
-    source = f"#define ADAGEN_NO_MAIN\n{text}{_LOOP}"
+    source = f"#define ADAGEN_NO_MAIN\n{source_of(plan)}{_LOOP}"
     threaded = replace(toolchain, flags=(*toolchain.flags, "-pthread"))
     program = build_executable(source, "idle", threaded)
     with tempfile.TemporaryDirectory() as folder:
@@ -164,34 +147,32 @@ def idle(model: Model, name: str, toolchain: Toolchain) -> tuple[float, float]:
 
 def main() -> None:
     """Measure, and print or write what came of it."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = command(__doc__, "records/threads.md")
     parser.add_argument("--rounds", type=int, default=9)
-    parser.add_argument("--page", action="store_true", help="write docs/records/threads.md")
     options = parser.parse_args()
     toolchain = find_toolchain()
     models = {
         name: read_robot(MODELS / f"{name}.urdf", floating=floating).model
         for name, floating in ROBOTS.items()
     }
-    rows = latency(models, options.rounds, toolchain)
+    rows = list(latency(models, options.rounds, toolchain))
     scheduling = "real-time priority" if os.sched_getscheduler(0) else "ordinary priority"
-    shares = {name: idle(model, name, toolchain) for name, model in models.items()}
+    idle_rows = []
+    for name, model in models.items():
+        share, call = idle(model, toolchain)
+        idle_rows.append((name, f"{share:.1f} %", f"{call:.1f}"))
+    least = ("window, least", "threads, least")
+    at_1_khz = "a core at 1 kHz, each further thread"
     text = "\n".join(
         [
             f"Machine: virtual, 2 cores of an {machine()['processor']}, {scheduling}.",
             "",
-            "| robot | window, us | threads, us | threads above | window, least | threads, least |",
-            "|---|---|---|---|---|---|",
-            *rows,
+            *table(("robot", "window, us", "threads, us", "threads above", *least), rows),
             "",
-            "| robot | share of a core at 1 kHz, each further thread | a call, us |",
-            "|---|---|---|",
-            *(f"| {name} | {share:.1f} % | {call:.1f} |" for name, (share, call) in shares.items()),
+            *table(("robot", f"share of {at_1_khz}", "a call, us"), idle_rows),
         ]
     )
-    print(text)
-    if options.page:
-        write_between_marks(ROOT / "docs" / "records" / "threads.md", "threads", text)
+    publish(options, "threads", text)
 
 
 if __name__ == "__main__":

@@ -11,9 +11,9 @@ was found is added to a file, and the command again goes on from there.
 
 from __future__ import annotations
 
-import argparse
 import json
 import sys
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -26,7 +26,9 @@ from adagen.model import Model
 from adagen.plan import make_plan
 from adagen.schedule import load_profile
 from adagen.search import best_schedule
-from benchmarks.page import write_between_marks
+from adagen.studies.bench.report import table
+from benchmarks.page import Record, command, publish
+from benchmarks.solvers import tell
 
 WAYS = (("segment", 1), ("segment", 2), ("ada", 1), ("ada", 2))
 
@@ -51,7 +53,7 @@ def _worst(model: Model, form: str, processes: int, joints: dict[str, Any]) -> f
 
 
 def examined(folder: Path, name: str, mode: str, expected: dict[str, Any]) -> dict[str, Any]:
-    """Return what was found of a mechanism on a fixed or floating base."""
+    """Return what was found of a mechanism on a fixed or floating base, as JSON has it."""
     answer, joints = expected.get("answer", "qdd"), expected.get("joints") or {}
     for joint in joints.values():
         joint.setdefault("qdd", joint["v"])
@@ -63,12 +65,12 @@ def examined(folder: Path, name: str, mode: str, expected: dict[str, Any]) -> di
     except InputError as refusal:
         found = [str(refusal).removeprefix("error: ")] * len(WAYS)
     limit = expected.get("tolerance")
-    return {"name": name, "mode": mode, "answer": answer, "limit": limit, "found": found}
+    return {"answer": answer, "limit": limit, "errors": found}
 
 
 def good(row: dict[str, Any]) -> bool:
     """Whether answers are right, and what must be refused is; form ada may refuse what it lacks."""
-    for k, one in enumerate(row["found"]):
+    for k, one in enumerate(row["errors"]):
         if isinstance(one, str):
             if row["answer"] == "qdd" and WAYS[k][0] == "segment":
                 return False
@@ -77,55 +79,41 @@ def good(row: dict[str, Any]) -> bool:
     return True
 
 
-def _cells(row: dict[str, Any]) -> str:
+def _cells(row: dict[str, Any]) -> tuple[str, ...]:
     limit = row["limit"]
-    errors = [x for x in row["found"] if not isinstance(x, str)]
-    told = ["refused" if isinstance(x, str) else f"{x:.0e}" for x in row["found"]]
+    errors = [x for x in row["errors"] if not isinstance(x, str)]
+    told = ["refused" if isinstance(x, str) else f"{x:.0e}" for x in row["errors"]]
     share = f"{max(errors) / limit:.0e}" if errors and limit else "-"
     limits = f"{limit:.0e}" if limit else "refusal"
-    cells = (row["name"], row["mode"], limits, *told, share)
-    return f"| {' | '.join(cells)} |"
+    return limits, *told, share
 
 
 def main() -> int:
     """Print the table, or put it into a document."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = command(__doc__)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--kept", type=Path)
     parser.add_argument("--from", dest="first", type=int, default=0)
     parser.add_argument("--to", type=int, default=10**6)
-    parser.add_argument("--write", type=Path)
     options = parser.parse_args()
-    rows: dict[tuple[str, str], dict[str, Any]] = {}
-    if options.kept is not None and options.kept.is_file():
-        for line in options.kept.read_text(encoding="utf-8").splitlines():
-            row = json.loads(line)
-            rows[row["name"], row["mode"]] = row
+    record = Record(options.kept)
     scenes = sorted(options.folder.glob("*.scene.toml"))
     for scene in scenes[options.first : options.to]:
         name = scene.name.removesuffix(".scene.toml")
         modes = json.loads(scene.with_name(f"{name}.json").read_text(encoding="utf-8"))["modes"]
         for mode, expected in modes.items():
-            if (name, mode) in rows:
-                continue
-            row = rows[name, mode] = examined(options.folder, name, mode, expected)
-            print(_cells(row), file=sys.stderr)
-            if options.kept is not None:
-                with options.kept.open("a", encoding="utf-8") as file:
-                    file.write(json.dumps(row) + "\n")
-    lines = [
-        "| mechanism | base | tolerance | segment | segment, P = 2 | ada | ada, P = 2 "
-        "| error / tolerance |",
-        "|---|---|--:|--:|--:|--:|--:|--:|",
-        *(_cells(rows[key]) for key in sorted(rows)),
-    ]
-    if options.write is None:
-        print("\n".join(lines))
-    else:
-        write_between_marks(options.write, "true_mechanisms", "\n".join(lines))
+            find = partial(examined, options.folder, name, mode, expected)
+            row = record.of({"name": name, "mode": mode}, find)
+            tell(f"{name}, {mode}: {', '.join(_cells(row))}")
+    rows = {(row["name"], row["mode"]): row["found"] for row in record.rows}
+    head = ("mechanism", "base", "tolerance", "segment", "segment, P = 2", "ada", "ada, P = 2")
+    lines = table(
+        (*head, "error / tolerance"), [(*key, *_cells(rows[key])) for key in sorted(rows)]
+    )
+    publish(options, "true_mechanisms", "\n".join(lines))
     bad = [f"{name} ({mode})" for (name, mode), row in rows.items() if not good(row)]
     if bad:
-        print(f"not as they must be: {', '.join(sorted(bad))}", file=sys.stderr)
+        tell(f"not as they must be: {', '.join(sorted(bad))}")
     return 1 if bad else 0
 
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from adagen.states import States
     from adagen.studies.bench.contest import Contestant
     from adagen.studies.chart import Chart, Point, Variant
-    from adagen.studies.chart.truth import Truth
+    from adagen.studies.truth import Truth
 
 
 def run(argv: Sequence[str]) -> int:
@@ -54,7 +54,7 @@ def _chart(options: argparse.Namespace) -> None:
     """Measure, write and show one robot's chart, and emit what keeps the budget."""
     from adagen.build import find_toolchain
     from adagen.studies.chart import Study, chart_of
-    from adagen.studies.chart.truth import truth_of
+    from adagen.studies.truth import truth_of
 
     model, states = _given(options)
     with speaking(Path(options.model).stem) as on_progress, tempfile.TemporaryDirectory() as folder:

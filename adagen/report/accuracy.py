@@ -52,8 +52,8 @@ def accuracy_of(
     Raises:
         AdagenError: the run fails.
     """
-    from adagen.studies.chart.truth import truth_of
     from adagen.studies.random_states import drawn_states
+    from adagen.studies.truth import truth_of
 
     model = made.model
     if model.nv > LARGEST:

@@ -9,7 +9,7 @@ import pytest
 from adagen.cli.contest import Entry
 from adagen.studies.bench.variants import MOST_TEXT
 from benchmarks import against
-from benchmarks.against import Row, Source, emitted, table, typical
+from benchmarks.against import Row, Source, emitted, report, typical
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -25,7 +25,7 @@ def test_what_is_slower_is_marked_and_counted() -> None:
         Row("a", "P=2", 100, 104, 90, 99),
         Row("b", "P=1", 8, 4, 7, 3.5),
     ]
-    text = table(rows)
+    text = report(rows)
     lines = text.splitlines()
     assert lines[2] == "| a | P=2 | 100 | 104 | 1.040 | 1.100 | slower |"
     assert lines[3] == "| a | P=1 | 100 | 102 | 1.020 | 1.000 |  |"

@@ -24,7 +24,7 @@ from benchmarks.true_mechanisms import examined, good
     ],
 )
 def test_what_is_good(answer: str, found: list[float | str], right: bool) -> None:
-    assert good({"answer": answer, "found": found, "limit": 1e-9}) == right
+    assert good({"answer": answer, "errors": found, "limit": 1e-9}) == right
 
 
 @pytest.mark.parametrize("name", ["fourbar", "inconsistent_velocity"])
@@ -33,6 +33,6 @@ def test_mechanisms_are_examined(shared: Path, name: str) -> None:
     told = json.loads((folder / f"{name}.json").read_text())["modes"]["fixed"]
     row = examined(folder, name, "fixed", told)
     assert good(row)
-    assert all(isinstance(x, str) == (name != "fourbar") for x in row["found"])
+    assert all(isinstance(x, str) == (name != "fourbar") for x in row["errors"])
     wrong = {**row, "answer": "refuse" if name == "fourbar" else "qdd"}
     assert not good(wrong)

@@ -12,11 +12,11 @@ from adagen.cli.main import main
 from adagen.errors import EnvironmentFault
 from adagen.library import read
 from adagen.model import canonical
-from adagen.studies.bench import Judge
 from adagen.studies.bench.peers import contestants, missing
 from adagen.studies.bench.peers.pinocchio_loops import constraint_lines
 from adagen.studies.chart.motion import Played, drifts
 from adagen.studies.random_states import drawn_states
+from adagen.studies.truth import DOUBLE, truth_of
 from tests.mechanisms import four_bar, geared, looped_tree, quadruped, slider_crank
 
 MODELS = Path(__file__).resolve().parents[2] / "generated_examples" / "models"
@@ -84,10 +84,10 @@ def test_pinocchio_solves_the_same_loops(make: object, tmp_path: Path) -> None:
         pytest.skip("pinocchio is not installed")
     assert callable(make)
     model = make()
-    judge = Judge(model, drawn_states(model, 4))
+    truth = truth_of(model, 4, seed=0, digits=DOUBLE)
     errors = {
-        one.name: judge.errors(one.solve(judge.states)).forward
-        for one in contestants("pinocchio", model, judge.states, tmp_path)
+        one.name: truth.errors(one.solve(truth.states)).forward
+        for one in contestants("pinocchio", model, truth.states, tmp_path)
     }
     assert any("lcaba" in name for name in errors)
     assert all(error < 1e-6 for name, error in errors.items() if "Dynamics" in name)

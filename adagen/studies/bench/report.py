@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from adagen.studies.bench.contest import WORDS
@@ -164,12 +164,12 @@ def _details(record: Record) -> Iterator[str]:
             yield ""
 
 
-def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> Iterator[str]:
+def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> Iterator[str]:
     """Yield the lines of a Markdown table, all but the first column to the right."""
     yield f"| {' | '.join(head)} |"
     yield "|---" + "|--:" * (len(head) - 1) + "|"
     for row in rows:
-        yield f"| {' | '.join(row)} |"
+        yield f"| {' | '.join(map(str, row))} |"
 
 
 def _time(row: Row | None) -> str:

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import tempfile
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
 from pathlib import Path
 
 from adagen.errors import AdagenError, UsageError
 from adagen.library import Robot
 from adagen.schedule import load_profile
 from adagen.states import States
-from adagen.studies.bench.answers import DIRECT, Errors, Judge
 from adagen.studies.bench.contest import Contestant, Progress, Rules, Times, hold
 from adagen.studies.bench.peers import entered
 from adagen.studies.bench.record import ModelRecord, Row
 from adagen.studies.bench.variants import Variant, built
 from adagen.studies.random_states import drawn_states
+from adagen.studies.truth import DIRECT, DOUBLE, Errors, Truth, truth_of
 
 
 def measured(
@@ -58,7 +59,8 @@ def measured(
             lambda text: on_progress(f"timing {len(taking_part)} solvers: {text}"),
         )
         gone |= given_up
-        rows = _judged(taking_part, times, Judge(model, few), gone)
+        truth = cache(lambda: truth_of(model, few, digits=DOUBLE))
+        rows = _judged(taking_part, times, truth, gone)
     seconds = time.perf_counter() - start
     return ModelRecord(robot.name, len(model.joints), model.nv, rows, gone, round(seconds, 1))
 
@@ -66,7 +68,7 @@ def measured(
 def _judged(
     taking_part: Sequence[Contestant],
     times: Mapping[str, Mapping[str, Times]],
-    judge: Judge,
+    truth: Callable[[], Truth],
     absent: dict[str, str],
 ) -> tuple[Row, ...]:
     """Return a row for everything that was timed, with its errors."""
@@ -75,7 +77,7 @@ def _judged(
         if one.name not in times:
             continue
         try:
-            errors = judge.errors(one.solve(judge.states))
+            errors = truth().errors(one.solve(truth().states))
         except AdagenError as error:
             absent[one.name] = str(error).removeprefix("error: ")
             continue

@@ -17,8 +17,8 @@ from adagen.studies.bench.contest import Contestant, Rules, Times, cores, from_s
 from adagen.studies.bench.emitted import Emitted
 from adagen.studies.bench.machine import processor
 from adagen.studies.chart.record import Chart, Point, marked, mechanism_of
-from adagen.studies.chart.truth import Truth
 from adagen.studies.chart.variants import REFERENCE, Variant
+from adagen.studies.truth import Truth
 
 Progress = Callable[[str], None]
 

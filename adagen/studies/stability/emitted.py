@@ -168,11 +168,11 @@ def suite(count: int) -> list[Subject]:
         ("a coil of 20", robots.coil(20)),
         ("a dill of level 3", robots.dill(3)),
     ]
-    found = []
-    for name, model in made:
-        first, more = robots.state(model), random_states(model, max(1, count - 1), seed=1)
-        parts = (np.vstack([a, b]) for a, b in zip(first, _parts(more), strict=True))
-        found.append(Subject(name, model, States(*parts)))
+    more = max(1, count - 1)
+    found = [
+        Subject(name, model, robots.states_with(model, random_states(model, more, seed=1)))
+        for name, model in made
+    ]
     looped = [
         ("a four-bar, coupler massless", linkages.bars(0.2, 0.5, 0.4, across=0.45, massless=2)),
         ("three equal rockers, a beam", linkages.parallelogram(3)),

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.model import REVOLUTE, SPHERICAL, Inertia, Joint, JointKind, Link, Model
+from adagen.states import States
 
 Array = NDArray[np.float64]
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
@@ -142,6 +143,12 @@ def state(model: Model) -> tuple[Array, Array, Array]:
         four += [np.sin(1.7 * (j + 1)), np.cos(1.9 * (j + 1))]
         q[model.q_start[j] : model.q_start[j] + 4] = np.array(four) / np.linalg.norm(four)
     return q, np.cos(2.3 * i), np.sin(3.1 * i)
+
+
+def states_with(model: Model, more: States) -> States:
+    """Return the suite's state of a robot, and more."""
+    parts = (more.q, more.v, more.tau)
+    return States(*(np.vstack([a, b]) for a, b in zip(state(model), parts, strict=True)))
 
 
 FAMILIES: dict[str, tuple[str, Callable[[float], Model], tuple[float, ...]]] = {

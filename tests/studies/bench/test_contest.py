@@ -14,10 +14,10 @@ from adagen.reference import (
     forward_dynamics,
     joint_space_inertia,
 )
-from adagen.states import States, random_states
-from adagen.studies.bench import Contestant, Judge, Rules, hold
-from adagen.studies.bench.answers import refined
+from adagen.states import random_states
+from adagen.studies.bench import Contestant, Rules, hold
 from adagen.studies.bench.contest import Turn
+from adagen.studies.truth import DOUBLE, refined, truth_of
 from tests.models import serial_chain
 
 
@@ -74,16 +74,16 @@ def test_nobody_left_is_an_error() -> None:
         hold([contestant("bad", failing(0))], Rules(rounds=2), lambda _: None)
 
 
-def test_the_judge_tells_right_from_wrong() -> None:
+def test_right_and_wrong_answers_are_told_apart() -> None:
     model = serial_chain(5)
     states = random_states(model, 3, seed=4)
-    judge = Judge(model, states)
+    truth = truth_of(model, states, digits=DOUBLE)
     every = zip(states.q, states.v, states.tau, strict=True)
     right = np.array([forward_dynamics(model, *state) for state in every])
-    assert judge.errors(right).forward < 1e-11 and judge.errors(right).residual < 1e-11
-    wrong = judge.errors(right * (1 + 1e-4))
+    assert truth.errors(right).forward < 1e-11 and truth.errors(right).residual < 1e-11
+    wrong = truth.errors(right * (1 + 1e-4))
     assert wrong.forward == pytest.approx(1e-4, rel=1e-3) and wrong.residual > 1e-7
-    assert judge.errors(np.full_like(right, np.nan)).forward == np.inf
+    assert truth.errors(np.full_like(right, np.nan)).forward == np.inf
 
 
 @pytest.mark.parametrize("joints", [1, 12, 60])
@@ -99,7 +99,8 @@ def test_refinement_finds_what_ball_arithmetic_proves(joints: int) -> None:
         assert energy_norm_error(inertia, plain - truth, truth) > 1e-14
 
 
-def test_states_of_a_judge_are_those_given() -> None:
+def test_states_of_a_truth_are_those_given() -> None:
     model = serial_chain(3)
     states = random_states(model, 2)
-    assert isinstance(states, States) and Judge(model, states).truth.shape == (2, model.nv)
+    truth = truth_of(model, states)
+    assert truth.states is states and truth.exact.shape == (2, model.nv)

@@ -16,9 +16,9 @@ from adagen.errors import EnvironmentFault
 from adagen.model import Model, canonical
 from adagen.reference import forward_dynamics
 from adagen.states import random_states
-from adagen.studies.bench import Judge
 from adagen.studies.bench.contest import Contestant
 from adagen.studies.bench.peers import PEERS, missing
+from adagen.studies.truth import DOUBLE, truth_of
 from tests.models import random_tree, serial_chain, star
 
 pytestmark = pytest.mark.skipif(
@@ -35,10 +35,10 @@ def made(name: str, model: Model, folder: Path) -> list[Contestant]:
 
 
 def check(field: list[Contestant], model: Model) -> None:
-    judge = Judge(model, random_states(model, 3, seed=5))
+    truth = truth_of(model, random_states(model, 3, seed=5), digits=DOUBLE)
     assert field
     for one in field:
-        errors = judge.errors(one.solve(judge.states))
+        errors = truth.errors(one.solve(truth.states))
         assert errors.forward < 1e-9, one.name
         turn = one.turn(1)["in_place"]
         assert 0 < turn.least <= turn.median

@@ -20,8 +20,8 @@ from adagen.studies.bench.contest import Contestant
 from adagen.studies.chart import Point, Study, Variant, chart_of, every_variant
 from adagen.studies.chart.motion import Played, Player, drifts, motion_chart
 from adagen.studies.chart.study import _judged
-from adagen.studies.chart.truth import truth_of
 from adagen.studies.chart.variants import REFERENCE, SCHEDULES
+from adagen.studies.truth import truth_of
 from adagen.urdf import read_robot
 from tests.emitted import Builder, Solver, plan_of
 from tests.golden.make_models import MODELS
