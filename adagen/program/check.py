@@ -2,8 +2,9 @@
 
 It proves: every value is set before it is read, and none is overwritten or added to at a wrong
 time; every message is sent once by its source, contains what its source has computed, and is
-received once by its target; processes do not deadlock; every joint's acceleration is computed by
-its owner, and has one owner; loops store the first inertia at a link and add all others.
+received once by its target; processes do not deadlock, and none overtakes another so far that it
+overwrites what that one still reads; every joint's acceleration is computed by its owner, and has
+one owner; loops store the first inertia at a link and add all others.
 """
 
 from __future__ import annotations
@@ -31,6 +32,7 @@ from adagen.plan.steps import (
 from adagen.plan.types import ENERGIES, Plan
 from adagen.program.effects import Effects, Place, added_by, contents, effects, joined_runs
 from adagen.program.names import PREPARES
+from adagen.program.reuse import overwritten
 from adagen.program.runs import Run, ends_of_run, parts_in
 from adagen.program.types import Links, Operation, Program
 
@@ -98,6 +100,8 @@ def _check_run(
     }
     if lost := exchanged - received:
         raise ProgramError(f"message {min(lost)} is sent and never received")
+    if early := overwritten(plan.messages, operations):
+        raise ProgramError(f"message {early[0]} may be overwritten before it was read")
 
 
 class _Memory:

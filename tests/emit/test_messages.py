@@ -19,39 +19,17 @@ from adagen.model import Model
 from adagen.plan import MEETINGS, Plan, make_plan
 from adagen.plan.steps import Receive, Send
 from adagen.program import lower
+from adagen.program.reuse import overwritten
 from adagen.schedule import Topology, load_profile
 from adagen.search import find_schedule, named_schedule
 from tests.models import random_tree, serial_chain
 from tests.schedules import random_schedule
 
-Event = tuple[int, str, int]  # evaluation, "send" or "receive", message
-
 
 def unguarded(plan: Plan) -> list[int]:
     """Return the messages whose next writing does not come after their reading."""
-    before: dict[Event, set[Event]] = {}
-    for process in plan.processes:
-        last: Event | None = None
-        for evaluation in range(3):
-            for step in process.steps:
-                if isinstance(step, Send | Receive):
-                    what = "send" if isinstance(step, Send) else "receive"
-                    event = (evaluation, what, step.message)
-                    before[event] = {last} if last else set()
-                    if what == "receive":
-                        before[event].add((evaluation, "send", step.message))
-                    last = event
-    wrong = []
-    for number in sorted({message for _, _, message in before}):  # others are a recovery's
-        seen, waiting = set[Event](), [(2, "send", number)]
-        while waiting:
-            event = waiting.pop()
-            if event not in seen:
-                seen.add(event)
-                waiting += before[event]
-        if (0, "receive", number) not in seen:
-            wrong.append(number)
-    return wrong
+    operations = [process.operations for process in lower(plan, "joints").processes]
+    return overwritten(plan.messages, operations)
 
 
 PROFILE = load_profile("default")
