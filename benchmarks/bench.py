@@ -17,9 +17,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from adagen.cli.bench import draw
 from adagen.cli.console import note
 from adagen.cli.contest import Entry, contest
+from adagen.cli.scale import draw
 from adagen.errors import AdagenError
 from adagen.studies.bench.contest import Rules
 from adagen.studies.bench.record import Record, read_record, write_record

@@ -32,8 +32,7 @@ from typing import Any
 import numpy as np
 
 import adagen
-from adagen.build import Toolchain, build_executable
-from adagen.emit import emit
+from adagen.build import Toolchain
 from adagen.errors import AdagenError
 from adagen.model import Model
 from adagen.plan import make_plan
@@ -48,7 +47,7 @@ from adagen.studies.stability.bounds import FACTOR, Bounded, Certified, bounded,
 from benchmarks.closed_robots import MECHANISMS
 from benchmarks.hard import Asked, fastest, hard_mechanisms, hard_robots, study
 from benchmarks.page import MODELS, Record
-from benchmarks.solvers import tell
+from benchmarks.solvers import source_of, tell
 
 WAYS = [
     Certified("unrolled"),
@@ -174,30 +173,30 @@ def measured_predictions(asked: Asked, record: Record, toolchain: Toolchain) -> 
     return list(table((*head, "worst, decades"), lines))
 
 
-def measured_times(paths: Iterable[Path], toolchain: Toolchain) -> list[str]:
+def measured_times(paths: Iterable[Path]) -> list[str]:
     """Return the table of times."""
     rows = []
     for path in paths:
         scene = path.with_suffix(".toml")
         robot = adagen.read(path, scene=scene if scene.exists() else None)
         for shape, batch in SHAPES:
-            programs = []
             try:
-                for certify in (False, True):
-                    made = adagen.compile(robot, shape=shape, batch=batch, certify=certify)
-                    source = made.files[f"{made.stem}.cpp"]
-                    programs.append(build_executable(source, made.stem, toolchain))
+                found = {
+                    what: adagen.compile(robot, shape=shape, batch=batch, certify=what != "plain")
+                    for what in ("plain", "certified")
+                }
             except AdagenError as error:
                 tell(f"{path.stem}, {shape}: {error}")
                 continue
-            plain, certified = fastest(programs, toolchain)
+            solvers = {what: (made.plan, made.source) for what, made in found.items()}
+            plain, certified = fastest(robot.model, solvers)
             name = f"{shape}{', batch' * batch}"
             ratio = f"{certified / plain:.2f}"
             rows.append((path.stem, name, f"{plain:.0f}", f"{certified:.0f}", ratio))
     return list(table(("robot", "shape", "plain, ns", "certified, ns", "ratio"), rows))
 
 
-def measured_mechanisms(_: Asked, __: Record, toolchain: Toolchain) -> list[str]:
+def measured_mechanisms(_: Asked, __: Record, ___: Toolchain) -> list[str]:
     """Return the table of times of mechanisms, plain and certified, which nothing is asked of."""
     rows = []
     profile = load_profile("default")
@@ -211,11 +210,9 @@ def measured_mechanisms(_: Asked, __: Record, toolchain: Toolchain) -> list[str]
             except AdagenError as error:
                 tell(f"{name}: {error}")
                 break
-            sources = [emit(each, name="timed", shape="unrolled", batch=batch) for each in plans]
-            programs = [
-                build_executable(each["timed_p1.cpp"], "timed_p1", toolchain) for each in sources
-            ]
-            least = fastest(programs, toolchain)
+            sources = [source_of(each, shape="unrolled", batch=batch) for each in plans]
+            solvers = {str(k): both for k, both in enumerate(zip(plans, sources, strict=True))}
+            least = fastest(model, solvers)
             cells += [*(f"{x:.0f}" for x in least), f"{least[1] / least[0]:.2f}"]
         else:
             rows.append(cells)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import platform
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -13,11 +12,12 @@ import numpy as np
 
 from adagen.build import Toolchain, find_toolchain
 from adagen.model import Model
-from adagen.run import launch
+from adagen.plan import Plan
 from adagen.states import States
 from adagen.studies.stability.adversary import FAMILIES, Family, hard_states, robots
 from adagen.studies.stability.mechanisms import mechanisms, worst_states
 from benchmarks.page import Record, command, publish
+from benchmarks.solvers import by_turns, contestant
 
 
 def name_of(family: Family) -> str:
@@ -52,7 +52,7 @@ class Asked:
 
 Errors = Callable[[Asked, Record, Toolchain], list[str]]
 """A table of errors of hard states of random robots."""
-Times = Callable[[Sequence[Path], Toolchain], list[str]]
+Times = Callable[[Sequence[Path]], list[str]]
 """The table of times of robots."""
 
 
@@ -76,15 +76,15 @@ def hard_mechanisms(asked: Asked) -> Iterator[tuple[str, Model, States]]:
         print(f"{k + 1} of {asked.robots} mechanisms", end="\r", file=sys.stderr)
 
 
-def fastest(programs: Sequence[Path], toolchain: Toolchain) -> list[float]:
-    """Least nanoseconds of an evaluation of each program, run by turns."""
-    least = [np.inf] * len(programs)
-    for _ in range(ROUNDS):
-        for k, program in enumerate(programs):
-            ran = launch(program, 1, ["--time", "--json"], toolchain, timeout=120)
-            time = json.loads(ran.stdout)["time"]["in_place"]["min_ns"]
-            least[k] = min(least[k], time)
-    return least
+def fastest(model: Model, solvers: Mapping[str, tuple[Plan, str]]) -> list[float]:
+    """Least nanoseconds of an evaluation by each of a robot's solvers, timed by turns.
+
+    Args:
+        model: the robot.
+        solvers: plans and sources by name.
+    """
+    times = by_turns([contestant(name, model, *one) for name, one in solvers.items()], ROUNDS)
+    return [times[name]["in_place"].least for name in solvers]
 
 
 def study(
@@ -112,14 +112,13 @@ def study(
         parser.add_argument(f"--{option}", type=int, default=value)
     parser.add_argument("--record", type=Path, help="what is there already; it is gone on with")
     options = parser.parse_args()
-    toolchain = find_toolchain()
     if options.what in errors:
         wanted = Asked(options.robots, options.states, options.seed)
-        lines = errors[options.what](wanted, Record(options.record), toolchain)
+        lines = errors[options.what](wanted, Record(options.record), find_toolchain())
         asked = str(wanted)
     else:
         paths = options.urdf or timed
         asked = " ".join(path.name for path in paths)
-        lines = times(paths, toolchain)
+        lines = times(paths)
     head = f"{platform.machine()}, `python -m benchmarks.{name} {options.what} {asked}`"
     publish(options, f"{name}.{options.what}", "\n".join([head, "", *lines]))

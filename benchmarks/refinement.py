@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 import adagen
-from adagen.build import Toolchain, build_executable
+from adagen.build import Toolchain
 from adagen.emit import emit
 from adagen.errors import AdagenError
 from adagen.model import Model
@@ -78,17 +78,16 @@ def errors_table(asked: Asked, record: Record, toolchain: Toolchain) -> list[str
     return list(table(head, lines))
 
 
-def times_table(paths: Iterable[Path], toolchain: Toolchain) -> list[str]:
+def times_table(paths: Iterable[Path]) -> list[str]:
     """Return the table of times in loops."""
     rows = []
     for path in paths:
         robot = adagen.read(path)
-        programs = []
+        solvers = {}
         for residual in RESIDUALS:
             made = adagen.compile(robot, shape="kernels", **_options(residual))
-            source = made.files[f"{made.stem}.cpp"]
-            programs.append(build_executable(source, made.stem, toolchain))
-        plain, own, wide = fastest(programs, toolchain)
+            solvers[residual] = made.plan, made.source
+        plain, own, wide = fastest(robot.model, solvers)
         cells = [f"{plain:.0f}"]
         cells += [cell for x in (own, wide) for cell in (f"{x:.0f}", f"{x / plain:.2f}")]
         rows.append((path.stem, *cells))

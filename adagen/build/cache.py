@@ -92,7 +92,6 @@ def kept_text(
     name: str,
     toolchain: Toolchain,
     make: Callable[[], str],
-    cache_dir: Path | None = None,
 ) -> str:
     """Return what was found of some texts on this machine, now or at an earlier time.
 
@@ -101,7 +100,6 @@ def kept_text(
         name: what it is, a file name.
         toolchain: what is compiled with.
         make: finds it.
-        cache_dir: where it is kept, :func:`cache_folder` by default.
 
     Raises:
         EnvironmentFault: the cache cannot be written.
@@ -110,9 +108,8 @@ def kept_text(
     def write(work: Path) -> None:
         (work / name).write_text(make(), encoding="utf-8")
 
-    cache = cache_folder() if cache_dir is None else cache_dir
     key = _key([*texts, name], toolchain, mpi=False)
-    return _entry(cache, key, name, write).read_text(encoding="utf-8")
+    return _entry(cache_folder(), key, name, write).read_text(encoding="utf-8")
 
 
 @dataclass(frozen=True)

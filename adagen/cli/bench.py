@@ -9,9 +9,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from adagen.cli.console import long_note, note, wrote
+from adagen.cli.console import long_note
 from adagen.cli.parser import Parser, make_parser, parse, whole
-from adagen.cli.scale import add_scale, check_scale, run_scale
+from adagen.cli.scale import add_scale, check_scale, draw, run_scale
 from adagen.cli.tables import table_of
 
 if TYPE_CHECKING:
@@ -150,16 +150,3 @@ def publish(record: Record, folder: Path) -> None:
     write_files(folder, {"bench.md": markdown(record)})
     write_record(record, folder / "bench.json")
     draw(record, folder)
-
-
-def draw(record: Record, folder: Path, endings: Sequence[str] = ("svg",)) -> list[Path]:
-    """Write a record's pictures into a folder, where matplotlib is installed; return the files."""
-    try:
-        from adagen.studies.bench.pictures import draw_all
-    except ImportError:
-        note("without pictures: matplotlib is not installed (pip install 'adagen[bench]')")
-        return []
-    written = draw_all(record, folder, endings)
-    for path in written:
-        wrote([path])
-    return written

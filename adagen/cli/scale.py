@@ -18,6 +18,7 @@ from adagen.errors import UsageError
 if TYPE_CHECKING:
     from adagen.schedule import Fabric
     from adagen.schedule.costs import StepCosts
+    from adagen.studies.bench.record import Record
     from adagen.studies.bench.scale import Wanted
     from adagen.studies.bench.scale_record import Scale
 
@@ -215,14 +216,20 @@ def publish(scale: Scale, folder: Path) -> None:
     draw(scale, folder)
 
 
-def draw(scale: Scale, folder: Path, endings: Sequence[str] = ("svg",)) -> list[Path]:
+def draw(record: Record | Scale, folder: Path, endings: Sequence[str] = ("svg",)) -> list[Path]:
     """Write a record's pictures into a folder, where matplotlib is installed; return the files."""
+    from adagen.studies.bench.record import Record
+
     try:
+        from adagen.studies.bench.pictures import draw_all
         from adagen.studies.bench.scale_pictures import draw_scale
     except ImportError:
         note("without pictures: matplotlib is not installed (pip install 'adagen[bench]')")
         return []
-    written = draw_scale(scale, folder, endings)
+    if isinstance(record, Record):
+        written = draw_all(record, folder, endings)
+    else:
+        written = draw_scale(record, folder, endings)
     if written:
         wrote(written)
     return written

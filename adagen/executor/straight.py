@@ -30,20 +30,17 @@ def simulate(
     return each_for_itself(plan, grouping, refining)
 
 
-def straight_line(
-    plan: Plan, *, lanes: bool = True, costs: StepCosts | None = None
-) -> tuple[Simulated, ...]:
+def straight_line(plan: Plan, *, lanes: bool = True) -> tuple[Simulated, ...]:
     """Return the plan's processes as emitted in straight lines: in lanes where that is cheaper.
 
     Args:
         plan: the plan.
         lanes: whether limbs may share code at all.
-        costs: prices statements; the shipped ones if not given.
 
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.
     """
-    return _simulated(plan, chosen_grouping(plan, costs)) if lanes else simulate(plan)
+    return _simulated(plan, chosen_grouping(plan)) if lanes else simulate(plan)
 
 
 def _simulated(plan: Plan, grouping: Grouping | None) -> tuple[Simulated, ...]:

@@ -8,53 +8,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import groupby
-from typing import Literal
+from operator import attrgetter
 
-from adagen.plan.steps import (
-    Accelerate,
-    AccelerateHeld,
-    AccelerateRoot,
-    Append,
-    ApplyCoupling,
-    Arrive,
-    Certify,
-    Correct,
-    Deliver,
-    Disassemble,
-    FreeAcceleration,
-    GiveOutput,
-    Kinematics,
-    Load,
-    LoadRoot,
-    Receive,
-    Refine,
-    Release,
-    Send,
-    SolveCoupling,
-    SolveMobility,
-    Step,
-    Traverse,
-)
+from adagen.plan.steps import Receive, Send
+from adagen.plan.steps.sorts import What
 from adagen.plan.types import Process
-
-What = Literal["kinematics", "assembly", "disassembly", "slaved", "send", "receive"]
-
-_DOWN = (
-    Disassemble,
-    SolveMobility,
-    Load,
-    LoadRoot,
-    Deliver,
-    AccelerateRoot,
-    Accelerate,
-    AccelerateHeld,
-    Release,
-    FreeAcceleration,
-    Certify,
-    Correct,
-    Refine,
-    GiveOutput,
-)
 
 
 @dataclass(frozen=True)
@@ -81,7 +39,7 @@ def stages(process: Process) -> tuple[Stage, ...]:
     """Return the stages of a process in order."""
     found: list[Stage] = []
     first = 0
-    for what, group in groupby(process.steps, _what):
+    for what, group in groupby(process.steps, attrgetter("stage")):
         steps = list(group)
         last = first + len(steps)
         if what in ("send", "receive"):
@@ -97,23 +55,3 @@ def stages(process: Process) -> tuple[Stage, ...]:
             found.append(Stage(what, first, last, joint, None))
         first = last
     return tuple(found)
-
-
-_SORTS: tuple[tuple[What, tuple[type, ...]], ...] = (
-    ("kinematics", (Kinematics, Traverse, Append, Arrive)),
-    ("send", (Send,)),
-    ("receive", (Receive,)),
-    ("slaved", (SolveCoupling, ApplyCoupling)),
-    ("disassembly", _DOWN),
-)
-
-
-_known: dict[type, What] = {}
-"""Found once for each kind: it is asked for each step of each plan that a search prices."""
-
-
-def _what(step: Step) -> What:
-    kind = type(step)
-    if kind not in _known:
-        _known[kind] = next((w for w, kinds in _SORTS if issubclass(kind, kinds)), "assembly")
-    return _known[kind]

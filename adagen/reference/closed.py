@@ -331,12 +331,12 @@ def closed_states(
     return q, v
 
 
-def nearly_closed(model: Model, seed: int = 0) -> dict[str, float]:
+def nearly_closed(model: Model) -> dict[str, float]:
     """Return by how much each loop and coupling is open where all are closed as well as was found.
 
     In m and rad, the larger one; from as many random starts as there are scales, by least squares.
     """
-    rng = np.random.default_rng(seed)
+    rng = np.random.default_rng(0)
     starts = np.array([_start(model, rng, scale) for scale in SCALES])
     found = constraints_of_all(model, closest(model, starts))
     best = int(np.argmin((found.gaps**2).sum(axis=1)))

@@ -10,7 +10,7 @@ from adagen.schedule.draft import Draft
 from adagen.search import find_schedule, named_schedule
 from adagen.search.named import as_schedule
 from benchmarks.paper import robots
-from benchmarks.paper.measured import build, machine, measure, model_of
+from benchmarks.paper.measured import build, machine, measure, model_of, played
 from benchmarks.paper.pictures import Line, save_chart
 
 PAPER = load_profile("paper")
@@ -47,22 +47,26 @@ def figure_4(*, run: bool = True) -> None:
 def _measured_4() -> None:
     model = model_of(robots.chain(JOINTS))
     topology = Topology.of(model)
-    single = build(model, named_schedule("sequential", topology, 1, profile=PAPER))
-    programs = [single, *(build(model, rooted(topology, root)) for root in ROOTS)]
-    one, *two = measure(programs)
+    single = build("one", model, named_schedule("sequential", topology, 1, profile=PAPER))
+    two = [build(f"root {root}", model, rooted(topology, root)) for root in ROOTS]
+    programs = [single, *two]
+    one, *both = ((t.median / 1e3, t.least / 1e3) for t in measure(programs))
     table = Table("root", "median us", "least us", "against one process")
-    table.add_row("one process", f"{one.median:.1f}", f"{one.least:.1f}", "")
-    for root, times in zip(ROOTS, two, strict=True):
-        saved = f"{times.median / one.median - 1:+.0%}"
-        table.add_row(str(root), f"{times.median:.1f}", f"{times.least:.1f}", saved)
+    table.add_row("one process", f"{one[0]:.1f}", f"{one[1]:.1f}", "")
+    for root, (median, least) in zip(ROOTS, both, strict=True):
+        table.add_row(str(root), f"{median:.1f}", f"{least:.1f}", f"{median / one[0] - 1:+.0%}")
     Console().print(table)
     print(machine())
     ends = (0, JOINTS - 1)
     lines = [
-        Line("two processes, median", [(r, t.median) for r, t in zip(ROOTS, two, strict=True)]),
-        Line("two processes, least", [(r, t.least) for r, t in zip(ROOTS, two, strict=True)]),
-        Line("one process, median", [(end, one.median) for end in ends], dashed=True),
-        Line("one process, least", [(end, one.least) for end in ends], dashed=True),
+        *(
+            Line(f"two processes, {what}", [(r, t[k]) for r, t in zip(ROOTS, both, strict=True)])
+            for k, what in enumerate(("median", "least"))
+        ),
+        *(
+            Line(f"one process, {what}", [(end, one[k]) for end in ends], dashed=True)
+            for k, what in enumerate(("median", "least"))
+        ),
     ]
     save_chart("fig4_measured", f"Fig. 4, measured: {machine()}", lines)
 
@@ -77,16 +81,16 @@ def table_2(*, run: bool = True) -> None:
         model = model_of(robots.human(dofs))
         topology = Topology.of(model)
         found = [find_schedule(topology, p, profile=PAPER, tie="lex") for p in (1, 2, 4)]
-        times = measure([build(model, s) for s in found], 9, 200) if run else []
+        built = [build(f"P={s.processes}", model, s) for s in found] if run else []
+        times = measure(built, 9, 200)
         for i, s in enumerate(found):
             row = [str(dofs), str(len(topology)), str(s.processes), topology.names[s.root.joint]]
             row += [f"{1e3 * printed[i]:.0f}", _saved(printed[i], printed[0])]
             row += [f"{s.makespan:.1f}", _saved(s.makespan, found[0].makespan)]
             if i < len(times):
-                median = times[i].median
-                about = "≈" if times[i].played else ""
-                row += [f"{about}{median:.2f} ({times[i].least:.2f})"]
-                row += [_saved(median, times[0].median)]
+                about = "≈" if played(built[i]) else ""
+                row += [f"{about}{times[i].median / 1e3:.2f} ({times[i].least / 1e3:.2f})"]
+                row += [_saved(times[i].median, times[0].median)]
             table.add_row(*row)
     Console(width=120).print(table)
     if run:

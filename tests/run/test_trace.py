@@ -27,16 +27,14 @@ MODEL = human_figure()
 NAMES = [joint.name for joint in MODEL.joints]
 
 
-def human_plan(processes: int, form: str = "segment") -> Plan:
-    schedule = named_schedule(
-        "balanced", Topology.of(MODEL), processes, profile=load_profile("default")
-    )
-    return make_plan(MODEL, schedule, form=form)
+def human_plan() -> Plan:
+    profile = load_profile("default")
+    return make_plan(MODEL, named_schedule("balanced", Topology.of(MODEL), 2, profile=profile))
 
 
 @pytest.fixture(scope="module")
 def solver(builder: Builder) -> Solver:
-    return builder.solver(human_plan(2))
+    return builder.solver(human_plan())
 
 
 @pytest.fixture
@@ -48,7 +46,7 @@ def trace(solver: Solver, tmp_path: Path) -> Path:
 
 def test_every_stage_is_told_in_order(trace: Path) -> None:
     data = json.loads(trace.read_text())
-    plan = human_plan(2)
+    plan = human_plan()
     assert (data["processes"], data["channel"], data["evaluations"]) == (2, "window", 3 * 64)
     for p, process in enumerate(plan.processes):
         mine = [row for row in data["stages"] if row["process"] == p]
@@ -63,7 +61,7 @@ def test_every_stage_is_told_in_order(trace: Path) -> None:
 
 def test_a_trace_becomes_a_timeline_and_a_picture(trace: Path) -> None:
     line = read_trace(str(trace), NAMES, 2)
-    predicted = predict(human_plan(2), load_profile("default"))
+    predicted = predict(human_plan(), load_profile("default"))
     assert (line.source, predicted.source) == ("measured", "predicted")
     assert len(line.exchanges) == len(predicted.exchanges) == 2
     for p in (0, 1):
@@ -124,7 +122,7 @@ def test_answers_are_the_same_while_traced(solver: Solver, tmp_path: Path) -> No
 
 def test_a_program_is_measured_stage_by_stage(solver: Solver) -> None:
     program = Program.__new__(Program)  # built for tests, without the long optimisation
-    program.plan, program.toolchain = human_plan(2), solver.toolchain
+    program.plan, program.toolchain = human_plan(), solver.toolchain
     program.executable = solver.executable
     runs = [program.measure(repeat=2, channel=channel) for channel in ("window", "message")]
     assert [run.channel for run in runs] == ["window", "message"]

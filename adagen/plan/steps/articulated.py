@@ -6,10 +6,11 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from adagen.plan.steps.names import Bias, Block, Force
+from adagen.plan.steps.sorts import Inwards, Outwards
 
 
 @dataclass(frozen=True)
-class StartLink:
+class StartLink(Inwards):
     """I^A and p^A of a link start as its own inertia and v x* I v (Featherstone, RBDA 7.3)."""
 
     does: ClassVar[str] = "link_inertia"
@@ -19,7 +20,7 @@ class StartLink:
 
 
 @dataclass(frozen=True)
-class StartEmpty:
+class StartEmpty(Inwards):
     """I^A and p^A of a link start as zero: another process adds the link's own inertia."""
 
     does: ClassVar[str] = "clear_inertia"
@@ -29,7 +30,7 @@ class StartEmpty:
 
 
 @dataclass(frozen=True)
-class FreeBase:
+class FreeBase(Inwards):
     """A floating joint on the ground only adds its torque to the link."""
 
     does: ClassVar[str] = "free_base"
@@ -39,7 +40,7 @@ class FreeBase:
 
 
 @dataclass(frozen=True)
-class Articulate:
+class Articulate(Inwards):
     """I^A and p^A of the link on a joint's far side, through the joint, onto its near side.
 
     Far and near are seen from the root of the segment: far is the child link, or the parent link
@@ -55,7 +56,7 @@ class Articulate:
 
 
 @dataclass(frozen=True)
-class InvertRoot:
+class InvertRoot(Inwards):
     """Phi = (I^A)^-1 and b = -Phi p^A of a segment's root that is a handle."""
 
     does: ClassVar[str] = "invert_root"
@@ -67,7 +68,7 @@ class InvertRoot:
 
 
 @dataclass(frozen=True)
-class SolveRoot:
+class SolveRoot(Inwards):
     """Acceleration of a segment's root that is no handle: I^A a = -p^A."""
 
     does: ClassVar[str] = "solve_root"
@@ -77,7 +78,7 @@ class SolveRoot:
 
 
 @dataclass(frozen=True)
-class SolveMobility:
+class SolveMobility(Outwards):
     """Acceleration of a link of known mobility Phi: (1 + Phi I^A) a = b - Phi p^A."""
 
     does: ClassVar[str] = "solve_mobility"
@@ -89,7 +90,7 @@ class SolveMobility:
 
 
 @dataclass(frozen=True)
-class HoldMobility:
+class HoldMobility(Inwards):
     """I^A = Phi^-1 and p^A = -Phi^-1 b of a link, from its mobility towards the ground.
 
     This starts the outward recursion from the ground: beyond the joints that make Phi regular, the
@@ -121,7 +122,7 @@ class Spread:
 
 
 @dataclass(frozen=True)
-class Propagate:
+class Propagate(Inwards):
     """Mobility outwards across a joint: Omega = L Omega L^T + S D^-1 S^T, Psi = L Psi.
 
     Attributes:
@@ -147,7 +148,7 @@ class Propagate:
 
 
 @dataclass(frozen=True)
-class Load:
+class Load(Outwards):
     """Load of a link by handle forces, before the joints beyond it add theirs."""
 
     does: ClassVar[str] = "load"
@@ -158,7 +159,7 @@ class Load:
 
 
 @dataclass(frozen=True)
-class LoadRoot:
+class LoadRoot(Outwards):
     """Load of a link with known acceleration: -(I^A a + p^A).
 
     With ``held``, I^A and p^A are those of ``HoldMobility``, and the load is the opposite.
@@ -172,7 +173,7 @@ class LoadRoot:
 
 
 @dataclass(frozen=True)
-class Deliver:
+class Deliver(Outwards):
     """Transfers the load of a joint's far link through the joint to its near link: L^T."""
 
     does: ClassVar[str] = "deliver"
@@ -183,7 +184,7 @@ class Deliver:
 
 
 @dataclass(frozen=True)
-class AccelerateRoot:
+class AccelerateRoot(Outwards):
     """Acceleration of a root that is a handle: a = b + Phi load."""
 
     does: ClassVar[str] = "accelerate_root"
@@ -195,7 +196,7 @@ class AccelerateRoot:
 
 
 @dataclass(frozen=True)
-class FreeAcceleration:
+class FreeAcceleration(Outwards):
     """qdd of a floating joint on the ground, from its link's acceleration."""
 
     does: ClassVar[str] = "free_acceleration"
@@ -205,7 +206,7 @@ class FreeAcceleration:
 
 
 @dataclass(frozen=True)
-class Accelerate:
+class Accelerate(Outwards):
     """qdd of a joint and the acceleration of its far link."""
 
     does: ClassVar[str] = "accelerate"

@@ -11,9 +11,11 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import ClassVar
 
+from adagen.plan.steps.sorts import Inwards, Outwards
+
 
 @dataclass(frozen=True)
-class CloseLoop:
+class CloseLoop(Inwards):
     """The constraint rows of a loop at its two links; refuses a state in which the loop is open.
 
     Attributes:
@@ -33,7 +35,7 @@ class CloseLoop:
 
 
 @dataclass(frozen=True)
-class CloseCoupling:
+class CloseCoupling(Inwards):
     """The constraint row of a coupling: its factors. A redundant one is only checked.
 
     Attributes:
@@ -51,7 +53,7 @@ class CloseCoupling:
 
 
 @dataclass(frozen=True)
-class HoldBack:
+class HoldBack(Inwards):
     """Inward sweep through a joint without elimination: its acceleration becomes an unknown.
 
     Attributes:
@@ -74,7 +76,7 @@ class HoldBack:
 
 
 @dataclass(frozen=True)
-class CarryRows:
+class CarryRows(Inwards):
     """Carries a closure's unknowns from beyond an eliminated joint through that joint."""
 
     does: ClassVar[str] = "carry_rows"
@@ -86,7 +88,7 @@ class CarryRows:
 
 
 @dataclass(frozen=True)
-class Eliminate:
+class Eliminate(Inwards):
     """Elimination of a closure's unknowns at its top.
 
     If all joints of the closure are unknowns, the dependent accelerations follow from the
@@ -126,7 +128,7 @@ class Eliminate:
 
 
 @dataclass(frozen=True)
-class Release:
+class Release(Outwards):
     """The unknowns of a closure from the acceleration of its top."""
 
     does: ClassVar[str] = "release"
@@ -137,7 +139,7 @@ class Release:
 
 
 @dataclass(frozen=True)
-class AccelerateHeld:
+class AccelerateHeld(Outwards):
     """The acceleration of the link beyond a joint whose acceleration was an unknown."""
 
     does: ClassVar[str] = "accelerate_held"

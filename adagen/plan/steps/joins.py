@@ -6,10 +6,11 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from adagen.plan.steps.names import Bias, Block, Force
+from adagen.plan.steps.sorts import Inwards, Outwards
 
 
 @dataclass(frozen=True)
-class LinkBias:
+class LinkBias(Inwards):
     """b of a bare link: its acceleration when nothing acts on it."""
 
     does: ClassVar[str] = "link_bias"
@@ -47,7 +48,7 @@ class BiasUpdate:
 
 
 @dataclass(frozen=True)
-class Join:
+class Join(Inwards):
     """Assembly of a joint between chains A (parent side) and B (child side): Eq. (3)-(7).
 
     Attributes:
@@ -105,7 +106,7 @@ class ForceUpdate:
 
 
 @dataclass(frozen=True)
-class Disassemble:
+class Disassemble(Outwards):
     """Disassembly of a joint: its acceleration and force, Eq. (8)-(10).
 
     Attributes:

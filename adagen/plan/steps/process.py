@@ -6,12 +6,13 @@ from dataclasses import dataclass, field
 from typing import ClassVar
 
 from adagen.plan.steps.names import Passage
+from adagen.plan.steps.sorts import Motion, Outwards, What
 
 _OPTIONAL = {"optional": True}  # fields that are not written where they have their default
 
 
 @dataclass(frozen=True)
-class Kinematics:
+class Kinematics(Motion):
     """Transform and velocity of a joint's child link."""
 
     does: ClassVar[str] = "kinematics"
@@ -22,7 +23,7 @@ class Kinematics:
 
 
 @dataclass(frozen=True)
-class Traverse:
+class Traverse(Motion):
     """Passage of a run: pose and motion of its last link relative to the link before it."""
 
     does: ClassVar[str] = "traverse"
@@ -32,7 +33,7 @@ class Traverse:
 
 
 @dataclass(frozen=True)
-class Append:
+class Append(Motion):
     """Passage of two successive runs, from the passages of both.
 
     Attributes:
@@ -50,7 +51,7 @@ class Append:
 
 
 @dataclass(frozen=True)
-class Arrive:
+class Arrive(Motion):
     """Motion of a run's last link, from that of the link before the run and its passage.
 
     Attributes:
@@ -69,6 +70,7 @@ class Arrive:
 class Send:
     """Hand a message to its target."""
 
+    stage: ClassVar[What] = "send"
     does: ClassVar[str] = "send"
     about: ClassVar[str] = "message sent"
 
@@ -79,6 +81,7 @@ class Send:
 class Receive:
     """Wait for a message."""
 
+    stage: ClassVar[What] = "receive"
     does: ClassVar[str] = "receive"
     about: ClassVar[str] = "message received"
 
@@ -86,7 +89,7 @@ class Receive:
 
 
 @dataclass(frozen=True)
-class GiveOutput:
+class GiveOutput(Outwards):
     """One of the plan's outputs beside accelerations."""
 
     does: ClassVar[str] = "output"
@@ -99,6 +102,7 @@ class GiveOutput:
 class SolveCoupling:
     """Coupling torques of slaved joints, from all processes' accelerations."""
 
+    stage: ClassVar[What] = "slaved"
     does: ClassVar[str] = "solve_coupling"
     about: ClassVar[str] = "coupling torques of slaved joints"
 
@@ -107,12 +111,13 @@ class SolveCoupling:
 class ApplyCoupling:
     """Adds the effect of the coupling torques to this process's accelerations."""
 
+    stage: ClassVar[What] = "slaved"
     does: ClassVar[str] = "apply_coupling"
     about: ClassVar[str] = "accelerations with the coupling torques"
 
 
 @dataclass(frozen=True)
-class Correct:
+class Correct(Outwards):
     """Repeats steps of the process for the residuals of its answer: part of a correction.
 
     Kinematics and factors are those of the answer. Messages between such parts have steps of their
@@ -133,7 +138,7 @@ class Correct:
 
 
 @dataclass(frozen=True)
-class Refine:
+class Refine(Outwards):
     """The answer, corrected by the residuals of the equations of motion.
 
     Loops do all of it in this step; straight lines have steps ``Correct`` before it.
@@ -161,7 +166,7 @@ class Share:
 
 
 @dataclass(frozen=True)
-class Certify:
+class Certify(Outwards):
     """A bound of the answer's error, from the residuals of the equations of motion.
 
     Attributes:

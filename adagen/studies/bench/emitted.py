@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import tempfile
 from collections.abc import Mapping
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -13,11 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.build import Toolchain, build_executable
-from adagen.errors import EnvironmentFault
+from adagen.errors import AdagenError, EnvironmentFault
 from adagen.model import Model
 from adagen.run import fresh_copy, launch
 from adagen.states import States, read_result, write_states
-from adagen.studies.bench.contest import Contestant, Turn, cores, from_stretches
+from adagen.studies.bench.contest import Contestant, Progress, Turn, cores, from_stretches
 
 Array = NDArray[np.float64]
 TIMEOUT = 300.0
@@ -92,6 +93,32 @@ class Emitted:
             turn=turn,
             predicted=self.predicted,
         )
+
+
+def all_built(
+    sources: Mapping[str, Emitted],
+    toolchain: Toolchain,
+    on_progress: Progress,
+    *,
+    stretches: bool = False,
+) -> tuple[dict[str, Contestant], dict[str, str]]:
+    """Return solvers as contestants, by name, and why others could not be compiled."""
+    done = 0
+
+    def build(emitted: Emitted) -> Contestant | str:
+        nonlocal done
+        try:
+            return emitted.contestant(toolchain, stretches=stretches)
+        except AdagenError as error:
+            return str(error).removeprefix("error: ")
+        finally:
+            done += 1
+            on_progress(f"compiling {done} of {len(sources)}")
+
+    with ThreadPoolExecutor(cores()) as pool:
+        found = dict(zip(sources, pool.map(build, sources.values()), strict=True))
+    gone = {name: why for name, why in found.items() if isinstance(why, str)}
+    return {name: one for name, one in found.items() if isinstance(one, Contestant)}, gone
 
 
 def _turn(output: Mapping[str, Any], processes: int) -> dict[str, Turn]:

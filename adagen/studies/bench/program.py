@@ -6,9 +6,9 @@ import json
 import re
 import subprocess
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -19,13 +19,27 @@ from adagen.build import Toolchain, build_executable
 from adagen.build.toolchain import STANDARD
 from adagen.errors import EnvironmentFault, printable
 from adagen.run import fresh_copy
-from adagen.studies.bench.contest import Turn
+from adagen.states import States
+from adagen.studies.bench.contest import Contestant, Turn
+from adagen.studies.bench.machine import COMPILERS, compiler_version
 
 Array = NDArray[np.float64]
 SOURCES = Path(__file__).parent / "programs"
 NATIVE = ("-O3", "-march=native", "-DNDEBUG", "-fno-math-errno")
 PORTABLE = ("-O3", "-DNDEBUG", "-fno-math-errno")
 TIMEOUT = 120.0
+
+
+def compilers() -> list[str]:
+    """Return the compilers that are installed.
+
+    Raises:
+        EnvironmentFault: there is none.
+    """
+    found = list(filter(compiler_version, COMPILERS))
+    if not found:
+        raise EnvironmentFault(f"no compiler: none of {', '.join(COMPILERS)} is installed")
+    return found
 
 
 @cache
@@ -97,6 +111,33 @@ class Program:
     executable: Path
     before: tuple[str, ...] = ()
     after: tuple[str, ...] = ()
+
+    def contestant(
+        self,
+        name: str,
+        build: str,
+        given: Path,
+        theirs: Callable[[States], Coordinates],
+        ours: Callable[[States, Array], Array] = lambda _, qdd: qdd,
+    ) -> Contestant:
+        """Return it as a contestant.
+
+        Args:
+            name: of the contestant, whose first word is the peer's.
+            build: compiler and options.
+            given: the file of states that it is timed on.
+            theirs: turns states into the peer's coordinates.
+            ours: turns its accelerations back, those of given states.
+        """
+        return Contestant(
+            name=name,
+            team=name.split()[0],
+            build=build,
+            processes=1,
+            scalar="double",
+            solve=lambda some: ours(some, self.answers(theirs(some))),
+            turn=partial(self.turn, given),
+        )
 
     def answers(self, states: Coordinates) -> Array:
         """Return the accelerations that it gives, in its own coordinates, shape (S, nv)."""

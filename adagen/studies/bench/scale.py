@@ -264,18 +264,17 @@ def at_priority(number: int) -> Iterator[None]:
         os.sched_setscheduler(0, *before)
 
 
-def measure_batches(file: Path, wanted: Wanted, most: int | None = None) -> tuple[BatchRow, ...]:
+def measure_batches(file: Path, wanted: Wanted) -> tuple[BatchRow, ...]:
     """Return the states per second of batches on 1, 2, 4, ... processes of this machine.
 
     Args:
         file: the robot.
         wanted: rules, profile and priority.
-        most: processes at most; a process on each core if not given.
 
     Raises:
         AdagenError: batches of the robot cannot be solved, or the compiler failed.
     """
-    processes, toolchain = most or cores(), find_toolchain()
+    processes, toolchain = cores(), find_toolchain()
     found = compiled(read(file), processes, batch=True, profile=wanted.profile)
     program = build_executable(found.source, found.stem, toolchain)
     words = ["--time", "--json", "--repeat", str(wanted.rules.repeat)]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 from adagen.build import find_toolchain
@@ -12,7 +11,7 @@ from adagen.errors import AdagenError, UsageError
 from adagen.library import Request, Robot
 from adagen.library.compiled import compiled
 from adagen.studies.bench.contest import Contestant, Progress, cores
-from adagen.studies.bench.emitted import Emitted
+from adagen.studies.bench.emitted import Emitted, all_built
 
 VARIANTS = (
     "--procs 1",
@@ -59,23 +58,9 @@ def built(
             absent[f"adagen {variant.words}"] = str(error).removeprefix("error: ")
             continue
         sources.setdefault(emitted.name, emitted)  # `auto` has often chosen one of the others
-    toolchain = find_toolchain()
-    done = 0
-
-    def build(emitted: Emitted) -> Contestant | str:
-        nonlocal done
-        try:
-            return emitted.contestant(toolchain, stretches=True)
-        except AdagenError as error:
-            return str(error).removeprefix("error: ")
-        finally:
-            done += 1
-            on_progress(f"compiling {done} of {len(sources)}")
-
-    with ThreadPoolExecutor(cores()) as pool:
-        found = dict(zip(sources, pool.map(build, sources.values()), strict=True))
-    absent |= {name: why for name, why in found.items() if isinstance(why, str)}
-    return [contestant for contestant in found.values() if isinstance(contestant, Contestant)]
+    found, gone = all_built(sources, find_toolchain(), on_progress, stretches=True)
+    absent |= gone
+    return list(found.values())
 
 
 def _emitted(robot: Robot, variant: Variant) -> Emitted:

@@ -175,7 +175,6 @@ def motion_chart(
     seconds: float,
     steps: Sequence[float],
     on_progress: Callable[[str], None] = lambda _: None,
-    seed: int = 1,
 ) -> MotionChart:
     """Return the chart of all integrators over all steps, from a random state without torques.
 
@@ -183,7 +182,7 @@ def motion_chart(
         EnvironmentFault: not even the reference could be simulated.
     """
     model = player.model
-    state = drawn_states(model, 1, seed)
+    state = drawn_states(model, 1, seed=1)
     start = States(state.q, state.v, np.zeros_like(state.tau))
     finest = min(steps) / FINER
     on_progress("reference: rk4 at a sixteenth of the least step, and at a thirty-second")

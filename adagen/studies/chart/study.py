@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from statistics import median
 
@@ -13,8 +12,8 @@ from adagen.emit import stem_of
 from adagen.errors import AdagenError
 from adagen.executor.growth import predicted_growth
 from adagen.model import Model
-from adagen.studies.bench.contest import Contestant, Rules, Times, cores, from_stretches, hold
-from adagen.studies.bench.emitted import Emitted
+from adagen.studies.bench.contest import Contestant, Rules, Times, from_stretches, hold
+from adagen.studies.bench.emitted import Emitted, all_built
 from adagen.studies.bench.machine import processor
 from adagen.studies.chart.record import Chart, Point, marked, mechanism_of
 from adagen.studies.chart.variants import REFERENCE, Variant
@@ -114,25 +113,10 @@ def _built(
         except (AdagenError, FloatingPointError) as error:
             point = replace(point, why=_reason(error))
         points[point.label] = point
-
-    done = 0
-
-    def build(emitted: Emitted) -> Contestant | str:
-        nonlocal done
-        try:
-            return emitted.contestant(toolchain)
-        except AdagenError as error:
-            return _reason(error)
-        finally:
-            done += 1
-            on_progress(f"compiling {done} of {len(sources)}")
-
-    with ThreadPoolExecutor(cores()) as pool:
-        built = dict(zip(sources, pool.map(build, sources.values()), strict=True))
-    for name, result in built.items():
-        if isinstance(result, str):
-            points[name] = replace(points[name], why=result)
-    return points, {n: result for n, result in built.items() if isinstance(result, Contestant)}
+    built, gone = all_built(sources, toolchain, on_progress)
+    for name, why in gone.items():
+        points[name] = replace(points[name], why=_line(why))
+    return points, built
 
 
 def _point(variant: Variant) -> Point:
@@ -200,5 +184,8 @@ def _timed(point: Point, times: dict[str, dict[str, Times]]) -> Point:
 
 def _reason(error: Exception) -> str:
     """Return in a line why something failed, without its place in a temporary file."""
-    text = str(error).strip().splitlines()[0] if str(error).strip() else type(error).__name__
-    return text.rpartition("error: ")[2]
+    return _line(str(error)) or type(error).__name__
+
+
+def _line(text: str) -> str:
+    return next(iter(text.strip().splitlines()), "").rpartition("error: ")[2]

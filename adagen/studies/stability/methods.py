@@ -28,10 +28,9 @@ EPSILON = 2.0**-53
 
 @dataclass(frozen=True)
 class Method:
-    """A method: how it is called, and whether it is what adagen emits."""
+    """A method, and how it is called."""
 
     name: str
-    shipped: bool
     solve: Callable[[Trial], Array]
 
 
@@ -114,18 +113,18 @@ def _weak(method: Callable[..., Array], **options: Any) -> Callable[[Trial], Arr
 METHODS = {
     method.name: method
     for method in (
-        Method("composite bodies", False, _weak(composite)),
-        Method("composite bodies, float", False, _weak(composite, scalar=np.float32)),
-        Method("articulated bodies, textbook", False, _weak(articulated)),
-        Method("articulated bodies, float", False, _weak(articulated, scalar=np.float32)),
-        Method("articulated bodies, world frame", False, _weak(articulated, world=True)),
-        Method("form ada, joints not fused", False, _planned("ada", fused=False)),
-        Method("form ada", True, _planned("ada")),
-        Method("form ada, refined once", True, _refined("ada", 1)),
-        Method("form ada, refined twice", True, _refined("ada", 2)),
-        Method("form segment", True, _planned("segment")),
-        Method("form segment, refined once", True, _refined("segment", 1)),
-        Method("form segment, cut in four", True, _cut),
+        Method("composite bodies", _weak(composite)),
+        Method("composite bodies, float", _weak(composite, scalar=np.float32)),
+        Method("articulated bodies, textbook", _weak(articulated)),
+        Method("articulated bodies, float", _weak(articulated, scalar=np.float32)),
+        Method("articulated bodies, world frame", _weak(articulated, world=True)),
+        Method("form ada, joints not fused", _planned("ada", fused=False)),
+        Method("form ada", _planned("ada")),
+        Method("form ada, refined once", _refined("ada", 1)),
+        Method("form ada, refined twice", _refined("ada", 2)),
+        Method("form segment", _planned("segment")),
+        Method("form segment, refined once", _refined("segment", 1)),
+        Method("form segment, cut in four", _cut),
     )
 }
 

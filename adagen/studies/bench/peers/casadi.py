@@ -6,21 +6,15 @@ import os
 import tempfile
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
-from functools import partial
 from pathlib import Path
-
-import numpy as np
-from numpy.typing import NDArray
 
 from adagen.errors import EnvironmentFault
 from adagen.model import Model
 from adagen.states import States
 from adagen.studies.bench.contest import Contestant
-from adagen.studies.bench.machine import COMPILERS, compiler_version
 from adagen.studies.bench.peers.symbolic_aba import forward_dynamics
-from adagen.studies.bench.program import NATIVE, Coordinates, Program, build, source
+from adagen.studies.bench.program import NATIVE, Coordinates, Program, build, compilers, source
 
-Array = NDArray[np.float64]
 FORMS = {"textbook": False, "exact": True}
 """What a projection through a joint makes zero is computed, as others do it, or left out."""
 MOST_OPERATIONS = 60_000
@@ -36,41 +30,30 @@ def contestants(model: Model, states: States, folder: Path) -> Sequence[Contesta
     kinds = _kinds(model)
     texts = {form: _program(model, exact=FORMS[form]) for form in {form for _, form in kinds}}
     given = folder / "casadi.states"
-    Coordinates(states.q, states.v, states.tau).write(given)
-    found = []
+    _coordinates(states).write(given)
 
     def built(kind: tuple[str, str]) -> Path:
         return build(texts[kind[1]], "bench_casadi", kind[0], NATIVE)
 
     with ThreadPoolExecutor(2) as pool:
         executables = list(pool.map(built, kinds))
-    for (compiler, form), executable in zip(kinds, executables, strict=True):
-        program = Program(executable)
-
-        def solve(some: States, program: Program = program) -> Array:
-            return program.answers(Coordinates(some.q, some.v, some.tau))
-
-        found.append(
-            Contestant(
-                name=f"casadi {form}, {compiler}",
-                team="casadi",
-                build=f"{compiler} {' '.join(NATIVE)}",
-                processes=1,
-                scalar="double",
-                solve=solve,
-                turn=partial(program.turn, given),
-            )
+    return [
+        Program(executable).contestant(
+            f"casadi {form}, {compiler}", f"{compiler} {' '.join(NATIVE)}", given, _coordinates
         )
-    return found
+        for (compiler, form), executable in zip(kinds, executables, strict=True)
+    ]
+
+
+def _coordinates(states: States) -> Coordinates:
+    return Coordinates(states.q, states.v, states.tau)
 
 
 def _kinds(model: Model) -> list[tuple[str, str]]:
     """Return compilers and forms; with single axes alone, casadi finds the zeros by itself."""
-    compilers = [c for c in COMPILERS if compiler_version(c)]
-    if not compilers:
-        raise EnvironmentFault(f"no compiler: none of {', '.join(COMPILERS)} is installed")
+    found = compilers()
     inner = any(joint.kind.nv > 1 and joint.parent > 0 for joint in model.joints)
-    return [(c, "exact") for c in compilers] + [(compilers[0], "textbook")] * inner
+    return [(c, "exact") for c in found] + [(found[0], "textbook")] * inner
 
 
 def _program(model: Model, *, exact: bool) -> str:

@@ -14,8 +14,8 @@ from adagen.errors import EnvironmentFault
 from adagen.model import Joint, Model
 from adagen.states import States
 from adagen.studies.bench.contest import Contestant
-from adagen.studies.bench.machine import COMPILERS, compiler_version, package
-from adagen.studies.bench.program import NATIVE, Coordinates, Program, build, source
+from adagen.studies.bench.machine import package
+from adagen.studies.bench.program import NATIVE, Coordinates, Program, build, compilers, source
 
 Array = NDArray[np.float64]
 
@@ -26,9 +26,7 @@ def contestants(model: Model, states: States, folder: Path) -> Sequence[Contesta
     Raises:
         EnvironmentFault: MuJoCo refuses the robot, or the program cannot be built.
     """
-    compiler = next(filter(compiler_version, COMPILERS), None)
-    if compiler is None:
-        raise EnvironmentFault(f"no compiler: none of {', '.join(COMPILERS)} is installed")
+    compiler = compilers()[0]
     file, given = folder / "mujoco.mjb", folder / "mujoco.states"
     try:
         mujoco.mj_saveModel(_spec(model).compile(), str(file))
@@ -36,22 +34,10 @@ def contestants(model: Model, states: States, folder: Path) -> Sequence[Contesta
         reason = " ".join(str(error).split())
         raise EnvironmentFault(f"MuJoCo refuses this robot: {reason}") from None
     coordinates(model, states).write(given)
+    loop = f"its library as shipped; the loop {compiler} {' '.join(NATIVE)}"
     program = Program(_build(compiler), (str(file),))
-
-    def solve(some: States) -> Array:
-        return _from_mujoco(model, some, program.answers(coordinates(model, some)))
-
-    return [
-        Contestant(
-            name="mujoco smooth",
-            team="mujoco",
-            build=f"its library as shipped; the loop {compiler} {' '.join(NATIVE)}",
-            processes=1,
-            scalar="double",
-            solve=solve,
-            turn=partial(program.turn, given),
-        )
-    ]
+    own = partial(coordinates, model), partial(_from_mujoco, model)
+    return [program.contestant("mujoco smooth", loop, given, *own)]
 
 
 def _build(compiler: str) -> Path:

@@ -2,23 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from importlib import metadata
+from itertools import product
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from adagen.errors import EnvironmentFault
 from adagen.model import Model
 from adagen.states import States
 from adagen.studies.bench.contest import Contestant
-from adagen.studies.bench.machine import COMPILERS, compiler_version, package
-from adagen.studies.bench.program import NATIVE, PORTABLE, Coordinates, Program, build, source
+from adagen.studies.bench.machine import package
+from adagen.studies.bench.program import (
+    NATIVE,
+    PORTABLE,
+    Coordinates,
+    Program,
+    build,
+    compilers,
+    source,
+)
 
-Array = NDArray[np.float64]
 CONVENTIONS = ("LOCAL", "WORLD")
 FLAGS = {"native": NATIVE, "portable": PORTABLE}
 
@@ -36,37 +43,45 @@ def contestants(model: Model, states: States, folder: Path) -> Sequence[Contesta
         return closed_contestants(model, states, folder)
     file, given = folder / "pinocchio.txt", folder / "pinocchio.states"
     file.write_text(described(model), encoding="utf-8")
+    ways = {convention: (convention,) for convention in CONVENTIONS}
+    return in_every_build("pinocchio", model, states, (file, given), ways)
+
+
+def in_every_build(
+    name: str,
+    model: Model,
+    states: States,
+    files: tuple[Path, Path],
+    ways: Mapping[str, tuple[str, ...]],
+) -> list[Contestant]:
+    """Return a program as contestants, one for each of its builds and ways to call it.
+
+    Args:
+        name: of the program.
+        model: the robot.
+        states: what it is timed on.
+        files: what it reads of the robot, and where these states are to be written.
+        ways: the last words of its command line, by what the contestant is called.
+    """
+    file, given = files
     coordinates(model, states).write(given)
-    built = builds("pinocchio")
-    found = []
-    for (compiler, flags), executable in built.items():
-        for convention in CONVENTIONS:
-            program = Program(executable, (str(file),), (convention,))
-
-            def solve(some: States, program: Program = program) -> Array:
-                return program.answers(coordinates(model, some))
-
-            found.append(
-                Contestant(
-                    name=f"pinocchio {convention}, {compiler}, {flags}",
-                    team="pinocchio",
-                    build=f"{compiler} {' '.join(FLAGS[flags])}",
-                    processes=1,
-                    scalar="double",
-                    solve=solve,
-                    turn=partial(program.turn, given),
-                )
-            )
-    return found
+    return [
+        Program(executable, (str(file),), words).contestant(
+            f"pinocchio {way}, {compiler}, {flags}",
+            f"{compiler} {' '.join(FLAGS[flags])}",
+            given,
+            partial(coordinates, model),
+        )
+        for (compiler, flags), executable in builds(name).items()
+        for way, words in ways.items()
+    ]
 
 
 def builds(name: str) -> dict[tuple[str, str], Path]:
     """Return a program's executables by compiler and flags; each takes a minute, once."""
     folder = headers()
     text = f"// pinocchio {package('pin')}\n{source(f'{name}.cpp')}"
-    kinds = [(c, f) for c in COMPILERS if compiler_version(c) for f in FLAGS]
-    if not kinds:
-        raise EnvironmentFault(f"no compiler: none of {', '.join(COMPILERS)} is installed")
+    kinds = list(product(compilers(), FLAGS))
 
     def made(kind: tuple[str, str]) -> Path:
         compiler, flags = kind

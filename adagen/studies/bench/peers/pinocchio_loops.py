@@ -6,7 +6,6 @@ Loops are points and welds there; a pin is a point, or two along its axis where 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -17,8 +16,7 @@ from adagen.model import Frame, Loop, Model
 from adagen.reference.closed import constraints
 from adagen.states import States
 from adagen.studies.bench.contest import Contestant
-from adagen.studies.bench.peers.pinocchio import FLAGS, builds, coordinates, described
-from adagen.studies.bench.program import Program
+from adagen.studies.bench.peers.pinocchio import described, in_every_build
 
 Array = NDArray[np.float64]
 ALGORITHMS = {"constraintDynamics": "FACTORS", "lcaba": "LCABA"}
@@ -38,27 +36,8 @@ def closed_contestants(model: Model, states: States, folder: Path) -> Sequence[C
     lines, shift = constraint_lines(model, states.q[0])
     file.write_text(described(model), encoding="utf-8")
     held.write_text("\n".join([*lines, ""]), encoding="utf-8")
-    coordinates(model, states).write(given)
-    found = []
-    for (compiler, flags), executable in builds("pinocchio_loops").items():
-        for name, word in ALGORITHMS.items():
-            program = Program(executable, (str(file),), (str(held), word, repr(shift)))
-
-            def solve(some: States, program: Program = program) -> Array:
-                return program.answers(coordinates(model, some))
-
-            found.append(
-                Contestant(
-                    name=f"pinocchio {name}, {compiler}, {flags}",
-                    team="pinocchio",
-                    build=f"{compiler} {' '.join(FLAGS[flags])}",
-                    processes=1,
-                    scalar="double",
-                    solve=solve,
-                    turn=partial(program.turn, given),
-                )
-            )
-    return found
+    ways = {name: (str(held), word, repr(shift)) for name, word in ALGORITHMS.items()}
+    return in_every_build("pinocchio_loops", model, states, (file, given), ways)
 
 
 def constraint_lines(model: Model, q: Array) -> tuple[list[str], float]:
