@@ -242,7 +242,8 @@ class KernelLines:
         links = operation.block.numbers
         if operation.method == "tiles":
             return []  # each tile's where it is swept
-        blocks = blocks_of(self.slots, (link - 1 for link in links))
+        in_parts = {j for run in self.parted if isinstance(run, Run) for j in run.joints()}
+        blocks = blocks_of(self.slots, (link - 1 for link in links if link - 1 not in in_parts))
         return [
             *(f"set_up_links<{a}, {b}>(w);" for a, b in blocks),
             *push_calls(self.symbols, links),

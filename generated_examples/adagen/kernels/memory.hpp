@@ -248,6 +248,11 @@ ADAGEN_INLINE Vector<T> axis_at(const Value* R) {
   return vector_at<T>(R + 2 * kPerBlock, 3 * kPerBlock);
 }
 template <class T>
+ADAGEN_INLINE void put_axis_at(Value* R, const Vector<T>& axis) {
+  put_at(R + 2 * kPerBlock, axis.x), put_at(R + 5 * kPerBlock, axis.y);
+  put_at(R + 8 * kPerBlock, axis.z);
+}
+template <class T>
 ADAGEN_INLINE Vector<T> axis_of(Workspace& w, const Joints<T>& joints) {
   if constexpr (kWithAxis<T>)
     return w.memory(joints).axis;

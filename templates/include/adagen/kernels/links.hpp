@@ -112,36 +112,43 @@ ADAGEN_INLINE void bias_force(const Symmetric<T>& J, const Vector<T>& c, const T
   f = a * mass + H * c;
 }
 
-// Inertia and bias force of the bare links of blocks first .. last - 1 in the axes of their base.
-// With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J.
+// Inertia and bias force of the bare links of a block in the axes of their base, from how they lie
+// and move. With the pseudo-inertia J = sum of m x x^T about the link's origin, A = tr(J) 1 - J.
+ADAGEN_INLINE void set_up_block(Block& block, const BlockConstants& constants,
+                                const Frame<Lanes>& at) {
+  const Matrix<Lanes>& R = at.R;
+  const Symmetric<Lanes> T{wide(constants.tensor[0]), wide(constants.tensor[1]),
+                           wide(constants.tensor[2]), wide(constants.tensor[3]),
+                           wide(constants.tensor[4]), wide(constants.tensor[5])};
+  const Matrix<Lanes> RT{T * R.x, T * R.y, T * R.z};  // rows of R T
+  const Symmetric<Lanes> J{dot(RT.x, R.x), dot(RT.x, R.y), dot(RT.x, R.z),
+                           dot(RT.y, R.y), dot(RT.y, R.z), dot(RT.z, R.z)};
+  narrow(J.yy + J.zz, block.entries[kRotational]);
+  narrow(-J.xy, block.entries[kRotational + 1]);
+  narrow(-J.xz, block.entries[kRotational + 2]);
+  narrow(J.xx + J.zz, block.entries[kRotational + 3]);
+  narrow(-J.yz, block.entries[kRotational + 4]);
+  narrow(J.xx + J.yy, block.entries[kRotational + 5]);
+  const Vector<Lanes> c = R * wide_vector(constants.moments);
+  narrow(c, block.entries + kMoments);
+
+  Vector<Lanes> n, f;
+  bias_force(J, c, wide(constants.mass), at.omega, at.alpha, at.a, n, f);
+  narrow(n, block.entries + kTorque);
+  narrow(f, block.entries + kForce);
+}
+
+// The same of blocks first .. last - 1, whose frames are kept.
 template <int first, int last>
 void set_up_links(Workspace& w, int beyond = 0) {
   for (int b = first; b < last; ++b) {
     Block& block = w.blocks[static_cast<std::size_t>(b)];
-    const BlockConstants& constants = w.constants_of(b + beyond);
     const auto& entries = block.entries;
     const Matrix<Lanes> R{wide_vector(entries + kAxes), wide_vector(entries + kAxes + 3),
                           wide_vector(entries + kAxes + 6)};
-    const Symmetric<Lanes> T{wide(constants.tensor[0]), wide(constants.tensor[1]),
-                             wide(constants.tensor[2]), wide(constants.tensor[3]),
-                             wide(constants.tensor[4]), wide(constants.tensor[5])};
-    const Matrix<Lanes> RT{T * R.x, T * R.y, T * R.z};  // rows of R T
-    const Symmetric<Lanes> J{dot(RT.x, R.x), dot(RT.x, R.y), dot(RT.x, R.z),
-                             dot(RT.y, R.y), dot(RT.y, R.z), dot(RT.z, R.z)};
-    narrow(J.yy + J.zz, block.entries[kRotational]);
-    narrow(-J.xy, block.entries[kRotational + 1]);
-    narrow(-J.xz, block.entries[kRotational + 2]);
-    narrow(J.xx + J.zz, block.entries[kRotational + 3]);
-    narrow(-J.yz, block.entries[kRotational + 4]);
-    narrow(J.xx + J.yy, block.entries[kRotational + 5]);
-    const Vector<Lanes> c = R * wide_vector(constants.moments);
-    narrow(c, block.entries + kMoments);
-
-    Vector<Lanes> n, f;
-    bias_force(J, c, wide(constants.mass), wide_vector(entries + kOmega),
-               wide_vector(entries + kAlpha), wide_vector(entries + kAcceleration), n, f);
-    narrow(n, block.entries + kTorque);
-    narrow(f, block.entries + kForce);
+    set_up_block(block, w.constants_of(b + beyond),
+                 {R, wide_vector(entries + kOmega), wide_vector(entries + kAlpha),
+                  wide_vector(entries + kAcceleration)});
   }
 }
 

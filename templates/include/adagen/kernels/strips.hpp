@@ -192,24 +192,33 @@ ADAGEN_INLINE Frame<Lanes> starts_of_strips(Workspace& w, int beyond, Frame<Valu
   return {starts.R, starts.omega, starts.alpha, starts.a};
 }
 
-// What the links' frames need, left in their blocks, from how the strips' starts lie and move.
-// Where strips are parts (parts.hpp), all but the first row of joints are treated row by row later.
+// The links' frames, left in their blocks, from how the strips' starts lie and move. Where strips
+// are parts (parts.hpp), their links are set up at once, from registers: storing frames would take
+// longer than the work on them. Then a link keeps its axis alone, unless others ask for its frame:
+// joints at which parts are joined, what hangs on the run, and outer forces.
 template <class Run, bool in_parts = false>
 ADAGEN_INLINE void along_strips(Workspace& w, int beyond, const Frame<Lanes>& starts) {
-  auto [R, omega, alpha, a] = starts;
+  Frame<Lanes> at = starts;
+  auto& [R, omega, alpha, a] = at;
   for (int row = 0; row < Run::kRows; ++row) {
     const Vector<Lanes> r = R * origins_of(Run::row(row, beyond));
     a += cross(omega, cross(omega, r)) + cross(alpha, r);
-    put_at(row_at<Run>(w, row, kAcceleration), a);
     R = R * matrix_at<Lanes>(row_at<Run>(w, row, kTurn));
-    put_at(row_at<Run>(w, row, kAxes), R);
-    const Vector<Lanes> relative = spins<Run>(w, row, beyond, R);
+    const Vector<Lanes> relative = spins<Run>(w, row, beyond, R), axis{R.x.z, R.y.z, R.z.z};
     alpha += cross(omega, relative);
-    put_at(row_at<Run>(w, row, kAlpha), alpha);
     omega += relative;
-    put_at(row_at<Run>(w, row, kOmega), omega);
-    if constexpr (in_parts) w.memory(Run::row(row, beyond)).r = r;
-    if (!in_parts || row == 0) keep_levers<Run>(w, row, beyond, {R.x.z, R.y.z, R.z.z}, r);
+    if (!in_parts || kOuterCount > 0 || row == 0 || row + 2 >= Run::kRows) {
+      put_at(row_at<Run>(w, row, kAxes), R), put_at(row_at<Run>(w, row, kOmega), omega);
+      put_at(row_at<Run>(w, row, kAlpha), alpha), put_at(row_at<Run>(w, row, kAcceleration), a);
+    } else {
+      put_axis_at(row_at<Run>(w, row, kAxes), axis);
+    }
+    if constexpr (in_parts) {
+      set_up_block(w.blocks[static_cast<std::size_t>(Run::kPlace + row)],
+                   w.constants_of(Run::kBlock + row), at);
+      w.memory(Run::row(row, beyond)).r = r;
+    }
+    if (!in_parts || row == 0) keep_levers<Run>(w, row, beyond, axis, r);
   }
 }
 
