@@ -1,6 +1,6 @@
 """Emitted solvers beside pinocchio, casadi and MuJoCo on 15 robots: ``make bench``.
 
-    python -m benchmarks.bench [--quick] [--resume] [--only NAME ...] [--out DIR]
+    python -m benchmarks.bench [--quick] [--resume] [--only NAME ...] [--profile NAME] [--out DIR]
 
 Arms, a quadruped, humanoids, the paper's human figures, chains of 16 to 1000 joints. Writes the
 record (JSON) beside this file and tables and pictures into docs; --out DIR puts everything there
@@ -95,10 +95,12 @@ def main(words: Sequence[str] | None = None) -> int:
     parser.add_argument("--quick", action="store_true", help="two robots, few turns")
     parser.add_argument("--resume", action="store_true", help="keep robots measured before")
     parser.add_argument("--only", nargs="+", metavar="NAME", help="these robots alone")
+    parser.add_argument("--profile", default="default", metavar="NAME", help="cost profile")
     parser.add_argument("--out", type=Path, metavar="DIR", help="write everything there")
     options = parser.parse_args(words)
     wanted = options.only or (QUICK if options.quick else None)
-    every = list(entries())
+    by_profile = ("--profile", options.profile)
+    every = [replace(entry, words=(*entry.words, *by_profile)) for entry in entries()]
     for name in set(wanted or ()) - {entry.name for entry in every}:
         parser.error(f"no robot here is called {name}")
     rules = Rules(rounds=3, repeat=5) if options.quick else Rules()
