@@ -55,8 +55,7 @@ def rows_of(path: Path, processes: Sequence[int], count: int) -> Iterator[tuple[
     def row(variant: str, p: int, errors: Errors) -> tuple[object, ...]:
         return path.stem, model.nv, variant, p, *(f"{error:.1e}" for error in errors)
 
-    each = zip(states.q, states.v, states.tau, strict=True)
-    dense = np.array([forward_dynamics(model, *state) for state in each])
+    dense = np.array([forward_dynamics(model, *state) for state in states.each])
     yield row("composite bodies, solve", 1, truth.errors(dense))
     for form, scalar in (("segment", "double"), ("ada", "double"), ("segment", "float")):
         for p in processes:

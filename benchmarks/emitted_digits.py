@@ -59,10 +59,9 @@ def row(name: str, model: Model, plan: Plan, count: int) -> tuple[object, ...]:
     """Return a row of the table: the errors of a plan as loops and of its executor."""
     states = robots.states_with(model, random_states(model, count, seed=1))
     truth = truth_of(model, states, digits=DOUBLE)
-    each = zip(states.q, states.v, states.tau, strict=True)
     found = (
         answers(plan, model, states, shape="kernels").qdd,
-        np.array([interpret(plan, *state) for state in each]),
+        np.array([interpret(plan, *state) for state in states.each]),
     )
     errors = (f"{truth.errors(qdd).forward:.1e}" for qdd in found)
     return name, len(plan.processes), plan.scalar, *errors

@@ -73,9 +73,8 @@ def measured(name: str, model: Model, rounds: int, folder: Path) -> tuple[object
 
 def _error(solver: Contestant, model: Model, states: States) -> float:
     worst = 0.0
-    each = zip(states.q, states.v, states.tau, solver.solve(states), strict=True)
-    for q, v, tau, own in each:
-        truth = closed_forward_dynamics(model, q, v, tau)
+    for state, own in zip(states.each, solver.solve(states), strict=True):
+        truth = closed_forward_dynamics(model, *state)
         worst = max(worst, float(np.abs(own - truth).max() / np.abs(truth).max()))
     return worst
 

@@ -45,9 +45,8 @@ class Truth:
     def error(self, plan: Plan) -> float:
         """Return the largest error of a plan; infinity where a factorization fails."""
         states = self._true.states
-        each = zip(states.q, states.v, states.tau, strict=True)
         try:
-            found = np.array([interpret(plan, *state) for state in each])
+            found = np.array([interpret(plan, *state) for state in states.each])
         except FloatingPointError:
             return NONE
         return self._true.errors(found).forward

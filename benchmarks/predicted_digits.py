@@ -173,10 +173,10 @@ def _planned(model: Model, processes: int, scalar: str) -> Plan:
 def largest(model: Model, plan: Plan, states: States, found: Array) -> float:
     """Return the certified error of the answer that is farthest off."""
     inertia = [joint_space_inertia(model, q) for q in states.q]
-    about = accelerations(plan, states.q, states.v, states.tau)
+    about = accelerations(plan, *states.parts)
     rough = zip(inertia, found, about.astype(np.float64), strict=True)
     s = int(np.argmax([energy_norm_error(h, x - t, t) for h, x, t in rough]))
-    one = States(*(x[s : s + 1] for x in (states.q, states.v, states.tau)))
+    one = states.some(slice(s, s + 1))
     return min(1.0, truth_of(model, one, digits=DOUBLE).errors(found[s : s + 1]).forward)
 
 

@@ -24,7 +24,7 @@ from pathlib import Path
 from typing import Any
 
 from adagen.build import Toolchain, find_toolchain
-from adagen.calibrate.measure import Measurement, Program, combined
+from adagen.calibrate.measure import Built, Measurement, combined
 from adagen.calibrate.robots import chain, robot, squared, star, tree
 from adagen.calibrate.schedules import random_schedule
 from adagen.cli.console import note
@@ -100,7 +100,7 @@ def measured(
     labelled = plans(model)
     say(f"compiling {len(labelled)} programs")
     with ThreadPoolExecutor(2) as pool:
-        programs = list(pool.map(lambda pair: Program(pair[1], toolchain), labelled))
+        programs = list(pool.map(lambda pair: Built(pair[1], toolchain), labelled))
     say("timing")
     found: list[list[Measurement]] = [[] for _ in programs]
     for _ in range(ROUNDS):

@@ -32,9 +32,9 @@ def measured(model: Path) -> dict[str, float]:
     compiled = adagen.compile(adagen.read(model))
     solver = compiled.build()
     states = random_states(compiled.model, STATES, seed=1)
-    q, v, tau = (np.ascontiguousarray(x[0]) for x in (states.q, states.v, states.tau))
+    q, v, tau = (np.ascontiguousarray(x[0]) for x in states.parts)
     out, many = np.empty_like(v), np.empty_like(states.v)
-    shared = [np.tile(x, (SHARED // STATES, 1)) for x in (states.q, states.v, states.tau)]
+    shared = [np.tile(x, (SHARED // STATES, 1)) for x in states.parts]
     all_out = np.empty_like(shared[1])
     calls: dict[str, tuple[Callable[[], object], int, int]] = {
         "one of many": (lambda: solver(states.q, states.v, states.tau, out=many), 20, STATES),
@@ -82,7 +82,7 @@ def of_the_lock(model: Path) -> dict[str, dict[str, float]]:
     """
     compiled = adagen.compile(adagen.read(model))
     states = random_states(compiled.model, 1, seed=1)
-    q, v, tau = (np.ascontiguousarray(x[0]) for x in (states.q, states.v, states.tau))
+    q, v, tau = (np.ascontiguousarray(x[0]) for x in states.parts)
     calls: dict[str, list[Callable[[], object]]] = {}
     for name, below in (("kept", 1000), ("released", 0)):
         pair = [(compiled.build(), np.empty_like(v)) for _ in range(2)]

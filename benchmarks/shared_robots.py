@@ -18,13 +18,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from adagen.build import find_toolchain
 from adagen.cli.console import speaking
 from adagen.errors import AdagenError
 from adagen.library import Robot, read
 from adagen.reference.closed import pose_of
+from adagen.states import resting_states
 from adagen.studies.bench.contest import Progress, Rules, hold
 from adagen.studies.bench.machine import machine
 from adagen.studies.bench.report import table
@@ -56,10 +55,7 @@ def pair(folder: Path) -> Robot:
     file, scene = folder / "two_talos.urdf", folder / "two_talos.toml"
     file.write_text("".join([*parts, _BAR, "</robot>"]), encoding="utf-8")
     model = read(file).model
-    pose = np.zeros(model.nq)
-    for j, joint in enumerate(model.joints):
-        if joint.kind.quaternion is not None:
-            pose[model.q_start[j] + joint.kind.nq - 1] = 1.0
+    (pose,) = resting_states(model, 1).q
     links = {link.name: k for k, link in enumerate(model.links)}
     turn, own = pose_of(model, pose, links[f"a_{HAND}"])
     other = pose_of(model, pose, links[f"b_{HAND}"])[1]

@@ -219,8 +219,7 @@ def kernels_of(plan: Plan, batch: int = 0) -> str:
 
 def truth_of(model: Model, states: States) -> Array:
     """Return the true accelerations, shape (S, nv)."""
-    rows = zip(states.q, states.v, states.tau, strict=True)
-    return np.array([exact_forward_dynamics(model, *row, digits=20).value for row in rows])
+    return np.array([exact_forward_dynamics(model, *row, digits=20).value for row in states.each])
 
 
 def forward_error(found: Array, truth: Array) -> float:

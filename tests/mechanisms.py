@@ -22,7 +22,7 @@ from adagen.model import (
     closed,
 )
 from adagen.reference.closed import closed_states, moved, pose_of
-from adagen.states import States
+from adagen.states import States, resting_states
 from tests.models import Part, assemble, random_tree, rod, vector
 
 
@@ -153,10 +153,7 @@ def _closed_somewhere(
 
 def _somewhere(model: Model, rng: np.random.Generator) -> NDArray[np.float64]:
     """A random configuration."""
-    start = np.zeros(model.nq)
-    for j, joint in enumerate(model.joints):
-        if joint.kind.quaternion is not None:
-            start[model.q_start[j] + joint.kind.nq - 1] = 1.0
+    (start,) = resting_states(model, 1).q
     return moved(model, start, rng.uniform(-1.5, 1.5, model.nv))
 
 
@@ -194,10 +191,7 @@ def standing(
 
     They are held at a place ``at`` in their own frames.
     """
-    start = np.zeros(model.nq)
-    for j, joint in enumerate(model.joints):
-        if joint.kind.quaternion is not None:
-            start[model.q_start[j] + joint.kind.nq - 1] = 1.0
+    (start,) = resting_states(model, 1).q
     q = moved(model, start, np.random.default_rng(seed).uniform(-0.7, 0.7, model.nv))
     numbers = {link.name: k for k, link in enumerate(model.links)}
     held = []

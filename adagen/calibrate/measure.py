@@ -67,7 +67,7 @@ class Measurement:
         return tuple(stage for stage in self.stages if stage.process == process)
 
 
-class Program:
+class Built:
     """A plan, emitted and built, that can be timed any number of times.
 
     Args:
@@ -211,6 +211,6 @@ def least_times(plans: Sequence[Plan]) -> list[float]:
         EnvironmentFault: one cannot be built and run.
     """
     toolchain = find_toolchain()
-    programs = [Program(plan, toolchain) for plan in plans]
+    programs = [Built(plan, toolchain) for plan in plans]
     rounds = [[program.measure(repeat=20).time for program in programs] for _ in range(5)]
     return [min(times) for times in zip(*rounds, strict=True)]

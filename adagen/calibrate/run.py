@@ -26,9 +26,8 @@ from adagen.calibrate.fit import (
     fit_steps,
     relative_errors,
 )
-from adagen.calibrate.measure import Measurement, Program, combined
-from adagen.calibrate.samples import Program as Wanted
-from adagen.calibrate.samples import stepwise_programs, straight_programs
+from adagen.calibrate.measure import Built, Measurement, combined
+from adagen.calibrate.samples import Wanted, stepwise_programs, straight_programs
 from adagen.calibrate.straight import fit_straight, timed_stretches
 from adagen.calibrate.surrogate import fit_equation11
 from adagen.cost import timeline
@@ -200,9 +199,9 @@ class _Steps:
 
 def _built(
     wanted: Sequence[Wanted], toolchain: Toolchain, workers: int, steps: _Steps
-) -> list[Program]:
-    def build(each: Wanted) -> Program:
-        return Program(each.plan, toolchain, each.shape, profile=each.profile, limbs=each.limbs)
+) -> list[Built]:
+    def build(each: Wanted) -> Built:
+        return Built(each.plan, toolchain, each.shape, profile=each.profile, limbs=each.limbs)
 
     with ThreadPoolExecutor(workers) as pool:
         futures = [pool.submit(build, each) for each in wanted]
@@ -289,7 +288,7 @@ def _with_slaved(costs: StepCosts, samples: Sequence[Sample]) -> StepCosts:
     return replace(costs, table=table)
 
 
-def _speeds(programs: Sequence[Program], cores: int) -> tuple[float, ...]:
+def _speeds(programs: Sequence[Built], cores: int) -> tuple[float, ...]:
     """Return the speed of each core relative to the fastest; () if they are alike."""
     alone = [p for p in programs if len(p.plan.processes) == 1]
     if cores < 2 or not alone or not hasattr(os, "sched_setaffinity"):

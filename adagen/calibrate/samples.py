@@ -26,8 +26,7 @@ from adagen.executor.grouping import spared
 from adagen.model import KINDS, Mimic, Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.simd_groups import COUNTS, simd_groups
-from adagen.program import Program as Lowered
-from adagen.program import lower
+from adagen.program import Program, lower
 from adagen.program.strips import LANES
 from adagen.schedule import CostProfile, Topology, step_costs
 from adagen.schedule.costs import LIMIT
@@ -131,7 +130,7 @@ TOGETHER = (("crab", "gathered"), ("figure", "gathered"), ("line", "gathered"))
 
 
 @dataclass(frozen=True)
-class Program:
+class Wanted:
     """What is built and timed.
 
     Attributes:
@@ -149,12 +148,12 @@ class Program:
     profile: CostProfile
 
     @property
-    def lowered(self) -> Lowered:
+    def lowered(self) -> Program:
         """What runs."""
         return lower(self.plan, self.shape, limbs=self.limbs, costs=step_costs(self.profile))
 
 
-def stepwise_programs(profile: CostProfile, quick: bool) -> list[Program]:
+def stepwise_programs(profile: CostProfile, quick: bool) -> list[Wanted]:
     """Return the programs that go step by step, those of the slaved robot last.
 
     What they do does not depend on a profile, so that the same is measured everywhere.
@@ -211,7 +210,7 @@ def by_method(profile: CostProfile, method: str) -> CostProfile:
     return replace(profile, steps=replace(costs, table=table))
 
 
-def _program(label: str, plan: Plan, counts: Sequence[int], profile: CostProfile) -> Program:
+def _program(label: str, plan: Plan, counts: Sequence[int], profile: CostProfile) -> Wanted:
     """A program that goes step by step, with as many limbs side by side as there can be."""
     shape = stepwise(plan)
     limbs: Grouping = tuple(() for _ in plan.processes)
@@ -219,7 +218,7 @@ def _program(label: str, plan: Plan, counts: Sequence[int], profile: CostProfile
         limbs = tuple(
             tuple(simd_groups(plan, process, spared, counts)) for process in plan.processes
         )
-    return Program(label, plan, shape, limbs, profile)
+    return Wanted(label, plan, shape, limbs, profile)
 
 
 def _robots() -> Iterator[Model]:
@@ -257,7 +256,7 @@ def _robots() -> Iterator[Model]:
     yield prescribed(robot("driven", chain(20), ROWS, 16))
 
 
-def straight_programs(profile: CostProfile) -> list[Program]:
+def straight_programs(profile: CostProfile) -> list[Wanted]:
     """Return the programs that are straight lines of statements.
 
     Their operations for each degree of freedom differ, and so does what waits for what; some are so
@@ -296,7 +295,7 @@ def straight_programs(profile: CostProfile) -> list[Program]:
             counts = [each.count for own in limbs for each in own]
             side = f", {' + '.join(map(str, counts))} side by side" if counts else ""
             label = f"straight {plan.name} P={len(plan.processes)}{side}"
-            found.append(Program(label, plan, "unrolled", limbs, profile))
+            found.append(Wanted(label, plan, "unrolled", limbs, profile))
     return found
 
 

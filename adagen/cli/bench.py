@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import argparse
 import dataclasses
 import json
 from collections.abc import Sequence
@@ -10,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from adagen.cli.console import long_note
-from adagen.cli.parser import Parser, make_parser, parse, whole
+from adagen.cli.parser import Parser, among, listed, make_parser, parse, whole
 from adagen.cli.scale import add_scale, check_scale, draw, run_scale
 from adagen.cli.tables import table_of
 
@@ -111,12 +110,7 @@ def command_parser() -> Parser:
 
 
 def _peers(text: str) -> tuple[str, ...]:
-    names = () if text == "none" else tuple(text.split(","))
-    for name in names:
-        if name not in PEERS:
-            known = ", ".join(PEERS)
-            raise argparse.ArgumentTypeError(f"no peer is called {name!r}; known: {known}, none")
-    return names
+    return () if text == "none" else listed(among(PEERS))(text)
 
 
 _HEADS = ("solver", "median", "least", "× pin.", "predicted", "error", "residual")

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from adagen.cli.options import add_model, add_out
-from adagen.cli.parser import Parser, make_parser, seconds, whole
+from adagen.cli.parser import Parser, among, listed, make_parser, seconds, whole
 from adagen.errors import UsageError
 
 if TYPE_CHECKING:
@@ -78,7 +78,7 @@ def _add_variants(parser: Parser) -> None:
     add = parser.add_argument_group("what takes part").add_argument
     add(
         "--procs",
-        type=_list_of(int, range(1, 65)),
+        type=listed(whole(1, 64)),
         default=(1, 2, 4),
         metavar="P,...",
         help="numbers of processes (default: 1,2,4); where they exceed the cores, times are from "
@@ -86,14 +86,14 @@ def _add_variants(parser: Parser) -> None:
     )
     add(
         "--scalars",
-        type=_list_of(str, _SCALARS),
+        type=listed(among(_SCALARS)),
         default=_SCALARS,
         metavar="NAME,...",
         help="number types (default: double,float)",
     )
     add(
         "--refine",
-        type=_list_of(int, range(10)),
+        type=listed(whole(0, 9)),
         metavar="N,...",
         default=(0, 1),
         help="steps of iterative refinement (default: 0,1)",
@@ -125,7 +125,7 @@ def _add_names(add: Callable[..., Any]) -> None:
         shown = "all" if default is None else ", ".join(default)
         add(
             name,
-            type=_list_of(str, known),
+            type=listed(among(known)),
             default=known if default is None else default,
             metavar="NAME,...",
             help=f"{what}of {', '.join(known)} (default: {shown})",
@@ -171,28 +171,6 @@ def _add_simulation(parser: Parser) -> None:
 def _states(text: str) -> int | str:
     """How many states, or the file of given ones."""
     return text if not text.isdecimal() else int(whole(_LEAST_STATES, 10_000)(text))
-
-
-def _list_of(kind: Callable[[str], Any], known: Any) -> Callable[[str], tuple[Any, ...]]:
-    """Return what reads a list with commas, each item among the known ones."""
-
-    def read(text: str) -> tuple[Any, ...]:
-        items = []
-        for word in text.split(","):
-            try:
-                item = kind(word.strip())
-            except ValueError:
-                item = None
-            if item is None or item not in known:
-                limits = isinstance(known, range) and f"from {known[0]} to {known[-1]}"
-                raise argparse.ArgumentTypeError(
-                    f"{word.strip()!r} is "
-                    + (f"no number {limits}" if limits else f"none of {', '.join(known)}")
-                )
-            items.append(item)
-        return tuple(dict.fromkeys(items))
-
-    return read
 
 
 def _budget(text: str) -> Budget:

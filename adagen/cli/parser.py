@@ -10,10 +10,12 @@ import difflib
 import math
 import re
 from collections.abc import Callable, Sequence
-from typing import NoReturn
+from typing import NoReturn, TypeVar
 
 from adagen import __version__
 from adagen.errors import UsageError, printable
+
+Item = TypeVar("Item")
 
 
 class Parser(argparse.ArgumentParser):
@@ -164,3 +166,19 @@ def whole(least: int, most: int) -> Callable[[str], int]:
         return int(text)
 
     return read
+
+
+def among(known: Sequence[str]) -> Callable[[str], str]:
+    """Return what reads one of some words."""
+
+    def read(text: str) -> str:
+        if text not in known:
+            raise argparse.ArgumentTypeError(f"{text!r} is none of {', '.join(known)}")
+        return text
+
+    return read
+
+
+def listed(one: Callable[[str], Item]) -> Callable[[str], tuple[Item, ...]]:
+    """Return what reads a list with commas, each item by itself and once."""
+    return lambda text: tuple(dict.fromkeys(one(word.strip()) for word in text.split(",")))

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from adagen.cli.console import note, speaking, wrote
-from adagen.cli.parser import Parser, whole
+from adagen.cli.parser import Parser, listed, whole
 from adagen.cli.tables import table_of, wrapped
 from adagen.errors import UsageError
 
@@ -42,13 +42,13 @@ def add_scale(parser: Parser) -> None:
     joints, processes = (",".join(map(str, numbers)) for numbers in (JOINTS, PROCESSES))
     parser.add_argument(
         "--joints",
-        type=_numbers(2, 100_000),
+        type=listed(whole(2, 100_000)),
         metavar="N,N,...",
         help=f"with --scale: joints of the chains (default: {joints})",
     )
     parser.add_argument(
         "--processes",
-        type=_numbers(1, 64),
+        type=listed(whole(1, 64)),
         metavar="P,P,...",
         help=f"with --scale: processes that share a chain (default: {processes})",
     )
@@ -233,13 +233,3 @@ def draw(record: Record | Scale, folder: Path, endings: Sequence[str] = ("svg",)
     if written:
         wrote(written)
     return written
-
-
-def _numbers(least: int, most: int) -> Callable[[str], tuple[int, ...]]:
-    """Return what reads whole numbers within limits, with commas between them."""
-    one = whole(least, most)
-
-    def read(text: str) -> tuple[int, ...]:
-        return tuple(one(part) for part in text.split(","))
-
-    return read

@@ -5,14 +5,14 @@ from __future__ import annotations
 import argparse
 import json
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from adagen.cli.console import say, speaking, warn
 from adagen.cli.console import tell as tell_reading
-from adagen.cli.parser import Parser, make_parser, parse
+from adagen.cli.parser import Parser, among, listed, make_parser, parse, whole
 
 if TYPE_CHECKING:
     from adagen.studies.stability import Outcome
@@ -94,14 +94,14 @@ def _add_emitted(parser: Parser) -> None:
     ):
         group.add_argument(
             name,
-            type=_listed_of(known),
+            type=listed(among(known)),
             default=known,
             metavar="A,B",
             help=f"only these of {', '.join(known)}",
         )
     group.add_argument(
         "--states",
-        type=_count,
+        type=whole(1, MOST_STATES),
         default=16,
         metavar="N",
         help="number of random states (default: 16)",
@@ -122,23 +122,6 @@ def _add_emitted(parser: Parser) -> None:
     group.add_argument(
         "--out", type=Path, metavar="DIR", help="where to write the picture and the record"
     )
-
-
-def _listed_of(known: Sequence[str]) -> Callable[[str], tuple[str, ...]]:
-    def listed(text: str) -> tuple[str, ...]:
-        found = tuple(text.split(","))
-        for word in found:
-            if word not in known:
-                raise argparse.ArgumentTypeError(f"{word!r} is none of {', '.join(known)}")
-        return found
-
-    return listed
-
-
-def _count(text: str) -> int:
-    if not text.isdecimal() or not 0 < int(text) <= MOST_STATES:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a number from 1 to {MOST_STATES}")
-    return int(text)
 
 
 MOST_STATES = 10_000

@@ -44,14 +44,14 @@ def simplifications(reduction: Reduction) -> Iterator[Simplification]:
         weighed = replace(model, gravity=full.gravity)
         pairs = [
             (forward_dynamics(model, *state), forward_dynamics(weighed, *state))
-            for state in zip(drawn.q, drawn.v, drawn.tau, strict=True)
+            for state in drawn.each
         ]
         yield _of("there is no gravity", "there is", pairs)
     if model.at_rest:
         drawn = random_states(replace(model, at_rest=False), STATES, 1)
         pairs = [
             (forward_dynamics(model, q, 0 * v, tau), forward_dynamics(model, q, v, tau))
-            for q, v, tau in zip(drawn.q, drawn.v, drawn.tau, strict=True)
+            for q, v, tau in drawn.each
         ]
         yield _of("velocities are zero", "they are up to 1 rad/s and 1 m/s", pairs)
 
@@ -70,7 +70,7 @@ def _unlocked(full: Model, model: Model, reduction: Reduction) -> list[tuple[Arr
     in_q = _entries(full, left, "q")
     in_v = _entries(full, left, "v")
     pairs = []
-    for q, v, tau in zip(drawn.q, drawn.v, drawn.tau, strict=True):
+    for q, v, tau in drawn.each:
         for name, at in reduction.locked.items():
             own = _entries(full, [names[name]], "v")
             q[_entries(full, [names[name]], "q")], v[own], tau[own] = at, 0.0, 0.0

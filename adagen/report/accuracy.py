@@ -5,14 +5,14 @@ from __future__ import annotations
 import json
 import tempfile
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from adagen.errors import InputError
 from adagen.library import Compiled
-from adagen.states import States, read_result, write_states
+from adagen.states import read_result, write_states
 
 STATES = 12
 DIGITS = 25
@@ -61,7 +61,7 @@ def accuracy_of(
     if model.wanted:
         return Accuracy(missing="The scene leaves out accelerations.")
     try:
-        states = _as_read(drawn_states(model, STATES, 1), made.request.scalar)
+        states = drawn_states(model, STATES, 1).read_in(made.request.scalar)
         truth = truth_of(model, states, digits=DIGITS, on_progress=on_progress)
     except InputError as error:
         return Accuracy(missing=f"There is no answer to compare with: {error.message}.")
@@ -76,11 +76,3 @@ def accuracy_of(
     errors = tuple(truth.error(s, row) for s, row in enumerate(found))
     predicted = None if made.digits is None else 10.0**-made.digits
     return Accuracy(errors, tuple(bounds), predicted, DIGITS)
-
-
-def _as_read(states: States, scalar: str) -> States:
-    """Return states as the solver reads them: of float, rounded."""
-    if scalar != "float":
-        return states
-    parts = (x.astype(np.float32).astype(float) for x in (states.q, states.v, states.tau))
-    return replace(states, **dict(zip(("q", "v", "tau"), parts, strict=True)))

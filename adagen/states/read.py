@@ -175,7 +175,7 @@ def _read_joint(content: Any, model: Model, j: int, states: States) -> None:
             if name == "tau":
                 hint = "; the scene prescribes its acceleration: give qdd"
             raise Refusal(f"joint '{joint.name}': unknown member '{name}'{hint}")
-    for field, array in zip(fields, (states.q, states.v, states.tau), strict=True):
+    for field, array in zip(fields, states.parts, strict=True):
         own = columns(model, j, field)
         width = own.stop - own.start
         array[:, own] = _numbers(values, joint, field, width, states.count)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -34,6 +35,26 @@ class States:
     def count(self) -> int:
         """How many states there are, S."""
         return len(self.q)
+
+    @property
+    def parts(self) -> tuple[Array, Array, Array]:
+        """Its three arrays: q, v and tau of all states."""
+        return self.q, self.v, self.tau
+
+    @property
+    def each(self) -> Iterator[tuple[Array, Array, Array]]:
+        """The states one after the other, q, v and tau of each."""
+        return zip(*self.parts, strict=True)
+
+    def some(self, rows: slice | Sequence[int] | Array) -> States:
+        """Return those of some rows."""
+        return States(*(part[rows] for part in self.parts))
+
+    def read_in(self, scalar: str) -> States:
+        """Return what a solver in "double" or "float" reads of them."""
+        if scalar == "double":
+            return self
+        return States(*(part.astype(np.float32).astype(np.float64) for part in self.parts))
 
 
 def fields_of(joint: Joint) -> tuple[str, str, str]:

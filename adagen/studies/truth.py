@@ -119,7 +119,7 @@ def truth_of(
     check_closed(model, states)
     found, inertias = [], []
     large = model.nv > DIRECT and not model.closed and digits <= DOUBLE
-    for s, state in enumerate(zip(states.q, states.v, states.tau, strict=True)):
+    for s, state in enumerate(states.each):
         on_progress(f"exact accelerations to {digits} digits: state {s + 1} of {states.count}")
         if large:
             found.append(refined(model, *state))

@@ -50,8 +50,7 @@ def arm(tmp_path: Path) -> Path:
     """A robot with true answers beside it."""
     model = read_robot(write_arm(tmp_path / "arm.urdf")).model
     states = random_states(model, 2, seed=1)
-    each = zip(states.q, states.v, states.tau, strict=True)
-    truth = np.array([exact_forward_dynamics(model, *state).value for state in each])
+    truth = np.array([exact_forward_dynamics(model, *state).value for state in states.each])
     write_states(states, model, tmp_path / "states.json")
     write_result(tmp_path / "truth.json", model, truth)
     joints = json.loads((tmp_path / "states.json").read_text())["joints"]

@@ -20,8 +20,7 @@ from adagen.calibrate.fit import (
 )
 from adagen.calibrate.measure import Measurement, StageTime
 from adagen.calibrate.nnls import nnls
-from adagen.calibrate.samples import Program as Wanted
-from adagen.calibrate.samples import stepwise_programs, straight_programs
+from adagen.calibrate.samples import Wanted, stepwise_programs, straight_programs
 from adagen.calibrate.straight import fit_straight, timed_stretches
 from adagen.calibrate.surrogate import fit_equation11, join_time
 from adagen.calibrate.write import profile_text

@@ -106,7 +106,7 @@ def test_a_robot_that_cannot_be_measured_may_be_left_out(
 @pytest.mark.parametrize(
     ("words", "status", "complaint"),
     [
-        (["--peers", "drake"], 2, "no peer is called 'drake'"),
+        (["--peers", "drake"], 2, "'drake' is none of pinocchio, casadi, mujoco"),
         (["--rounds", "0"], 2, "must be a whole number from 1 to 1000"),
         (["--variant", "--procs 1 --shape cubist", "--peers", "none"], 2, "cubist"),
         (["--profile", "none-such", *ONE], 2, "no cost profile"),

@@ -165,6 +165,6 @@ def test_outer_forces_and_prescribed_motion_are_inputs_of_solve(tmp_path: Path) 
     assert run("solve", str(MODELS / "arm7.urdf"), *words, *files) == 0
     found = read_result(result, model)
     np.testing.assert_array_equal(found[:, 0], states.tau[:, 0])
-    for q, v, tau, qdd in zip(states.q, states.v, states.tau, found, strict=True):
+    for (q, v, tau), qdd in zip(states.each, found, strict=True):
         want = forward_dynamics(model, q, v, tau)
         np.testing.assert_allclose(qdd, want, rtol=0, atol=1e-9 * abs(want).max())

@@ -26,7 +26,7 @@ class TestSolve:
         words += ["--states", str(tmp_path / "states.json")]
         assert main([*words, "--result", str(tmp_path / "r.json")]) == 0
         found = read_result(tmp_path / "r.json", model)
-        for q, v, tau, qdd in zip(states.q, states.v, states.tau, found, strict=True):
+        for (q, v, tau), qdd in zip(states.each, found, strict=True):
             np.testing.assert_allclose(qdd, forward_dynamics(model, q, v, tau), rtol=1e-10)
 
     @pytest.mark.parametrize("processes", [1, 2])
@@ -41,7 +41,7 @@ class TestSolve:
         assert main([*words, "--result", str(tmp_path / "r.json")]) == 0
         assert "build " in said()[1]
         found = read_result(tmp_path / "r.json", model)
-        for q, v, tau, qdd in zip(states.q, states.v, states.tau, found, strict=True):
+        for (q, v, tau), qdd in zip(states.each, found, strict=True):
             np.testing.assert_allclose(qdd, forward_dynamics(model, q, v, tau), rtol=1e-10)
 
         def no_compiler(*_: object) -> None:

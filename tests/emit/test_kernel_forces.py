@@ -127,8 +127,7 @@ def test_the_ground_is_held_by_joints_that_move_freely() -> None:
     steps = [step for process in plan.processes for step in process.steps]
     assert [step.link for step in steps if isinstance(step, HoldMobility)] == [10]
     states = random_states(model, 2, seed=1)
-    state = zip(states.q, states.v, states.tau, strict=True)
-    found = np.array([interpret(plan, *row) for row in state])
+    found = np.array([interpret(plan, *row) for row in states.each])
     assert forward_error(found, truth_of(model, states)) < ROUNDING["double"]
 
 

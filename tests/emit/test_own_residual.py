@@ -66,9 +66,7 @@ def test_ordinary_robots_keep_their_digits(
 ) -> None:
     model = read_robot(MODELS / f"{name}.urdf").model
     states = hard_states(model, 10, seed=3)
-    if options.get("scalar") == "float":
-        parts = (x.astype(np.float32).astype(float) for x in (states.q, states.v, states.tau))
-        states = States(*parts)
+    states = states.read_in(options.get("scalar", "double"))
     refined, told = _errors(model, states, builder, tmp_path, **options)
     assert refined.max() < (1e-5 if "scalar" in options else 1e-14)
     assert np.array(told).shape == (10, options["refine"])

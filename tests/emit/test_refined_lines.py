@@ -40,8 +40,7 @@ def losing(name: str) -> Model:
 
 def answers(plan: Plan, states: States, **options: Any) -> NDArray[np.float64]:
     """Return what the executor answers."""
-    rows = zip(states.q, states.v, states.tau, strict=True)
-    return np.array([interpret(plan, *row, **options) for row in rows], dtype=float)
+    return np.array([interpret(plan, *row, **options) for row in states.each], dtype=float)
 
 
 def emitted(
@@ -78,8 +77,7 @@ def test_floats_lose_less(name: str) -> None:
     """Beside doubles of the same numbers, refined twice."""
     model = losing(name)
     states, plan = states_of(model, 8), plan_of(model, 1, scalar="float")
-    parts = (x.astype(np.float32).astype(float) for x in (states.q, states.v, states.tau))
-    rounded = States(*parts)
+    rounded = states.read_in("float")
     wide = answers(corrected(plan_of(model, 1), 2), rounded)
     plain, twice = (answers(p, rounded, algebra=FLOAT) for p in (plan, corrected(plan, 2)))
     inertias = [joint_space_inertia(model, q) for q in rounded.q]
@@ -145,10 +143,9 @@ def test_forces_of_loops_are_corrected() -> None:
     states = states_of(model, 6)
     plan = plan_of(model, 1, loop_forces=True)
     plain, once = (answers(p, states)[:, model.nv :] for p in (plan, corrected(plan, 1)))
-    rows = zip(states.q, states.v, states.tau, strict=True)
     with ctx.workprec(400):
         truth = np.array(
-            [[float(x) for x in interpret(plan, *row, BALLS)[model.nv :]] for row in rows]
+            [[float(x) for x in interpret(plan, *row, BALLS)[model.nv :]] for row in states.each]
         )
     size = np.abs(truth).max(axis=1, keepdims=True)
     assert np.abs((once - truth) / size).max() < np.abs((plain - truth) / size).max() / 100

@@ -96,7 +96,7 @@ def test_tiles_answer_as_other_algorithms_do(
     if scalar == "double":
         states = random_states(model, 2, seed=1)
         found = solver.solve(model, states, tmp_path)
-        for q, v, tau, qdd in zip(states.q, states.v, states.tau, found, strict=True):
+        for (q, v, tau), qdd in zip(states.each, found, strict=True):
             inertia = joint_space_inertia(model, q)
             apart, size = (
                 np.sqrt(x @ inertia @ x) for x in (qdd - interpret(plan, q, v, tau), qdd)

@@ -43,8 +43,7 @@ def _program(builder: Builder, stem: str, folder: Path, processes: int, *more: s
 def _said(program: Solver, folder: Path) -> list[str]:
     """What the program printed, sorted."""
     states = random_states(ARM.model(), 37, seed=4)
-    rows = zip(states.q, states.v, states.tau, strict=True)
-    np.savetxt(folder / "states", [np.concatenate(row) for row in rows], fmt="%.17g")
+    np.savetxt(folder / "states", [np.concatenate(row) for row in states.each], fmt="%.17g")
     cases = [str(n) for n in SIZES] + [" ".join(map(str, case)) for case in SPOILT]
     done = program.run("message", folder / "states", *cases)
     assert (done.status, done.stderr) == (0, "")

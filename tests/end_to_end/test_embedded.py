@@ -98,7 +98,7 @@ def test_it_stands_alone_and_answers_as_ever(case: str, builder: Builder, tmp_pa
     run("cc", "-std=c99", *STRICT, tmp_path / "main.c", made, "-lm", "-o", program)
     model = compiled.model
     states = random_states(model, 4, seed=8)
-    rows = [np.concatenate(row) for row in zip(states.q, states.v, states.tau, strict=True)]
+    rows = [np.concatenate(row) for row in states.each]
     spoilt = rows[0].copy()
     spoilt[-1] = np.nan
     far = rows[0].copy()  # an angle that is left to the C library
@@ -116,12 +116,9 @@ def test_it_stands_alone_and_answers_as_ever(case: str, builder: Builder, tmp_pa
         "its q, v or tau is not a finite number"
     )
     found = np.array([line.split() for line in [*lines, beyond]], dtype=float)
-    everything = States(*(np.vstack([part, part[:1]]) for part in (states.q, states.v, states.tau)))
+    everything = States(*(np.vstack([part, part[:1]]) for part in states.parts))
     everything.q[-1, turned] = 3e5
-    if real == "float":
-        everything = States(
-            *(part.astype(np.float32).astype(float) for part in vars(everything).values())
-        )
+    everything = everything.read_in(real)
     enough = (40 if "/" in CASES[case][0] else 4) * ROUNDING[real]
     assert forward_error(found, truth_of(model, everything)) < enough
     if real == "double":
@@ -161,7 +158,7 @@ def test_a_cortex_m7_answers_as_the_host_does(case: str, builder: Builder, tmp_p
     run("cc", *given, made[1], "-lm", "-o", program)
 
     states = random_states(compiled.model, 8, seed=8)
-    rows = [np.concatenate(row) for row in zip(states.q, states.v, states.tau, strict=True)]
+    rows = [np.concatenate(row) for row in states.each]
     spoilt = rows[0].copy()
     spoilt[-1] = np.nan
     np.savetxt(tmp_path / "states", [*rows, spoilt], fmt="%.17g")

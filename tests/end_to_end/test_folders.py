@@ -63,7 +63,7 @@ def check(program: Path, folder: Path) -> None:
     """Have the program of controller.c solve states, and look at its answers."""
     model = BY_STEM["mobile_p1"].model()
     states = random_states(model, 2, seed=5)
-    rows = [np.concatenate(row) for row in zip(states.q, states.v, states.tau, strict=True)]
+    rows = [np.concatenate(row) for row in states.each]
     np.savetxt(folder / "states", rows, fmt="%.17g")
     lines = run(program, folder / "states").splitlines()
     found = np.array([line.split() for line in lines], dtype=float)

@@ -50,8 +50,7 @@ def facts(
     """What the program printed: (solver, what, rank) to the words of its lines."""
     folder = tmp_path_factory.mktemp("states")
     for stem, some in states.items():
-        rows = zip(some.q, some.v, some.tau, strict=True)
-        np.savetxt(folder / stem, [np.concatenate(row) for row in rows], fmt="%.17g")
+        np.savetxt(folder / stem, [np.concatenate(row) for row in some.each], fmt="%.17g")
     # A window needs somebody to share it with, so that the lonely solver would refuse it.
     channel = "auto" if request.param == "window" else "message"
     done = program.run(channel, *(folder / stem for stem in STEMS))

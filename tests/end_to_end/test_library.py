@@ -100,7 +100,7 @@ def controller(kind: str, library: Path, folder: Path) -> Path:
 @pytest.mark.parametrize("kind", ["so", "a"])
 def test_valgrind_finds_nothing(kind: str, library: Path, tmp_path: Path) -> None:
     states = random_states(BY_STEM["mobile_p1"].model(), 3, seed=1)
-    rows = [np.concatenate(each) for each in zip(states.q, states.v, states.tau, strict=True)]
+    rows = [np.concatenate(each) for each in states.each]
     np.savetxt(tmp_path / "states", [*rows, np.full_like(rows[0], np.nan)], fmt="%.17g")
     program = controller(kind, library, tmp_path)
     words = ("--quiet", "--leak-check=full", "--show-leak-kinds=all", "--error-exitcode=9")
@@ -111,7 +111,7 @@ def test_valgrind_finds_nothing(kind: str, library: Path, tmp_path: Path) -> Non
 def test_a_program_in_c99_links_it(kind: str, library: Path, tmp_path: Path) -> None:
     model = BY_STEM["mobile_p1"].model()
     states = random_states(model, 3, seed=8)
-    rows = [np.concatenate(row) for row in zip(states.q, states.v, states.tau, strict=True)]
+    rows = [np.concatenate(row) for row in states.each]
     spoilt = rows[0].copy()
     spoilt[-1] = np.nan
     np.savetxt(tmp_path / "states", [*rows, spoilt], fmt="%.17g")

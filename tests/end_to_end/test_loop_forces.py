@@ -84,7 +84,7 @@ def test_forces_are_what_the_equations_of_motion_lack(kind: str) -> None:
     model = looped_tree(kind, 4, joints=9)
     states = states_of(model, 3)
     for plan in forces_of(model).alternatives:
-        for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+        for q, v, tau in states.each:
             found = interpret(plan, q, v, tau, once=True)
             left = inverse_dynamics(model, q, v, found[: model.nv]) - tau
             pushed = pushing(model, q, found[model.nv :])
@@ -97,7 +97,7 @@ def test_forces_are_those_of_least_squares(name: str) -> None:
     model = MECHANISMS[name]()
     states = states_of(model, 3)
     for plan in forces_of(model).alternatives:
-        for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+        for q, v, tau in states.each:
             found = interpret(plan, q, v, tau, once=True)
             left = inverse_dynamics(model, q, v, found[: model.nv]) - tau
             rows = constraints(model, q).rows
@@ -121,7 +121,7 @@ def test_accelerations_are_the_same_beside_forces(builder: Builder, tmp_path: Pa
     solver = builder.solver(plan, QUICK, shape="unrolled", name="forces")
     found = solver.solve(model, states, tmp_path)
     told = json.loads((tmp_path / "result.json").read_text())["loops"]
-    for s, (q, v, tau) in enumerate(zip(states.q, states.v, states.tau, strict=True)):
+    for s, (q, v, tau) in enumerate(states.each):
         expected = interpret(plan, q, v, tau, once=True)
         truth = closed_forward_dynamics(model, q, v, tau)
         assert np.abs(found[s] - truth).max() < 1e-10 * np.abs(truth).max()

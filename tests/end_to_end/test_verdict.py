@@ -103,10 +103,7 @@ def test_digits_that_are_sure_are_right(builder: Builder, tmp_path: Path) -> Non
     solver = builder.solver(plan_of(model, 1), QUICK, shape="kernels")
     found = solver.solve(model, states, tmp_path)
     told = verdict(solver, "--states", tmp_path / "states.json", "--result", tmp_path / "r.json")
-    truth = [
-        exact_forward_dynamics(model, *row).value
-        for row in zip(states.q, states.v, states.tau, strict=True)
-    ]
+    truth = [exact_forward_dynamics(model, *row).value for row in states.each]
     errors = [
         np.abs(x - t).max() / np.abs(t).max() for x, t in zip(found, np.array(truth), strict=True)
     ]

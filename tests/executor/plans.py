@@ -6,9 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from adagen.executor import Grouping, interpret
+from adagen.graph import BALLS
 from adagen.model import PRISMATIC, REVOLUTE, Model
 from adagen.plan import Plan, can_gather, make_plan
 from adagen.plan.steps import Articulate, FusedJoin, HoldMobility, Join, SolveMobility, SolveRoot
+from adagen.states import States
 from tests.emitted import plan_of
 from tests.models import human_figure, random_tree, serial_chain, three_axis_chain
 from tests.plan.test_fused import any_schedule, balanced, with_massless_links
@@ -89,3 +92,13 @@ def anything(seed: int, family: str) -> tuple[Model, Plan]:
     if family == "ada":
         return model, make_plan(model, schedule, form="ada", scalar=scalar)
     return model, make_plan(model, schedule, meeting=family, scalar=scalar)
+
+
+def in_lanes_off(plan: Plan, states: States, grouping: Grouping) -> float:
+    """Return how far limbs in lanes are from balls, beside the largest number of a state."""
+    errors = []
+    for state in states.each:
+        exact = np.array([float(x) for x in interpret(plan, *state, BALLS)])
+        found = interpret(plan, *state, lanes=grouping)
+        errors.append(np.abs(found - exact).max() / np.abs(exact).max())
+    return float(np.max(errors))

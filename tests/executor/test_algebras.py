@@ -46,8 +46,7 @@ def test_many_states_at_once_are_each_by_itself_to_the_bit() -> None:
     model = affected(7)
     plan, states = plan_of(model, 3), random_states(model, 5, seed=3)
     together = interpret(plan, states.q.T, states.v.T, states.tau.T)
-    rows = zip(states.q, states.v, states.tau, strict=True)
-    np.testing.assert_array_equal(together.T, [interpret(plan, *row) for row in rows])
+    np.testing.assert_array_equal(together.T, [interpret(plan, *row) for row in states.each])
 
 
 @settings(max_examples=20)

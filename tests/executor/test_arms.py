@@ -12,12 +12,12 @@ import numpy as np
 import pytest
 
 from adagen.executor import Grouping, chosen_grouping, grouping_of, interpret, simulate
-from adagen.graph import BALLS
 from adagen.model import PRISMATIC, REVOLUTE, SPHERICAL, LoopEnd, Model, NamedLoop
 from adagen.plan import Plan
 from adagen.plan.arms import arms_among
 from adagen.plan.closure_steps import closures_in
 from tests.emitted import EXACT, Builder
+from tests.executor.plans import in_lanes_off
 from tests.executor.test_closures import plan_of, worst
 from tests.executor.test_lane_bits import InLanes
 from tests.mechanisms import states_of, with_loops
@@ -91,10 +91,7 @@ def test_alike_arms_share_lanes(name: str) -> None:
     (apart,), (together,) = simulate(plan), simulate(plan, grouping)
     assert together.operations.arithmetic < 0.8 * apart.operations.arithmetic
     assert worst(model, plan, states) < 1e-11
-    for state in zip(states.q, states.v, states.tau, strict=True):
-        exact = np.array([float(x) for x in interpret(plan, *state, BALLS)])
-        found = interpret(plan, *state, lanes=grouping)
-        assert np.abs(found - exact).max() < 1e-11 * np.abs(exact).max()
+    assert in_lanes_off(plan, states, grouping) < 1e-11
 
 
 def test_an_open_loop_of_an_arm_is_refused_by_its_name() -> None:
@@ -127,8 +124,7 @@ def test_emitted_arms_compute_what_the_executor_does(
     solver = builder.solver(plan, EXACT, name="arms", shape="unrolled")
     found = solver.solve(model, states, tmp_path)
     algebra = InLanes(scalar)
-    rows = zip(states.q, states.v, states.tau, strict=True)
-    expected = np.array([interpret(plan, *row, algebra, lanes=True) for row in rows])
+    expected = np.array([interpret(plan, *row, algebra, lanes=True) for row in states.each])
     np.testing.assert_array_equal(found.astype(expected.dtype), expected)
 
 

@@ -31,8 +31,7 @@ def require_same_bits(plan: Plan, states: States, model: Model, builder: Builder
     none = tuple(() for _ in plan.processes)
     solver = builder.solver(plan, EXACT, name="bits", shape="unrolled", limbs=none)
     found = solver.solve(model, states, to, "--check")
-    rows = zip(states.q, states.v, states.tau, strict=True)
-    expected = np.array([interpret(plan, *row, ALGEBRAS[plan.scalar]) for row in rows])
+    expected = np.array([interpret(plan, *row, ALGEBRAS[plan.scalar]) for row in states.each])
     np.testing.assert_array_equal(found.astype(expected.dtype), expected)
 
 
@@ -62,8 +61,7 @@ def test_a_straight_line_is_the_executor(
 def test_what_is_computed_is_true(name: str) -> None:
     case = CASES[name]
     plan, states = case.plan("double"), random_states(case.model, 3, seed=4)
-    rows = zip(states.q, states.v, states.tau, strict=True)
-    found = np.array([interpret(plan, *row) for row in rows])
+    found = np.array([interpret(plan, *row) for row in states.each])
     error = forward_error(found, truth_of(case.model, states))
     assert error < case.magnified * ROUNDING["double"]
 

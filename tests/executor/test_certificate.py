@@ -65,7 +65,7 @@ def test_the_norm_of_the_answer_is_that_of_its_links(name: str) -> None:
     model = FIGURES[name]()
     plan = certified(plan_of(model, 1))
     states = random_states(model, 4, seed=2)
-    for state in zip(states.q, states.v, states.tau, strict=True):
+    for state in states.each:
         qdd, _, answer = _squares(plan, state)
         assert np.sqrt(answer) == pytest.approx(_norm(plan, state, qdd), rel=1e-11)
 
@@ -75,7 +75,7 @@ def test_hard_states_keep_their_bounds(k: int) -> None:
     for model in robots(3 * len(FAMILIES), seed=21)[k :: len(FAMILIES)]:
         plan = certified(plan_of(model, 1))
         states = hard_states(model, 6, seed=21)
-        for state in zip(states.q, states.v, states.tau, strict=True):
+        for state in states.each:
             try:
                 qdd, error, answer = _squares(plan, state)
             except FloatingPointError:
@@ -138,7 +138,7 @@ def test_a_factor_that_is_off_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
     for articulates in (articulate, spoilt):
         monkeypatch.setattr(Segments, "_articulate", articulates)
         each_for_itself.cache_clear()
-        for state in zip(states.q, states.v, states.tau, strict=True):
+        for state in states.each:
             qdd, error, answer = _squares(plan, state)
             true = exact_forward_dynamics(model, *state).value
             off = _norm(plan, state, qdd - true) / _norm(plan, state, true)
@@ -153,7 +153,7 @@ def test_limbs_in_lanes_have_the_same_bounds() -> None:
     plan = certified(plan_of(model, 1))
     grouping = next(offer for offer in offered_groupings(plan) if any(offer))
     states = random_states(model, 3, seed=6)
-    for state in zip(states.q, states.v, states.tau, strict=True):
+    for state in states.each:
         _, error, answer = _squares(plan, state)
         _, in_lanes, answer_in_lanes = _squares(plan, state, lanes=grouping)
         assert np.sqrt(in_lanes / error) == pytest.approx(1, abs=0.5)
@@ -200,7 +200,7 @@ def test_processes_that_share_a_robot_find_the_bound_of_one(name: str) -> None:
         assert plan_from_json(plan_to_json(plan)) == plan
         for shape in ("kernels", "unrolled"):
             check(lower(plan, shape))
-        for state in zip(states.q, states.v, states.tau, strict=True):
+        for state in states.each:
             _, error, answer = _squares(one, state)
             _, shared, as_large = _squares(plan, state)
             assert np.sqrt(shared / error) == pytest.approx(1, abs=0.1)
@@ -227,7 +227,7 @@ def test_processes_that_gather_elsewhere_find_a_bound_like_that_of_one(name: str
     assert plan_from_json(plan_to_json(plan)) == plan
     for shape in ("kernels", "unrolled"):
         check(lower(plan, shape))
-    for state in zip(states.q, states.v, states.tau, strict=True):
+    for state in states.each:
         _, error, answer = _squares(one, state)
         qdd, shared, as_large = _squares(plan, state)
         assert as_large == pytest.approx(answer, rel=1e-12)
@@ -276,7 +276,7 @@ def test_limbs_that_move_otherwise_are_part_of_the_bound(monkeypatch: pytest.Mon
 
 def _one(model: Model) -> tuple[Array, Array, Array]:
     states = random_states(model, 1, seed=2)
-    return states.q, states.v, states.tau
+    return states.parts
 
 
 def test_what_limbs_take_is_no_more_than_their_spread() -> None:

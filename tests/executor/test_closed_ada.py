@@ -86,7 +86,7 @@ def test_forces_are_those_of_form_segment(make: Callable[[], Model]) -> None:
     states = states_of(model, 3, seed=5)
     for processes in (1, 2):
         plan = ada_plan(model, processes, loop_forces=True)
-        for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+        for q, v, tau in states.each:
             found, expected = (interpret(one, q, v, tau, once=True) for one in (plan, segment))
             assert np.abs(found - expected).max() < 1e-9 * np.abs(expected).max()
 
@@ -177,8 +177,9 @@ def test_links_without_mass_are_joined_in_runs_and_clusters(
     assert worst(model, plan, states) < 1e-10
     assert plan_from_json(plan_to_json(plan)) == plan
     if processes == 1:
-        rows = zip(states.q, states.v, states.tau, strict=True)
-        refined = np.array([interpret(corrected(plan, 1), *row) for row in rows], dtype=float)
+        refined = np.array(
+            [interpret(corrected(plan, 1), *row) for row in states.each], dtype=float
+        )
         assert forward_error(refined, truth_of(model, states)) < 1e-14
 
 
@@ -230,7 +231,7 @@ def test_motions_that_only_loops_resist_get_artificial_inertia(
     assert plan.lent
     check(lower(plan, "unrolled"))
     assert worst(model, plan, states) < 1e-10
-    for row in zip(states.q, states.v, states.tau, strict=True):
+    for row in states.each:
         found, expected = (interpret(one, *row, once=True) for one in (forces, segment))
         assert np.abs(found - expected).max() < 1e-9 * np.abs(expected).max()
     assert plan_from_json(plan_to_json(plan)) == plan
@@ -249,6 +250,5 @@ def test_emitted_for_two_processes(builder: Builder, tmp_path: Path) -> None:
     solver = builder.solver(plan, QUICK, name="ada")
     states = states_of(model, 3)
     found = solver.solve(model, states, tmp_path)
-    rows = zip(states.q, states.v, states.tau, strict=True)
-    truth = np.array([closed_forward_dynamics(model, *row) for row in rows])
+    truth = np.array([closed_forward_dynamics(model, *row) for row in states.each])
     assert np.abs(found - truth).max() < 1e-10 * np.abs(truth).max()

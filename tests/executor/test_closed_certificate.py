@@ -83,7 +83,7 @@ def _first_ratio(plans: Sequence[Plan], model: Model, state: State) -> float:
 
 
 def _rows(states: States) -> list[State]:
-    return list(zip(states.q, states.v, states.tau, strict=True))
+    return list(states.each)
 
 
 @pytest.mark.parametrize("name", MECHANISMS)

@@ -28,8 +28,8 @@ from adagen.schedule import Schedule, load_profile
 from adagen.schedule.tree import Gathered
 from adagen.search import best_schedule
 from adagen.search.closed import _layouts
-from adagen.states import States
 from tests.emitted import EXACT, Builder
+from tests.executor.plans import in_lanes_off
 from tests.executor.test_closures import plan_of, worst
 from tests.executor.test_lane_bits import InLanes
 from tests.mechanisms import quadruped, standing, states_of, with_loops
@@ -146,10 +146,7 @@ def test_alike_closures_share_lanes(name: str) -> None:
     (apart,), (together,) = simulate(plan), simulate(plan, grouping)
     assert together.operations.arithmetic < 0.8 * apart.operations.arithmetic
     assert worst(model, plan, states) < 1e-12
-    for state in zip(states.q, states.v, states.tau, strict=True):
-        exact = np.array([float(x) for x in interpret(plan, *state, BALLS)])
-        found = interpret(plan, *state, lanes=grouping)
-        assert np.abs(found - exact).max() < 1e-12 * np.abs(exact).max()
+    assert in_lanes_off(plan, states, grouping) < 1e-12
 
 
 def test_feet_that_are_held_unlike_keep_their_hips_out_of_lanes() -> None:
@@ -162,7 +159,7 @@ def test_feet_that_are_held_unlike_keep_their_hips_out_of_lanes() -> None:
     grouping = chosen_grouping(plan)
     assert grouping[0]
     assert lanes_of(plan, grouping) == []
-    for state in zip(states.q, states.v, states.tau, strict=True):
+    for state in states.each:
         exact = interpret(plan, *state)
         found = interpret(plan, *state, lanes=grouping)
         assert np.abs(found - exact).max() < 1e-12 * np.abs(exact).max()
@@ -194,10 +191,7 @@ def test_forces_of_loops_in_lanes(make: Callable[[], Model]) -> None:
     plan = make_plan(model, schedule, loop_forces=True)
     grouping = chosen_grouping(plan)
     assert lanes_of(plan, grouping)
-    for state in zip(states.q, states.v, states.tau, strict=True):
-        exact = np.array([float(x) for x in interpret(plan, *state, BALLS)])
-        found = interpret(plan, *state, lanes=grouping)
-        np.testing.assert_allclose(found, exact, rtol=0, atol=1e-11 * np.abs(exact).max())
+    assert in_lanes_off(plan, states, grouping) < 1e-11
 
 
 @pytest.mark.parametrize(
@@ -214,8 +208,7 @@ def test_emitted_lanes_compute_what_the_executor_does(
     solver = builder.solver(plan, EXACT, name="lanes", shape="unrolled")
     found = solver.solve(model, states, tmp_path)
     algebra = InLanes(scalar)
-    rows = zip(states.q, states.v, states.tau, strict=True)
-    expected = np.array([interpret(plan, *row, algebra, lanes=True) for row in rows])
+    expected = np.array([interpret(plan, *row, algebra, lanes=True) for row in states.each])
     np.testing.assert_array_equal(found.astype(expected.dtype), expected)
 
 
@@ -226,9 +219,9 @@ def test_what_is_done_instead_goes_side_by_side_only_where_it_is_alike(
     model = linkages(2, hips=1)
     plan, states = plan_of(model), states_of(model, 40, seed=5)
     found = builder.solver(plan, EXACT, name="poor", shape="unrolled").solve(
-        model, States(states.q, states.v, states.tau), tmp_path
+        model, states, tmp_path
     )
-    for k, state in enumerate(zip(states.q, states.v, states.tau, strict=True)):
+    for k, state in enumerate(states.each):
         exact = np.array([float(x) for x in interpret(plan, *state, BALLS)])
         assert np.abs(found[k] - exact).max() < 1e-11 * np.abs(exact).max()
 
@@ -244,7 +237,7 @@ def test_lanes_of_processes_that_meet_away_from_the_base() -> None:
         plan = make_plan(model, replace(alone, meeting="gather", gathered=layout))
         grouping = chosen_grouping(plan)
         assert any(grouping)
-        for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+        for q, v, tau in states.each:
             exact = np.array([float(x) for x in interpret(plan, q, v, tau, BALLS)])
             answer = interpret(plan, q, v, tau, lanes=grouping)
             assert np.abs(answer - exact).max() < 1e-12 * np.abs(exact).max()

@@ -43,7 +43,7 @@ def test_both_are_given_behind_the_accelerations(make: Callable[[], Model]) -> N
     forces = make_plan(closed, schedule, loop_forces=True)
     free = make_plan(tree, best_schedule(tree, 1, load_profile("default")))
     states = states_of(closed, 3)
-    for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+    for q, v, tau in states.each:
         qdd = closed_forward_dynamics(closed, q, v, tau)
         needed = inverse_dynamics(tree, q, v, qdd)
         moved = interpret(free, q, v, needed)

@@ -44,8 +44,7 @@ def given_as_found(model: Model, states: States) -> tuple[States, NDArray[np.flo
     A torque and the acceleration that it makes say the same.
     """
     free = replace(model, joints=tuple(replace(j, prescribed=False) for j in model.joints))
-    rows = zip(states.q, states.v, states.tau, strict=True)
-    truth = np.array([closed_forward_dynamics(free, *row) for row in rows])
+    truth = np.array([closed_forward_dynamics(free, *row) for row in states.each])
     tau = states.tau.copy()
     for j, joint in enumerate(model.joints):
         if joint.prescribed:
@@ -75,7 +74,7 @@ def test_a_prescribed_joint_moves_the_loop(name: str) -> None:
     states, truth = given_as_found(model, states_of(model, 4))
     for each in plan.alternatives:
         check(lower(each, "unrolled"))
-    for k, state in enumerate(zip(states.q, states.v, states.tau, strict=True)):
+    for k, state in enumerate(states.each):
         found = interpret(plan, *state, lanes=True)
         assert np.abs(found - truth[k]).max() < 1e-10 * np.abs(truth[k]).max()
 
@@ -88,7 +87,7 @@ def test_rows_pass_a_prescribed_joint(monkeypatch: pytest.MonkeyPatch) -> None:
     plan = plan_of(model).alternatives[-1]
     assert CarryRows in kinds_of(plan)
     states, truth = given_as_found(model, states_of(model, 3))
-    for k, state in enumerate(zip(states.q, states.v, states.tau, strict=True)):
+    for k, state in enumerate(states.each):
         found = interpret(plan, *state, once=True)
         assert np.abs(found - truth[k]).max() < 1e-9 * np.abs(truth[k]).max()
 
@@ -116,6 +115,6 @@ def test_in_form_ada(name: str) -> None:
     schedule = best_schedule(model, 1, load_profile("default"))
     plan = make_plan(model, schedule, form="ada")
     states, truth = given_as_found(model, states_of(model, 3))
-    for k, state in enumerate(zip(states.q, states.v, states.tau, strict=True)):
+    for k, state in enumerate(states.each):
         found = interpret(plan, *state)
         assert np.abs(found - truth[k]).max() < 1e-9 * np.abs(truth[k]).max()

@@ -74,7 +74,7 @@ def test_a_chain_pinned_at_both_ends_is_shared_out_at_its_middle() -> None:
     states = states_of(model, 2)
     for each in plan.alternatives:
         check(lower(each, "unrolled"))
-        for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+        for q, v, tau in states.each:
             expected = interpret(alone, q, v, tau, once=True)
             found = interpret(each, q, v, tau, once=True)
             assert np.abs(found - expected).max() < 1e-10 * np.abs(expected).max()
@@ -117,7 +117,7 @@ def poor_and_good(model: Model, plan: Plan, count: int) -> States:
     """Return closed states, in some of which all is done in another way, in some not."""
     states = states_of(model, 12 * count, seed=5)
     poor, good = [], []
-    for k, row in enumerate(zip(states.q, states.v, states.tau, strict=True)):
+    for k, row in enumerate(states.each):
         try:
             Run(plan, dict(zip(("q", "v", "tau"), row, strict=True)), once=True).check()
             good.append(k)
@@ -137,8 +137,7 @@ def test_processes_solve_poor_poses_each_for_itself(builder: Builder, tmp_path: 
     states = poor_and_good(model, plan, 2)
     solver = builder.solver(plan, QUICK, shape="unrolled")
     found = solver.solve(model, states, tmp_path)
-    rows = zip(states.q, states.v, states.tau, strict=True)
-    truth = np.array([closed_forward_dynamics(model, *row) for row in rows])
+    truth = np.array([closed_forward_dynamics(model, *row) for row in states.each])
     assert np.abs(found - truth).max() < 1e-10 * np.abs(truth).max()
     told = json.loads(solver.run("--check", "--json").stdout)["check"]
     assert told["ok"]

@@ -62,7 +62,7 @@ def plan_of(model: Model, processes: int = 1, scalar: str = "double") -> Plan:
 def worst(model: Model, plan: Plan, states: States) -> float:
     """Return the largest error of a plan, relative to the largest acceleration of its state."""
     errors = []
-    for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+    for q, v, tau in states.each:
         truth = closed_forward_dynamics(model, q, v, tau)
         found = interpret(plan, q, v, tau, once=True)
         errors.append(np.abs(found - truth).max() / max(1.0, np.abs(truth).max()))
@@ -266,8 +266,7 @@ def test_emitted_code_is_the_executor(
     solver = builder.solver(plan, EXACT, name="closed", shape="unrolled")
     found = solver.solve(model, states, tmp_path)
     algebra = {"double": DOUBLE, "float": FLOAT}[scalar]
-    rows = zip(states.q, states.v, states.tau, strict=True)
-    expected = np.array([interpret(plan, *row, algebra, lanes=True) for row in rows])
+    expected = np.array([interpret(plan, *row, algebra, lanes=True) for row in states.each])
     np.testing.assert_array_equal(found.astype(expected.dtype), expected)
 
 
@@ -285,8 +284,7 @@ def test_limbs_beside_loops_share_lanes(builder: Builder, tmp_path: Path) -> Non
     plan, states = plan_of(held), states_of(held, 3)
     assert worst(held, plan, states) < 1e-9
     found = builder.solver(plan, QUICK, shape="unrolled").solve(held, states, tmp_path)
-    rows = zip(states.q, states.v, states.tau, strict=True)
-    truth = np.array([closed_forward_dynamics(held, *row) for row in rows])
+    truth = np.array([closed_forward_dynamics(held, *row) for row in states.each])
     assert np.abs(found - truth).max() < 1e-9 * np.abs(truth).max()
 
 

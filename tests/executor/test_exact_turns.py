@@ -40,7 +40,7 @@ def test_straight_lines_are_right_near_gimbal_lock(
         for angle in (1e-2, 1e-4, 1e-6):
             states = random_states(model, 3, seed=2)
             states.q[:, model.q_start[joint]] = lock + angle
-            for state in zip(states.q, states.v, states.tau, strict=True):
+            for state in states.each:
                 truth = exact_forward_dynamics(model, *state).value
                 found = interpret(plan, *state)
                 assert forward_error(found[None], truth[None]) < ROUNDING["double"]

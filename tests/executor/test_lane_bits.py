@@ -209,9 +209,8 @@ def test_a_straight_line_in_lanes_is_the_executor(
     plan, states = case.plan(), random_states(case.model, 3, seed=4)
     solver = builder.solver(plan, EXACT, name="lane_bits", shape="unrolled")
     found = solver.solve(case.model, states, tmp_path, "--check")
-    rows = zip(states.q, states.v, states.tau, strict=True)
     algebra = InLanes(case.scalar)
-    expected = np.array([interpret(plan, *row, algebra, lanes=True) for row in rows])
+    expected = np.array([interpret(plan, *row, algebra, lanes=True) for row in states.each])
     np.testing.assert_array_equal(found.astype(expected.dtype), expected)
 
 
@@ -220,8 +219,7 @@ def test_what_is_computed_in_lanes_is_true(name: str) -> None:
     case = CASES[name]
     plan, states = case.plan(), random_states(case.model, 3, seed=4)
     algebra = FLOAT if case.scalar == "float" else DOUBLE
-    rows = zip(states.q, states.v, states.tau, strict=True)
-    found = np.array([interpret(plan, *row, algebra, lanes=True) for row in rows])
+    found = np.array([interpret(plan, *row, algebra, lanes=True) for row in states.each])
     assert forward_error(found, truth_of(case.model, states)) < ROUNDING[case.scalar]
 
 

@@ -33,9 +33,8 @@ ALGEBRAS = {"double": DOUBLE, "float": FLOAT}
 def answers(plan: Plan, model: Model, **lanes: object) -> Array:
     """Return the accelerations of two states."""
     states = random_states(model, 2, seed=4)
-    rows = zip(states.q, states.v, states.tau, strict=True)
     algebra = ALGEBRAS[plan.scalar]
-    return np.array([interpret(plan, *row, algebra, **lanes) for row in rows])  # type: ignore[arg-type]
+    return np.array([interpret(plan, *row, algebra, **lanes) for row in states.each])  # type: ignore[arg-type]
 
 
 def any_robot(seed: int) -> Model:

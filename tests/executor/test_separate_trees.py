@@ -139,7 +139,7 @@ def test_certificates_and_corrections_hold_back() -> None:
 
 def _states(model: Model) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     states = states_of(model, 1)
-    return states.q, states.v, states.tau
+    return states.parts
 
 
 def test_a_robot_is_not_divided() -> None:
@@ -158,8 +158,7 @@ def test_two_processes_have_a_robot_each(builder: Builder, tmp_path: Path) -> No
     assert CarryRows in kinds_of(plan)
     solver = builder.solver(plan, QUICK, shape="unrolled")
     found = solver.solve(model, states, tmp_path)
-    rows = zip(states.q, states.v, states.tau, strict=True)
-    truth = np.array([closed_forward_dynamics(model, *row) for row in rows])
+    truth = np.array([closed_forward_dynamics(model, *row) for row in states.each])
     assert np.abs(found - truth).max() < 1e-11 * np.abs(truth).max()
     assert json.loads(solver.run("--check", "--json").stdout)["check"]["ok"]
     assert "each with trees of its own" in text_of(plan, shape="unrolled")

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from adagen.executor import chosen_grouping, interpret, simulate
 from adagen.executor.solve import Run, SingularPoseError
-from adagen.graph import BALLS
 from adagen.model import (
     BASE,
     FLOATING,
@@ -34,6 +33,7 @@ from adagen.schedule import load_profile
 from adagen.search import best_schedule
 from adagen.states import States
 from tests.emitted import EXACT, Builder
+from tests.executor.plans import in_lanes_off
 from tests.executor.test_closed_lanes import lanes_of
 from tests.executor.test_closures import plan_of, worst
 from tests.executor.test_lane_bits import InLanes
@@ -170,10 +170,7 @@ def test_legs_that_mirror_each_other_share_lanes(hinges: bool, mirrored: bool) -
     ((_, other),) = side_by_side(plan, plan.processes[0].steps, grouping[0]).values()
     assert len(other.exchanged) == (2 if mirrored else 0)
     assert (list(other.path) == sorted(other.path)) is not mirrored
-    for state in zip(states.q, states.v, states.tau, strict=True):
-        exact = np.array([float(x) for x in interpret(plan, *state, BALLS)])
-        found = interpret(plan, *state, lanes=grouping)
-        assert np.abs(found - exact).max() < 1e-11 * np.abs(exact).max()
+    assert in_lanes_off(plan, states, grouping) < 1e-11
 
 
 def test_emitted_legs_compute_what_the_executor_does(builder: Builder, tmp_path: Path) -> None:
@@ -183,8 +180,7 @@ def test_emitted_legs_compute_what_the_executor_does(builder: Builder, tmp_path:
     solver = builder.solver(plan, EXACT, name="mirrored", shape="unrolled")
     found = solver.solve(model, states, tmp_path)
     algebra = InLanes("double")
-    rows = zip(states.q, states.v, states.tau, strict=True)
-    expected = np.array([interpret(plan, *row, algebra, lanes=True) for row in rows])
+    expected = np.array([interpret(plan, *row, algebra, lanes=True) for row in states.each])
     np.testing.assert_array_equal(found, expected)
 
 

@@ -36,7 +36,7 @@ ROBOTS: dict[str, Callable[[], Model]] = {
 def test_sweeps_in_more_digits_are_right(robot: str) -> None:
     model = ROBOTS[robot]()
     states = random_states(model, 3, seed=2)
-    found = accelerations(plan_of(model, 1), states.q, states.v, states.tau).astype(float)
+    found = accelerations(plan_of(model, 1), *states.parts).astype(float)
     for q, x, truth in zip(states.q, found, truth_of(model, states), strict=True):
         assert energy_norm_error(joint_space_inertia(model, q), x - truth, truth) < 1e-14
 
@@ -107,7 +107,7 @@ def test_what_hard_poses_lose_is_predicted(family: int) -> None:
     """Wrists, light links, a tiny root and slides: of what is answered, the largest error."""
     model = adversary.robots(12, seed=105)[family]
     plan, states = plan_of(model, 1), adversary.hard_states(model, 150, seed=105)
-    given = (states.q, states.v, states.tau)
+    given = states.parts
     truth = accelerations(plan, *given)
     found = interpret(plan, states.q.T, states.v.T, states.tau.T).T
     energy = Sweep(plan, np.float64, None, given).energy
@@ -122,7 +122,7 @@ def test_what_is_refused_in_hard_poses_is_known() -> None:
     """Wrists in float, half of them near gimbal lock: they have an answer, or the same fault."""
     model = adversary.robots(12, seed=105)[1]
     plan, states = plan_of(model, 1, scalar="float"), adversary.hard_states(model, 200, seed=105)
-    q, v, tau = (x.astype(np.float32) for x in (states.q, states.v, states.tau))
+    q, v, tau = (x.astype(np.float32) for x in states.parts)
     sweep = Sweep(plan, np.float32, None, (q, v, tau), rounded=True)
     with np.errstate(all="ignore"):
         sweep.solved()

@@ -33,8 +33,7 @@ def truth(example: Example) -> tuple[States, Array]:
         model = example.model()
         if example.closed:
             states = states_of(model, 4, seed=3)
-            rows = zip(states.q, states.v, states.tau, strict=True)
-            answers = np.array([closed_forward_dynamics(model, *row) for row in rows])
+            answers = np.array([closed_forward_dynamics(model, *row) for row in states.each])
         else:
             states = random_states(model, 4, seed=3)
             answers = truth_of(model, states)

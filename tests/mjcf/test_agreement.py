@@ -96,7 +96,7 @@ def compare_with_mujoco(path: Path, tolerance: float) -> Model:
     model = read_mjcf(path).model
     robot = compiled(path, path.stem, Notes(str(path)))
     states = random_states(model, 3, 7)
-    for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+    for q, v, tau in states.each:
         theirs = accelerations(robot.model, model, robot.joints, q, v, tau)
         same(forward_dynamics(model, q, v, tau), theirs, tolerance)
     return model
@@ -146,7 +146,7 @@ def test_mujoco_s_reading_of_a_urdf_is_ours(name: str) -> None:
     names = [joint.name for joint in ours.joints]
     order = [names.index(joint.name) for joint in model.joints]  # fixed joints have lost their name
     states = random_states(ours, 2, 7)
-    for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+    for q, v, tau in states.each:
         expected = forward_dynamics(ours, q, v, tau)[order]
         same(forward_dynamics(model, q[order], v[order], tau[order]), expected, 1e-12)
         if name != "slaved":  # theirs are held by forces
@@ -167,7 +167,7 @@ def test_the_mjcf_that_mujoco_writes_of_a_urdf_is_the_same_robot(name: str, tmp_
     names = [joint.name for joint in ours.joints]
     order = [names.index(joint.name) for joint in model.joints]
     states = random_states(ours, 2, 7)
-    for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+    for q, v, tau in states.each:
         expected = forward_dynamics(ours, q, v, tau)[order]
         same(forward_dynamics(model, q[order], v[order], tau[order]), expected, 1e-12)
 
@@ -184,7 +184,7 @@ def test_an_mjcf_that_says_what_a_urdf_does_is_the_same_robot(
     assert [joint.name for joint in model.joints] == [joint.name for joint in ours.joints]
     assert model.floating == floating
     states = random_states(ours, 2, 7)
-    for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+    for q, v, tau in states.each:
         expected = forward_dynamics(ours, q, v, tau)
         same(forward_dynamics(model, q, v, tau), expected, 1e-12)
 

@@ -41,7 +41,7 @@ def worst(model: Model, plan: Plan, states: int = 2) -> float:
     """Return the largest relative error of a plan against composite bodies and a solve."""
     error = 0.0
     sample = random_states(model, states, seed=5)
-    for q, v, tau in zip(sample.q, sample.v, sample.tau, strict=True):
+    for q, v, tau in sample.each:
         truth = forward_dynamics(model, q, v, tau)
         answer = interpret(plan, q, v, tau)
         error = max(error, float(np.abs(answer - truth).max() / max(1.0, np.abs(truth).max())))

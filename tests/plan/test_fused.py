@@ -120,7 +120,7 @@ def test_slaved_joints_inside_of_runs() -> None:
     for form, processes in (("ada", 1), ("ada", 2), ("segment", 2)):
         plan = make_plan(model, balanced(model, processes, form), form=form)
         assert fused(plan)
-        for q, v, tau in zip(sample.q, sample.v, sample.tau, strict=True):
+        for q, v, tau in sample.each:
             truth = forward_dynamics(model, q, v, tau)
             assert np.abs(interpret(plan, q, v, tau) - truth).max() < 1e-8 * np.abs(truth).max()
 
@@ -167,7 +167,7 @@ def test_links_of_singular_inertia_are_joined_with_their_neighbours() -> None:
         assert {s.joint for s in steps if isinstance(s, Join)} == {5, 6, 7}
         assert {s.link for s in steps if isinstance(s, LinkBias)} == {6, 7, 8}
         assert predicted_growth(plan).error < 1e-9
-        for q, v, tau in zip(sample.q, sample.v, sample.tau, strict=True):
+        for q, v, tau in sample.each:
             truth = exact_forward_dynamics(model, q, v, tau).value
             assert np.abs(interpret(plan, q, v, tau) - truth).max() < 1e-10 * np.abs(truth).max()
 

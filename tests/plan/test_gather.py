@@ -41,7 +41,7 @@ def error(model: Model, plan: Plan) -> float:
     alone = make_plan(model, by_process(model, 1))
     states = random_states(model, 3, seed=3)
     worst = 0.0
-    for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+    for q, v, tau in states.each:
         right, found = interpret(alone, q, v, tau), interpret(plan, q, v, tau)
         worst = max(worst, float(np.abs(found - right).max() / max(1.0, np.abs(right).max())))
     return worst

@@ -24,7 +24,7 @@ def test_the_prediction_is_right_within_two_digits(ratio: float) -> None:
     assert growth.largest > 0.1 / ratio
     sample = random_states(model, 5, seed=3)
     worst = 0.0
-    for q, v, tau in zip(sample.q, sample.v, sample.tau, strict=True):
+    for q, v, tau in sample.each:
         truth = exact_forward_dynamics(model, q, v, tau).value
         error = interpret(plan, q, v, tau) - truth
         worst = max(worst, energy_norm_error(joint_space_inertia(model, q), error, truth))

@@ -28,7 +28,7 @@ def errors(
     plan = make_plan(model, schedule, form=form)
     sample = random_states(model, 2, seed=3)
     rows = []
-    for state in zip(sample.q, sample.v, sample.tau, strict=True):
+    for state in sample.each:
         truth = exact_forward_dynamics(model, *state).value
         inertia = joint_space_inertia(model, state[0])
         answers = [interpret_refined(plan, *state, k) for k in range(steps + 1)]

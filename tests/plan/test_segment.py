@@ -45,7 +45,7 @@ def error(model: Model, plan: Plan, states: int = 3) -> float:
     """Return the largest forward error relative to the largest true acceleration."""
     sample = random_states(model, states, seed=11)
     worst = 0.0
-    for q, v, tau in zip(sample.q, sample.v, sample.tau, strict=True):
+    for q, v, tau in sample.each:
         truth = exact_forward_dynamics(model, q, v, tau).value
         worst = max(
             worst, float(np.abs(interpret(plan, q, v, tau) - truth).max() / abs(truth).max())

@@ -58,7 +58,7 @@ def test_a_weld_is_held_at_the_centre_of_hinges_that_follow() -> None:
     np.testing.assert_allclose(np.subtract(loop.translation2, loop.translation1), apart)
     states = states_of(model, 3)
     other = replace(plan, loops=(given,))
-    for row in zip(states.q, states.v, states.tau, strict=True):
+    for row in states.each:
         found, expected = (interpret(one, *row, once=True) for one in (plan, other))
         np.testing.assert_allclose(found, expected, rtol=0, atol=1e-9 * abs(expected).max())
     counts = []
@@ -80,7 +80,7 @@ def test_a_massless_cross_in_gimbal_lock_is_refused(cross: float) -> None:
     model, states, refused = rodded(cross), states_of(rodded(0.0), 6), []
     plan = plan_of(model)
     middle = [joint.name for joint in model.joints].index("l1")
-    for row in zip(states.q, states.v, states.tau, strict=True):
+    for row in states.each:
         if abs(np.cos(row[0][middle])) < 1e-8:
             with pytest.raises(FloatingPointError, match="without inertia"):
                 interpret(plan, *row)
@@ -102,6 +102,6 @@ def test_a_weld_that_holds_one_hinge_fast_stays_where_its_rows_say_so() -> None:
     plan = plan_of(model)
     assert plan.loops == loops_of(model)
     states = states_of(model, 2)
-    for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+    for q, v, tau in states.each:
         expected = closed_forward_dynamics(model, q, v, tau)
         np.testing.assert_allclose(interpret(plan, q, v, tau, once=True), expected, atol=1e-12)

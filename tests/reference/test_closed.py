@@ -60,7 +60,7 @@ def test_what_is_left_over_are_forces_of_constraints(name: str) -> None:
     """ID(qdd) - tau is a combination of the rows of J, and J qdd = -Jdot v."""
     model = MECHANISMS[name]()
     states = states_of(model, 4)
-    for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+    for q, v, tau in states.each:
         qdd = closed_forward_dynamics(model, q, v, tau)
         left = inverse_dynamics(model, q, v, qdd) - tau
         rows = constraints(model, q).rows
@@ -107,7 +107,7 @@ def test_drift_is_how_rates_of_gaps_change_along_the_motion(kind: str, floating:
 def test_exact_accelerations_are_those_of_the_null_space(name: str) -> None:
     model = MECHANISMS[name]()
     states = states_of(model, 3)
-    for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+    for q, v, tau in states.each:
         truth = exact_forward_dynamics(model, q, v, tau, digits=40)
         size = max(1.0, np.abs(truth.value).max())
         assert truth.error < 1e-40

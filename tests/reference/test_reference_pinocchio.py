@@ -113,7 +113,7 @@ def test_slaved_joints(name: str, floating: bool, robots: dict[str, Path]) -> No
     shares = coupling(DOUBLE, ours)
     data, states = theirs.createData(), random_states(ours, 2, 4)
     assert theirs.nv == shares.shape[1]
-    for q, v, tau in zip(states.q, states.v, states.tau, strict=True):
+    for q, v, tau in states.each:
         at, own = pin.neutral(theirs), np.zeros(theirs.nv)
         reduced = np.zeros((ours.nv, theirs.nv))  # our rows from their columns
         for joint, iq, iv in zip(ours.joints, ours.q_start, ours.v_start, strict=True):

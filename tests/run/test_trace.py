@@ -11,7 +11,7 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from adagen.calibrate.measure import Program, combined
+from adagen.calibrate.measure import Built, combined
 from adagen.drawing.trace import machine_svg
 from adagen.emit.predicted import predict
 from adagen.errors import InputError
@@ -121,7 +121,7 @@ def test_answers_are_the_same_while_traced(solver: Solver, tmp_path: Path) -> No
 
 
 def test_a_program_is_measured_stage_by_stage(solver: Solver) -> None:
-    program = Program.__new__(Program)  # built for tests, without the long optimisation
+    program = Built.__new__(Built)  # built for tests, without the long optimisation
     program.plan, program.toolchain = human_plan(), solver.toolchain
     program.executable = solver.executable
     runs = [program.measure(repeat=2, channel=channel) for channel in ("window", "message")]

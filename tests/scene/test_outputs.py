@@ -98,7 +98,7 @@ def test_outputs_are_those_of_pinocchio(floating: bool, tmp_path: Path) -> None:
     assert plan_from_json(plan_to_json(plan)) == plan
     states = random_states(model, 3, seed=4)
     assert (model.nqdd, plan.nqdd) == (model.nv + 4 * 6 + 2 * 36,) * 2
-    for state in zip(states.q, states.v, states.tau, strict=True):
+    for state in states.each:
         want = by_pinocchio(model, state)
         for lanes in (False, True):
             got = interpret(plan, *state, lanes=lanes)
@@ -192,7 +192,7 @@ def test_outputs_are_emitted(batch: bool, builder: Builder, tmp_path: Path) -> N
     solver = builder.solver(plan, batch=int(batch))
     states = random_states(model, 9, seed=7)
     got = solved(solver, model, states, tmp_path)
-    want = np.array([interpret(plan, *x) for x in zip(states.q, states.v, states.tau, strict=True)])
+    want = np.array([interpret(plan, *x) for x in states.each])
     assert abs(got - want).max() < 1e-11 * abs(want).max()
     assert solver.run("--check", "--time", "--repeat", "1").status == 0
 
@@ -221,10 +221,9 @@ def test_outputs_of_real_robots_keep_their_digits(
     plan = replace(planned(model), scalar=scalar)
     number = np.dtype({"double": "float64", "float": "float32"}[scalar])
     limit = {"double": 1e-14, "float": 3e-6}[scalar]
-    drawn = random_states(model, 3, seed=5)
-    states = States(*(x.astype(number).astype(float) for x in (drawn.q, drawn.v, drawn.tau)))
+    states = random_states(model, 3, seed=5).read_in(scalar)
     got = solved(builder.solver(plan, batch=batch), model, states, tmp_path)
-    for state, answer in zip(zip(states.q, states.v, states.tau, strict=True), got, strict=True):
+    for state, answer in zip(states.each, got, strict=True):
         truth = np.array([float(x) for x in interpret(plan, *state, algebra=BALLS)])
         firsts = [0, *(plan.entry_of_output(k) for k in range(len(plan.outputs))), len(truth)]
         errors = [
@@ -274,9 +273,7 @@ def test_accelerations_that_are_not_wanted_are_not_computed(
     states = random_states(model, 4, seed=3)
     solver = builder.solver(plan, shape=shape)
     got = solved(solver, model, states, tmp_path)
-    truth = np.array(
-        [forward_dynamics(whole, *x) for x in zip(states.q, states.v, states.tau, strict=True)]
-    )
+    truth = np.array([forward_dynamics(whole, *x) for x in states.each])
     assert abs(got[:, wanted] - truth[:, wanted]).max() < 1e-9 * abs(truth).max()
     others = np.delete(np.arange(model.nv), wanted)
     assert np.isnan(got[:, others]).all()
@@ -325,7 +322,7 @@ def test_at_rest_velocities_cost_nothing(builder: Builder, tmp_path: Path) -> No
     every, still = (straight_line(planned(x))[0].operations for x in (whole, model))
     assert still.multiply + still.add < 0.85 * (every.multiply + every.add)
     solver = builder.solver(planned(model))
-    truth = [forward_dynamics(whole, *x) for x in zip(states.q, states.v, states.tau, strict=True)]
+    truth = [forward_dynamics(whole, *x) for x in states.each]
     assert forward_error(solved(solver, model, states, tmp_path), np.array(truth)) < 1e-12
     assert solver.run("--check").status == 0
     moving, path = random_states(whole, 1, seed=1), tmp_path / "moving.json"

@@ -75,7 +75,7 @@ def found(model: Model, objective: str) -> tuple[Schedule, Digits, float]:
     schedule, plan = searched(model, objective)
     states = random_states(model, 3, seed=1)
     error = 0.0
-    for state in zip(states.q, states.v, states.tau, strict=True):
+    for state in states.each:
         truth = exact_forward_dynamics(model, *state, digits=20).value
         wrong = interpret(plan, *state) - truth
         error = max(error, energy_norm_error(joint_space_inertia(model, state[0]), wrong, truth))
@@ -136,7 +136,7 @@ def test_what_loops_lose_where_one_process_holds_the_ground_is_predicted(
     assert sum(bool(process.owns) for process in plan.processes) == 2
     states = States(*program_states(plan))
     found = builder.solver(plan, shape="kernels").solve(model, states, tmp_path)
-    truth = accelerations(plan, states.q, states.v, states.tau).astype(float)
+    truth = accelerations(plan, *states.parts).astype(float)
     rows = zip(states.q, found, truth, strict=True)
     errors = [energy_norm_error(joint_space_inertia(model, q), x - t, t) for q, x, t in rows]
     predicted = predicted_digits("both", model, plan).error

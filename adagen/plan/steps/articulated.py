@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from adagen.plan.steps.names import Bias, Block, Force
-from adagen.plan.steps.sorts import Inwards, Outwards
+from adagen.plan.steps.sorts import InwardStep, OutwardStep
 
 
 @dataclass(frozen=True)
-class StartLink(Inwards):
+class StartLink(InwardStep):
     """I^A and p^A of a link start as its own inertia and v x* I v (Featherstone, RBDA 7.3)."""
 
     does: ClassVar[str] = "link_inertia"
@@ -20,7 +20,7 @@ class StartLink(Inwards):
 
 
 @dataclass(frozen=True)
-class StartEmpty(Inwards):
+class StartEmpty(InwardStep):
     """I^A and p^A of a link start as zero: another process adds the link's own inertia."""
 
     does: ClassVar[str] = "clear_inertia"
@@ -30,7 +30,7 @@ class StartEmpty(Inwards):
 
 
 @dataclass(frozen=True)
-class FreeBase(Inwards):
+class FreeBase(InwardStep):
     """A floating joint on the ground only adds its torque to the link."""
 
     does: ClassVar[str] = "free_base"
@@ -40,7 +40,7 @@ class FreeBase(Inwards):
 
 
 @dataclass(frozen=True)
-class Articulate(Inwards):
+class Articulate(InwardStep):
     """I^A and p^A of the link on a joint's far side, through the joint, onto its near side.
 
     Far and near are seen from the root of the segment: far is the child link, or the parent link
@@ -56,7 +56,7 @@ class Articulate(Inwards):
 
 
 @dataclass(frozen=True)
-class InvertRoot(Inwards):
+class InvertRoot(InwardStep):
     """Phi = (I^A)^-1 and b = -Phi p^A of a segment's root that is a handle."""
 
     does: ClassVar[str] = "invert_root"
@@ -68,7 +68,7 @@ class InvertRoot(Inwards):
 
 
 @dataclass(frozen=True)
-class SolveRoot(Inwards):
+class SolveRoot(InwardStep):
     """Acceleration of a segment's root that is no handle: I^A a = -p^A."""
 
     does: ClassVar[str] = "solve_root"
@@ -78,7 +78,7 @@ class SolveRoot(Inwards):
 
 
 @dataclass(frozen=True)
-class SolveMobility(Outwards):
+class SolveMobility(OutwardStep):
     """Acceleration of a link of known mobility Phi: (1 + Phi I^A) a = b - Phi p^A."""
 
     does: ClassVar[str] = "solve_mobility"
@@ -90,7 +90,7 @@ class SolveMobility(Outwards):
 
 
 @dataclass(frozen=True)
-class HoldMobility(Inwards):
+class HoldMobility(InwardStep):
     """I^A = Phi^-1 and p^A = -Phi^-1 b of a link, from its mobility towards the ground.
 
     This starts the outward recursion from the ground: beyond the joints that make Phi regular, the
@@ -122,7 +122,7 @@ class Spread:
 
 
 @dataclass(frozen=True)
-class Propagate(Inwards):
+class Propagate(InwardStep):
     """Mobility outwards across a joint: Omega = L Omega L^T + S D^-1 S^T, Psi = L Psi.
 
     Attributes:
@@ -148,7 +148,7 @@ class Propagate(Inwards):
 
 
 @dataclass(frozen=True)
-class Load(Outwards):
+class Load(OutwardStep):
     """Load of a link by handle forces, before the joints beyond it add theirs."""
 
     does: ClassVar[str] = "load"
@@ -159,7 +159,7 @@ class Load(Outwards):
 
 
 @dataclass(frozen=True)
-class LoadRoot(Outwards):
+class LoadRoot(OutwardStep):
     """Load of a link with known acceleration: -(I^A a + p^A).
 
     With ``held``, I^A and p^A are those of ``HoldMobility``, and the load is the opposite.
@@ -173,7 +173,7 @@ class LoadRoot(Outwards):
 
 
 @dataclass(frozen=True)
-class Deliver(Outwards):
+class Deliver(OutwardStep):
     """Transfers the load of a joint's far link through the joint to its near link: L^T."""
 
     does: ClassVar[str] = "deliver"
@@ -184,7 +184,7 @@ class Deliver(Outwards):
 
 
 @dataclass(frozen=True)
-class AccelerateRoot(Outwards):
+class AccelerateRoot(OutwardStep):
     """Acceleration of a root that is a handle: a = b + Phi load."""
 
     does: ClassVar[str] = "accelerate_root"
@@ -196,7 +196,7 @@ class AccelerateRoot(Outwards):
 
 
 @dataclass(frozen=True)
-class FreeAcceleration(Outwards):
+class FreeAcceleration(OutwardStep):
     """qdd of a floating joint on the ground, from its link's acceleration."""
 
     does: ClassVar[str] = "free_acceleration"
@@ -206,7 +206,7 @@ class FreeAcceleration(Outwards):
 
 
 @dataclass(frozen=True)
-class Accelerate(Outwards):
+class Accelerate(OutwardStep):
     """qdd of a joint and the acceleration of its far link."""
 
     does: ClassVar[str] = "accelerate"

@@ -11,11 +11,11 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import ClassVar
 
-from adagen.plan.steps.sorts import Inwards, Outwards
+from adagen.plan.steps.sorts import InwardStep, OutwardStep
 
 
 @dataclass(frozen=True)
-class CloseLoop(Inwards):
+class CloseLoop(InwardStep):
     """The constraint rows of a loop at its two links; refuses a state in which the loop is open.
 
     Attributes:
@@ -35,7 +35,7 @@ class CloseLoop(Inwards):
 
 
 @dataclass(frozen=True)
-class CloseCoupling(Inwards):
+class CloseCoupling(InwardStep):
     """The constraint row of a coupling: its factors. A redundant one is only checked.
 
     Attributes:
@@ -53,7 +53,7 @@ class CloseCoupling(Inwards):
 
 
 @dataclass(frozen=True)
-class HoldBack(Inwards):
+class HoldBack(InwardStep):
     """Inward sweep through a joint without elimination: its acceleration becomes an unknown.
 
     Attributes:
@@ -76,7 +76,7 @@ class HoldBack(Inwards):
 
 
 @dataclass(frozen=True)
-class CarryRows(Inwards):
+class CarryRows(InwardStep):
     """Carries a closure's unknowns from beyond an eliminated joint through that joint."""
 
     does: ClassVar[str] = "carry_rows"
@@ -88,7 +88,7 @@ class CarryRows(Inwards):
 
 
 @dataclass(frozen=True)
-class Eliminate(Inwards):
+class Eliminate(InwardStep):
     """Elimination of a closure's unknowns at its top.
 
     If all joints of the closure are unknowns, the dependent accelerations follow from the
@@ -128,7 +128,7 @@ class Eliminate(Inwards):
 
 
 @dataclass(frozen=True)
-class Release(Outwards):
+class Release(OutwardStep):
     """The unknowns of a closure from the acceleration of its top."""
 
     does: ClassVar[str] = "release"
@@ -139,7 +139,7 @@ class Release(Outwards):
 
 
 @dataclass(frozen=True)
-class AccelerateHeld(Outwards):
+class AccelerateHeld(OutwardStep):
     """The acceleration of the link beyond a joint whose acceleration was an unknown."""
 
     does: ClassVar[str] = "accelerate_held"

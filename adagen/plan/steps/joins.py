@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from adagen.plan.steps.names import Bias, Block, Force
-from adagen.plan.steps.sorts import Inwards, Outwards
+from adagen.plan.steps.sorts import InwardStep, OutwardStep
 
 
 @dataclass(frozen=True)
-class LinkBias(Inwards):
+class LinkBias(InwardStep):
     """b of a bare link: its acceleration when nothing acts on it."""
 
     does: ClassVar[str] = "link_bias"
@@ -48,7 +48,7 @@ class BiasUpdate:
 
 
 @dataclass(frozen=True)
-class Join(Inwards):
+class Join(InwardStep):
     """Assembly of a joint between chains A (parent side) and B (child side): Eq. (3)-(7).
 
     Attributes:
@@ -106,7 +106,7 @@ class ForceUpdate:
 
 
 @dataclass(frozen=True)
-class Disassemble(Outwards):
+class Disassemble(OutwardStep):
     """Disassembly of a joint: its acceleration and force, Eq. (8)-(10).
 
     Attributes:

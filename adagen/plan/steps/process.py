@@ -6,13 +6,13 @@ from dataclasses import dataclass, field
 from typing import ClassVar
 
 from adagen.plan.steps.names import Passage
-from adagen.plan.steps.sorts import Motion, Outwards, What
+from adagen.plan.steps.sorts import KinematicsStep, OutwardStep, What
 
 _OPTIONAL = {"optional": True}  # fields that are not written where they have their default
 
 
 @dataclass(frozen=True)
-class Kinematics(Motion):
+class Kinematics(KinematicsStep):
     """Transform and velocity of a joint's child link."""
 
     does: ClassVar[str] = "kinematics"
@@ -23,7 +23,7 @@ class Kinematics(Motion):
 
 
 @dataclass(frozen=True)
-class Traverse(Motion):
+class Traverse(KinematicsStep):
     """Passage of a run: pose and motion of its last link relative to the link before it."""
 
     does: ClassVar[str] = "traverse"
@@ -33,7 +33,7 @@ class Traverse(Motion):
 
 
 @dataclass(frozen=True)
-class Append(Motion):
+class Append(KinematicsStep):
     """Passage of two successive runs, from the passages of both.
 
     Attributes:
@@ -51,7 +51,7 @@ class Append(Motion):
 
 
 @dataclass(frozen=True)
-class Arrive(Motion):
+class Arrive(KinematicsStep):
     """Motion of a run's last link, from that of the link before the run and its passage.
 
     Attributes:
@@ -89,7 +89,7 @@ class Receive:
 
 
 @dataclass(frozen=True)
-class GiveOutput(Outwards):
+class GiveOutput(OutwardStep):
     """One of the plan's outputs beside accelerations."""
 
     does: ClassVar[str] = "output"
@@ -117,7 +117,7 @@ class ApplyCoupling:
 
 
 @dataclass(frozen=True)
-class Correct(Outwards):
+class Correct(OutwardStep):
     """Repeats steps of the process for the residuals of its answer: part of a correction.
 
     Kinematics and factors are those of the answer. Messages between such parts have steps of their
@@ -138,7 +138,7 @@ class Correct(Outwards):
 
 
 @dataclass(frozen=True)
-class Refine(Outwards):
+class Refine(OutwardStep):
     """The answer, corrected by the residuals of the equations of motion.
 
     Loops do all of it in this step; straight lines have steps ``Correct`` before it.
@@ -166,7 +166,7 @@ class Share:
 
 
 @dataclass(frozen=True)
-class Certify(Outwards):
+class Certify(OutwardStep):
     """A bound of the answer's error, from the residuals of the equations of motion.
 
     Attributes:

@@ -7,19 +7,19 @@ from typing import ClassVar, Literal
 What = Literal["kinematics", "assembly", "disassembly", "slaved", "send", "receive"]
 
 
-class Motion:
+class KinematicsStep:
     """A step that computes poses and velocities."""
 
     stage: ClassVar[What] = "kinematics"
 
 
-class Inwards:
+class InwardStep:
     """A step of the first sweep: assembly, and articulated bodies."""
 
     stage: ClassVar[What] = "assembly"
 
 
-class Outwards:
+class OutwardStep:
     """A step of the second sweep, which finds accelerations, or of what follows it."""
 
     stage: ClassVar[What] = "disassembly"

@@ -105,7 +105,7 @@ class Coordinates:
 
 
 @dataclass(frozen=True)
-class Program:
+class Peer:
     """A built program and the words it is called with, around STATES RESULT REPEAT."""
 
     executable: Path

@@ -11,7 +11,6 @@ from pathlib import Path
 from adagen.errors import AdagenError, UsageError
 from adagen.library import Robot
 from adagen.schedule import load_profile
-from adagen.states import States
 from adagen.studies.bench.contest import Contestant, Progress, Rules, Times, hold
 from adagen.studies.bench.peers import entered
 from adagen.studies.bench.record import ModelRecord, Row
@@ -47,7 +46,7 @@ def measured(
     model, gone = robot.model, dict(absent)
     states = drawn_states(model, rules.states, rules.seed)
     judged = rules.judged if model.nv <= DIRECT else 1
-    few = States(*(x[:judged] for x in (states.q, states.v, states.tau)))
+    few = states.some(slice(judged))
     with tempfile.TemporaryDirectory(prefix="adagen-") as folder:
         taking_part = built(robot, variants, gone, on_progress)
         taking_part += entered(peers, model, states, Path(folder), gone, on_progress)

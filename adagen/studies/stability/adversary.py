@@ -273,4 +273,4 @@ def hard_states(model: Model, count: int, seed: int = 0) -> States:
         for j, joint in enumerate(model.joints)
         if joint.kind is REVOLUTE and not model.closed
     ]
-    return States(*hardened(states.q, states.v, states.tau, hinges, rng))
+    return States(*hardened(*states.parts, hinges, rng))

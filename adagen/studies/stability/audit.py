@@ -126,7 +126,7 @@ def planned(model: Model, way: Way) -> Plan | None:
 def truths(model: Model, states: States) -> list[Array | None]:
     """Return the true accelerations of states, None for one whose inertia matrix is singular."""
     found: list[Array | None] = []
-    for state in zip(states.q, states.v, states.tau, strict=True):
+    for state in states.each:
         try:
             found.append(exact_forward_dynamics(model, *state, digits=25).value)
         except AdagenError:
@@ -176,7 +176,7 @@ def solved(source: str, plan: Plan, states: States, toolchain: Toolchain) -> Ite
     else:
         opened = function("open", pointer)()
     solve = function("solve", ctypes.c_int, *[pointer] * 5)
-    rows = [np.ascontiguousarray(x, number) for x in (states.q, states.v, states.tau)]
+    rows = [np.ascontiguousarray(x, number) for x in states.parts]
     try:
         for state in zip(*rows, strict=True):
             qdd = np.empty(states.v.shape[1], number)
@@ -213,9 +213,7 @@ def audited(
         if plan is None:
             continue
         if way.scalar not in known:
-            kind = np.float64 if way.scalar == "double" else np.float32
-            given = States(*(x.astype(kind).astype(np.float64) for x in _parts(states)))
-            known[way.scalar] = truths(model, given)
+            known[way.scalar] = truths(model, states.read_in(way.scalar))
         counts: Counter[str] = Counter()
         wrong: list[Wrong] = []
         solved = answers(plan, way, states, toolchain)
@@ -232,7 +230,3 @@ def audited(
                 wrong.append(Wrong(model.name, way, k, error))
         found[way] = Audit(counts, tuple(wrong), warned(model, plan, way))
     return found
-
-
-def _parts(states: States) -> tuple[Array, Array, Array]:
-    return states.q, states.v, states.tau

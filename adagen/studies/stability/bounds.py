@@ -145,9 +145,7 @@ def bounded(
         except AdagenError:
             continue
         if way.scalar not in known:
-            kind = np.float64 if way.scalar == "double" else np.float32
-            parts = (x.astype(kind).astype(float) for x in (states.q, states.v, states.tau))
-            given = States(*parts)
+            given = states.read_in(way.scalar)
             every = own_truths(plan, given) if plan.closed else truths(model, given)
             known[way.scalar] = given, every
         given, truth = known[way.scalar]
@@ -180,7 +178,7 @@ def own_truths(plan: Plan, states: States) -> list[Array | None]:
     to rounding only, and which of them are left out is the plan's to choose.
     """
     found: list[Array | None] = []
-    for state in zip(states.q, states.v, states.tau, strict=True):
+    for state in states.each:
         true = None
         for each in plan.alternatives:
             with suppress(FloatingPointError):
@@ -240,7 +238,7 @@ def _answers(
         called.restype, called.argtypes = result, arguments
         return called
 
-    rows = [np.ascontiguousarray(x, number) for x in (states.q, states.v, states.tau)]
+    rows = [np.ascontiguousarray(x, number) for x in states.parts]
     qdd, bounds = np.full(states.v.shape, np.nan, number), np.full(states.count, np.nan)
     if plan.threads:
         opened = function("open_threads", pointer, pointer, ctypes.c_double)(None, 60.0)

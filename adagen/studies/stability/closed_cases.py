@@ -66,7 +66,7 @@ class ClosedTrial:
 
     @cached_property
     def _rows(self) -> list[State]:
-        return list(zip(self.states.q, self.states.v, self.states.tau, strict=True))
+        return list(self.states.each)
 
     @cached_property
     def truths(self) -> list[Array]:

@@ -56,7 +56,7 @@ class Subject:
     def truths(self, scalar: str, toolchain: Toolchain) -> list[Array | None]:
         """Return the true accelerations of its states, None where inertias are singular."""
         given = self.given(scalar)
-        texts = [__version__, _of_model(self.model), *map(_of_array, _parts(given))]
+        texts = [__version__, _of_model(self.model), *map(_of_array, given.parts)]
 
         def found() -> str:
             every = truths(self.model, given)
@@ -67,8 +67,7 @@ class Subject:
 
     def given(self, scalar: str) -> States:
         """Return its states as they are given in a scalar: what is true is true of these."""
-        kind = np.float64 if scalar == "double" else np.float32
-        return States(*(x.astype(kind).astype(np.float64) for x in _parts(self.states)))
+        return self.states.read_in(scalar)
 
 
 @dataclass(frozen=True)
@@ -149,7 +148,7 @@ def subject(name: str, model: Model, count: int, seed: int = 1) -> Subject:
     """Return a robot with random states, half of them near quarter turns, fast and strained."""
     soft = drawn_states(model, count - count // 2, seed)
     hard = hard_states(model, count // 2, seed) if count > 1 else None
-    parts = _parts(soft) if hard is None else map(np.vstack, zip(_parts(soft), _parts(hard)))  # noqa: B905
+    parts = soft.parts if hard is None else map(np.vstack, zip(soft.parts, hard.parts))  # noqa: B905
     return Subject(name, model, States(*parts))
 
 
@@ -245,7 +244,7 @@ class Study:
     def _solved(self, one: Subject, cell: Cell, plan: Plan, source: str) -> Cell:
         """The cell of what was built and run, now or at an earlier time."""
         given = one.given(plan.scalar)
-        texts = [__version__, joined(source), *map(_of_array, _parts(given))]
+        texts = [__version__, joined(source), *map(_of_array, given.parts)]
 
         def answers() -> str:
             rows = solved(source, plan, given, self.toolchain)
@@ -321,7 +320,7 @@ class _Judge:
         """The largest error of the executor of a plan, where it does not refuse."""
         algebra = DOUBLE if plan.scalar == "double" else FLOAT
         rows: list[Array | None] = []
-        for state in zip(*_parts(self.given), strict=True):
+        for state in self.given.each:
             try:
                 with np.errstate(all="ignore"):
                     found = interpret(plan, *state, algebra)
@@ -343,10 +342,6 @@ def _figures(cells: Sequence[Cell], one: Subject, way: Way) -> dict[str, Any]:
     cell = next(each for each in cells if each.robot == one.name and each.way == way)
     names = ("refused", "error", "state", "joint", "executor", "predicted", "silent", "why")
     return {name: getattr(cell, name) for name in names}
-
-
-def _parts(states: States) -> tuple[Array, Array, Array]:
-    return states.q, states.v, states.tau
 
 
 def _of_array(x: Array) -> str:

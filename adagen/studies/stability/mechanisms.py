@@ -243,7 +243,7 @@ def audit(model: Model, states: int, outcome: Outcome, seed: int = 1) -> None:
         outcome.never += 1
         return
     worst = worst_states(model, states, seed)
-    for q, v, tau in zip(worst.q, worst.v, worst.tau, strict=True):
+    for q, v, tau in worst.each:
         _audit_state(model, plan, q, v, tau, outcome)
 
 

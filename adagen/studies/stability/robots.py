@@ -147,8 +147,8 @@ def state(model: Model) -> tuple[Array, Array, Array]:
 
 def states_with(model: Model, more: States) -> States:
     """Return the suite's state of a robot, and more."""
-    parts = (more.q, more.v, more.tau)
-    return States(*(np.vstack([a, b]) for a, b in zip(state(model), parts, strict=True)))
+    pairs = zip(state(model), more.parts, strict=True)
+    return States(*map(np.vstack, pairs))
 
 
 FAMILIES: dict[str, tuple[str, Callable[[float], Model], tuple[float, ...]]] = {

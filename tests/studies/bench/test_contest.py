@@ -78,8 +78,7 @@ def test_right_and_wrong_answers_are_told_apart() -> None:
     model = serial_chain(5)
     states = random_states(model, 3, seed=4)
     truth = truth_of(model, states, digits=DOUBLE)
-    every = zip(states.q, states.v, states.tau, strict=True)
-    right = np.array([forward_dynamics(model, *state) for state in every])
+    right = np.array([forward_dynamics(model, *state) for state in states.each])
     assert truth.errors(right).forward < 1e-11 and truth.errors(right).residual < 1e-11
     wrong = truth.errors(right * (1 + 1e-4))
     assert wrong.forward == pytest.approx(1e-4, rel=1e-3) and wrong.residual > 1e-7

@@ -154,8 +154,7 @@ def test_the_fastest_peer_stands_beside_and_long_chains_go_without(
 ) -> None:
     def peers(_name: str, model: Model, _states: States, _folder: Path) -> list[Contestant]:
         def solve(states: States) -> Array:
-            each = zip(states.q, states.v, states.tau, strict=True)
-            return np.array([forward_dynamics(model, *state) for state in each])
+            return np.array([forward_dynamics(model, *state) for state in states.each])
 
         return [
             Contestant(

@@ -124,7 +124,7 @@ class TestFront:
         ([], "required: MODEL"),
         (["r.urdf", "--budget", "fast"], "argument --budget: budget 'fast'"),
         (["r.urdf", "--scalars", "quad"], "'quad' is none of double, float"),
-        (["r.urdf", "--procs", "1,0"], "'0' is no number from 1 to 64"),
+        (["r.urdf", "--procs", "1,0"], "must be a whole number from 1 to 64, not '0'"),
         (["r.urdf", "--states", "3"], "must be a whole number from 20 to 10000, not '3'"),
         (["r.urdf", "--simulate", "1", "--budget", "error<1"], "exclude each other"),
     ],

@@ -13,7 +13,7 @@ from adagen.model import Model
 from adagen.states import States
 from adagen.studies.bench.contest import Contestant
 from adagen.studies.bench.peers.symbolic_aba import forward_dynamics
-from adagen.studies.bench.program import NATIVE, Coordinates, Program, build, compilers, source
+from adagen.studies.bench.program import NATIVE, Coordinates, Peer, build, compilers, source
 
 FORMS = {"textbook": False, "exact": True}
 """What a projection through a joint makes zero is computed, as others do it, or left out."""
@@ -38,7 +38,7 @@ def contestants(model: Model, states: States, folder: Path) -> Sequence[Contesta
     with ThreadPoolExecutor(2) as pool:
         executables = list(pool.map(built, kinds))
     return [
-        Program(executable).contestant(
+        Peer(executable).contestant(
             f"casadi {form}, {compiler}", f"{compiler} {' '.join(NATIVE)}", given, _coordinates
         )
         for (compiler, form), executable in zip(kinds, executables, strict=True)

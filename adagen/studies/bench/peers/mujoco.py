@@ -15,7 +15,7 @@ from adagen.model import Joint, Model
 from adagen.states import States
 from adagen.studies.bench.contest import Contestant
 from adagen.studies.bench.machine import package
-from adagen.studies.bench.program import NATIVE, Coordinates, Program, build, compilers, source
+from adagen.studies.bench.program import NATIVE, Coordinates, Peer, build, compilers, source
 
 Array = NDArray[np.float64]
 
@@ -35,7 +35,7 @@ def contestants(model: Model, states: States, folder: Path) -> Sequence[Contesta
         raise EnvironmentFault(f"MuJoCo refuses this robot: {reason}") from None
     coordinates(model, states).write(given)
     loop = f"its library as shipped; the loop {compiler} {' '.join(NATIVE)}"
-    program = Program(_build(compiler), (str(file),))
+    program = Peer(_build(compiler), (str(file),))
     own = partial(coordinates, model), partial(_from_mujoco, model)
     return [program.contestant("mujoco smooth", loop, given, *own)]
 

@@ -20,7 +20,7 @@ from adagen.studies.bench.program import (
     NATIVE,
     PORTABLE,
     Coordinates,
-    Program,
+    Peer,
     build,
     compilers,
     source,
@@ -66,7 +66,7 @@ def in_every_build(
     file, given = files
     coordinates(model, states).write(given)
     return [
-        Program(executable, (str(file),), words).contestant(
+        Peer(executable, (str(file),), words).contestant(
             f"pinocchio {way}, {compiler}, {flags}",
             f"{compiler} {' '.join(FLAGS[flags])}",
             given,
