@@ -66,8 +66,8 @@ struct Transform {
   }
 };
 
-// A column of a 6x6 matrix in registers of four numbers and two: Eigen takes them by twos or one by
-// one.
+// Six numbers, such as a column of a 6x6 matrix, in registers of four and two: Eigen takes them by
+// twos or one by one.
 typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
 typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
 struct InRegisters {
@@ -81,15 +81,21 @@ inline InRegisters operator-(const InRegisters& x, const InRegisters& y) {
   return {x.low - y.low, x.high - y.high};
 }
 inline InRegisters operator*(const InRegisters& x, Real s) { return {x.low * s, x.high * s}; }
-inline InRegisters column_of(const Mat6& m, int k) {
+inline InRegisters six_at(const Real* from) {
   InRegisters x;
-  std::memcpy(&x.low, m.data() + 6 * k, sizeof x.low);
-  std::memcpy(&x.high, m.data() + 6 * k + 4, sizeof x.high);
+  std::memcpy(&x.low, from, sizeof x.low);
+  std::memcpy(&x.high, from + 4, sizeof x.high);
   return x;
 }
-inline void put_column(const InRegisters& x, int k, Mat6& m) {
-  std::memcpy(m.data() + 6 * k, &x.low, sizeof x.low);
-  std::memcpy(m.data() + 6 * k + 4, &x.high, sizeof x.high);
+inline void put_six_at(Real* to, const InRegisters& x) {
+  std::memcpy(to, &x.low, sizeof x.low);
+  std::memcpy(to + 4, &x.high, sizeof x.high);
+}
+inline InRegisters column_of(const Mat6& m, int k) { return six_at(m.data() + 6 * k); }
+inline void put_column(const InRegisters& x, int k, Mat6& m) { put_six_at(m.data() + 6 * k, x); }
+inline InRegisters row_of(const Mat6& m, int k) {
+  const Real* x = m.data() + k;
+  return {Four{x[0], x[6], x[12], x[18]}, Two{x[24], x[30]}};
 }
 
 // m X^T, which is (X m^T)^T: with m = X Phi the congruence X Phi X^T.

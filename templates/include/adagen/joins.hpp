@@ -177,12 +177,16 @@ ADAGEN_NOINLINE bool join(Joined<Kind>& i, const Mat6& Phi_A, const Mat6& Phi_B,
 // Z and Y of a handle j, Phi_ij being given with the joint's frame on its left.
 template <class Kind>
 ADAGEN_NOINLINE void couple(const Joined<Kind>& i, const Mat6& Phi_ij, Coupled<Kind>& j) {
-  for (int row = 0; row < kFree<Kind>; ++row)
-    for (int k = 0; k < 6; ++k) j.Y[row][k] = Phi_ij(Kind::Free::row[row], k);
-  if constexpr (kConstrained<Kind> > 0) {
-    for (int row = 0; row < kConstrained<Kind>; ++row)
-      for (int k = 0; k < 6; ++k) j.Z[row][k] = Phi_ij(Kind::Constrained::row[row], k);
-    forward_substitute(i.L, j.Z);
+  constexpr int m = kConstrained<Kind>;
+  ADAGEN_FOR (k, 0, kFree<Kind>) put_six_at(j.Y[k].data(), row_of(Phi_ij, Kind::Free::row[k]));
+  if constexpr (m > 0) {
+    InRegisters Z[m];
+    ADAGEN_FOR (row, 0, m) {
+      Z[row] = row_of(Phi_ij, Kind::Constrained::row[row]);
+      ADAGEN_FOR (k, 0, row) Z[row] = Z[row] - Z[k] * i.L[row][k];
+      Z[row] = Z[row] * i.L[row][row];
+      put_six_at(j.Z[row].data(), Z[row]);
+    }
   }
 }
 
@@ -190,12 +194,16 @@ ADAGEN_NOINLINE void couple(const Joined<Kind>& i, const Mat6& Phi_ij, Coupled<K
 template <class Kind>
 ADAGEN_NOINLINE Mat6 product([[maybe_unused]] const Coupled<Kind>& j,
                              [[maybe_unused]] const Coupled<Kind>& k) {
+  constexpr int m = kConstrained<Kind>;
   Mat6 result = Mat6::Zero();
-  if constexpr (kConstrained<Kind> > 0) {
-    for (int row = 0; row < kConstrained<Kind>; ++row) {
-      const Vec6 left = Eigen::Map<const Vec6>(j.Z[row].data());
-      const Vec6 right = Eigen::Map<const Vec6>(k.Z[row].data());
-      result.noalias() += left * right.transpose();
+  if constexpr (m > 0) {
+    InRegisters Z[m];
+    ADAGEN_FOR (row, 0, m) Z[row] = six_at(j.Z[row].data());
+    ADAGEN_FOR (column, 0, 6) {
+      const std::size_t at = static_cast<std::size_t>(column);
+      InRegisters sum = Z[0] * k.Z[0][at];
+      ADAGEN_FOR (row, 1, m) sum = sum + Z[row] * k.Z[row][at];
+      put_column(sum, column, result);
     }
   }
   return result;
