@@ -95,13 +95,12 @@ def find_toolchain(environ: Mapping[str, str] | None = None) -> Toolchain:
     """
     environ = os.environ if environ is None else environ
     mpicxx, mpiexec, wheel = _find_mpi(environ)
-    extra = _words(environ.get("CXXFLAGS", ""))
     return Toolchain(
         mpicxx=mpicxx,
-        cxx=_find_compiler(environ),
+        cxx=find_compiler(environ),
         mpiexec=mpiexec,
         eigen=_find_eigen(environ),
-        flags=(*STANDARD, *OPTIMISATION, *WARNINGS, *extra),
+        flags=find_flags(environ),
         wheel=wheel,
         environment=tuple(
             sorted(
@@ -268,7 +267,16 @@ def _compiler_choice(environ: Mapping[str, str]) -> dict[str, str]:
     return {"OMPI_CXX": compiler}
 
 
-def _find_compiler(environ: Mapping[str, str]) -> tuple[str, ...]:
+def find_flags(environ: Mapping[str, str]) -> tuple[str, ...]:
+    """Return the compiler's options: the default ones, and then those of ``CXXFLAGS``.
+
+    Raises:
+        EnvironmentFault: ``CXXFLAGS`` cannot be read.
+    """
+    return (*STANDARD, *OPTIMISATION, *WARNINGS, *_words(environ.get("CXXFLAGS", "")))
+
+
+def find_compiler(environ: Mapping[str, str]) -> tuple[str, ...]:
     """Return the command of the compiler for what needs no MPI."""
     asked = environ.get("CXX", "").strip() or environ.get("OMPI_CXX", "").strip()
     if asked:

@@ -121,8 +121,8 @@ def add_schedule(parser: Parser) -> None:
         "--profile",
         default="default",
         metavar="NAME|FILE",
-        help="cost profile: default, xeon, paper, one that adagen calibrate has stored, or a TOML "
-        "file",
+        help="cost profile: default, xeon, avx2, paper, one that adagen calibrate has stored, or a "
+        "TOML file",
     )
     group.add_argument(
         "--schedule",
@@ -175,8 +175,8 @@ def _add_search(parser: Parser) -> None:
         choices=("auto", "none"),
         default=_SEARCH["--parts"],
         help="auto (default): long chains are swept in parts, one in each SIMD lane, where the "
-        "profile predicts that it pays; none: never. The shipped profiles are of processors with "
-        "AVX-512: with AVX2, parts take longer",
+        "profile predicts that it pays; none: never. Parts pay with AVX-512, and with AVX2 if "
+        "built by clang++; not by g++ (profile avx2)",
     )
     group.add_argument(
         "--objective",

@@ -23,7 +23,7 @@ from adagen.tomlfile import parse_toml
 TICKS = 1_000_000
 """Ticks in a microsecond."""
 
-SHIPPED = ("default", "xeon", "paper")
+SHIPPED = ("default", "xeon", "avx2", "paper")
 """Names of the profiles that come with adagen."""
 
 _LIMIT = 1e6  # microseconds; keeps every sum far below 2^63 ticks

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from adagen.build.registers import Registers
 from adagen.calibrate import profile_text
 from adagen.cli import main
 from adagen.cli.predicted import prediction
@@ -113,7 +114,7 @@ def test_stored_profiles_are_found_by_name(
     arm = write_arm(tmp_path / "arm.urdf")
     for name, status in (("machine", 0), ("default", 0), ("other", 2)):
         assert main(["schedule", str(arm), "--procs", "1", "--profile", name]) == status
-    assert "one of default, xeon, paper, machine;" in capsys.readouterr().err
+    assert "one of default, xeon, avx2, paper, machine;" in capsys.readouterr().err
 
 
 def test_the_same_time_is_told_everywhere(
@@ -146,3 +147,31 @@ def test_a_proof_is_told_of_the_price_that_was_searched_and_of_no_other() -> Non
     assert prediction(replace(schedule, makespan=9.0), line) == f"{told})"
     searched = replace(schedule, makespan=line.makespan, lower_bound=line.makespan)
     assert prediction(searched, line) == f"{told}; optimal)"
+
+
+@pytest.mark.parametrize(
+    ("registers", "noted"),
+    [
+        (Registers(256, halved=False), True),
+        (Registers(256, halved=True), False),
+        (Registers(512, halved=False), False),
+        (None, False),
+    ],
+)
+def test_narrow_registers_are_noted_where_a_chain_is_in_parts(
+    registers: Registers | None,
+    noted: bool,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("adagen.build.registers.find_registers", lambda: registers)
+    arm = write_arm(tmp_path / "arm.urdf", 300)
+    assert main(["schedule", str(arm), "--procs", "1", "--json"]) == 0
+    stdout, stderr = capsys.readouterr()
+    assert json.loads(stdout)["parts"] == 8
+    assert ("or add --profile avx2" in " ".join(stderr.split())) == noted
+    assert main(["schedule", str(arm), "--procs", "1", "--profile", "avx2", "--json"]) == 0
+    stdout, stderr = capsys.readouterr()
+    assert json.loads(stdout).get("parts", 0) == 0
+    assert "registers" not in stderr

@@ -17,7 +17,7 @@ def test_shipped_profiles() -> None:
     paper = load_profile("paper")
     assert (paper.alpha, paper.beta, paper.gamma, paper.delta) == (1.6, 1.0, -1.0, 14.4)
     assert [paper.join(k, 1) for k in range(3)] == [13_400_000, 16_000_000, 21_800_000]
-    for name in ("default", "xeon"):
+    for name in ("default", "xeon", "avx2"):
         found = load_profile(name)
         assert found.name == name and found.steps is not None
 
@@ -59,7 +59,7 @@ def test_a_wrong_file_is_refused(
 
 
 def test_a_missing_or_unreadable_file_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(UsageError, match="default, xeon, paper"):
+    with pytest.raises(UsageError, match="default, xeon, avx2, paper"):
         load_profile(str(tmp_path / "none.toml"))
     for name in (str(tmp_path), "nul\0byte"):
         with pytest.raises(InputError):

@@ -30,8 +30,9 @@
 #include "shuffles.hpp"
 #include "strips.hpp"
 
-#if defined(ADAGEN_SOLVER) && defined(__x86_64__) && !defined(__AVX512F__)
-#pragma message("parts of a chain suit AVX-512; here it is faster whole: adagen MODEL --parts none")
+#if defined(ADAGEN_SOLVER) && defined(__x86_64__) && !defined(__AVX512F__) && !defined(__clang__)
+// g++ keeps vectors in memory that are wider than registers, clang++ takes several registers.
+#pragma message("chain in parts: make CXX=clang++, or adagen MODEL --profile avx2, is faster here")
 #endif
 
 namespace {
