@@ -55,6 +55,8 @@ def describe_message(symbols: Symbols, message: Message) -> str:
     if message.joint is None:
         what = "accelerations" if message.sweep == "slaved" else "torques"
         return f"{what} of slaved joints"
+    if message_size(symbols, message) == 0:
+        return "an evaluation begins"
     if message.inertias:
         links = ", ".join(symbols.quoted_link(link) for link in message.inertias)
         return f"I^A and p^A at {links}"

@@ -184,8 +184,36 @@ def _with_shares(
         messages.append(Message(p, 0, CERTIFICATE, 0, weighed=share.links))
         shares.append(share)
     certify = Certify(tuple(plan.processes[0].treated), hears=tuple(shares))
-    found[0] = (*steps[0], *hears, certify)
+    begins = _let_go_on(found, shares, messages)
+    found[0] = (*begins, *steps[0], *hears, certify)
     return found
+
+
+def _let_go_on(
+    steps: list[tuple[Step, ...]], shares: Iterable[Share], messages: list[Message]
+) -> list[Step]:
+    """Have process 0 say that an evaluation begins to processes that hear nothing from others.
+
+    Their shares would otherwise overwrite those of earlier evaluations that process 0 still reads
+    (adagen/program/reuse.py). The message is empty, and they take it when their share is ready.
+
+    Args:
+        steps: of each process; those of such processes are changed.
+        shares: that process 0 hears.
+        messages: of the plan; more are added.
+
+    Returns:
+        The first steps of process 0.
+    """
+    begins: list[Step] = []
+    for p in (share.process for share in shares):
+        if any(isinstance(step, Receive) for step in steps[p]):
+            continue
+        *work, send = steps[p]
+        begins.append(Send(len(messages)))
+        steps[p] = (*work, Receive(len(messages)), send)
+        messages.append(Message(0, p, "disassembly", 0))
+    return begins
 
 
 @dataclass(frozen=True)
