@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from math import inf
 
 from adagen.schedule.costs import ChannelCosts, StepCosts
-from adagen.search.floor import NOTHING
+from adagen.search.floor import NOTHING, Floor, longest_of
 from adagen.search.floors import Floors
 from adagen.search.limbs import Core, Limb, Robot
 from adagen.search.side_by_side import SideBySide
@@ -160,7 +160,7 @@ class Bounds:
 
     def _ends(self, limb: Limb) -> int:
         """How many processes can share a limb at most, once the core has grown into it."""
-        return 1 if limb.up else self.floors.ends[limb.spans[0].start]
+        return 1 if limb.up else self.floors.ends[limb.first]
 
     def _limbs(self, limbs: Iterable[Limb], arounds: dict[int, Around], whole: int) -> float:
         """The longest limb, with what its process and those that wait for it take besides.
@@ -194,29 +194,38 @@ class Bounds:
             self._shared[tree.tree] = least
         return self._shared[tree.tree]
 
-    def shared(self, around: Around, limbs: Sequence[Limb], most: int, fewest: int) -> float:
-        """Return the least that limbs of one shared tree take, by the average of its processes.
+    def shared(
+        self,
+        around: Around,
+        limbs: Sequence[Limb],
+        most: int,
+        fewest: int,
+        *,
+        whole: bool = False,
+    ) -> float:
+        """Return the least that limbs of a shared tree take, by the average of its processes.
 
         Args:
             around: what its core takes.
             limbs: the limbs.
             most: processes that share them, at most.
             fewest: at least.
+            whole: whether limbs are not parted, so that one of the processes has the longest.
         """
-        work = NOTHING
+        work, long = NOTHING, NOTHING
         for limb in limbs:
             work = work.plus(self.floors.work(limb))
+        for limb in limbs if whole else ():
+            way = Floor(around.way, 0.0, around.way) if not limb.up else NOTHING
+            long = longest_of((long, self.floors.longest(limb).plus(way)))
         up = any(limb.up for limb in limbs)
-        least = float("inf")
+        least, core = inf, around.before + around.after
         for count in range(fewest, most + 1):
-            ways = around.way * (count - up) / count + around.before + around.after
+            ways = around.way * (count - up) / count
             sending = (count - 1) * self.sending_one
-            alone = (
-                (work.both / count + ways) / self.fastest
-                + sending
-                + (count - 1) * self.receiving_one
-            )
-            inwards = (work.inwards / count + ways + self.outwards) / self.fastest
-            waited = inwards + sending + self.latency + self.receiving_one
+            both = max(work.both / count + ways, long.both) + core
+            alone = both / self.fastest + sending + (count - 1) * self.receiving_one
+            inwards = max(work.inwards / count + ways, long.inwards) + core + self.outwards
+            waited = inwards / self.fastest + sending + self.latency + self.receiving_one
             least = min(least, max(alone, waited))
         return self.start + least

@@ -30,6 +30,7 @@ from adagen.paper.restricted import joined_between_processes
 from adagen.plan import Plan, make_plan
 from adagen.plan.types import Process
 from adagen.program import Program
+from adagen.program.lower import LOOPS
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.fold import Fold
 from adagen.schedule.tree import Named
@@ -39,6 +40,7 @@ from adagen.search.floors import Floors
 from adagen.search.gathered import GatheredSearch
 from adagen.search.guess import halves
 from adagen.search.halved import HalvedSchedules
+from adagen.search.in_full import InFull
 from adagen.search.incumbent import Spent
 from adagen.search.joined import LONG, JoinedFloor
 from adagen.search.layouts import Layout, LayoutPrices
@@ -56,7 +58,10 @@ _JOINTS = 8
 _EVEN = 2
 """Layouts that share straight lines out evenly which are looked at."""
 _NEAR, _NEARLY = 8, 1.2
-"""Share of the budget that is spent on layouts that are nearly as fast in loops, and how fast."""
+"""Share of the budget that is spent on layouts that are nearly as fast in loops, and how fast.
+
+Straight lines that are not as near to the fastest loops have not been the fastest of any robot.
+"""
 
 _ROUNDED = 1e-5  # microseconds that sums of rounded times may be off
 
@@ -95,11 +100,12 @@ class Families:
         self.most, self.expansions = expansions, scaled(expansions, len(model.joints))
         self.topology = Topology.of(model)
         self.best: Schedule | None = None
-        self.least = float("inf")
+        self.least = self._loops = float("inf")
         self.names: list[str] = []
         self.candidates = self.expanded = self.straight_lines = 0
         self.bounds: list[float] = []
         self._priced: Pricing | None = None
+        self._in_full: InFull | None = None  # as soon as layouts are looked at
         self._tried: set[tuple[Process, ...]] = set()
         self._straight: list[float] | None = None  # what each joint takes of one process
 
@@ -131,18 +137,20 @@ class Families:
         if plan.processes in self._tried:
             return
         self._tried.add(plan.processes)
-        lines: list[Timeline] = []
         for shape in offered(plan) if self.shape == "auto" else (self.shape,):
             program = priced_program(plan, shape, self.profile)
-            lines.append(timeline(program, self.profile))
+            line = timeline(program, self.profile)
             if program.shape == "unrolled":
                 self.straight_lines += 1
-                self._straight = self._straight or self._by_joint(program, lines[-1])
-        line = min(lines, key=lambda line: line.makespan)
-        if line.makespan < self.least:
-            loads = tuple(line.busy(p) for p in range(self.processes))
-            self.best = replace(schedule, makespan=line.makespan, loads=loads)
-            self.least = line.makespan
+                self._straight = self._straight or self._by_joint(program, line)
+            if line.makespan < self.least:
+                loads = tuple(line.busy(p) for p in range(self.processes))
+                self.best = replace(schedule, makespan=line.makespan, loads=loads)
+                self.least = line.makespan
+            if program.shape == LOOPS:
+                self._loops = min(self._loops, line.makespan)
+                if line.makespan > _NEARLY * self._loops:
+                    break  # its straight line would hardly be the fastest
 
     def _by_joint(self, program: Program, line: Timeline) -> list[float]:
         """What each joint takes of a straight line of one process."""
@@ -242,6 +250,7 @@ class Families:
         pricing = self._pricing(self.best)
         robot = Robot(pricing.joints)
         floors = Floors(robot, self.costs, whole=True)
+        self._in_full = floors.in_full
         bounds = Bounds(robot, floors, self.processes, self.costs, pricing.channel)
         floating = [robot.trees[robot.tree_of[j]].base is not None for j in range(len(cuttable))]
         roots = [False, *(f or c for f, c in zip(floating, cuttable, strict=True))]
@@ -249,66 +258,66 @@ class Families:
         search = GatheredSearch(prices, bounds, roots, spent)
         self._name("gathered")
         search.guess()
-        layouts, fewer = [layout for _, _, layout in search.found.nearest], list[Layout]()
+        layouts = [layout for _, _, layout in search.found.nearest]
         if self._straight is not None:
             layouts += search.even(self._straight, _EVEN)
         self._try_layouts(layouts, robot)
+        best, left_over = search.found.best, False
         if self.loops:
             search.run(self.least)
             self.bounds.append(search.lower)
-            fewer = self._on_fewer(search, prices, floors, roots)
-        if self._straight is not None:  # what is slower in loops may be faster in a line
-            if not self.loops or search.lower == search.found.best:  # else it would end no later
-                spent.limit = spent.spent + spent.limit // _NEAR
-                search.run(_NEARLY * self.least)
-            fewer += self._lines_of_fewer(prices, floors, roots)
+            best, left_over = search.found.best, search.left_over
+        if self._straight is not None and not left_over:
+            self._look_near(search)
+        fewer = self._on_fewer(prices, floors, roots, best, left_over)
         self._try_layouts(fewer + [layout for _, _, layout in search.found.nearest], robot)
         self.candidates += search.found.candidates
         self.expanded += spent.expanded
 
+    def _look_near(self, search: GatheredSearch) -> None:
+        """Search layouts that are nearly as fast in loops: their straight lines may be faster."""
+        spent = search.spent
+        spent.limit = spent.spent + _JOINTS * self.most // _NEAR
+        search.run(_NEARLY * self.least)
+
     def _on_fewer(
         self,
-        search: GatheredSearch,
         prices: LayoutPrices,
         floors: Floors,
         roots: Sequence[bool],
+        best: float,
+        left_over: bool,
     ) -> list[Layout]:
-        """Return faster layouts of half as many processes, a quarter, and so on.
+        """Return layouts of half as many processes, a quarter, and so on, to be played.
 
-        They are among the layouts of a search that ended. Where its budget struck, those of fewer
-        processes are searched by themselves: more processes are not to be slower.
+        Those that are faster in loops are among the layouts of a search that ended. Where its
+        budget struck, those of fewer processes are searched by themselves: more processes are not
+        to be slower. For the same reason those that are nearly as fast are looked at, as they are
+        where there are no more processes.
+
+        Args:
+            prices: prices of layouts.
+            floors: of joints.
+            roots: for each link whether processes may meet around it; length N + 1.
+            best: the least time in loops so far.
+            left_over: whether the search on all processes did not end.
         """
         found: list[Layout] = []
-        best, ended = search.found.best, search.lower == search.found.best
         for working in halves(self.processes)[1:]:
-            if ended:
-                break
             spent = Spent(_JOINTS * self.most)
             bounds = Bounds(prices.robot, floors, working, self.costs, prices.pricing.channel)
             fewer = GatheredSearch(prices, bounds, roots, spent)
-            fewer.run(best)
-            found += [fewer.found.layout] if fewer.found.layout is not None else []
-            best, ended = fewer.found.best, fewer.lower == fewer.found.best
-            self.candidates += fewer.found.candidates
-            self.expanded += spent.expanded
-        return found
-
-    def _lines_of_fewer(
-        self, prices: LayoutPrices, floors: Floors, roots: Sequence[bool]
-    ) -> list[Layout]:
-        """Return layouts of half as many processes, and so on, that are nearly as fast in loops.
-
-        They are those whose straight lines are priced where there are no more processes.
-        """
-        found: list[Layout] = []
-        for working in halves(self.processes)[1:]:
-            spent = Spent(_JOINTS * self.most // _NEAR)
-            bounds = Bounds(prices.robot, floors, working, self.costs, prices.pricing.channel)
-            fewer = GatheredSearch(prices, bounds, roots, spent)
-            for look in (fewer.guess, lambda own=fewer: own.run(_NEARLY * self.least)):
-                look()
-                near = [(time, layout) for time, _, layout in fewer.found.nearest]
-                found += [layout for time, layout in near if time < _NEARLY * self.least]
+            near = []
+            if self._straight is not None:
+                fewer.guess()
+                near += fewer.found.nearest
+            if left_over:
+                fewer.run(best)
+                best, left_over = min(best, fewer.found.best), fewer.left_over
+            if self._straight is not None and not left_over:
+                self._look_near(fewer)
+            near += fewer.found.nearest
+            found += [layout for time, _, layout in near if time < _NEARLY * self.least]
             self.candidates += fewer.found.candidates
             self.expanded += spent.expanded
         return found
@@ -331,13 +340,22 @@ class Families:
             return
         tie = self.best.tie
         floor = JoinedFloor(
-            self.model, self.seen, self.processes, self.profile, self._pricing(self.best), cuttable
+            self.model,
+            self.seen,
+            self.processes,
+            self.profile,
+            self._pricing(self.best),
+            cuttable,
+            self._in_full,
         )
-        lower, spent, made = floor.lower(self.least, self.expansions, tie)
+        least = min([self.least, *self.bounds])  # a greater bound would prove no more
+        lower, spent, made = floor.lower(least, self.expansions, tie)
         self.expanded += spent
         self.bounds.append(lower)
-        if lower < self.least:
-            if made is not None and len(self.topology) <= LONG:
+        # Of other robots the bound says more than what is found at the least prices.
+        long = len(self.topology) > LONG
+        if lower < (self.least if long else least):
+            if made is not None and not long:
                 self.consider(made, "joined")
             for working in halves(self.processes):
                 self.consider(floor.found(tie, self.expansions, working), "joined")

@@ -44,6 +44,7 @@ class Floors:
             joints, or than the ways beyond as many joints as go together, and kinematics are passed
             in runs that are no longer either. Else chains may be as long as the robot has joints,
             and kinematics may be passed joint by joint.
+        in_full: bounds of joints that hang together, if they are at hand.
 
     Attributes:
         single: of each joint of a core: passed by itself or with its run, no link beside it, since
@@ -58,7 +59,14 @@ class Floors:
         most: how many joints of a kind can lie side by side.
     """
 
-    def __init__(self, robot: Robot, costs: StepCosts, *, whole: bool = False) -> None:
+    def __init__(
+        self,
+        robot: Robot,
+        costs: StepCosts,
+        *,
+        whole: bool = False,
+        in_full: InFull | None = None,
+    ) -> None:
         self.robot, self.costs, self.whole = robot, costs, whole
         joints = robot.joints
         self.most = {kind: self._most_in_row(kind) for kind in sorted(KINDS)}
@@ -104,13 +112,15 @@ class Floors:
             self._deepest[j] = self.row[j].plus(
                 longest_of(self._deepest[k] for k in robot.at[j + 1])
             )
-        self._in_full = InFull(robot, costs)
+        self.in_full = in_full or InFull(robot, costs)
         if whole:
-            beyond = self._in_full.beyond(range(len(joints)))
+            beyond = self.in_full.beyond(range(len(joints)))
             for j, joint in enumerate(joints):
                 own = self.row[j] if joint.parent == 0 else NOTHING
                 self._deepest[j] = longest_of((self._deepest[j], own.plus(beyond[j])))
         self._upwards: dict[int, Floor] = {}
+        self._work: dict[Limb, Floor] = {}
+        self._longest: dict[Limb, Floor] = {}
         self._way = [0.0] * (len(joints) + 1)
         self._depth = [0] * (len(joints) + 1)
         self._turned = [NOTHING] * (len(joints) + 1)
@@ -141,6 +151,11 @@ class Floors:
 
     def work(self, limb: Limb) -> Floor:
         """Return the least that a limb adds to the work of all processes together."""
+        if limb not in self._work:
+            self._work[limb] = self._work_of(limb)
+        return self._work[limb]
+
+    def _work_of(self, limb: Limb) -> Floor:
         found = [
             sum(sums[span.stop] - sums[span.start] for span in limb.spans) for sums in self._sums
         ]
@@ -151,15 +166,17 @@ class Floors:
 
     def longest(self, limb: Limb) -> Floor:
         """Return the least that the process takes which has a limb: all of it, and row by row."""
-        if limb.up:
-            way = self._above[limb.link].plus(self.upwards(limb))
-        else:
-            way = self._deepest[limb.spans[0].start]
-        return longest_of((way, self.work(limb)))
+        if limb not in self._longest:
+            if limb.up:
+                way = self._above[limb.link].plus(self.upwards(limb))
+            else:
+                way = self._deepest[limb.first]
+            self._longest[limb] = longest_of((way, self.work(limb)))
+        return self._longest[limb]
 
     def entered(self, limb: Limb) -> Floor:
         """Return the least that some process takes for a limb, however far a core grows into it."""
-        return self.longest(limb) if limb.up else self._entered[limb.spans[0].start]
+        return self.longest(limb) if limb.up else self._entered[limb.first]
 
     def way(self, link: int) -> float:
         """Return the kinematics between the ground and a link, microseconds."""
@@ -281,14 +298,14 @@ class Floors:
         self._beside[link] = longest_of([self._beside[parent], *beside])
         # Joints that are passed the other way are in rows of their own, and in a run at least.
         known, others = self._passed[parent]
-        if self.whole and self._in_full.plain[j]:
+        if self.whole and self.in_full.plain[j]:
             self._passed[link] = known + 1, others.plus(Floor(0.0, passed.outwards, 0.0))
         else:
             self._passed[link] = known, others.plus(passed)
         known, others = self._passed[link]
         self._above[link] = others.plus(self._beside[link])
         if known:
-            self._above[link] = self._above[link].plus(self._in_full.run(known))
+            self._above[link] = self._above[link].plus(self.in_full.run(known))
 
     def _all_entered(self) -> list[Floor]:
         """The least for the limb that begins with each joint, however far a core grows into it.

@@ -7,6 +7,7 @@ frame comes from one other.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
 from adagen.search.layouts import Frame, Layout
 from adagen.search.limbs import Core, Robot
@@ -18,10 +19,20 @@ class Frames:
     Args:
         robot: the robot.
         roots: for each link whether processes may meet around it; length N + 1.
+
+    Of limbs and trees that follow each other and are alike, one stands for all: roots are in the
+    first one, and cores grow into the first ones.
     """
 
     def __init__(self, robot: Robot, roots: Sequence[bool]) -> None:
         self.robot, self.roots = robot, roots
+        self._mirrored = {
+            j
+            for own in robot.at
+            for before, first in pairwise(own)
+            if self._beside(before, first)
+            for j in range(first, robot.last[first] + 1)
+        }
 
     def first(self) -> list[Frame]:
         """Return the frames that all others come from."""
@@ -39,10 +50,27 @@ class Frames:
         """Frames that share one more tree, one that comes after those shared."""
         if cores and any(core.joints for core in cores):
             return  # trees are shared first, then cores grow
-        for number in range(cores[-1].tree + 1 if cores else 0, len(self.robot.trees)):
-            for link in self.robot.trees[number].links:
-                if self.roots[link]:
+        trees = self.robot.trees
+        shared = {core.tree: core.root - trees[core.tree].links[0] for core in cores}
+        for number in range(cores[-1].tree + 1 if cores else 0, len(trees)):
+            links, first = trees[number].links, 0
+            if number > 0 and self._alike(trees[number - 1].links, links):
+                # The first of them are shared, at links in ascending order.
+                first = shared.get(number - 1, len(links))
+            for link in links[first:]:
+                if self.roots[link] and link - 1 not in self._mirrored:
                     yield self._frame((*cores, Core(number, link)))
+
+    def _alike(self, one: Sequence[int], other: Sequence[int]) -> bool:
+        """Whether it makes no difference to exchange links with others and all on them.
+
+        Args:
+            one: links in a row, of which all others hang on the first.
+            other: likewise.
+        """
+        if self.robot.kind(one[0] - 1) != self.robot.kind(other[0] - 1):
+            return False
+        return [self.roots[k] for k in one] == [self.roots[k] for k in other]
 
     def _grown(self, cores: tuple[Core, ...]) -> Iterator[Frame]:
         """Frames with the joints up to where limbs part next in a core, after those in it."""
@@ -52,10 +80,18 @@ class Frames:
             if len(self.robot.at[core.root]) + up < 3:
                 continue  # all that is not beyond these would be of one process
             for link in (core.root, *(j + 1 for j in core.joints)):
-                for joint in self.robot.at[link]:
+                for before, joint in pairwise((-1, *self.robot.at[link])):
+                    if before >= 0 and before not in core.joints and self._beside(before, joint):
+                        continue  # the first one of those that are alike grows first
                     if joint > last and (more := self.robot.unbranched(joint)):
                         grown = Core(core.tree, core.root, (*core.joints, *more))
                         yield self._frame((*cores[:place], grown, *cores[place + 1 :]))
+
+    def _beside(self, joint: int, other: int) -> bool:
+        """Whether it makes no difference to exchange all on a joint with all on another."""
+        last = self.robot.last
+        own, others = (range(j + 1, last[j] + 2) for j in (joint, other))
+        return self._alike(own, others)
 
     def meets(self, frame: Frame) -> bool:
         """Return whether two processes or more can be on either side of each joint of the cores."""

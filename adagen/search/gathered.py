@@ -50,6 +50,11 @@ class GatheredSearch:
         self.found = Incumbent(prices, bounds, spent)
         self.lower = 0.0
 
+    @property
+    def left_over(self) -> bool:
+        """Whether the budget ended before all was looked at."""
+        return self.lower < self.found.best
+
     def guess(self) -> None:
         """Price some layouts that share out evenly what limbs take by themselves.
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import accumulate, groupby
+from itertools import accumulate, groupby, product
 from math import prod
 
 from adagen.search.bounds import Around
@@ -137,7 +137,12 @@ class HandOut:
         for k, long in enumerate(self.long):
             cores, messages = self._beside([k], 1)
             most = max(most, (long.both + cores) / bounds.fastest + messages)
-        return max(self._bound(self.counts, [], bounds.processes), bounds.start + most)
+        least = max(self._bound(self.counts, [], bounds.processes), bounds.start + most)
+        for core, around in self.cores:
+            own = [limb for limb in self.frame.limbs if limb.tree == core.tree]
+            many = min(bounds.processes, len(own))
+            least = max(least, bounds.shared(around, own, many, min(many, 2), whole=True))
+        return least
 
     def _next(self, remaining: Counts, blocks: list[_Block], processes: int) -> None:
         """Hand out what remains to so many processes."""
@@ -258,11 +263,7 @@ class HandOut:
         if everything:
             yield remaining
             return
-        found: list[Counts] = [()]
-        for c, count in enumerate(remaining):
-            least = 1 if c == lead else 0
-            found = [(*own, n) for own in found for n in range(count, least - 1, -1)]
-        yield from found
+        yield from product(*(range(n, -1 if c != lead else 0, -1) for c, n in enumerate(remaining)))
 
     def _limbs(self, counts: Counts) -> tuple[int, ...]:
         """The numbers of so many limbs of each class, ascending."""

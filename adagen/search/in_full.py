@@ -29,6 +29,7 @@ _KINDS = ("revolute", "prismatic")
 """Kinds of joints that are looked at."""
 _MOST = 4
 """Chains in a row."""
+_PAIR = 2
 _LEFT = 10_000
 """Lengths that may be left of chains; where there are more, the shortest chains are left out."""
 
@@ -45,6 +46,7 @@ class _Prices:
 
     def __init__(self, costs: StepCosts, kinds: Sequence[str], strips: bool, part: Part) -> None:
         self.start = costs["link.start"]
+        self._known: dict[tuple[int, int], float] = {}
 
         def each(kinematics: str, sweep: str, outwards: str) -> float:
             groups = (kinematics, sweep, *((outwards,) if part == "both" else ()))
@@ -65,13 +67,24 @@ class _Prices:
 
     def of(self, chains: int, rows: int) -> float:
         """Return what so many chains take which are in lanes for so many rows, or in a run."""
-        least = min(
-            once + rows * row
+        if (chains, rows) not in self._known:
+            least = min(
+                once + rows * row
+                for lanes, ways in self.ways.items()
+                for once, row in ways
+                if lanes >= chains
+            )
+            self._known[chains, rows] = least + chains * rows * self.start
+        return self._known[chains, rows]
+
+    def share(self, rows: int) -> float:
+        """Return the least of a joint where three joints or more go together for some rows."""
+        return self.start + min(
+            (once / rows + row if count > _PAIR else row) / count
             for lanes, ways in self.ways.items()
             for once, row in ways
-            if lanes >= chains
+            for count in range(1, lanes + 1)
         )
-        return least + chains * rows * self.start
 
 
 class InFull:
@@ -96,6 +109,30 @@ class InFull:
     def run(self, length: int) -> Floor:
         """Return the least for so many joints one after the other, none beside another."""
         return Floor(self._inwards.prices.of(1, length), 0.0, self._both.prices.of(1, length))
+
+    def beside(self, chains: Sequence[int], way: int) -> float:
+        """Return the least for chains that hang on one link, and the joints before it, both ways.
+
+        Args:
+            chains: how many plain joints each has.
+            way: how many there are one after the other that end at the link; no more than those
+                that the process has.
+
+        Returns:
+            Microseconds.
+        """
+        return self._both.beside(chains, way)
+
+    def share(self, rows: int) -> float:
+        """Return the least that a joint takes both ways, with its share of what is paid once.
+
+        Args:
+            rows: no three chains or more can go side by side that are longer.
+
+        Returns:
+            Microseconds.
+        """
+        return self._both.prices.share(rows)
 
     def inwards(self, joints: Sequence[int]) -> float:
         """Return the least for joints that hang on one link or on each other, inwards; ascending.
@@ -139,6 +176,12 @@ class _InFull:
         first = [j for j in joints if self._joints[j].parent - 1 not in inside]
         apart, along, one = self._parted(first, least, reach)
         return max(min(apart, along), one)
+
+    def beside(self, chains: Sequence[int], way: int) -> float:
+        """Return the least for chains that hang on one link, and joints before it."""
+        apart, along = self._chains(self._few(sorted(filter(None, chains), reverse=True)))
+        run = self.prices.of(1, way) if way else 0.0
+        return min(apart + run, along + way * self.prices.row)
 
     def beyond(self, joints: Sequence[int]) -> dict[int, float]:
         """Return the least for each joint and what hangs on it."""
@@ -211,9 +254,11 @@ class _InFull:
                 for beside in range(min(len(fit), _MOST - 1) + 1):
                     price = self.prices.of(1 + beside, rows)
                     for chosen in set(combinations(fit, beside)):
-                        rest = Counter(others) - Counter(chosen)
-                        after = [*rest.elements(), *(n - rows for n in (first, *chosen))]
-                        none, one = self._chains(tuple(sorted(filter(None, after), reverse=True)))
+                        after = [n - rows for n in (first, *chosen) if n > rows]
+                        rest = list(others)
+                        for length in chosen:
+                            rest.remove(length)
+                        none, one = self._chains(tuple(sorted(rest + after, reverse=True)))
                         if beside:
                             apart, along = min(apart, price + none), min(along, price + one)
                         else:

@@ -33,6 +33,7 @@ from adagen.schedule.sweeps import Sweeps
 from adagen.schedule.tree import Tie
 from adagen.search.floor import Floor
 from adagen.search.floors import ROWS, Floors
+from adagen.search.hubs import Hubs
 from adagen.search.in_full import InFull
 from adagen.search.limbs import Robot
 from adagen.search.price import Pricing
@@ -240,6 +241,7 @@ class JoinedFloor:
         profile: a profile with the costs of steps.
         pricing: what processes take.
         cuttable: for each joint of the folded robot whether two processes may meet there.
+        in_full: bounds of joints that hang together, if they are at hand.
     """
 
     def __init__(
@@ -250,11 +252,12 @@ class JoinedFloor:
         profile: CostProfile,
         pricing: Pricing,
         cuttable: Sequence[bool],
+        in_full: InFull | None = None,
     ) -> None:
         robot = Robot(joints_of(model))
         self.pricing = pricing
-        self.floors = Floors(robot, profile.measured)
-        self._rows = InFull(robot, profile.measured)
+        self._rows = in_full or InFull(robot, profile.measured)
+        self.floors = Floors(robot, profile.measured, in_full=self._rows)
         self.seen, self.processes, self.profile = seen, processes, profile
         least = least_profile(profile, self.floors.most, folded=not seen.trivial)
         self.costs = SegmentCosts(seen.topology, least, passing=least_passing(least.measured))
@@ -328,6 +331,8 @@ class JoinedFloor:
             The bound in microseconds, the expansions spent, and the schedule that may take so long.
         """
         search = self._search(expansions)
+        if self.seen.trivial and len(self.seen.topology) <= LONG:
+            search.lower = Hubs(self.costs, self._rows, max(self.speeds)).least(self.processes)
         search.tighten(math.ceil(known * TICKS))
         made = None
         if search.best is not None:

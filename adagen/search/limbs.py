@@ -57,6 +57,15 @@ class Limb:
     up: bool
     kind: object
 
+    def __hash__(self) -> int:
+        """Return a hash that is soon computed: bounds are kept by limbs."""
+        return hash((self.link, self.first, self.up))
+
+    @cached_property
+    def first(self) -> int:
+        """Its first joint."""
+        return self.spans[0][0]
+
     @property
     def joints(self) -> Iterator[int]:
         """Its joints, ascending."""
@@ -107,6 +116,10 @@ class Robot:
         self._kinds: dict[object, int] = {}
         self._kind_of: dict[int, object] = {}
         self._edges: dict[tuple[int, int], list[Edge]] = {}
+        # Each is made once: by the link beyond it, its first joint, its tree.
+        self._up: dict[int, Limb] = {}
+        self._out: dict[int, Limb] = {}
+        self._all: dict[int, Limb] = {}
 
     def _long(self, run: Run) -> Iterator[Run]:
         """The longest parts of a run that can be in strips."""
@@ -127,30 +140,45 @@ class Robot:
         found = [self._whole(t) for t in range(len(self.trees)) if t not in shared]
         for core in cores:
             found += self._around(core)
-        return tuple(sorted(found, key=lambda limb: limb.spans[0][0]))
+        return tuple(sorted(found, key=lambda limb: limb.first))
 
     def _around(self, core: Core) -> Iterator[Limb]:
         if not self.floats(core.tree, core.root):
-            links, above = self.trees[core.tree].links, core.root - 1
-            first, last = links[0] - 1, links[-1] - 1
-            spans = (range(first, above + 1), range(self.last[above] + 1, last + 1))
-            whole = tuple(span for span in spans if span)
-            yield Limb(core.tree, core.root, whole, True, ("up", core.root))
+            yield self._upwards(core.root)
         inside = set(core.joints)
         for link in (core.root, *(j + 1 for j in core.joints)):
             for j in self.at[link]:
                 if j not in inside:
-                    span = range(j, self.last[j] + 1)
-                    yield Limb(core.tree, link, (span,), False, (link, self._kind(j)))
+                    yield self._outwards(j)
+
+    def _upwards(self, root: int) -> Limb:
+        """All on the ground's side of a link."""
+        if root not in self._up:
+            tree, above = self.tree_of[root - 1], root - 1
+            links = self.trees[tree].links
+            first, last = links[0] - 1, links[-1] - 1
+            spans = (range(first, above + 1), range(self.last[above] + 1, last + 1))
+            whole = tuple(span for span in spans if span)
+            self._up[root] = Limb(tree, root, whole, True, ("up", root))
+        return self._up[root]
+
+    def _outwards(self, joint: int) -> Limb:
+        """A joint and all beyond it."""
+        if joint not in self._out:
+            tree, link = self.tree_of[joint], self.joints[joint].parent
+            span = range(joint, self.last[joint] + 1)
+            self._out[joint] = Limb(tree, link, (span,), False, (link, self.kind(joint)))
+        return self._out[joint]
 
     def _whole(self, tree: int) -> Limb:
-        links = self.trees[tree].links
-        return Limb(
-            tree, 0, (range(links[0] - 1, links[-1]),), False, (0, self._kind(links[0] - 1))
-        )
+        if tree not in self._all:
+            links = self.trees[tree].links
+            span = range(links[0] - 1, links[-1])
+            self._all[tree] = Limb(tree, 0, (span,), False, (0, self.kind(links[0] - 1)))
+        return self._all[tree]
 
-    def _kind(self, joint: int) -> object:
-        """A number for the kinds and the topology of a subtree's joints."""
+    def kind(self, joint: int) -> object:
+        """Return what is equal for subtrees of the same kinds of joints and the same topology."""
         if joint not in self._kind_of:
             span = range(joint, self.last[joint] + 1)
             if len(span) > _COMPARED or joint in self.prolonging:

@@ -3,22 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import chain, combinations
+from itertools import chain, combinations, product
+from typing import get_args
 
 import numpy as np
 import pytest
 
 from adagen.model import Model
+from adagen.paper.restricted import joined_between_processes
 from adagen.plan.clusters import fold_of
 from adagen.plan.constants import joints_of
-from adagen.schedule import CostProfile, load_profile
+from adagen.schedule import CostProfile, Topology, load_profile
 from adagen.schedule.chains import WHOLE, Chain
+from adagen.schedule.profile import TICKS
+from adagen.schedule.tree import Named
+from adagen.search.hubs import Hubs
 from adagen.search.in_full import InFull
 from adagen.search.joined import JoinedFloor
 from adagen.search.layouts import Frame
 from adagen.search.limbs import Robot
+from adagen.search.named import named_schedule
+from adagen.search.price import played
 from tests.cost.costs import step_profile
 from tests.models import random_tree
+from tests.search.test_frames import with_hands
 from tests.search.test_gathered import Case
 from tests.search.test_side_by_side import hand
 from tests.slow import spread
@@ -118,3 +126,24 @@ def test_a_hand_is_divided_in_the_way_that_takes_least() -> None:
     apart = two + 2 * row + min(run(1), two + row - start)
     found = InFull(robot, costs).beyond(range(len(robot.joints)))[own["a0"]].inwards
     assert found == pytest.approx(min(apart, 2 * run(2) + wrist))
+
+
+TWO_HANDS = with_hands(2, 3, 2, floating=True), with_hands(2, 4, 1, floating=True)
+HUBS = {**HANDS, **{f"two hands {k}": model for k, model in enumerate(TWO_HANDS)}}
+
+
+@pytest.mark.parametrize("profile", spread(PROFILES, 1))
+@pytest.mark.parametrize("name", spread(HUBS, 4))
+def test_no_joined_schedule_takes_less_than_its_hubs_let_it(name: str, profile: str) -> None:
+    """Schedules by name, as played in loops."""
+    model, costs = HUBS[name], PROFILES[profile]
+    floor = joined_floor(model, costs)
+    hubs = Hubs(floor.costs, floor._rows, max(floor.speeds))
+    topology, seen = Topology.of(model), 0
+    for processes, each in product((2, 3, 4), get_args(Named)):
+        found = named_schedule(each, topology, processes, profile=costs)
+        if joined_between_processes(found.root):
+            assert hubs.least(processes) <= played(model, found, costs) * TICKS + 1
+            seen += 1
+    assert seen
+    assert hubs.least(2) > 0 or "hand" not in name
