@@ -348,14 +348,11 @@ class Families:
             cuttable,
             self._in_full,
         )
-        least = min([self.least, *self.bounds])  # a greater bound would prove no more
-        lower, spent, made = floor.lower(least, self.expansions, tie)
+        lower, spent, made = floor.lower(self.least, self.expansions, tie)
         self.expanded += spent
         self.bounds.append(lower)
-        # Of other robots the bound says more than what is found at the least prices.
-        long = len(self.topology) > LONG
-        if lower < (self.least if long else least):
-            if made is not None and not long:
+        if lower < self.least:
+            if made is not None and len(self.topology) <= LONG:  # else less than what is found
                 self.consider(made, "joined")
             for working in halves(self.processes):
                 self.consider(floor.found(tie, self.expansions, working), "joined")

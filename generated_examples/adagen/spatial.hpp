@@ -93,7 +93,7 @@ inline void put_six_at(Real* to, const InRegisters& x) {
 }
 inline InRegisters column_of(const Mat6& m, int k) { return six_at(m.data() + 6 * k); }
 inline void put_column(const InRegisters& x, int k, Mat6& m) { put_six_at(m.data() + 6 * k, x); }
-inline InRegisters row_of(const Mat6& m, int k) {
+[[maybe_unused]] inline InRegisters row_of(const Mat6& m, int k) {
   const Real* x = m.data() + k;
   return {Four{x[0], x[6], x[12], x[18]}, Two{x[24], x[30]}};
 }

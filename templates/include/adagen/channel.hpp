@@ -226,11 +226,12 @@ class Channel {
     MPI_Group_translate_ranks(whole, kProcesses, all.data(), near, on_node.data());
     MPI_Group_free(&whole);
     MPI_Group_free(&near);
+    // Messages without numbers have slots, too: that they are there may be all that they say.
     const auto near_pair = [&](const MessageInfo& info) {
-      return info.size > 0 && on_node[info.source] != MPI_UNDEFINED &&
-             on_node[info.target] != MPI_UNDEFINED;
+      return on_node[info.source] != MPI_UNDEFINED && on_node[info.target] != MPI_UNDEFINED;
     };
-    if (std::none_of(kMessages.begin(), kMessages.end(), near_pair)) return true;
+    const auto is_said = [&](const MessageInfo& info) { return info.size > 0 && near_pair(info); };
+    if (std::none_of(kMessages.begin(), kMessages.end(), is_said)) return true;
     std::size_t own = 0;
     for (const MessageInfo& info : kMessages)
       if (info.source == rank_ && near_pair(info)) own += 2 * slot_bytes(info);
