@@ -28,8 +28,8 @@ from statistics import mean, median
 from adagen.build import build_executable, find_toolchain
 from adagen.cli.console import note, speaking
 from adagen.cli.contest import Entry
-from adagen.emit.around import PROGRAM_FILE, standalone
 from adagen.emit.runtime import FOLDER
+from adagen.emit.solver_program import PROGRAM_FILE, standalone
 from adagen.model import Model
 from adagen.studies.bench.contest import WORDS, Contestant, Rules, Times, cores, hold
 from adagen.studies.bench.emitted import Emitted

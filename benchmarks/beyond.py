@@ -15,17 +15,17 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from adagen.cli.console import speaking
-from adagen.cost.limits import KINDS
 from adagen.errors import AdagenError
 from adagen.library import read
 from adagen.model import Model
 from adagen.schedule import CostProfile, Fabric, load_profile, read_fabric, shipped_fabric
-from adagen.search.across import state_time
-from adagen.search.beyond import Beyond, Chain
+from adagen.search.several_hosts import state_time
 from adagen.studies.bench.figures import chain
 from adagen.studies.bench.report import table
 from adagen.studies.bench.scale import predicted_batches
 from adagen.studies.bench.scale_record import STRETCHES, Scale, read_scale
+from benchmarks.cluster_chains import Beyond, Chain
+from benchmarks.critical_path import KINDS
 from benchmarks.page import command, publish
 
 JOINTS = (1000, 2000, 5000)

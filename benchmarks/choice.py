@@ -28,7 +28,7 @@ from typing import Any
 from adagen.build import Toolchain, build_executable, find_toolchain
 from adagen.build.cache import uses_mpi
 from adagen.cost import programmed, timeline
-from adagen.cost.lanes import offered_limbs
+from adagen.cost.lane_choice import offered_limbs
 from adagen.emit import emit, stem_of
 from adagen.emit.names import prefix_of
 from adagen.emit.shapes import SHAPES, chosen_shape

@@ -16,7 +16,7 @@ from typing import get_args
 import numpy as np
 
 from adagen.executor import interpret
-from adagen.executor.growth import predicted_growth
+from adagen.executor.join_digits import predicted_growth
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.cuts import LARGEST_GROWTH

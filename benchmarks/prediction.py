@@ -29,7 +29,7 @@ from adagen.calibrate.robots import chain, robot, squared, star, tree
 from adagen.calibrate.schedules import random_schedule
 from adagen.cli.console import note
 from adagen.errors import AdagenError
-from adagen.executor.growth import predicted_growth
+from adagen.executor.join_digits import predicted_growth
 from adagen.model import Model
 from adagen.plan import Plan, make_plan, plan_to_json
 from adagen.schedule import Schedule, Topology, load_profile

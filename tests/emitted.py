@@ -23,8 +23,8 @@ from adagen.build import Toolchain, build_executable
 from adagen.build.cache import uses_mpi
 from adagen.build.toolchain import STANDARD, WARNINGS, with_compiler
 from adagen.emit import emit, stem_of
-from adagen.emit.around import options_in
 from adagen.emit.runtime import joined, runtime_files
+from adagen.emit.solver_program import options_in
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.reference import energy_norm_error, exact_forward_dynamics, joint_space_inertia

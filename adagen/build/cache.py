@@ -122,8 +122,8 @@ class _Around:
 
 def _around(source_text: str) -> _Around | None:
     """Return the program that a source is to be linked with, or None."""
-    from adagen.emit.around import options_in, program_text
     from adagen.emit.runtime import joined
+    from adagen.emit.solver_program import options_in, program_text
 
     options = options_in(source_text)
     return None if options is None else _Around(joined(program_text()), options)

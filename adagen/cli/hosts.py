@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     import argparse
 
     from adagen.model import Model
-    from adagen.search.across import Across
+    from adagen.search.several_hosts import Across
 
 
 def show_hosts(model: Model, options: argparse.Namespace) -> None:
@@ -24,7 +24,7 @@ def show_hosts(model: Model, options: argparse.Namespace) -> None:
         UsageError: the profile does not tell what messages between hosts cost.
     """
     from adagen.schedule import load_profile, read_fabric, read_hosts
-    from adagen.search.across import across_hosts
+    from adagen.search.several_hosts import across_hosts
 
     profile = load_profile(options.profile)
     if options.hosts.suffix == ".toml":
@@ -73,7 +73,7 @@ def _document(found: Across) -> dict[str, object]:
 def _show(found: Across) -> None:
     from rich.console import Console
 
-    from adagen.search.across import STATES
+    from adagen.search.several_hosts import STATES
 
     console = Console()
     print(wrapped(_single(found)))

@@ -152,8 +152,8 @@ def _made_again(source: Path) -> dict[str, str]:
 
 def _place(folder: Path, name: str) -> Path:
     """Where a file of a folder is: several may share the runtime and the program above them."""
-    from adagen.emit.around import PROGRAM_FILE
     from adagen.emit.runtime import FOLDER
+    from adagen.emit.solver_program import PROGRAM_FILE
 
     beside, above = folder / name, folder.parent / name
     shared = name == PROGRAM_FILE and not beside.exists() and above.is_file()

@@ -1,8 +1,8 @@
 """Predicted time of a program on a machine: the only price, for search, drawings and reports."""
 
 from adagen.cost.features import Features, operation_features, step_features
-from adagen.cost.lanes import programmed, with_recovery
-from adagen.cost.play import Exchange, Interval, Timeline, timeline
+from adagen.cost.lane_choice import programmed, with_recovery
+from adagen.cost.simulation import Exchange, Interval, Timeline, timeline
 
 __all__ = [
     "Exchange",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from adagen.cost.play import Timeline
+from adagen.cost.simulation import Timeline
 from adagen.program import Program
 from adagen.program.summary import lanes, meeting, owners
 from adagen.schedule import Schedule, Topology, deepjson, schedule_to_dict

@@ -6,7 +6,6 @@ from dataclasses import replace
 
 from adagen import __version__
 from adagen.cost import programmed, with_recovery
-from adagen.emit.around import PROGRAM_FILE, program_text, standalone
 from adagen.emit.combinations import check_batch, check_certified, check_reproducible
 from adagen.emit.embedded import check_target
 from adagen.emit.names import file_stem
@@ -14,6 +13,7 @@ from adagen.emit.refine import checked_shape, checked_steps
 from adagen.emit.runtime import runtime_files
 from adagen.emit.shapes import chosen_shape, shape_to_refine, to_be_refined
 from adagen.emit.solver import TOLERANCE, Solver
+from adagen.emit.solver_program import PROGRAM_FILE, program_text, standalone
 from adagen.emit.templates import render, template, templates_folder
 from adagen.errors import UsageError
 from adagen.executor import Grouping

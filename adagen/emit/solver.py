@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from adagen import __version__
-from adagen.emit.around import PROGRAM_FILE, options_of
 from adagen.emit.embedded import embedded_values
 from adagen.emit.head import algorithm, frames, method, program_lines
 from adagen.emit.includes import needs_eigen, umbrellas
@@ -19,6 +18,7 @@ from adagen.emit.refine import refinement_messages
 from adagen.emit.runtime import version_number
 from adagen.emit.settings import description, settings
 from adagen.emit.shapes import KNOWN
+from adagen.emit.solver_program import PROGRAM_FILE, options_of
 from adagen.emit.symbols import Symbols
 from adagen.emit.templates import render
 from adagen.plan import Plan

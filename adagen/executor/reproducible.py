@@ -21,7 +21,7 @@ from adagen.executor.line import Line, Pair, line_of
 from adagen.executor.needed_values import NeededValues, Sender
 from adagen.executor.run import Simulated
 from adagen.plan.edges import is_free_base
-from adagen.plan.serial import serial_plan
+from adagen.plan.shared_line import serial_plan
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.types import Plan
 

@@ -11,7 +11,7 @@ from adagen.model import Model
 from adagen.plan import as_gathered
 from adagen.schedule import CostProfile, Schedule, load_profile
 from adagen.search import choose_processes, predicted_time
-from adagen.search.choose import margin
+from adagen.search.process_count import margin
 
 MOST_CORES = 16
 """Processes that are considered at most where their number is left open."""

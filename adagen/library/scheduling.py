@@ -14,7 +14,7 @@ from adagen.plan.clusters import fold_of
 from adagen.schedule import CostProfile, Schedule, Topology, load_profile
 from adagen.schedule.tree import Named
 from adagen.search import named_schedule, schedule_from_json
-from adagen.search.around_base import (
+from adagen.search.base_gathering import (
     alone_schedule,
     certified_schedule,
     reproducible_schedule,

@@ -29,8 +29,8 @@ from adagen.plan.requested_outputs import handles_of, refuse_outputs, refuse_sha
 from adagen.plan.robot import PlanParameter
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.separate_trees import closures_between_trees
-from adagen.plan.serial import check_reproducible
 from adagen.plan.serialise import plan_from_json, plan_to_json
+from adagen.plan.shared_line import check_reproducible
 from adagen.plan.steps import LinkBias
 from adagen.plan.types import SCALARS, THREADS, Plan
 from adagen.plan.weld_points import with_points

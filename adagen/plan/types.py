@@ -176,7 +176,7 @@ class Plan:
         loops: joints that close loops.
         couplings: joints whose coordinates are tied.
         reproducible: whether its processes share out the straight line of one, so that answers are
-            the same to the last bit on any number of them (adagen/plan/serial.py).
+            the same to the last bit on any number of them (adagen/plan/shared_line.py).
         parameters: constants that can be set at run time.
         loop_forces: whether forces of loops and couplings are given behind the accelerations.
         tied_rows: constraints of loops and couplings that have a right-hand side each, as slaved

@@ -9,7 +9,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
-from adagen.cost.play import Exchange, Interval, Timeline
+from adagen.cost.simulation import Exchange, Interval, Timeline
 from adagen.errors import InputError
 
 _SORTS = ("kinematics", "assembly", "disassembly", "slaved", "send", "receive")

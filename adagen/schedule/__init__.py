@@ -1,6 +1,6 @@
 """Schedules: which process joins which partial chains, and the predicted cost of that."""
 
-from adagen.schedule.fabric import Fabric, read_fabric, shipped_fabric
+from adagen.schedule.fat_tree import Fabric, read_fabric, shipped_fabric
 from adagen.schedule.hosts import Host, read_hosts
 from adagen.schedule.profile import CostProfile, load_profile, parse_profile, step_costs, with_steps
 from adagen.schedule.sweeps import makespan_of, total_work

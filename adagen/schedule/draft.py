@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from adagen.schedule.pricing import NodePrice, segment_prices
 from adagen.schedule.profile import CostProfile
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Node
+from adagen.schedule.tree_prices import NodePrice, segment_prices
 from adagen.union_find import UnionFind
 
 

@@ -1,4 +1,7 @@
-"""A schedule as JSON, as an indented tree and in one line (back: adagen/search/given.py)."""
+"""A schedule as JSON, as an indented tree and in one line.
+
+The way back is adagen/search/schedule_file.py.
+"""
 
 from __future__ import annotations
 

@@ -12,10 +12,10 @@ from adagen.plan.cuts import cuttable_joints
 from adagen.program.strips import LANES
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.fold import Fold
+from adagen.search.ada_search import played_schedule
+from adagen.search.chain_parts import parted
 from adagen.search.closed import closed_schedule
 from adagen.search.families import Families, scaled
-from adagen.search.parted import parted
-from adagen.search.played import played_schedule
 from adagen.search.schedules import find_schedule
 
 _USUAL = {"strategy": "exact", "split": "always", "tie": "work", "improved": True}
@@ -37,9 +37,9 @@ def best_schedule(
     """Return a schedule for a form of the algorithm.
 
     Where the profile has costs of steps, both forms are searched at the price that is played, form
-    `ada` from the schedule on that is best by Eq. (11) (adagen/search/played.py), form `segment` by
-    families (adagen/search/families.py), at joints alone where cuts lose no digits. By another
-    strategy, split or tie than the usual one, and by the paper's profile, Eq. (11) alone counts.
+    `ada` from the schedule on that is best by Eq. (11) (ada_search.py), form `segment` by families
+    (families.py), at joints alone where cuts lose no digits. By another strategy, split or tie
+    than the usual one, and by the paper's profile, Eq. (11) alone counts.
 
     Args:
         model: the robot.

@@ -20,8 +20,8 @@ from adagen.plan.separate_trees import closures_between_trees
 from adagen.plan.types import Plan
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.tree import Gathered
-from adagen.search.distribution import cheapest_of, joint_weights, layouts_at, whole_trees
 from adagen.search.schedules import find_schedule
+from adagen.search.straight_layouts import cheapest_of, joint_weights, layouts_at, whole_trees
 
 _SHARES = (0.46, 0.38, 0.31)
 """Parts of a tree's arithmetic that may be beyond its root, where that is in the middle."""

@@ -1,13 +1,13 @@
 """Candidates of all families, compared by predicted time in the emitted shape.
 
 * ``alone``: one process does everything.
-* ``parts``: likewise, a long chain of hinges in parts, one in each SIMD lane (parted.py).
+* ``parts``: likewise, a long chain of hinges in parts, one in each SIMD lane (chain_parts.py).
 * ``gathered``: processes gather at a core (layouts.py), searched by branch and bound; two of a
-  long serial chain at the link that follows from what joints take (halved.py).
+  long serial chain at the link that follows from what joints take (chain_halves.py).
 * ``joined``: processes are joined at cuts: what the search by steps finds at its own prices, and at
   those that are played (joined.py).
-* ``exchanged``: of long serial chains, with both sides of each cut joining it (exchanged.py); each
-  process has its own joints in parts, or not.
+* ``exchanged``: of long serial chains, with both sides of each cut joining it (chain_exchange.py);
+  each process has its own joints in parts, or not.
 * ``balanced``, ``sequential``, ``middle-out``: schedules that have a name (named.py), of robots of
   some tens of joints, where they cut no joint that loses digits.
 
@@ -34,20 +34,20 @@ from adagen.program.lower import LOOPS
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.fold import Fold
 from adagen.schedule.tree import Named
-from adagen.search.bounds import Bounds
-from adagen.search.exchanged import ExchangedSchedules, numbers_of_processes
-from adagen.search.floors import Floors
-from adagen.search.gathered import GatheredSearch
-from adagen.search.guess import halves
-from adagen.search.halved import HalvedSchedules
-from adagen.search.in_full import InFull
+from adagen.search.chain_exchange import ChainExchange, numbers_of_processes
+from adagen.search.chain_halves import ChainHalves
+from adagen.search.chain_parts import keeps_digits, parted
+from adagen.search.even_shares import halves
 from adagen.search.incumbent import Spent
-from adagen.search.joined import LONG, JoinedFloor
+from adagen.search.joined import LONG, JoinedBound
+from adagen.search.joint_bounds import JointBounds
+from adagen.search.layout_bounds import Bounds
+from adagen.search.layout_search import GatheredSearch
 from adagen.search.layouts import Layout, LayoutPrices
 from adagen.search.limbs import Robot
 from adagen.search.named import named_schedule
-from adagen.search.parted import keeps_digits, parted
 from adagen.search.price import Pricing, played
+from adagen.search.whole_limb_bounds import WholeLimbBounds
 
 _FULL = 128
 """Joints up to which a robot gets all expansions, and schedules by name are looked at."""
@@ -105,7 +105,7 @@ class Families:
         self.candidates = self.expanded = self.straight_lines = 0
         self.bounds: list[float] = []
         self._priced: Pricing | None = None
-        self._in_full: InFull | None = None  # as soon as layouts are looked at
+        self._whole_limbs: WholeLimbBounds | None = None  # as soon as layouts are looked at
         self._tried: set[tuple[Process, ...]] = set()
         self._straight: list[float] | None = None  # what each joint takes of one process
 
@@ -180,16 +180,16 @@ class Families:
         assert self.best is not None  # one process comes first
         for parts in (0, self.parts) if self.parts else (0,):
             asked = self.topology, self.profile, cuttable, self.best.tie, parts
-            self._exchange_in(ExchangedSchedules(*asked), counts, cuttable)
+            self._exchange_in(ChainExchange(*asked), counts, cuttable)
 
     def _exchange_in(
-        self, chains: ExchangedSchedules, counts: Sequence[int], cuttable: Sequence[bool]
+        self, chains: ChainExchange, counts: Sequence[int], cuttable: Sequence[bool]
     ) -> None:
         """Look at such schedules, on some numbers of processes, the largest first."""
-        floors = {count: chains.least(self.processes, count) for count in counts}
-        self.bounds.append(min(floors.values()))
-        for count, floor in floors.items():
-            if floor >= self.least:
+        least = {count: chains.least(self.processes, count) for count in counts}
+        self.bounds.append(min(least.values()))
+        for count, bound in least.items():
+            if bound >= self.least:
                 continue  # messages take longer than they save
             found, before = chains.best(self.processes, count, self._played), self.least
             if found is not None and not keeps_digits(found, self.model, cuttable):
@@ -206,12 +206,12 @@ class Families:
             cuttable: for each joint whether mobilities may meet there.
         """
         assert self.best is not None  # one process comes first
-        chains = HalvedSchedules(self.topology, self.profile, cuttable, self.best)
+        chains = ChainHalves(self.topology, self.profile, cuttable, self.best)
         if not (self.loops and self.seen.trivial and chains.fits):
             return
-        floor = chains.least(self.processes)
-        self.bounds.append(floor)
-        for told in (True, False) if floor < self.least else (False,):
+        bound = chains.least(self.processes)
+        self.bounds.append(bound)
+        for told in (True, False) if bound < self.least else (False,):
             found = chains.best(told, self._played)
             if found is not None:
                 self.consider(found, "gathered")
@@ -249,15 +249,15 @@ class Families:
         assert self.best is not None  # one process comes first
         pricing = self._pricing(self.best)
         robot = Robot(pricing.joints)
-        floors = Floors(robot, self.costs, whole=True)
-        self._in_full = floors.in_full
-        bounds = Bounds(robot, floors, self.processes, self.costs, pricing.channel)
+        joint_bounds = JointBounds(robot, self.costs, whole=True)
+        self._whole_limbs = joint_bounds.whole_limbs
+        bounds = Bounds(robot, joint_bounds, self.processes, self.costs, pricing.channel)
         floating = [robot.trees[robot.tree_of[j]].base is not None for j in range(len(cuttable))]
         roots = [False, *(f or c for f, c in zip(floating, cuttable, strict=True))]
         prices, spent = LayoutPrices(robot, pricing), Spent(_JOINTS * self.most)
         search = GatheredSearch(prices, bounds, roots, spent)
         self._name("gathered")
-        search.guess()
+        search.start()
         layouts = [layout for _, _, layout in search.found.nearest]
         if self._straight is not None:
             layouts += search.even(self._straight, _EVEN)
@@ -269,7 +269,7 @@ class Families:
             best, left_over = search.found.best, search.left_over
         if self._straight is not None and not left_over:
             self._look_near(search)
-        fewer = self._on_fewer(prices, floors, roots, best, left_over)
+        fewer = self._on_fewer(prices, joint_bounds, roots, best, left_over)
         self._try_layouts(fewer + [layout for _, _, layout in search.found.nearest], robot)
         self.candidates += search.found.candidates
         self.expanded += spent.expanded
@@ -283,7 +283,7 @@ class Families:
     def _on_fewer(
         self,
         prices: LayoutPrices,
-        floors: Floors,
+        joint_bounds: JointBounds,
         roots: Sequence[bool],
         best: float,
         left_over: bool,
@@ -297,7 +297,7 @@ class Families:
 
         Args:
             prices: prices of layouts.
-            floors: of joints.
+            joint_bounds: of joints.
             roots: for each link whether processes may meet around it; length N + 1.
             best: the least time in loops so far.
             left_over: whether the search on all processes did not end.
@@ -305,11 +305,11 @@ class Families:
         found: list[Layout] = []
         for working in halves(self.processes)[1:]:
             spent = Spent(_JOINTS * self.most)
-            bounds = Bounds(prices.robot, floors, working, self.costs, prices.pricing.channel)
+            bounds = Bounds(prices.robot, joint_bounds, working, self.costs, prices.pricing.channel)
             fewer = GatheredSearch(prices, bounds, roots, spent)
             near = []
             if self._straight is not None:
-                fewer.guess()
+                fewer.start()
                 near += fewer.found.nearest
             if left_over:
                 fewer.run(best)
@@ -339,23 +339,23 @@ class Families:
         if not self.loops:
             return
         tie = self.best.tie
-        floor = JoinedFloor(
+        bound = JoinedBound(
             self.model,
             self.seen,
             self.processes,
             self.profile,
             self._pricing(self.best),
             cuttable,
-            self._in_full,
+            self._whole_limbs,
         )
-        lower, spent, made = floor.lower(self.least, self.expansions, tie)
+        lower, spent, made = bound.lower(self.least, self.expansions, tie)
         self.expanded += spent
         self.bounds.append(lower)
         if lower < self.least:
             if made is not None and len(self.topology) <= LONG:  # else less than what is found
                 self.consider(made, "joined")
             for working in halves(self.processes):
-                self.consider(floor.found(tie, self.expansions, working), "joined")
+                self.consider(bound.found(tie, self.expansions, working), "joined")
 
     def _pricing(self, schedule: Schedule) -> Pricing:
         if self._priced is None:

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from itertools import count, permutations
 from math import inf
 
-from adagen.search.bounds import Bounds
-from adagen.search.frames import in_place
-from adagen.search.layouts import Frame, Layout, LayoutPrices
+from adagen.search.layout_bounds import Bounds
+from adagen.search.layouts import Layout, LayoutPrices, MeetingPlace
+from adagen.search.meeting_places import in_place
 
 LOOK = 1
-"""What a look at a frame or a layout costs."""
+"""What a look at a meeting place or a layout costs."""
 NEAREST = 3
 """Layouts that are kept, the best one among them, no two of which take as long."""
 _SAME = 1e-9
@@ -25,8 +25,8 @@ _ALL_NUMBERS = 3
 class Spent:
     """What a search may spend, and what it has spent.
 
-    A frame, a layout or the share of a process is expanded once; the latter costs as much as the
-    robot has joints, the others as much as a joint or two.
+    A meeting place, a layout or the share of a process is expanded once; the latter costs as much
+    as the robot has joints, the others as much as a joint or two.
 
     Attributes:
         limit: what may be spent.
@@ -74,11 +74,11 @@ class Incumbent:
         self._speeds = prices.pricing.costs.speeds(bounds.processes)
         self._number = count()
 
-    def consider(self, frame: Frame, shares: Sequence[tuple[int, ...]]) -> None:
+    def consider(self, place: MeetingPlace, shares: Sequence[tuple[int, ...]]) -> None:
         """Price a layout in several ways to number its processes, and keep the fastest of them."""
         least: tuple[float, Layout] | None = None
-        for numbered in self._numbered(frame, shares):
-            layout = Layout(frame, numbered)
+        for numbered in self._numbered(place, shares):
+            layout = Layout(place, numbered)
             if not in_place(layout, self.prices.robot):
                 return
             time = self.prices.time(layout)
@@ -99,7 +99,7 @@ class Incumbent:
             self.best, self.layout = time, layout
 
     def _numbered(
-        self, frame: Frame, shares: Sequence[tuple[int, ...]]
+        self, place: MeetingPlace, shares: Sequence[tuple[int, ...]]
     ) -> Iterator[tuple[tuple[int, ...], ...]]:
         """Ways to number processes, those with nothing to do last where all are alike."""
         processes, speeds = len(self._speeds), self._speeds
@@ -112,7 +112,7 @@ class Incumbent:
             return
 
         def weight(own: tuple[int, ...]) -> float:
-            return sum(self.bounds.floors.work(frame.limbs[k]).both for k in own)
+            return sum(self.bounds.joint_bounds.work(place.limbs[k]).both for k in own)
 
         light_first = sorted(shares, key=weight)
         if alike:

@@ -28,19 +28,19 @@ from adagen.schedule.costs import PRESCRIBED, StepCosts
 from adagen.schedule.fold import Fold
 from adagen.schedule.found import Found
 from adagen.schedule.profile import TICKS
-from adagen.schedule.segments import SegmentCosts
+from adagen.schedule.segment_costs import SegmentCosts
 from adagen.schedule.sweeps import Sweeps
 from adagen.schedule.tree import Tie
-from adagen.search.floor import Floor
-from adagen.search.floors import ROWS, Floors
-from adagen.search.hubs import Hubs
-from adagen.search.in_full import InFull
+from adagen.search.hub_bound import Hubs
+from adagen.search.joint_bounds import ROWS, JointBounds
 from adagen.search.limbs import Robot
 from adagen.search.price import Pricing
 from adagen.search.segment_bounds import SegmentBounds
-from adagen.search.segment_front import Label, State, draft_of
+from adagen.search.segment_pareto import Label, State, draft_of
 from adagen.search.segment_schedule import find_segments
 from adagen.search.segment_search import FOREVER, SegmentSearch
+from adagen.search.sweep_bound import SweepBound
+from adagen.search.whole_limb_bounds import WholeLimbBounds
 
 LONG = 128
 """Joints up to which the longest ways through chains are looked at."""
@@ -138,13 +138,13 @@ class _CutSearch(SegmentSearch):
         self,
         *arguments: Any,
         joints: Sequence[_Joint] = (),
-        in_full: Callable[[Sequence[int]], int],
+        whole_limbs: Callable[[Sequence[int]], int],
         most: int,
         played: Callable[[Sequence[int]], tuple[int, int]],
     ) -> None:
         super().__init__(*arguments)
         self._joints = joints
-        self._in_full = in_full
+        self._whole_limbs = whole_limbs
         self._most = most
         self._played = played
         self._exact: dict[Chain, tuple[int, int]] = {}
@@ -208,7 +208,7 @@ class _CutSearch(SegmentSearch):
                 longest[sweep] = max(longest[sweep], reached[position + 1][sweep])
         own, assembly, disassembly = self.costs.work(chain)
         way = sum(self._joints[p].passed - self.costs.passed[p] for p in chains.above(chain.top))
-        most = max(total[0], longest[0], self._in_full(positions))
+        most = max(total[0], longest[0], self._whole_limbs(positions))
         inwards = max(0, most - own - assembly)
         return inwards + max(0, way), max(0, max(total[1], longest[1]) - disassembly)
 
@@ -231,7 +231,7 @@ class _CutSearch(SegmentSearch):
         return found
 
 
-class JoinedFloor:
+class JoinedBound:
     """What joined schedules take at least, and the one that may be the fastest.
 
     Args:
@@ -252,14 +252,14 @@ class JoinedFloor:
         profile: CostProfile,
         pricing: Pricing,
         cuttable: Sequence[bool],
-        in_full: InFull | None = None,
+        whole_limbs: WholeLimbBounds | None = None,
     ) -> None:
         robot = Robot(joints_of(model))
         self.pricing = pricing
-        self._rows = in_full or InFull(robot, profile.measured)
-        self.floors = Floors(robot, profile.measured, in_full=self._rows)
+        self._rows = whole_limbs or WholeLimbBounds(robot, profile.measured)
+        self.joint_bounds = JointBounds(robot, profile.measured, whole_limbs=self._rows)
         self.seen, self.processes, self.profile = seen, processes, profile
-        least = least_profile(profile, self.floors.most, folded=not seen.trivial)
+        least = least_profile(profile, self.joint_bounds.most, folded=not seen.trivial)
         self.costs = SegmentCosts(seen.topology, least, passing=least_passing(least.measured))
         self.speeds = profile.measured.speeds(processes)
         at = np.array([cuttable[j] for j in self.costs.chains.original], dtype=np.bool_)
@@ -273,12 +273,12 @@ class JoinedFloor:
         return _CutSearch(
             *(self.costs, self.bounds, self.speeds, budget),
             joints=joints,
-            in_full=self._in_full,
+            whole_limbs=self._whole_limbs,
             most=max(_FEWEST, _PLAYED * expansions // len(original)),
             played=self._segment,
         )
 
-    def _in_full(self, positions: Sequence[int]) -> int:
+    def _whole_limbs(self, positions: Sequence[int]) -> int:
         """The least that a process takes up to the end of the sweep inwards, ticks."""
         if not self.seen.trivial:
             return 0
@@ -287,7 +287,7 @@ class JoinedFloor:
 
     def _segment(self, positions: Sequence[int]) -> tuple[int, int]:
         """What one process takes for some joints of the folded robot and no others, ticks."""
-        original, robot = self.costs.chains.original, self.floors.robot
+        original, robot = self.costs.chains.original, self.joint_bounds.robot
         members = {j for position in positions for j in self.seen.joints[original[position]]}
         if not members:
             return 0, 0
@@ -304,19 +304,19 @@ class JoinedFloor:
     def _joint(self, joint: int) -> _Joint:
         """What a joint of the folded robot takes, the joints of a run one after the other."""
         own = self.seen.joints[joint]
-        kind = self.floors.robot.joints[own[0]].kind
+        kind = self.joint_bounds.robot.joints[own[0]].kind
         counts = range(1, max(ROWS) + 1) if kind in KINDS else range(1, 2)
 
-        def ticks(of: Callable[[int, int], Floor], count: int) -> tuple[int, int]:
-            floors = [of(j, count) for j in own]
-            inwards, outwards = sum(f.inwards for f in floors), sum(f.outwards for f in floors)
+        def ticks(of: Callable[[int, int], SweepBound], count: int) -> tuple[int, int]:
+            each = [of(j, count) for j in own]
+            inwards, outwards = sum(one.inwards for one in each), sum(one.outwards for one in each)
             return math.floor(inwards * TICKS), math.floor(outwards * TICKS)
 
         return _Joint(
             kind if len(own) == 1 else "run",
-            math.floor(sum(self.floors.passing[j] for j in own) * TICKS),
-            tuple(ticks(self.floors.of_row, count) for count in counts),
-            tuple(ticks(self.floors.in_row, count) for count in counts),
+            math.floor(sum(self.joint_bounds.passing[j] for j in own) * TICKS),
+            tuple(ticks(self.joint_bounds.of_row, count) for count in counts),
+            tuple(ticks(self.joint_bounds.in_row, count) for count in counts),
         )
 
     def lower(self, known: float, expansions: int, tie: Tie) -> tuple[float, int, Schedule | None]:

@@ -23,7 +23,7 @@ _KEPT = 200_000
 
 
 @dataclass(frozen=True)
-class Frame:
+class MeetingPlace:
     """Where processes meet, and what hangs there.
 
     Attributes:
@@ -37,30 +37,30 @@ class Frame:
 
 @dataclass(frozen=True)
 class Layout:
-    """Who takes which limbs of a frame.
+    """Who takes which limbs of a meeting place.
 
     Attributes:
-        frame: where processes meet.
-        shares: for each process the numbers of its limbs in the frame, ascending.
+        meeting place: where processes meet.
+        shares: for each process the numbers of its limbs in the meeting place, ascending.
     """
 
-    frame: Frame
+    place: MeetingPlace
     shares: tuple[tuple[int, ...], ...]
 
     def taking_part(self, tree: int) -> list[int]:
         """Return the processes that have limbs of a tree, ascending."""
-        limbs = self.frame.limbs
+        limbs = self.place.limbs
         return [p for p, own in enumerate(self.shares) if any(limbs[k].tree == tree for k in own)]
 
     def core_owners(self, robot: Robot) -> tuple[int, ...]:
         """Return for each core the process that adds what belongs to it."""
         found = []
-        for core in self.frame.cores:
+        for core in self.place.cores:
             base = robot.trees[core.tree].base
             counts: Counter[int] = Counter()
             for p, own in enumerate(self.shares):
                 for k in own:
-                    if (limb := self.frame.limbs[k]).tree == core.tree:
+                    if (limb := self.place.limbs[k]).tree == core.tree:
                         holds = limb.up and base is not None
                         counts[p] += len(limb) - holds
             found.append(least_busy({p: n for p, n in counts.items() if n}))
@@ -72,9 +72,9 @@ class Layout:
         owners: list[int | None] = [None] * len(robot.joints)
         for p, own in enumerate(self.shares):
             for k in own:
-                for joint in self.frame.limbs[k].joints:
+                for joint in self.place.limbs[k].joints:
                     owners[joint] = p
-        for core, owner in zip(self.frame.cores, self.core_owners(robot), strict=True):
+        for core, owner in zip(self.place.cores, self.core_owners(robot), strict=True):
             roots[core.tree] = core.root
             if robot.floats(core.tree, core.root):
                 owners[core.root - 1] = owner
@@ -106,39 +106,43 @@ class LayoutPrices:
         self._pieces: dict[object, _Piece | None] = {}
         self._parted = bool(robot.prolonging)
 
-    def piece(self, frame: Frame, own: Sequence[int], owned: frozenset[int]) -> _Piece | None:
+    def piece(
+        self, place: MeetingPlace, own: Sequence[int], owned: frozenset[int]
+    ) -> _Piece | None:
         """Return what a process takes; None where that cannot be emitted.
 
         Args:
-            frame: where processes meet.
+            place: where processes meet.
             own: the numbers of its limbs.
             owned: the trees of whose cores it adds what belongs to them.
         """
-        key = self._key(frame, own, owned)
+        key = self._key(place, own, owned)
         if key not in self._pieces:
             self.priced += 1
             if self.priced % max(1, _KEPT // len(self.robot.joints)) == 0:
                 self._pieces.clear()
-            self._pieces[key] = self._priced(frame, own, owned)
+            self._pieces[key] = self._priced(place, own, owned)
         return self._pieces[key]
 
-    def knows(self, frame: Frame, own: Sequence[int]) -> bool:
+    def knows(self, place: MeetingPlace, own: Sequence[int]) -> bool:
         """Return whether what a process takes that owns no core is at hand."""
-        return self._key(frame, own, frozenset()) in self._pieces
+        return self._key(place, own, frozenset()) in self._pieces
 
-    def _key(self, frame: Frame, own: Sequence[int], owned: frozenset[int]) -> object:
+    def _key(self, place: MeetingPlace, own: Sequence[int], owned: frozenset[int]) -> object:
         """What the price of a share depends on; other trees' cores do not count."""
-        mine = {frame.limbs[k].tree for k in own}
-        cores = tuple(core for core in frame.cores if core.tree in mine)
+        mine = {place.limbs[k].tree for k in own}
+        cores = tuple(core for core in place.cores if core.tree in mine)
         # Where processes part each other's runs, it matters which joints they have.
         if self._parted:
-            return tuple(frame.limbs[k].spans for k in own), cores, owned
-        return tuple(frame.limbs[k].kind for k in own), cores, owned
+            return tuple(place.limbs[k].spans for k in own), cores, owned
+        return tuple(place.limbs[k].kind for k in own), cores, owned
 
-    def _priced(self, frame: Frame, own: Sequence[int], owned: frozenset[int]) -> _Piece | None:
-        trees = self._trees(frame, own, owned)
+    def _priced(
+        self, place: MeetingPlace, own: Sequence[int], owned: frozenset[int]
+    ) -> _Piece | None:
+        trees = self._trees(place, own, owned)
         numbers, messages = dict.fromkeys(trees, 0), []
-        for core in frame.cores:
+        for core in place.cores:
             tree = trees.get(core.tree)
             found = contribution(tree, _HERE) if tree is not None else None
             if tree is None or found is None:
@@ -158,13 +162,15 @@ class LayoutPrices:
         share = self.pricing.share(process, tuple(messages))
         return None if share is None else _Piece(share, numbers)
 
-    def _trees(self, frame: Frame, own: Sequence[int], owned: frozenset[int]) -> dict[int, Tree]:
+    def _trees(
+        self, place: MeetingPlace, own: Sequence[int], owned: frozenset[int]
+    ) -> dict[int, Tree]:
         """The trees in which a process takes part, as far as it is concerned."""
-        mine = {frame.limbs[k].tree for k in own}
-        shared = {core.tree: core for core in frame.cores}
+        mine = {place.limbs[k].tree for k in own}
+        shared = {core.tree: core for core in place.cores}
         owner = dict.fromkeys(range(len(self.robot.joints)), _ELSEWHERE)
         for k in own:
-            owner.update(dict.fromkeys(frame.limbs[k].joints, _HERE))
+            owner.update(dict.fromkeys(place.limbs[k].joints, _HERE))
         return {
             tree: self.robot.laid_out(shared[tree], owner, _HERE if tree in owned else _ELSEWHERE)
             if tree in shared
@@ -177,13 +183,13 @@ class LayoutPrices:
 
         That is ``predict`` of its plan, put together from shares.
         """
-        frame, owners = layout.frame, layout.core_owners(self.robot)
+        place, owners = layout.place, layout.core_owners(self.robot)
         pieces: dict[int, _Piece] = {}
         for p, own in enumerate(layout.shares):
             if own:
-                pairs = zip(frame.cores, owners, strict=True)
+                pairs = zip(place.cores, owners, strict=True)
                 owned = frozenset(core.tree for core, owner in pairs if owner == p)
-                piece = self.piece(frame, own, owned)
+                piece = self.piece(place, own, owned)
                 if piece is None:
                     return None
                 pieces[p] = piece
@@ -202,7 +208,7 @@ class LayoutPrices:
             for p, piece in pieces.items()
         }
         messages: list[tuple[int, float, float]] = []  # target, when it was sent, time to take it
-        for core in layout.frame.cores:
+        for core in layout.place.cores:
             together = layout.taking_part(core.tree)
             for p in together:
                 numbers = pieces[p].numbers[core.tree] * channel.number / 2

@@ -17,7 +17,7 @@ import numpy as np
 from adagen.emit.shapes import offered
 from adagen.errors import UsageError
 from adagen.executor.closed_trial import tried_closed
-from adagen.executor.growth import Growth, predicted_growth
+from adagen.executor.join_digits import Growth, predicted_growth
 from adagen.executor.refine import interpret_refined
 from adagen.executor.trial import MANY, Trial, carried_out, tried, tried_hard
 from adagen.model import Model

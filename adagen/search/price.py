@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from adagen.cost import operation_features, step_features
-from adagen.cost.lanes import chosen_limbs
+from adagen.cost.lane_choice import chosen_limbs
 from adagen.emit.predicted import predict
 from adagen.emit.shapes import SHAPES
 from adagen.model import Model

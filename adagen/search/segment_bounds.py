@@ -6,7 +6,7 @@ Two arguments, each of which holds where the other is weak:
   the joins above it, log2(m) of them on average at the least, and for the messages that are between
   it and the root, (m - 1)/m on average at the least; so the time is at least the average segment,
   that many joins and that much of a message.
-* *room*: see adagen.search.segment_room.
+* *room*: see adagen.search.segment_count.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from numpy.typing import NDArray
 from adagen.schedule.chains import Chain
 from adagen.schedule.costs import block_rows
 from adagen.schedule.profile import TICKS
+from adagen.schedule.segment_costs import SegmentCosts
 from adagen.schedule.segment_prices import Price
-from adagen.schedule.segments import SegmentCosts
+from adagen.search.segment_count import Room
 from adagen.search.segment_options import Options, divisions
-from adagen.search.segment_room import Room
 
 Ints = NDArray[np.int64]
 

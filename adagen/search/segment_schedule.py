@@ -11,15 +11,15 @@ from numpy.typing import NDArray
 from adagen.paper.budget import Budget, OutOfBudget
 from adagen.schedule.chains import WHOLE
 from adagen.schedule.found import Found
-from adagen.schedule.pricing import segment_time
 from adagen.schedule.profile import TICKS, CostProfile
-from adagen.schedule.segments import SegmentCosts
+from adagen.schedule.segment_costs import SegmentCosts
 from adagen.schedule.sweeps import Sweeps
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Schedule, Tie
+from adagen.schedule.tree_prices import segment_time
+from adagen.search.equal_segments import evenly_cut
 from adagen.search.segment_bounds import SegmentBounds
-from adagen.search.segment_even import evenly_cut
-from adagen.search.segment_front import Label, State, draft_of
+from adagen.search.segment_pareto import Label, State, draft_of
 from adagen.search.segment_search import SegmentSearch
 
 _BEAMS = ((1, 1), (4, 1), (16, 1), (4, 2), (8, 4))

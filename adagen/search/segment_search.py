@@ -21,12 +21,12 @@ import numpy as np
 
 from adagen.paper.budget import Budget, OutOfBudget
 from adagen.schedule.chains import WHOLE, Chain
-from adagen.schedule.pricing import scaled, segment_time
-from adagen.schedule.segments import SegmentCosts
+from adagen.schedule.segment_costs import SegmentCosts
 from adagen.schedule.sweeps import Sweeps, beside
+from adagen.schedule.tree_prices import scaled, segment_time
 from adagen.search.segment_bounds import SegmentBounds
-from adagen.search.segment_front import Label, State, add, covered
 from adagen.search.segment_options import Options
+from adagen.search.segment_pareto import Label, State, add, covered
 
 FOREVER = 1 << 62
 _THIN = 6  # labels of a state that are kept where only a few options are followed

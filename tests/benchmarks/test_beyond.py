@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from adagen.cost.limits import KINDS
 from adagen.studies.bench.contest import Rules
 from adagen.studies.bench.scale_record import Scale, ScaleRow, write_scale
 from benchmarks import beyond
+from benchmarks.critical_path import KINDS
 from tests.studies.bench.test_record import MACHINE
 
 MARKS = "".join(

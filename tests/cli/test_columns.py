@@ -18,7 +18,7 @@ from adagen.schedule import load_profile
 from adagen.studies.bench.record import read_record
 from adagen.studies.chart import read_chart
 from tests.real import real_robot
-from tests.search.test_across import LAN, with_network
+from tests.search.test_several_hosts import LAN, with_network
 
 ROOT = Path(__file__).resolve().parents[2]
 LONG = "allegro_hand_description/urdf/allegro_right_hand.urdf"

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from adagen.cli import main
-from adagen.emit.around import PROGRAM_FILE
+from adagen.emit.solver_program import PROGRAM_FILE
 from tests.emitted import Builder, Solver, make_variables
 from tests.options import (
     OPTIONS,

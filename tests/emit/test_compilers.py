@@ -10,8 +10,8 @@ from pathlib import Path
 
 import pytest
 
-from adagen.emit.around import options_of, program_text
 from adagen.emit.runtime import joined
+from adagen.emit.solver_program import options_of, program_text
 from adagen.errors import EnvironmentFault
 from adagen.states import random_states
 from tests.emitted import QUICK, ROUNDING, Builder, Solver, forward_error, states_text, truth_of

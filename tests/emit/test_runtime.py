@@ -16,13 +16,13 @@ import pytest
 import adagen
 from adagen.build.toolchain import STANDARD, WARNINGS
 from adagen.emit import emit, stem_of
-from adagen.emit.around import program_text, standalone
 from adagen.emit.runtime import (
     include_folder,
     joined,
     runtime_files,
     version_number,
 )
+from adagen.emit.solver_program import program_text, standalone
 from adagen.states import random_states
 from tests.emitted import QUICK, ROUNDING, Builder, forward_error, plan_of, truth_of
 from tests.golden.examples import FOLDER

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.emit.around import PROGRAM_FILE
+from adagen.emit.solver_program import PROGRAM_FILE
 from adagen.states import random_states
 from tests.emitted import ROUNDING, Builder, forward_error, truth_of
 from tests.end_to_end.test_library import BY_STEM, filled

@@ -28,7 +28,7 @@ from adagen.reference.closed import closed_forward_dynamics
 from adagen.schedule import load_profile
 from adagen.schedule.tree import Gathered
 from adagen.search import best_schedule
-from adagen.search.distribution import whole_trees
+from adagen.search.straight_layouts import whole_trees
 from tests.emitted import QUICK, Builder, text_of
 from tests.executor.plans import kinds_of
 from tests.executor.test_closures import worst

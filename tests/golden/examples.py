@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from adagen.emit.around import PROGRAM_FILE
 from adagen.emit.runtime import runtime_files
+from adagen.emit.solver_program import PROGRAM_FILE
 from adagen.library import Compiled, Robot, compile, read  # noqa: A004 (what it does)
 from adagen.model import Model
 from adagen.schedule import Topology, schedule_to_json

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from adagen.emit.around import PROGRAM_FILE
+from adagen.emit.solver_program import PROGRAM_FILE
 from adagen.reference.closed import closed_forward_dynamics
 from adagen.states import States, random_states
 from tests.emitted import QUICK, Array, Builder, Solver, forward_error, make_variables, truth_of

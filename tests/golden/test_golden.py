@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from adagen.cli import main
-from adagen.emit.around import PROGRAM_FILE
 from adagen.emit.runtime import runtime_files
+from adagen.emit.solver_program import PROGRAM_FILE
 from adagen.plan import FORMS
 from tests.emitted import WRITTEN
 from tests.golden.directory import HINT, differences, held, update

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from adagen.errors import InputError
 from adagen.executor import Run, interpret
-from adagen.executor.growth import predicted_growth
+from adagen.executor.join_digits import predicted_growth
 from adagen.model import PRISMATIC, REVOLUTE, Inertia, Mimic, Model
 from adagen.model.fuse import runs_of
 from adagen.plan import FORMS, make_plan, plan_from_json, plan_to_json

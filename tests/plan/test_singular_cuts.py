@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from adagen.errors import InputError
-from adagen.executor.growth import predicted_growth
+from adagen.executor.join_digits import predicted_growth
 from adagen.plan import make_plan
 from tests.models import three_axis_chain
 from tests.schedules import random_schedule

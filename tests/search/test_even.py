@@ -11,9 +11,9 @@ from hypothesis import strategies as st
 
 from adagen.plan import make_plan
 from adagen.schedule import Topology, load_profile, validate
-from adagen.schedule.segments import SegmentCosts
+from adagen.schedule.segment_costs import SegmentCosts
 from adagen.search import find_schedule
-from adagen.search.segment_even import even_cuts
+from adagen.search.equal_segments import even_cuts
 from tests.models import random_tree, serial_chain
 
 DEFAULT = load_profile("default")

@@ -21,7 +21,7 @@ from adagen.search.price import played
 from adagen.urdf import read_robot
 from tests.models import binary, human_figure, random_tree, serial_chain, star
 from tests.real import real_robot
-from tests.search.test_frames import with_hands
+from tests.search.test_meeting_places import with_hands
 from tests.slow import slow
 
 DEFAULT = load_profile("default")

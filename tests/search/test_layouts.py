@@ -16,9 +16,9 @@ from adagen.plan import can_gather, make_plan
 from adagen.plan.constants import joints_of
 from adagen.schedule import CostProfile, Topology, load_profile, validate
 from adagen.search import find_schedule
-from adagen.search.frames import in_place
-from adagen.search.layouts import Frame, Layout, LayoutPrices
+from adagen.search.layouts import Layout, LayoutPrices, MeetingPlace
 from adagen.search.limbs import Core, Robot
+from adagen.search.meeting_places import in_place
 from adagen.search.price import Pricing
 from tests.cost.costs import step_profile
 from tests.models import (
@@ -36,7 +36,7 @@ OTHERS = step_profile((1.0, 0.5, 2.0))
 """Every coefficient another number, and processes of unequal speed."""
 
 
-def some_frame(robot: Robot, rng: np.random.Generator) -> Frame:
+def some_frame(robot: Robot, rng: np.random.Generator) -> MeetingPlace:
     """Return a place to meet for some of a robot's trees."""
     cores = []
     for number, tree in enumerate(robot.trees):
@@ -49,17 +49,17 @@ def some_frame(robot: Robot, rng: np.random.Generator) -> Frame:
             more = [j for link in links for j in robot.at[link] if j not in joints]
             joints += [int(rng.choice(more))] if more else []
         cores.append(Core(number, root, tuple(sorted(joints))))
-    return Frame(tuple(cores), robot.limbs(cores))
+    return MeetingPlace(tuple(cores), robot.limbs(cores))
 
 
 def some_layouts(robot: Robot, processes: int, rng: np.random.Generator, count: int):  # type: ignore[no-untyped-def] # noqa: ANN201
     """Yield layouts in which all trees that are shared have limbs of two processes."""
     for _ in range(count):
-        frame = some_frame(robot, rng)
-        of = rng.integers(0, processes, len(frame.limbs))
+        place = some_frame(robot, rng)
+        of = rng.integers(0, processes, len(place.limbs))
         shares = tuple(tuple(np.flatnonzero(of == p).tolist()) for p in range(processes))
-        layout = Layout(frame, shares)
-        if all(len(layout.taking_part(core.tree)) > 1 for core in frame.cores):
+        layout = Layout(place, shares)
+        if all(len(layout.taking_part(core.tree)) > 1 for core in place.cores):
             yield layout
 
 

@@ -13,7 +13,7 @@ import pytest
 from adagen.cli import main
 from adagen.emit.shapes import chosen_shape
 from adagen.executor import interpret
-from adagen.executor.growth import predicted_growth
+from adagen.executor.join_digits import predicted_growth
 from adagen.executor.program_states import program_states
 from adagen.executor.trial import accelerations, carried_out, tried
 from adagen.model import SPHERICAL, Model

@@ -26,7 +26,7 @@ from adagen.reference import residual
 from adagen.run import launch
 from adagen.schedule import CostProfile, Fabric, load_profile
 from adagen.schedule.costs import StepCosts
-from adagen.search.across import batches_on
+from adagen.search.several_hosts import batches_on
 from adagen.states import random_states
 from adagen.studies.bench.contest import Contestant, Progress, Rules, Times, cores, hold
 from adagen.studies.bench.emitted import TIMEOUT, Emitted

@@ -10,7 +10,7 @@ from statistics import median
 from adagen.build import Toolchain
 from adagen.emit import stem_of
 from adagen.errors import AdagenError
-from adagen.executor.growth import predicted_growth
+from adagen.executor.join_digits import predicted_growth
 from adagen.model import Model
 from adagen.studies.bench.contest import Contestant, Rules, Times, from_stretches, hold
 from adagen.studies.bench.emitted import Emitted, all_built

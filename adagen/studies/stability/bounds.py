@@ -26,7 +26,7 @@ from adagen.plan.certificate import certified, has_inner_root
 from adagen.run import launch
 from adagen.schedule import load_profile
 from adagen.schedule.tree import Gathered
-from adagen.search.around_base import alone_schedule, certified_layouts
+from adagen.search.base_gathering import alone_schedule, certified_layouts
 from adagen.states import States, write_states
 from adagen.studies.stability.audit import truths
 from adagen.studies.stability.mechanisms import BITS

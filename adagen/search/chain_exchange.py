@@ -1,0 +1,276 @@
+"""Serial chains whose processes exchange pair by pair (adagen/plan/exchange.py): their cuts.
+
+Pairs of processes meet level by level, so each waits for the slowest of those that it meets. The
+parts are cut so that all processes are done with their first sweep at once. That takes a few
+plays: what a process needs apart from its own joints follows from the play before. The first play
+also tells how many groups are to put their passages together at once.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from itertools import accumulate
+from math import log2
+
+from adagen.cost import Timeline
+from adagen.plan.stages import stages
+from adagen.plan.types import Plan
+from adagen.schedule import CostProfile, Schedule, Topology
+from adagen.schedule.chains import WHOLE, Chain, Chains
+from adagen.schedule.costs import StepCosts
+from adagen.schedule.draft import Draft
+from adagen.schedule.found import Found
+from adagen.schedule.tree import Tie
+from adagen.search.even_shares import halves
+from adagen.search.segment_pareto import put_segment
+
+_FEWEST = 2
+"""Joints of a part at least, by which this family is defined."""
+_PLAYS = 3
+_MOST_AT_ONCE = 8
+"""Groups of processes that put passages together at once, at most: each sends to all others."""
+_FINE = 1e-4  # microseconds to which parts are equally long
+
+Play = Callable[[Schedule], tuple[Plan, Timeline]]
+"""Plans a schedule and plays it."""
+
+
+def numbers_of_processes(topology: Topology, processes: int) -> list[int]:
+    """Return the numbers of processes to try for exchanges: all, half of them, ..."""
+    serial = all(parent == j for j, parent in enumerate(topology.parents))
+    counts = halves(processes) if serial and processes > 1 else []
+    # The joint of a cut is in neither part.
+    return [count for count in counts if len(topology) >= (_FEWEST + 1) * count - 1]
+
+
+class ChainExchange:
+    """Schedules of a serial chain with one part for each process.
+
+    Args:
+        topology: the robot.
+        profile: a profile with the costs of steps.
+        cuttable: for each joint whether processes may meet there.
+        tie: the preference among equals, for schedules.
+        parts: in how many parts each process sweeps its own joints at once (adagen/plan/parts.py);
+            0: not in parts.
+    """
+
+    def __init__(
+        self,
+        topology: Topology,
+        profile: CostProfile,
+        cuttable: Sequence[bool],
+        tie: Tie,
+        parts: int = 0,
+    ) -> None:
+        self.topology, self.profile, self.tie, self.parts = topology, profile, tie, parts
+        self.chains = Chains(topology, profile)
+        # The joint of a cut is in neither part, and no part is empty.
+        self.cuts = [j for j in range(1, len(topology) - 1) if cuttable[j]]
+        kinds = [topology.kind(j) for j in range(len(topology))]
+        self.costs = profile.measured
+        self.kinds = kinds
+        self.inner, self.outermost = (
+            [0.0, *accumulate(self._first_sweep(kind, last) for kind in kinds)]
+            for last in (False, True)
+        )
+
+    def least(self, processes: int, count: int) -> float:
+        """Return a lower bound on the time of such schedules, microseconds.
+
+        The outermost of m parts takes a share of what its joints would take elsewhere, at least,
+        and the last process is done no sooner than all are on average.
+
+        Args:
+            processes: P.
+            count: those that work.
+        """
+        costs, own = self.costs, dict[str, tuple[float, float]]()
+        for kind in set(self.kinds):
+            second = costs[f"accelerate.{kind}"]
+            forces = min(costs[f"deliver.{kind}"], costs["deliver.along"])
+            if self.parts:
+                second, forces = costs["parts.outwards"], 0.0
+            inner = self._first_sweep(kind, outermost=False) + forces
+            own[kind] = self._first_sweep(kind, outermost=True) + second, inner + second
+        spared = max(0.0, _sweep(costs, self.kinds[0]) - costs["articulate.ground"])
+        whole = sum(own[kind][1] for kind in self.kinds) - spared
+        share = min(outermost / inner for outermost, inner in own.values())
+        least = whole * share / (share * (count - 1) + 1) + self._besides(count)
+        fastest = max(costs.speeds(processes))
+        return (costs["process.evaluation"] + least) / fastest
+
+    def _besides(self, count: int) -> float:
+        """Least average time of some processes beside their own joints.
+
+        Each takes part in log2(m) joins, all but the last of which have a handle beside them. All
+        parts but one have a root, all but two are carried through. Where two wait for each other,
+        they wait for half a latency on average, however far apart they are.
+        """
+        costs, levels = self.costs, log2(count)
+        inside, within = (count - 1) / count, max(0, count - 2) / count
+        join = min(costs[f"join.{kind}"] + costs[f"disassemble.{kind}"] for kind in set(self.kinds))
+        beside = (costs["join.block"] + costs["disassemble.coupling"]) * (levels - 1) / 2
+        run = min(costs["kinematics.run"], costs["kinematics_strips.run"])
+        alike = count & (count - 1) == 0  # halves are of equal size, on all levels
+        waits = levels / 2 + (1 / 4 if count > 2 else 0) if alike else levels / 3
+        return (
+            levels * (join + 42 * costs.window.number)
+            + beside
+            + costs.window.latency * waits
+            + inside * costs["root.invert"]
+            + within * 3 * costs["propagate_run.product"]
+            + (levels - inside) * costs["kinematics.floating"]
+            + run
+            + min(run, costs["kinematics_traversed.run"])
+            + min(costs[f"{of}.run"] for of in ("articulate", "articulate_columns", "parts"))
+        )
+
+    def best(self, processes: int, count: int, play: Play) -> Schedule | None:
+        """Return the fastest schedule found on some of the processes; None if it is not cut.
+
+        Args:
+            processes: P.
+            count: those that are to work.
+            play: plans and plays a schedule.
+        """
+        latest = self._latest(count - 1)
+        if latest is None:
+            return None
+        others = [0.0] * count
+        found: list[tuple[float, int, Schedule]] = []
+        fans = _fans(count)
+        for _ in range(_PLAYS):
+            cuts = self._even(others, latest)
+            if cuts is None:
+                break
+            tried: list[tuple[float, int, Schedule, list[float]]] = []
+            for fan in fans:
+                schedule = replace(self._schedule(cuts, processes), fan=fan)
+                plan, line = play(schedule)
+                tried.append((line.makespan, len(found), schedule, _ready(plan, line)[:count]))
+                found.append(tried[-1][:3])
+            *_, schedule, ready = min(tried)
+            fans = [schedule.fan]
+            ends = [0, *cuts, len(self.topology)]
+            others = [
+                ready[p] - self._time(p == count - 1, ends[p], ends[p + 1]) for p in range(count)
+            ]
+        return min(found)[2] if found else None
+
+    def _first_sweep(self, kind: str, outermost: bool) -> float:
+        """Time of a joint until its process sends its own part; microseconds."""
+        sweep = self.costs["parts.inwards"] if self.parts else None
+        return first_sweep(self.costs, kind, outermost, sweep)
+
+    def _time(self, outermost: bool, first: int, beyond: int) -> float:
+        sums = self.outermost if outermost else self.inner
+        return sums[beyond] - sums[first]
+
+    def _latest(self, count: int) -> list[int] | None:
+        """Return the last places for a number of cuts with a joint between any two."""
+        found: list[int] = []
+        for place in reversed(range(len(self.cuts))):
+            if len(found) < count and (not found or self.cuts[place] + 1 < self.cuts[found[-1]]):
+                found.append(place)
+        return found[::-1] if len(found) == count else None
+
+    def _even(self, others: Sequence[float], latest: Sequence[int]) -> list[int] | None:
+        """Return cuts for equal times of all processes, with their other work."""
+        low, high = 0.0, self.inner[-1] + max(others)
+        found = None
+        while high - low > _FINE:
+            middle = (low + high) / 2
+            cuts = self._within(middle, others, latest)
+            if cuts is None:
+                low = middle
+            else:
+                high, found = middle, cuts
+        return found
+
+    def _within(
+        self, time: float, others: Sequence[float], latest: Sequence[int]
+    ) -> list[int] | None:
+        """Cuts with which no process takes longer than a time; None if there are none."""
+        cuts: list[int] = []
+        first = 0
+        for p, other in enumerate(others[:-1]):
+            beyond = bisect_right(self.inner, self.inner[first] + time - other) - 1
+            place = bisect_right(self.cuts, beyond) - 1
+            place = min(place, latest[p])  # those beyond have some, too
+            if place < 0 or self.cuts[place] <= first + (p > 0):
+                return None
+            first = self.cuts[place]
+            cuts.append(first)
+        left = self._time(True, first, len(self.topology)) + others[-1]
+        return cuts if left <= time else None
+
+    def _schedule(self, cuts: Sequence[int], processes: int) -> Schedule:
+        """Return the schedule whose processes meet in halves."""
+        draft = Draft(len(self.topology))
+        draft.root = self._part(draft, WHOLE, 0, cuts)
+        found = Found(draft, 0, 0).schedule(self.topology, processes, self.profile, self.tie)
+        return replace(found, meeting="exchange", parts=self.parts)
+
+    def _part(self, draft: Draft, chain: Chain, first: int, cuts: Sequence[int]) -> int:
+        if not cuts:
+            return put_segment(draft, self.chains, chain, (first, first + 1))
+        half = len(cuts) // 2
+        joint = cuts[half]  # of a serial chain, a joint's number is its position
+        near, far = self.chains.split(chain, joint)
+        draft.ranges[joint] = (first, first + len(cuts) + 1)
+        draft.root_child[joint] = self._part(draft, near, first, cuts[:half])
+        draft.end_child[joint] = self._part(draft, far, first + half + 1, cuts[half + 1 :])
+        return joint
+
+
+def _fans(count: int) -> list[int]:
+    """How many groups of so many processes can put their passages together at once."""
+    fans = [2]
+    while fans[-1] < min(count, _MOST_AT_ONCE):
+        fans.append(2 * fans[-1])
+    return fans
+
+
+def _sweep(costs: StepCosts, kind: str) -> float:
+    return min(costs[f"articulate.{kind}"], costs[f"articulate_columns.{kind}"])
+
+
+def passing(costs: StepCosts, kind: str) -> float:
+    """Return the least time of a joint of which only the passage is needed; microseconds."""
+    return min(costs[f"kinematics.{kind}"], costs[f"passing_strips.{kind}"])
+
+
+def first_sweep(
+    costs: StepCosts, kind: str, outermost: bool, in_lane: float | None = None
+) -> float:
+    """Return the time of a joint in a part until its process sends its own part; microseconds.
+
+    Args:
+        costs: what joints take.
+        kind: of the joint.
+        outermost: whether nothing is asked for beyond the part.
+        in_lane: what it is swept and carried through for where its process has it in a SIMD lane.
+    """
+    placing = min(costs[f"{group}.{kind}"] for group in ("kinematics", "kinematics_traversed"))
+    placed = passing(costs, kind) + placing + costs["link.start"]
+    if in_lane is not None:
+        return placed + in_lane
+    own = placed + _sweep(costs, kind)
+    return own if outermost else own + costs.carried(kind)
+
+
+def _ready(plan: Plan, line: Timeline) -> list[float]:
+    """Time at which each process first sends its own part."""
+    first: list[float] = []
+    for p, process in enumerate(plan.processes):
+        messages = {
+            stage.message
+            for stage in stages(process)
+            if stage.message is not None and plan.messages[stage.message].sweep == "assembly"
+        }
+        begun = (i.start for i in line.intervals if i.process == p and i.message in messages)
+        first.append(min(begun, default=0.0))
+    return first

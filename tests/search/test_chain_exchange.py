@@ -1,0 +1,114 @@
+"""Long serial chains whose processes exchange pair by pair."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from adagen.cost import Timeline, timeline
+from adagen.emit.predicted import priced_program
+from adagen.model import Mimic
+from adagen.plan import Plan, make_plan
+from adagen.schedule import Schedule, Topology, load_profile, validate
+from adagen.schedule.tree import preorder
+from adagen.search import best_schedule
+from adagen.search.chain_exchange import ChainExchange, numbers_of_processes
+from adagen.search.price import played
+from tests.models import binary, serial_chain
+from tests.slow import slow
+
+PROFILE = load_profile("default")
+
+
+def exchanged(joints: int, processes: int, cuttable: list[bool] | None = None) -> Schedule:
+    model = serial_chain(joints)
+    topology = Topology.of(model)
+    chains = ChainExchange(topology, PROFILE, cuttable or [True] * joints, "work")
+
+    def play(schedule: Schedule) -> tuple[Plan, Timeline]:
+        plan = make_plan(model, schedule)
+        return plan, timeline(priced_program(plan, "kernels", PROFILE), PROFILE)
+
+    found = chains.best(processes, processes, play)
+    assert found is not None
+    validate(found, topology)
+    assert chains.least(processes, processes) <= play(found)[1].makespan
+    return found
+
+
+@pytest.mark.parametrize(("joints", "processes"), [(300, 2), (600, 4), slow(700, 8), slow(900, 16)])
+def test_parts_are_as_long_as_each_other(joints: int, processes: int) -> None:
+    """Moving a cut by a tenth of a part makes no schedule of a chain faster."""
+    found = exchanged(joints, processes)
+    plan = make_plan(serial_chain(joints), found)
+    parts = [len(process.owns) for process in plan.processes]
+    assert sum(parts) == joints and min(parts) > 0
+    # Outer parts wait for the passages of inner ones, level by level: none is longer than these.
+    # The outermost one is: it carries no wrenches through itself.
+    assert parts[:-1] == sorted(parts[:-1], reverse=True)
+    assert processes == 2 or parts[-1] > parts[-2]
+    ends = np.cumsum(parts)[:-1]
+    best = played(serial_chain(joints), found, PROFILE)
+    for k in (0, len(ends) - 1):
+        for by in (-parts[k] // 10, parts[k] // 10):
+            moved = [joint + by * (i == k) for i, joint in enumerate(ends.tolist())]
+            allowed = [j in moved for j in range(joints)]
+            other = played(serial_chain(joints), exchanged(joints, processes, allowed), PROFILE)
+            assert best <= other
+
+
+@pytest.mark.parametrize("allowed", [(10, 11, 12), (100, 101, 399), (1, 2, 300)])
+def test_no_part_is_empty(allowed: tuple[int, ...]) -> None:
+    """The joint of a cut is in neither part: two cuts have a joint between them."""
+    model = serial_chain(400)
+    cuttable = [j in allowed for j in range(400)]
+    chains = ChainExchange(Topology.of(model), PROFILE, cuttable, "work")
+
+    def play(schedule: Schedule) -> tuple[Plan, Timeline]:
+        plan = make_plan(model, schedule)
+        return plan, timeline(priced_program(plan, "kernels", PROFILE), PROFILE)
+
+    assert chains.best(4, 4, play) is None
+
+
+def test_only_joints_that_may_be_cut_are() -> None:
+    allowed = [j % 7 == 3 for j in range(400)]
+    found = exchanged(400, 4, allowed)
+    cuts = [
+        node.joint for node in preorder(found.root) if node.processes[1] - node.processes[0] > 1
+    ]
+    assert len(cuts) == 3 and all(allowed[j] for j in cuts)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("processes", [4, slow(8)])
+def test_long_chains_exchange_where_that_is_the_fastest(processes: int) -> None:
+    model = serial_chain(900)
+    found = best_schedule(model, processes, PROFILE)
+    assert found.meeting == "exchange" and "exchanged" in found.families
+    assert found.makespan == pytest.approx(played(model, found, PROFILE))
+    assert found.lower_bound <= found.makespan
+
+
+def test_parts_have_two_joints_and_trees_are_not_asked_to_exchange() -> None:
+    assert numbers_of_processes(Topology.of(serial_chain(900)), 16) == [16, 8, 4, 2]
+    assert numbers_of_processes(Topology.of(serial_chain(11)), 8) == [4, 2]
+    assert numbers_of_processes(Topology.of(serial_chain(10)), 4) == [2]
+    assert numbers_of_processes(Topology.of(serial_chain(4)), 4) == []
+    assert numbers_of_processes(Topology.of(binary(6)), 4) == []
+
+
+def test_chains_with_a_slaved_joint_do_not_exchange_and_have_a_schedule() -> None:
+    model = serial_chain(200)
+    slaved = replace(model.joints[90], mimic=Mimic(20, 0.5, 0.1))
+    model = replace(model, joints=(*model.joints[:90], slaved, *model.joints[91:]))
+    found = best_schedule(model, 4, PROFILE)
+    assert "exchanged" not in found.families
+    assert list(make_plan(model, found).slaved) == [90]
+
+
+@pytest.mark.parametrize(("joints", "processes"), [(5, 2), (8, 2), (11, 4), (17, 4), (23, 8)])
+def test_the_bound_holds_for_short_chains(joints: int, processes: int) -> None:
+    exchanged(joints, processes)

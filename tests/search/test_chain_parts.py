@@ -1,0 +1,91 @@
+"""Long chains that one process sweeps in parts: where the search takes them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from adagen.errors import InputError
+from adagen.library.request import Request
+from adagen.library.scheduling import schedule_of
+from adagen.model import Model
+from adagen.plan import make_plan
+from adagen.plan.steps import Join
+from adagen.schedule import Topology, load_profile, schedule_to_json
+from adagen.search import best_schedule, predicted_time, schedule_from_json
+from adagen.search.chain_parts import joined, keeps_digits
+from tests.links import with_light_link
+from tests.models import serial_chain
+from tests.plan.test_parts import hinges
+
+XEON = load_profile("xeon")
+
+
+def best(model: Model, processes: int = 1, **options: object) -> int:
+    """Return in how many parts processes of the best schedule sweep their own."""
+    found = best_schedule(model, processes, XEON, **{"in_parts": True, **options})  # type: ignore[arg-type]
+    return found.parts
+
+
+def test_a_long_chain_is_parted_where_that_is_faster() -> None:
+    model = serial_chain(400)
+    found = best_schedule(model, 1, XEON, in_parts=True)
+    whole = replace(found, parts=0)
+    times = [predicted_time(model, each, XEON, "segment") for each in (found, whole)]
+    assert found.parts == 8 and found.makespan == times[0] < 0.8 * times[1]
+    assert best(serial_chain(40)) == best(model, in_parts=False) == 0
+    assert best(model, scalar="float") == 0
+
+
+def test_no_part_is_cut_where_that_costs_digits() -> None:
+    """A light link at a single one of the cuts leaves the chain whole."""
+    model = serial_chain(400)
+    cuts = sorted(joined(replace(best_schedule(model, 1, XEON), parts=8), model))
+    assert cuts == list(range(0, 400, 50))
+    assert best(with_light_link(model, cuts[3] + 1, 1e-6)) == 0
+    allowed = [j != cuts[3] for j in range(400)]
+    assert not keeps_digits(replace(best_schedule(model, 1, XEON), parts=8), model, allowed)
+
+
+def test_processes_of_several_part_their_own() -> None:
+    model = serial_chain(900)
+    found = best_schedule(model, 2, XEON, in_parts=True)
+    assert (found.parts, found.meeting) == (8, "exchange")
+    whole = best_schedule(model, 2, XEON)
+    assert found.makespan < 0.8 * whole.makespan
+    assert found.lower_bound <= found.makespan
+    joins = [len(list(p.steps_of(Join))) for p in make_plan(model, found).processes]
+    assert joins == [9, 8]
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        *({"batch": True}, {"certify": True}, {"reproducible": True}, {"refine": 1}),
+        *(
+            {"target": "embedded"},
+            {"shape": "unrolled"},
+            {"objective": "accuracy"},
+            {"form": "ada"},
+            {"parts": "none"},
+        ),
+    ],
+    ids=lambda asked: next(iter(asked)),
+)
+def test_chains_stay_whole_where_parts_cannot_be_or_are_not_wanted(
+    asked: dict[str, object],
+) -> None:
+    model = hinges(300, seed=1)
+    request = Request(profile="xeon", **asked)  # type: ignore[arg-type]
+    assert schedule_of(model, request).parts == 0
+
+
+def test_a_file_may_ask_for_parts() -> None:
+    model = serial_chain(30)
+    topology = Topology.of(model)
+    text = schedule_to_json(replace(best_schedule(model, 1, XEON), parts=8), topology)
+    assert schedule_from_json(text, topology, XEON).parts == 8
+    for wrong in ("1", "65", "true", '"8"'):
+        with pytest.raises(InputError, match='"parts" is a number from 2 to 64, or 0'):
+            schedule_from_json(text.replace('"parts": 8', f'"parts": {wrong}'), topology, XEON)
