@@ -6,7 +6,7 @@
     python -m benchmarks.certificates shared [the same]
     python -m benchmarks.certificates predicted [the same]
     python -m benchmarks.certificates times [ROBOT.urdf ...] [--write FILE]
-    python -m benchmarks.certificates mechanisms [--write FILE]
+    python -m benchmarks.certificates mechanisms [NAME ...] [--write FILE]
 
 Errors are those of hard states of random robots of twelve families (adagen/studies/stability), in
 the energy norm against certified accelerations; "shared" takes trees whose limbs two or three
@@ -70,7 +70,7 @@ SHARED = [
 ]
 LOOPED = [Certified("unrolled"), Certified("unrolled", batch=True)]
 ROBOTS = [
-    MODELS / f"{name}.urdf"
+    str(MODELS / f"{name}.urdf")
     for name in ("arm7", "chain16", "humanoid", "human40", "fourbar", "ankle")
 ]
 SHAPES = [(shape, batch) for batch in (False, True) for shape in ("unrolled", "kernels")]
@@ -173,10 +173,10 @@ def measured_predictions(asked: Asked, record: Record, toolchain: Toolchain) -> 
     return list(table((*head, "worst, decades"), lines))
 
 
-def measured_times(paths: Iterable[Path]) -> list[str]:
-    """Return the table of times."""
+def measured_times(files: Sequence[str]) -> list[str]:
+    """Return the table of times of robots."""
     rows = []
-    for path in paths:
+    for path in map(Path, files):
         scene = path.with_suffix(".toml")
         robot = adagen.read(path, scene=scene if scene.exists() else None)
         for shape, batch in SHAPES:
@@ -196,12 +196,12 @@ def measured_times(paths: Iterable[Path]) -> list[str]:
     return list(table(("robot", "shape", "plain, ns", "certified, ns", "ratio"), rows))
 
 
-def measured_mechanisms(_: Asked, __: Record, ___: Toolchain) -> list[str]:
-    """Return the table of times of mechanisms, plain and certified, which nothing is asked of."""
+def measured_mechanisms(names: Sequence[str]) -> list[str]:
+    """Return the table of times of mechanisms, plain and certified."""
     rows = []
     profile = load_profile("default")
-    for name, make in MECHANISMS.items():
-        model = make()
+    for name in names:
+        model = MECHANISMS[name]()
         plain = make_plan(model, best_schedule(model, 1, profile))
         cells = [name]
         for batch in (0, 1):
@@ -228,9 +228,12 @@ def main() -> None:
         "loops": measured_loops,
         "shared": measured_shared,
         "predicted": measured_predictions,
-        "mechanisms": measured_mechanisms,
     }
-    study("certificates", __doc__, usual, ROBOTS, tables, measured_times)
+    times = {
+        "times": (measured_times, ROBOTS),
+        "mechanisms": (measured_mechanisms, tuple(MECHANISMS)),
+    }
+    study("certificates", __doc__, usual, tables, times)
 
 
 if __name__ == "__main__":

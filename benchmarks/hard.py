@@ -5,7 +5,7 @@ from __future__ import annotations
 import platform
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -52,8 +52,8 @@ class Asked:
 
 Errors = Callable[[Asked, Record, Toolchain], list[str]]
 """A table of errors of hard states of random robots."""
-Times = Callable[[Sequence[Path]], list[str]]
-"""The table of times of robots."""
+Times = Callable[[Sequence[str]], list[str]]
+"""A table of times of robots by their names, or by the files of their descriptions."""
 
 
 def hard_robots(
@@ -91,9 +91,8 @@ def study(
     name: str,
     about: str | None,
     usual: Asked,
-    timed: Sequence[Path],
     errors: Mapping[str, Errors],
-    times: Times,
+    times: Mapping[str, tuple[Times, Sequence[str]]],
 ) -> None:
     """Print a table, or put it into a document; what the command line of a study does.
 
@@ -101,24 +100,29 @@ def study(
         name: of the study, as in ``python -m benchmarks.NAME``.
         about: what ``--help`` says.
         usual: how many robots and states, and seed, by default.
-        timed: robots to time, likewise.
         errors: makes a table of errors, by the word that asks for it.
-        times: makes the table of times.
+        times: likewise a table of times, with the robots that are timed by default.
     """
     parser = command(about)
-    parser.add_argument("what", choices=(*errors, "times"))
-    parser.add_argument("urdf", nargs="*", type=Path)
-    for option, value in asdict(usual).items():
-        parser.add_argument(f"--{option}", type=int, default=value)
+    parser.add_argument("what", choices=(*errors, *times))
+    parser.add_argument("robot", nargs="*", help="of those to time")
+    for option in asdict(usual):
+        parser.add_argument(f"--{option}", type=int)
     parser.add_argument("--record", type=Path, help="what is there already; it is gone on with")
     options = parser.parse_args()
+    given = {key: found for key in asdict(usual) if (found := getattr(options, key)) is not None}
     if options.what in errors:
-        wanted = Asked(options.robots, options.states, options.seed)
+        if options.robot:
+            parser.error(f"{options.what} draws its robots: {options.robot[0]} is not one of them")
+        wanted = replace(usual, **given)
         lines = errors[options.what](wanted, Record(options.record), find_toolchain())
         asked = str(wanted)
     else:
-        paths = options.urdf or timed
-        asked = " ".join(path.name for path in paths)
-        lines = times(paths)
+        if given or options.record:
+            parser.error(f"{options.what} takes robots, and nothing is drawn or recorded")
+        table, usually = times[options.what]
+        names = options.robot or usually
+        asked = " ".join(Path(name).name for name in names)
+        lines = table(names)
     head = f"{platform.machine()}, `python -m benchmarks.{name} {options.what} {asked}`"
     publish(options, f"{name}.{options.what}", "\n".join([head, "", *lines]))

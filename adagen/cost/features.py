@@ -47,7 +47,7 @@ from adagen.plan.steps import (
 from adagen.program import Operation
 from adagen.program.names import PASSING
 from adagen.program.runs import Run
-from adagen.schedule.costs import PRESCRIBED, block_rows
+from adagen.schedule.costs import block_rows
 
 Features = dict[str, float]
 """How often each coefficient counts; names as in ``adagen.schedule.costs.NAMES``."""
@@ -82,7 +82,7 @@ def step_features(step: Step, joints: Sequence[PlanJoint]) -> Features:
     if known is not None:
         return known
     joint = joints[step.joint]  # type: ignore[union-attr]
-    kind = PRESCRIBED if joint.prescribed else joint.kind
+    kind = joint.priced_as
     match step:
         case Kinematics():
             return {f"kinematics.{joint.kind}": 1, "kinematics.step": 1}

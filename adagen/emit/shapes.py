@@ -22,6 +22,7 @@ from adagen.plan import Plan
 from adagen.plan.certificate import why_not as why_not_corrected
 from adagen.plan.own_axes import balls_lose
 from adagen.plan.refine import corrected, refinable, why_not_in_lines
+from adagen.plan.robot import slaved_joint
 from adagen.schedule import CostProfile, with_steps
 
 
@@ -94,8 +95,8 @@ def chosen_shape(
             return _cheapest(plan, profile)
         shape = _of_batch(plan, profile)
     reason = KNOWN[shape].why_not(plan)
-    if reason is None and batch and shape == "kernels" and plan.slaved:
-        reason = f'joint "{plan.joints[plan.slaved[0]].name}" is slaved to another'
+    if reason is None and batch and shape == "kernels":
+        reason = slaved_joint(plan.joints)
     if reason is not None:
         raise UsageError(f"shape {shape} cannot be emitted: {reason}")
     return shape

@@ -22,11 +22,11 @@ from adagen.plan.constants import (
     wrenches_of,
 )
 from adagen.plan.exchange import ExchangePlanner
-from adagen.plan.gather import GatherPlanner, why_not_gather
+from adagen.plan.gather import GatherPlanner
 from adagen.plan.grounded_closures import grounded_closures_of
 from adagen.plan.parameters import parameters_of, refuse_inverted
 from adagen.plan.requested_outputs import handles_of, refuse_outputs, refuse_sharing, with_outputs
-from adagen.plan.robot import PlanParameter
+from adagen.plan.robot import PlanParameter, slaved_joint
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.separate_trees import closures_between_trees
 from adagen.plan.serialise import plan_from_json, plan_to_json
@@ -182,8 +182,8 @@ def as_gathered(model: Model, schedule: Schedule) -> Schedule:
 
 
 def can_gather(model: Model) -> bool:
-    """Return whether processes may meet by gathering."""
-    return why_not_gather(joints_of(model)) is None
+    """Return whether processes may meet by gathering, or exchange pair by pair."""
+    return slaved_joint(joints_of(model)) is None
 
 
 def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto") -> AdaPlanner:
@@ -225,7 +225,7 @@ def planner_of(model: Model, schedule: Schedule, form: str, meeting: str = "auto
     if form == "segment" and how == "exchange":
         return ExchangePlanner(joints, schedule, runs)
     if form == "segment" and how == "gather":
-        if (reason := why_not_gather(joints)) is not None:
+        if (reason := slaved_joint(joints)) is not None:
             raise UsageError(f"processes cannot gather: {reason}")
         return GatherPlanner(joints, schedule)
     return FORMS[form](joints, schedule, runs)

@@ -23,7 +23,7 @@ from adagen.errors import UsageError
 from adagen.plan.ada import Chain, assembled
 from adagen.plan.edges import on_the_way
 from adagen.plan.fusions import Run
-from adagen.plan.robot import PlanJoint
+from adagen.plan.robot import PlanJoint, slaved_joint
 from adagen.plan.segment import SegmentPlanner
 from adagen.plan.sent_passages import can_send_passage
 from adagen.plan.steps import (
@@ -48,9 +48,8 @@ _MEETING = (Receive, Join, LinkBias)
 
 def why_not_exchange(joints: Sequence[PlanJoint], schedule: Schedule) -> str | None:
     """Return why a schedule's processes cannot exchange pair by pair, None where they can."""
-    for joint in joints:
-        if joint.mimic is not None:
-            return f'joint "{joint.name}" is slaved to another'
+    if (slaved := slaved_joint(joints)) is not None:
+        return slaved
     at_work = at_work_of(schedule)
     for node in postorder(schedule.root):
         sides = [set(at_work[child.joint]) for child in node.children]
@@ -205,7 +204,7 @@ class ExchangePlanner(SegmentPlanner):
         """The part of a serial chain of each process, inner cut first; None without motions."""
         joints = self.joints
         serial = all(joint.parent == j for j, joint in enumerate(joints))
-        if not serial or not can_send_passage(joints, range(len(joints))):
+        if not serial or not can_send_passage(joints):
             return None
         cuts: list[int] = []
         last = -1

@@ -31,20 +31,6 @@ from adagen.schedule import postorder
 from adagen.schedule.tree import Gathered
 
 
-def why_not_gather(joints: Sequence[PlanJoint]) -> str | None:
-    """Return the reason why processes of a robot cannot gather, None where they can.
-
-    What gathers is emitted in shape kernels, which does not know everything.
-    """
-    for joint in joints:
-        if joint.mimic is not None:
-            return f'joint "{joint.name}" is slaved to another'
-        own = joint.damping or joint.friction or joint.stiffness or joint.rotor_inertia
-        if own and joint.kind in ("planar", "floating"):
-            return f'joint "{joint.name}" has several degrees of freedom and passive torques'
-    return None
-
-
 def trees_of(joints: Sequence[PlanJoint], gathered: Gathered) -> list[Tree]:
     """Return the trees of moving links in the layout of a schedule.
 

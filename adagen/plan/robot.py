@@ -8,6 +8,7 @@ from itertools import accumulate
 
 from adagen.model import OUTPUT_SIZES
 from adagen.model.loops import LOOP_KINDS
+from adagen.schedule.costs import PRESCRIBED
 
 OPTIONAL = {"optional": True}
 """Marks fields that a plan's JSON leaves out where they have their default."""
@@ -76,6 +77,11 @@ class PlanJoint:
     prescribed: bool = field(default=False, metadata=OPTIONAL)
     lent: float = field(default=0.0, metadata=OPTIONAL)
 
+    @property
+    def priced_as(self) -> str:
+        """The kind by which it is priced, apart from kinematics, or prescribed."""
+        return PRESCRIBED if self.prescribed else self.kind
+
 
 @dataclass(frozen=True)
 class PlanWrench:
@@ -116,6 +122,15 @@ class PlanOutput:
     def size(self) -> int:
         """How many numbers it is."""
         return OUTPUT_SIZES[self.what]
+
+
+def slaved_joint(joints: Iterable[PlanJoint]) -> str | None:
+    """Return in words which joint is slaved to another; None where none is.
+
+    Processes that gather, or exchange pair by pair, have no coupling torques.
+    """
+    slaved = (joint.name for joint in joints if joint.mimic is not None)
+    return next((f'joint "{name}" is slaved to another' for name in slaved), None)
 
 
 @dataclass(frozen=True)

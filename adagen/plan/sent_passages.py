@@ -21,9 +21,9 @@ PASSED = frozenset({"revolute", "spherical"})
 """Kinds of joints whose passages are computed in registers."""
 
 
-def can_send_passage(joints: Sequence[PlanJoint], run: Iterable[int]) -> bool:
-    """Return whether the passage of a run of joints can be sent."""
-    return all(joints[j].kind in PASSED and not joints[j].prescribed for j in run)
+def can_send_passage(run: Iterable[PlanJoint]) -> bool:
+    """Return whether the passage of a run of joints can be sent, as far as their kinds go."""
+    return PASSED.issuperset(joint.priced_as for joint in run)
 
 
 class InnerRun(NamedTuple):
@@ -59,7 +59,8 @@ def inner_runs(
         hang = {joints[j].parent for j in own} - {j + 1 for j in own}
         serial = all(joints[j].parent == j == k for k, j in enumerate(passed))
         others = len(senders) == 1 and p not in senders
-        if others and serial and hang == {len(passed)} and can_send_passage(joints, passed):
+        serial = serial and hang == {len(passed)}
+        if others and serial and can_send_passage(joints[j] for j in passed):
             found[p] = InnerRun(senders.pop(), Passage(0, passed[-1]))
     return found
 
@@ -111,7 +112,7 @@ def _with_messages(
         before[sender].append(Send(number))
         rest = [s for s in steps[p] if not (isinstance(s, Kinematics) and s.joint <= run.last)]
         own = [step.joint for step in rest if isinstance(step, Kinematics)]
-        if all(joints[j].parent == j for j in own) and can_send_passage(joints, own):
+        if all(joints[j].parent == j for j in own) and can_send_passage(joints[j] for j in own):
             before[p].append(Traverse(Passage(own[0], own[-1])))
         found[p] = (Receive(number), Arrive(run, 0), *rest)
     return [(*first, *rest) for first, rest in zip(before, found, strict=True)]

@@ -11,7 +11,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 from adagen.errors import UsageError
-from adagen.plan.gather import why_not_gather
 from adagen.plan.gather_steps import ProcessSteps
 from adagen.plan.gather_trees import Tree, given_trees, moving_trees
 from adagen.plan.steps import (
@@ -33,7 +32,7 @@ def serial_plan(plan: Plan) -> Plan:
     Where processes of the robot can gather, its steps follow from the joints alone, so that they
     are the same whatever the plan's processes are.
     """
-    if why_not_gather(plan.joints) is None:
+    if not plan.slaved:
         of_one = ProcessSteps(plan.joints, _of_one(plan), 0)
         evaluation = sorted(of_one.evaluation([], []), key=lambda step: _SWEEPS.index(type(step)))
         process = of_one.process_of(evaluation)

@@ -64,6 +64,11 @@ class Topology:
         """Return the serial chain of joints of one degree of freedom (Section IV-B)."""
         return Topology.bare(tuple(range(joints)))
 
+    @property
+    def is_chain(self) -> bool:
+        """Whether each joint is on the link of the one before."""
+        return all(parent == j for j, parent in enumerate(self.parents))
+
     def kind(self, joint: int) -> str:
         """Return the name of a joint's kind; if none was given, a common one of its freedoms."""
         if self.kinds:

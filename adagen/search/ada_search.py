@@ -127,9 +127,8 @@ class _Played:
         work = 0.0
         for step in plan.steps_of(Join):
             joint = plan.joints[step.joint]
-            kind = "prescribed" if joint.prescribed else joint.kind
-            join = min(costs[f"join.{kind}"], costs["join.ground"])
-            work += join + costs[f"disassemble.{kind}"]
+            join = min(costs[f"join.{joint.priced_as}"], costs["join.ground"])
+            work += join + costs[f"disassemble.{joint.priced_as}"]
         speeds = costs.speeds(self.found.processes)
         return costs["process.evaluation"] / max(speeds) + work / sum(speeds)
 

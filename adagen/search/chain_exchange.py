@@ -39,8 +39,7 @@ Play = Callable[[Schedule], tuple[Plan, Timeline]]
 
 def numbers_of_processes(topology: Topology, processes: int) -> list[int]:
     """Return the numbers of processes to try for exchanges: all, half of them, ..."""
-    serial = all(parent == j for j, parent in enumerate(topology.parents))
-    counts = halves(processes) if serial and processes > 1 else []
+    counts = halves(processes) if topology.is_chain and processes > 1 else []
     # The joint of a cut is in neither part.
     return [count for count in counts if len(topology) >= (_FEWEST + 1) * count - 1]
 

@@ -42,9 +42,8 @@ class ChainHalves:
         self.roots = [j + 1 for j in range(self.count - 1) if cuttable[j]]
         own = (first_sweep(self.costs, kind, outermost=True) for kind in self.kinds)
         self.sums = [0.0, *accumulate(own)]
-        serial = all(parent == j for j, parent in enumerate(topology.parents))
-        # As adagen.plan.sent_passages.can_send_passage asks for it.
-        self.told = serial and not topology.prescribed and PASSED.issuperset(self.kinds)
+        kinds = {topology.priced_as(j) for j in range(self.count)}
+        self.told = topology.is_chain and kinds <= PASSED
 
     @property
     def fits(self) -> bool:

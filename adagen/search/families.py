@@ -27,7 +27,7 @@ from adagen.emit.predicted import priced_program
 from adagen.emit.shapes import offered
 from adagen.model import Model
 from adagen.paper.restricted import joined_between_processes
-from adagen.plan import Plan, make_plan
+from adagen.plan import Plan, can_gather, make_plan
 from adagen.plan.types import Process
 from adagen.program import Program
 from adagen.program.lower import LOOPS
@@ -173,9 +173,7 @@ class Families:
             cuttable: for each joint whether processes may meet there.
         """
         counts = numbers_of_processes(self.topology, self.processes)
-        # As adagen.plan.exchange.why_not_exchange has it.
-        slaved = any(joint.mimic is not None for joint in self.model.joints)
-        if slaved or not (self.loops and self.seen.trivial and counts):
+        if not (can_gather(self.model) and self.loops and self.seen.trivial and counts):
             return
         assert self.best is not None  # one process comes first
         for parts in (0, self.parts) if self.parts else (0,):

@@ -18,7 +18,7 @@ from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import KINDS
 from adagen.plan.tip_mobility import can_carry_wrenches
 from adagen.program.runs import OF_ONE_FREEDOM, Run
-from adagen.schedule.costs import PRESCRIBED, StepCosts
+from adagen.schedule.costs import StepCosts
 from adagen.search.limbs import Limb, Robot
 from adagen.search.sweep_bound import NOTHING, SweepBound, longest_of
 from adagen.search.whole_limb_bounds import WholeLimbBounds
@@ -265,15 +265,14 @@ class JointBounds:
         costs, kind = self.costs, joint.kind
         if joint.parent == 0 and kind == "floating" and not joint.prescribed:
             return [(pose + costs["free.base"], costs["free.acceleration"])]
-        priced = PRESCRIBED if joint.prescribed else kind
         run = costs["articulate.run"] / length
-        sweeps = [costs[f"articulate.{priced}"] + run]
+        sweeps = [costs[f"articulate.{joint.priced_as}"] + run]
         if joint.parent == 0:
             sweeps.append(0.0 if joint.prescribed else costs["articulate.ground"])
         if in_columns:
             run = costs["articulate_columns.run"] / length
             sweeps.append(costs[f"articulate_columns.{kind}"] + run)
-        return [(pose + min(sweeps), costs[f"accelerate.{priced}"])]
+        return [(pose + min(sweeps), costs[f"accelerate.{joint.priced_as}"])]
 
     def _in_row(self, joint: int, count: int) -> tuple[float, float]:
         """The price of a row that a joint is in, with its share of what limbs cost besides."""
@@ -354,8 +353,8 @@ class JointBounds:
         beyond, link, spared = 0, held or limb.link, 0.0
         while link > 0:
             joint = joints[link - 1]
-            priced = PRESCRIBED if joint.prescribed else joint.kind
-            price = costs["propagate.ground" if joint.parent == 0 else f"propagate.{priced}"]
+            above = "ground" if joint.parent == 0 else joint.priced_as
+            price = costs[f"propagate.{above}"]
             if can_carry_wrenches(joints, link - 1) or (
                 beyond and can_carry_wrenches(joints, beyond - 1)
             ):

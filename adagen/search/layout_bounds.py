@@ -42,7 +42,7 @@ class Bounds:
 
     Args:
         robot: the robot.
-        bounds: what its joints take at least.
+        joint_bounds: what its joints take at least.
         processes: P.
         costs: the machine's coefficients.
         channel: those of messages.

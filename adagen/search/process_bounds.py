@@ -82,10 +82,10 @@ class _InCore:
 
 
 class ProcessBounds:
-    """JointBounds of sets of limbs.
+    """Lower bounds of sets of limbs.
 
     Args:
-        bounds: of the robot's joints.
+        joint_bounds: of the robot's joints.
     """
 
     def __init__(self, joint_bounds: JointBounds) -> None:

@@ -9,7 +9,6 @@ in each lane (templates/include/adagen/kernels/).
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 from fractions import Fraction
 
 from adagen.emit.kernels import mobility
@@ -21,7 +20,6 @@ from adagen.plan import Plan
 from adagen.plan.certificate import ROUNDING, own_links
 from adagen.plan.digits import EPSILON
 from adagen.plan.edges import is_base
-from adagen.plan.gather import why_not_gather
 from adagen.plan.own_axes import ENOUGH, OwnAxes
 from adagen.plan.robot import PlanLink
 from adagen.plan.simd_groups import Limbs
@@ -39,9 +37,7 @@ def why_not(plan: Plan) -> str | None:
         return "robots with closed loops are emitted as straight lines"
     if plan.outputs:
         return "outputs beside accelerations are computed in straight lines only"
-    if plan.weighed:
-        return why_not_weighed(plan)
-    return why_not_gather([replace(joint, mimic=None) for joint in plan.joints])
+    return why_not_weighed(plan) if plan.weighed else None
 
 
 def why_not_weighed(plan: Plan) -> str | None:
