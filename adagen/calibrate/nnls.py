@@ -6,15 +6,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+_TOLERANCE = 1e-12
+"""Of the optimality conditions, relative to the largest slope at x = 0."""
 
 
-def nnls(A: Array, b: Array, tolerance: float = 1e-12) -> Array:
+def nnls(A: Array, b: Array) -> Array:
     """Return the x >= 0 that minimises |A x - b|.
 
     Args:
         A: shape (m, n), of full column rank.
         b: shape (m,).
-        tolerance: of the optimality conditions, relative to the largest slope at x = 0.
 
     Returns:
         x, shape (n,).
@@ -22,7 +23,7 @@ def nnls(A: Array, b: Array, tolerance: float = 1e-12) -> Array:
     n = A.shape[1]
     x = np.zeros(n)
     free = np.zeros(n, dtype=np.bool_)
-    limit = tolerance * max(1e-300, float(np.abs(A.T @ b).max(initial=0.0)))
+    limit = _TOLERANCE * max(1e-300, float(np.abs(A.T @ b).max(initial=0.0)))
     for _ in range(10 * n):
         slope = A.T @ (b - A @ x)
         slope[free] = -np.inf

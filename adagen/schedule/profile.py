@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 import os
 import re
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from importlib import resources
@@ -103,13 +102,12 @@ def _ticks(microseconds: float) -> int:
     return round(microseconds * TICKS)
 
 
-def profiles_folder(environ: Mapping[str, str] | None = None) -> Path:
+def profiles_folder() -> Path:
     """Return where measured profiles are kept: ``adagen/profiles`` in XDG_CONFIG_HOME.
 
     That is ~/.config by default. The XDG specification has relative paths ignored.
     """
-    environ = os.environ if environ is None else environ
-    base = environ.get("XDG_CONFIG_HOME", "")
+    base = os.environ.get("XDG_CONFIG_HOME", "")
     folder = Path(base) if base and Path(base).is_absolute() else Path("~/.config").expanduser()
     return folder / "adagen" / "profiles"
 

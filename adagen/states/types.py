@@ -50,6 +50,11 @@ class States:
         """Return those of some rows."""
         return States(*(part[rows] for part in self.parts))
 
+    def stored(self, scalar: str) -> list[Array]:
+        """Return q, v and tau as a solver in "double" or "float" takes them in memory."""
+        number = np.float64 if scalar == "double" else np.float32
+        return [np.ascontiguousarray(part, number) for part in self.parts]
+
     def read_in(self, scalar: str) -> States:
         """Return what a solver in "double" or "float" reads of them."""
         if scalar == "double":

@@ -5,13 +5,12 @@ from __future__ import annotations
 import ctypes
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
-from typing import Any
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.build import Toolchain, build_executable
+from adagen.build import Toolchain
 from adagen.emit import emit, stem_of
 from adagen.errors import AdagenError
 from adagen.model import Model
@@ -23,6 +22,7 @@ from adagen.schedule import load_profile
 from adagen.search import best_schedule, named_schedule
 from adagen.search.objective import FEW, predicted_digits
 from adagen.states import States
+from adagen.studies.stability.loaded import loaded
 
 Array = NDArray[np.float64]
 SHAPE_WORDS = {
@@ -157,33 +157,11 @@ def solved(source: str, plan: Plan, states: States, toolchain: Toolchain) -> Ite
     Raises:
         EnvironmentFault: it cannot be built.
     """
-    stem = stem_of(plan, _NAME)
-    flags = (*toolchain.flags, "-shared", "-fPIC", "-pthread", "-DADAGEN_NO_MAIN")
-    built = build_executable(
-        f"#define ADAGEN_NO_MAIN\n{source}", f"{stem}.so", replace(toolchain, flags=flags)
-    )
-    library = ctypes.CDLL(str(built))
-    number = np.dtype(np.float64 if plan.scalar == "double" else np.float32)
-
-    def function(name: str, result: Any, *arguments: Any) -> Any:
-        found = getattr(library, f"{stem}_{name}")
-        found.restype, found.argtypes = result, arguments
-        return found
-
-    pointer = ctypes.c_void_p
-    if plan.threads:
-        opened = function("open_threads", pointer, pointer, ctypes.c_double)(None, 20.0)
-    else:
-        opened = function("open", pointer)()
-    solve = function("solve", ctypes.c_int, *[pointer] * 5)
-    rows = [np.ascontiguousarray(x, number) for x in states.parts]
-    try:
-        for state in zip(*rows, strict=True):
-            qdd = np.empty(states.v.shape[1], number)
-            status = solve(opened, *(x.ctypes.data for x in (*state, qdd)))
+    with loaded(source, stem_of(plan, _NAME), plan, toolchain) as call:
+        for state in zip(*states.stored(plan.scalar), strict=True):
+            qdd = np.empty_like(state[1])
+            status = call("solve", ctypes.c_int, *state, qdd)
             yield qdd.astype(np.float64) if status == 0 else None
-    finally:
-        function("close", None, pointer)(opened)
 
 
 def warned(model: Model, plan: Plan, way: Way) -> bool:

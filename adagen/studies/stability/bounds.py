@@ -8,7 +8,6 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
 
 import numpy as np
 from flint import ctx
@@ -29,6 +28,7 @@ from adagen.schedule.tree import Gathered
 from adagen.search.base_gathering import alone_schedule, certified_layouts
 from adagen.states import States, write_states
 from adagen.studies.stability.audit import truths
+from adagen.studies.stability.loaded import loaded
 from adagen.studies.stability.mechanisms import BITS
 
 Array = NDArray[np.float64]
@@ -225,37 +225,13 @@ def _answers(
     source: str, stem: str, plan: Plan, way: Certified, states: States, toolchain: Toolchain
 ) -> tuple[Array, Array]:
     """Accelerations, shape (S, nv), and their bounds, shape (S,); NaN where there is none."""
-    flags = (*toolchain.flags, "-shared", "-fPIC", "-DADAGEN_NO_MAIN")
-    built = build_executable(
-        f"#define ADAGEN_NO_MAIN\n{source}", f"{stem}.so", replace(toolchain, flags=flags)
-    )
-    library = ctypes.CDLL(str(built))
-    number = np.dtype(np.float64 if way.scalar == "double" else np.float32)
-    pointer = ctypes.c_void_p
-
-    def function(name: str, result: Any, *arguments: Any) -> Any:
-        called = getattr(library, f"{stem}_{name}")
-        called.restype, called.argtypes = result, arguments
-        return called
-
-    rows = [np.ascontiguousarray(x, number) for x in states.parts]
-    qdd, bounds = np.full(states.v.shape, np.nan, number), np.full(states.count, np.nan)
-    if plan.threads:
-        opened = function("open_threads", pointer, pointer, ctypes.c_double)(None, 60.0)
-    else:
-        opened = function("open", pointer)()
-    try:
+    rows = states.stored(way.scalar)
+    qdd, bounds = np.full_like(rows[1], np.nan), np.full(states.count, np.nan)
+    with loaded(source, stem, plan, toolchain) as call:
         if way.batch:
-            solve = function(
-                "solve_batch_certified", ctypes.c_int, pointer, ctypes.c_int, *[pointer] * 5
-            )
-            solve(opened, states.count, *(x.ctypes.data for x in (*rows, qdd, bounds)))
+            call("solve_batch_certified", ctypes.c_int, states.count, *rows, qdd, bounds)
             return qdd.astype(float), bounds
-        solve = function("solve", ctypes.c_int, *[pointer] * 5)
-        bound = function("error_bound", ctypes.c_double, pointer)
         for k, state in enumerate(zip(*rows, qdd, strict=True)):
-            if solve(opened, *(x.ctypes.data for x in state)) == 0:
-                bounds[k] = bound(opened)
+            if call("solve", ctypes.c_int, *state) == 0:
+                bounds[k] = call("error_bound", ctypes.c_double)
         return qdd.astype(float), bounds
-    finally:
-        function("close", None, pointer)(opened)

@@ -1,0 +1,28 @@
+"""Passive torques of joints with several degrees of freedom."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from adagen.model import Joint, Passive
+from adagen.model.kinds import FLOATING, KINDS, PLANAR, JointKind
+
+
+def joint(kind: JointKind, passive: Passive) -> Joint:
+    """Return a joint on the ground."""
+    return Joint("cart", kind, 0, np.eye(3), np.zeros(3), np.array([0.0, 0.0, 1.0]), None, passive)
+
+
+@pytest.mark.parametrize("kind", [PLANAR, FLOATING])
+def test_planar_and_floating_joints_have_none(kind: JointKind) -> None:
+    """No method, loops among them, computes them: they are not left out silently."""
+    with pytest.raises(ValueError, match=f'{kind.name} joint "cart" has passive torques'):
+        joint(kind, Passive(damping=0.1))
+    with pytest.raises(ValueError, match="has passive torques"):
+        joint(kind, Passive(rotor_inertia=0.1))
+
+
+@pytest.mark.parametrize("kind", list(KINDS.values()))
+def test_every_joint_can_be_without(kind: JointKind) -> None:
+    assert joint(kind, Passive()).passive == Passive()
