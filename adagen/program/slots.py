@@ -1,4 +1,4 @@
-"""Memory layout of joints in shape kernels: joints that are computed together are adjacent."""
+"""Places of joints in memory in shape kernels: joints that are computed together are adjacent."""
 
 from __future__ import annotations
 

@@ -110,7 +110,7 @@ class ProcessProgram:
 
 @dataclass(frozen=True)
 class Program:
-    """The operations of all processes, with the memory layout.
+    """The operations of all processes, and where joints lie in memory.
 
     Attributes:
         plan: the constants, messages, owners and steps that it carries out.

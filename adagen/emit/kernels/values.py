@@ -124,7 +124,7 @@ def values(symbols: Symbols) -> dict[str, object]:
 def _loop_settings(
     symbols: Symbols, own_axes: OwnAxes, by_columns: bool, along: bool, in_parts: bool
 ) -> list[str]:
-    """Settings of a solver's loops: memory layout and methods."""
+    """Settings of a solver's loops: slots of joints, and methods."""
     plan, slots = symbols.plan, symbols.program.slots
     block_kinds = _block_kinds(symbols)
     joints = range(len(plan.joints))
