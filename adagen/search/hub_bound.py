@@ -42,7 +42,7 @@ class Hubs:
 
     Args:
         costs: least prices of segments and joins.
-        in_full: what joints take at least which hang together.
+        whole_limbs: what joints take at least which hang together.
         fastest: speed of the fastest core.
     """
 

@@ -127,8 +127,8 @@ class _CutSearch(SegmentSearch):
 
     Args:
         joints: by position; empty for no bounds of chains beyond those of their joints.
-        in_full: what a process takes at least up to the end of the sweep inwards for a chain, by
-            its positions; ticks.
+        whole_limbs: what a process takes at least up to the end of the sweep inwards for a chain,
+            by its positions; ticks.
         played: what a chain takes on one process, by its positions, as far as that is known:
             both sweeps without what every process takes, ticks on a core of speed 1.
         most: chains of which that is asked at most.
@@ -241,7 +241,7 @@ class JoinedBound:
         profile: a profile with the costs of steps.
         pricing: what processes take.
         cuttable: for each joint of the folded robot whether two processes may meet there.
-        in_full: bounds of joints that hang together, if they are at hand.
+        whole_limbs: bounds of joints that hang together, if they are at hand.
     """
 
     def __init__(

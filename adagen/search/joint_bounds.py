@@ -44,7 +44,7 @@ class JointBounds:
             joints, or than the ways beyond as many joints as go together, and kinematics are passed
             in runs that are no longer either. Else chains may be as long as the robot has joints,
             and kinematics may be passed joint by joint.
-        in_full: bounds of joints that hang together, if they are at hand.
+        whole_limbs: bounds of joints that hang together, if they are at hand.
 
     Attributes:
         single: of each joint of a core: passed by itself or with its run, no link beside it, since
@@ -68,8 +68,14 @@ class JointBounds:
         whole_limbs: WholeLimbBounds | None = None,
     ) -> None:
         self.robot, self.costs, self.whole = robot, costs, whole
-        joints = robot.joints
         self.most = {kind: self._most_in_row(kind) for kind in sorted(KINDS)}
+        self._price_rows()
+        self._bound_ways(whole_limbs or WholeLimbBounds(robot, costs))
+        self._climb_all()
+
+    def _price_rows(self) -> None:
+        """Set what each joint takes, by itself, in its run and in rows."""
+        robot, costs, joints = self.robot, self.costs, self.robot.joints
         in_run = {j for run in robot.runs for j in _within(run)}
         in_columns = {
             j
@@ -105,6 +111,10 @@ class JointBounds:
             [0.0, *accumulate(getattr(each, name) for each in self.share)]
             for name in ("inwards", "outwards", "both")
         ]
+
+    def _bound_ways(self, whole_limbs: WholeLimbBounds) -> None:
+        """Set the least from each joint to the ends of the robot, along the longest way."""
+        robot, joints = self.robot, self.robot.joints
         self._deepest: list[SweepBound] = [NOTHING] * len(joints)
         self.ends = [1] * len(joints)
         for j in reversed(range(len(joints))):
@@ -112,12 +122,16 @@ class JointBounds:
             self._deepest[j] = self.row[j].plus(
                 longest_of(self._deepest[k] for k in robot.at[j + 1])
             )
-        self.whole_limbs = whole_limbs or WholeLimbBounds(robot, costs)
-        if whole:
+        self.whole_limbs = whole_limbs
+        if self.whole:
             beyond = self.whole_limbs.beyond(range(len(joints)))
             for j, joint in enumerate(joints):
                 own = self.row[j] if joint.parent == 0 else NOTHING
                 self._deepest[j] = longest_of((self._deepest[j], own.plus(beyond[j])))
+
+    def _climb_all(self) -> None:
+        """Set what is passed between the ground and each link."""
+        joints = self.robot.joints
         self._upwards: dict[int, SweepBound] = {}
         self._work: dict[Limb, SweepBound] = {}
         self._longest: dict[Limb, SweepBound] = {}
