@@ -28,7 +28,7 @@ FAR_SIZES = (1, 12, 42, 120, 480, 1920, 4096)
 """Those of messages between hosts, up to half a piece of a batch."""
 
 _NAME = "channel_times"
-_ROUNDS, _FAR_ROUNDS = 100, 5
+_FAR_ROUNDS = 5
 _FAR_RUNS = 3
 
 
@@ -75,17 +75,18 @@ def channel_program(toolchain: Toolchain, sizes: Sequence[int] = SIZES) -> Path:
     return build_executable(text, _NAME, toolchain)
 
 
-def message_times(program: Path, toolchain: Toolchain) -> Channels:
-    """Return the medians over ``_ROUNDS`` rounds for each channel and each of ``SIZES``.
+def message_times(program: Path, toolchain: Toolchain, rounds: int = 100) -> Channels:
+    """Return the medians over some rounds for each channel and each of ``SIZES``.
 
     Args:
         program: of ``channel_program``.
         toolchain: what to run it with.
+        rounds: how often each size is measured.
 
     Raises:
         EnvironmentFault: a channel cannot be opened here, or the time is up.
     """
-    done = launch(program, 2, [str(_ROUNDS)], toolchain, TIMEOUT)
+    done = launch(program, 2, [str(rounds)], toolchain, TIMEOUT)
     if done.status != 0:
         raise EnvironmentFault(f"messages cannot be timed: {done.stderr}")
     lines = done.stdout.splitlines()
