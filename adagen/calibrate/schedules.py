@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import random
 
-from adagen.paper.single import SingleProcess
+from adagen.paper.one_process import SingleProcess
 from adagen.schedule.chains import WHOLE, Chain, Chains
-from adagen.schedule.draft import Draft
 from adagen.schedule.profile import CostProfile
 from adagen.schedule.sweeps import loads_of, makespan_of
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Node, Schedule
+from adagen.schedule.tree_draft import Draft
 
 
 def random_schedule(

@@ -15,9 +15,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
-from adagen.executor.copies import copied
 from adagen.executor.lanes import Grouping
 from adagen.executor.line import Line, Pair, line_of
+from adagen.executor.line_copies import copied
 from adagen.executor.needed_values import NeededValues, Sender
 from adagen.executor.run import Simulated
 from adagen.plan.edges import is_free_base

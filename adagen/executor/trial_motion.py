@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.executor.stacked import cross, rotation, skew
+from adagen.executor.many_states import cross, rotation, skew
 from adagen.model.kinds import KINDS
 from adagen.plan.edges import is_free_base
 from adagen.plan.robot import PlanJoint, PlanLink

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.executor.stacked import (
+from adagen.executor.many_states import (
     about_z,
     cross,
     is_turn,

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 from typing import Literal
 
 from adagen.paper.budget import Budget, OutOfBudget
-from adagen.paper.options import Option, Space
-from adagen.paper.ties import Builder
+from adagen.paper.successors import Option, Space
+from adagen.paper.tie_break import Builder
 from adagen.schedule.chains import WHOLE, Chain
-from adagen.schedule.draft import Draft
 from adagen.schedule.tree import Tie
+from adagen.schedule.tree_draft import Draft
 
 Estimate = Literal["paper", "admissible"]
 

@@ -6,10 +6,10 @@ from itertools import product
 from time import monotonic
 
 from adagen.paper.budget import Budget, OutOfBudget, Task, run
-from adagen.paper.options import FOREVER, Option, Space
-from adagen.paper.ties import Builder, Choice
+from adagen.paper.successors import FOREVER, Option, Space
+from adagen.paper.tie_break import Builder, Choice
 from adagen.schedule.chains import WHOLE, Chain
-from adagen.schedule.draft import Draft
+from adagen.schedule.tree_draft import Draft
 
 
 class Beam:

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.paper.paths import PathBounds
-from adagen.paper.single import SingleProcess
+from adagen.paper.one_process import SingleProcess
+from adagen.paper.path_bounds import PathBounds
 from adagen.schedule.chains import WHOLE, Chain, Chains
 from adagen.schedule.tree import Split
 

@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen.paper.merge import TooManyBranches
-from adagen.paper.single import SingleProcess
+from adagen.paper.contraction import TooManyBranches
+from adagen.paper.one_process import SingleProcess
 from adagen.schedule.chains import Chain, Chains
 
 Ints = NDArray[np.int64]

@@ -14,13 +14,13 @@ from adagen.paper.beam import Beam
 from adagen.paper.bounds import Rules
 from adagen.paper.budget import Budget
 from adagen.paper.cuts import Cuts
-from adagen.paper.options import Space
-from adagen.paper.ties import Builder
+from adagen.paper.successors import Space
+from adagen.paper.tie_break import Builder
 from adagen.schedule.chains import Chain
-from adagen.schedule.draft import Draft
 from adagen.schedule.profile import CostProfile
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Node, postorder
+from adagen.schedule.tree_draft import Draft
 
 
 def joined_between_processes(root: Node) -> list[int]:

@@ -12,17 +12,17 @@ from adagen.errors import UsageError
 from adagen.paper.astar import AStar
 from adagen.paper.beam import incumbent
 from adagen.paper.bounds import Rules
+from adagen.paper.branch_and_bound import ExactSearch
 from adagen.paper.budget import Budget, OutOfBudget, Progress
-from adagen.paper.exact import ExactSearch
-from adagen.paper.options import Space
 from adagen.paper.restricted import joined_between_processes, restricted_draft
-from adagen.paper.ties import LeastWork, walk
+from adagen.paper.successors import Space
+from adagen.paper.tie_break import LeastWork, walk
 from adagen.schedule.chains import WHOLE
-from adagen.schedule.draft import Draft
-from adagen.schedule.found import Found
 from adagen.schedule.profile import TICKS, CostProfile
+from adagen.schedule.search_result import Found
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Schedule, Split, Strategy, Tie
+from adagen.schedule.tree_draft import Draft
 
 MOST_PROCESSES = 1024
 EXPANSIONS = 5_000

@@ -195,7 +195,7 @@ def _let_go_on(
     """Have process 0 say that an evaluation begins to processes that hear nothing from others.
 
     Their shares would otherwise overwrite those of earlier evaluations that process 0 still reads
-    (adagen/program/reuse.py). The message is empty, and they take it when their share is ready.
+    (adagen/program/message_reuse.py). The message is empty; they take it when their share is ready.
 
     Args:
         steps: of each process; those of such processes are changed.

@@ -31,8 +31,8 @@ from adagen.plan.steps import (
 )
 from adagen.plan.types import ENERGIES, Plan
 from adagen.program.effects import Effects, Place, added_by, contents, effects, joined_runs
+from adagen.program.message_reuse import overwritten
 from adagen.program.names import PREPARES
-from adagen.program.reuse import overwritten
 from adagen.program.runs import Run, ends_of_run, parts_in
 from adagen.program.types import Links, Operation, Program
 

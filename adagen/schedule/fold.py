@@ -11,11 +11,11 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from adagen.schedule.draft import Draft
 from adagen.schedule.profile import CostProfile
 from adagen.schedule.sweeps import loads_of, makespan_of
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Node, Schedule, preorder
+from adagen.schedule.tree_draft import Draft
 
 
 @dataclass(frozen=True)

@@ -18,14 +18,14 @@ import numpy as np
 from adagen.emit.predicted import predict
 from adagen.model import Model
 from adagen.paper.bounds import Rules
-from adagen.paper.options import Space
-from adagen.paper.ties import Builder
+from adagen.paper.successors import Space
+from adagen.paper.tie_break import Builder
 from adagen.plan import make_plan
 from adagen.plan.clusters import fold_of
 from adagen.plan.steps import Join
 from adagen.schedule import CostProfile, Schedule
 from adagen.schedule.chains import WHOLE, Chain
-from adagen.schedule.found import Found
+from adagen.schedule.search_result import Found
 
 CANDIDATES = 16
 """Joints that are tried at each place where a range parts: the best by Eq. (11)."""

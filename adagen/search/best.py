@@ -14,7 +14,7 @@ from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.fold import Fold
 from adagen.search.ada_search import played_schedule
 from adagen.search.chain_parts import parted
-from adagen.search.closed import closed_schedule
+from adagen.search.closed_loops import closed_schedule
 from adagen.search.families import Families, scaled
 from adagen.search.schedules import find_schedule
 

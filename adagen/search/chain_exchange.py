@@ -20,9 +20,9 @@ from adagen.plan.types import Plan
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.chains import WHOLE, Chain, Chains
 from adagen.schedule.costs import StepCosts
-from adagen.schedule.draft import Draft
-from adagen.schedule.found import Found
+from adagen.schedule.search_result import Found
 from adagen.schedule.tree import Tie
+from adagen.schedule.tree_draft import Draft
 from adagen.search.even_shares import halves
 from adagen.search.segment_pareto import put_segment
 

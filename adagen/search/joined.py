@@ -26,8 +26,8 @@ from adagen.schedule import CostProfile, Schedule
 from adagen.schedule.chains import WHOLE, Chain
 from adagen.schedule.costs import PRESCRIBED, StepCosts
 from adagen.schedule.fold import Fold
-from adagen.schedule.found import Found
 from adagen.schedule.profile import TICKS
+from adagen.schedule.search_result import Found
 from adagen.schedule.segment_costs import SegmentCosts
 from adagen.schedule.sweeps import Sweeps
 from adagen.schedule.tree import Tie

@@ -11,14 +11,14 @@ from typing import get_args
 
 from adagen.errors import UsageError
 from adagen.paper.bounds import Rules
-from adagen.paper.options import Space
-from adagen.paper.single import outward
+from adagen.paper.one_process import outward
+from adagen.paper.successors import Space
 from adagen.schedule.chains import WHOLE, Chain, Chains
-from adagen.schedule.draft import Draft
-from adagen.schedule.found import Found
 from adagen.schedule.profile import TICKS, CostProfile
+from adagen.schedule.search_result import Found
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Meeting, Named, Schedule, Strategy, postorder
+from adagen.schedule.tree_draft import Draft
 from adagen.schedule.validity import validate
 from adagen.search.segment_schedule import segment_bound
 

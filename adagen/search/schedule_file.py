@@ -8,8 +8,8 @@ from typing import Any
 
 from adagen.errors import InputError
 from adagen.schedule import CostProfile, InvalidSchedule, Schedule, Topology, deepjson
-from adagen.schedule.draft import Draft
 from adagen.schedule.tree import Gathered, Meeting
+from adagen.schedule.tree_draft import Draft
 from adagen.search.named import as_schedule, named_schedule
 
 MOST_PARTS = 64

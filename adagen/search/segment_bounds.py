@@ -23,7 +23,7 @@ from adagen.schedule.profile import TICKS
 from adagen.schedule.segment_costs import SegmentCosts
 from adagen.schedule.segment_prices import Price
 from adagen.search.segment_count import Room
-from adagen.search.segment_options import Options, divisions
+from adagen.search.segment_successors import Options, divisions
 
 Ints = NDArray[np.int64]
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from adagen.schedule.chains import Chain, Chains
-from adagen.schedule.draft import Draft
 from adagen.schedule.sweeps import Sweeps
+from adagen.schedule.tree_draft import Draft
 
 
 class State(NamedTuple):

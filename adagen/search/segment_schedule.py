@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from adagen.paper.budget import Budget, OutOfBudget
 from adagen.schedule.chains import WHOLE
-from adagen.schedule.found import Found
 from adagen.schedule.profile import TICKS, CostProfile
+from adagen.schedule.search_result import Found
 from adagen.schedule.segment_costs import SegmentCosts
 from adagen.schedule.sweeps import Sweeps
 from adagen.schedule.topology import Topology

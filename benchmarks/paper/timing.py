@@ -6,7 +6,7 @@ from rich.console import Console
 from rich.table import Table
 
 from adagen.schedule import Schedule, Topology, load_profile
-from adagen.schedule.draft import Draft
+from adagen.schedule.tree_draft import Draft
 from adagen.search import find_schedule, named_schedule
 from adagen.search.named import as_schedule
 from benchmarks.paper import robots

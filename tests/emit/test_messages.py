@@ -19,7 +19,7 @@ from adagen.model import Model
 from adagen.plan import MEETINGS, Plan, make_plan
 from adagen.plan.steps import Receive, Send
 from adagen.program import lower
-from adagen.program.reuse import overwritten
+from adagen.program.message_reuse import overwritten
 from adagen.schedule import Topology, load_profile
 from adagen.search import find_schedule, named_schedule
 from tests.models import random_tree, serial_chain

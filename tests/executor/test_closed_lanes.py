@@ -27,7 +27,7 @@ from adagen.plan.steps import Articulate
 from adagen.schedule import Schedule, load_profile
 from adagen.schedule.tree import Gathered
 from adagen.search import best_schedule
-from adagen.search.closed import _layouts
+from adagen.search.closed_loops import _layouts
 from tests.emitted import EXACT, Builder
 from tests.executor.plans import in_lanes_off
 from tests.executor.test_closures import plan_of, worst

@@ -23,7 +23,7 @@ from adagen.reference.closed import closed_forward_dynamics
 from adagen.schedule import load_profile
 from adagen.schedule.tree import Gathered
 from adagen.search import best_schedule
-from adagen.search.closed import _layouts
+from adagen.search.closed_loops import _layouts
 from adagen.states import States
 from tests.emitted import QUICK, Builder
 from tests.executor.plans import kinds_of

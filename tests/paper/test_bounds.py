@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from adagen.paper.bounds import Rules
-from adagen.paper.options import Space
+from adagen.paper.successors import Space
 from adagen.schedule import CostProfile, Topology
 from adagen.schedule.chains import WHOLE, Chain
 from adagen.schedule.profile import TICKS

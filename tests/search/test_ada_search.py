@@ -10,12 +10,12 @@ import pytest
 from adagen.emit.predicted import predict
 from adagen.model import Model
 from adagen.paper.bounds import Rules
-from adagen.paper.options import Space
-from adagen.paper.ties import Builder
+from adagen.paper.successors import Space
+from adagen.paper.tie_break import Builder
 from adagen.plan import make_plan
 from adagen.schedule import Schedule, Topology, load_profile, makespan_of, validate
 from adagen.schedule.chains import WHOLE
-from adagen.schedule.found import Found
+from adagen.schedule.search_result import Found
 from adagen.search import find_schedule
 from adagen.search.ada_search import played_schedule
 from tests.models import random_tree, serial_chain

@@ -18,7 +18,7 @@ from adagen.model.kinds import KINDS
 from adagen.plan import make_plan
 from adagen.schedule import CostProfile, Topology, makespan_of, preorder, validate
 from adagen.schedule.chains import WHOLE, Chain, Chains
-from adagen.schedule.draft import Draft
+from adagen.schedule.tree_draft import Draft
 from adagen.search import find_schedule
 from adagen.search.segment_schedule import segment_bound
 from tests.cost.costs import step_profile

@@ -20,7 +20,7 @@ from adagen.schedule import Topology, load_profile
 from adagen.search import named_schedule
 from adagen.search.objective import schedule_for
 from adagen.studies.stability.robots import state
-from adagen.studies.stability.weak import articulated, composite, true_acceleration
+from adagen.studies.stability.textbook_methods import articulated, composite, true_acceleration
 
 Array = NDArray[np.float64]
 EPSILON = 2.0**-53

@@ -19,7 +19,7 @@ from adagen.studies.stability.draw import draw_map
 from adagen.studies.stability.maps import Map
 from adagen.studies.stability.methods import METHODS, Trial, digits
 from adagen.studies.stability.motion import energy_growth
-from adagen.studies.stability.weak import articulated, composite, true_acceleration
+from adagen.studies.stability.textbook_methods import articulated, composite, true_acceleration
 from tests.emitted import Builder
 from tests.schedules import random_schedule
 from tests.slow import spread

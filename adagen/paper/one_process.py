@@ -1,8 +1,8 @@
 """One process (Section III-D): the least work of a partial chain, and an order that achieves it.
 
-The paper's rule (adagen/paper/literal.py) is exact for at most one boundary joint. What follows
-is exact for any number m of them. To assemble is to contract joints, and contracting links of
-degrees d1 and d2 costs q(d1 + d2 - 2) on top of what every order pays. Hence, q not decreasing:
+The paper's rule (literal_rule.py) is exact for at most one boundary joint. What follows is
+exact for any number m of them. To assemble is to contract joints, and contracting links of degrees
+d1 and d2 costs q(d1 + d2 - 2) on top of what every order pays. Hence, q not decreasing:
 
 1. leaves without a boundary joint go first, at q(d - 1) each;
 2. what is left is the Steiner tree of the boundary. A run of s links of degree 2 costs (s - 1) q(2)
@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from itertools import pairwise
 
-from adagen.paper.merge import MOST_BRANCHES, Merge, TooManyBranches
+from adagen.paper.contraction import MOST_BRANCHES, Merge, TooManyBranches
 from adagen.schedule.chains import Chain, Chains
 from adagen.union_find import UnionFind
 

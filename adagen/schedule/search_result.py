@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from adagen.schedule.draft import Draft
 from adagen.schedule.profile import TICKS, CostProfile
 from adagen.schedule.sweeps import loads_of, makespan_of
 from adagen.schedule.topology import Topology
 from adagen.schedule.tree import Named, Schedule, Split, Strategy, Tie
+from adagen.schedule.tree_draft import Draft
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from hypothesis import strategies as some
 from adagen.plan.steps import Receive, Send, Step
 from adagen.plan.types import Message
 from adagen.program import ProgramError, check
-from adagen.program.reuse import SLOTS, overwritten
+from adagen.program.message_reuse import SLOTS, overwritten
 from adagen.program.types import Operation
 from tests.program.test_check import example
 

@@ -6,8 +6,8 @@ from fractions import Fraction
 
 from hypothesis import given, settings
 
-from adagen.paper.literal import literal_rule
-from adagen.paper.single import SingleProcess
+from adagen.paper.literal_rule import literal_rule
+from adagen.paper.one_process import SingleProcess
 from adagen.schedule import CostProfile, Topology, load_profile, validate
 from adagen.schedule.chains import WHOLE, Chain, Chains
 from adagen.schedule.profile import TICKS

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from adagen.paper.single import SingleProcess
+from adagen.paper.one_process import SingleProcess
 from adagen.schedule.chains import Chain, Chains
 
 

@@ -9,7 +9,7 @@ as in a search over sequences.
 from __future__ import annotations
 
 from adagen.paper.budget import Budget, OutOfBudget, Task, run
-from adagen.paper.options import FOREVER, Option, Space
+from adagen.paper.successors import FOREVER, Option, Space
 from adagen.schedule.chains import WHOLE, Chain
 
 

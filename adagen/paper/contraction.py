@@ -8,7 +8,7 @@ from typing import Protocol
 from adagen.paper.budget import OutOfBudget
 
 MOST_BRANCHES = 12
-"""Branch links up to which the merge of step 3 (adagen.paper.single) is solved."""
+"""Branch links up to which the merge of step 3 (adagen.paper.one_process) is solved."""
 
 
 class TooManyBranches(OutOfBudget):

@@ -7,11 +7,11 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from adagen.paper.branch_and_bound import ExactSearch
 from adagen.paper.budget import Budget, Task, run
-from adagen.paper.exact import ExactSearch
-from adagen.paper.options import FOREVER, Option, Options, Space
+from adagen.paper.successors import FOREVER, Option, Options, Space
 from adagen.schedule.chains import WHOLE, Chain
-from adagen.schedule.draft import Draft
+from adagen.schedule.tree_draft import Draft
 
 Choice = tuple[Option, tuple[int, int]]
 """How a chain is cut, and the time that is left to its root side and to its end side; ticks."""

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.paper.bounds import Bounds, Ints, Rules
-from adagen.paper.canon import Canon
+from adagen.paper.canonical_names import Canon
+from adagen.paper.contraction import TooManyBranches
 from adagen.paper.cuts import Cuts, Cutter
-from adagen.paper.merge import TooManyBranches
-from adagen.paper.single import SingleProcess
+from adagen.paper.one_process import SingleProcess
 from adagen.schedule.chains import Chain, Chains
 from adagen.schedule.profile import CostProfile
 from adagen.schedule.topology import Topology
