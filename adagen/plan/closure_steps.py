@@ -1,4 +1,4 @@
-"""The steps of a process for each of its closures, and their comparison."""
+"""The steps of a process for each of its closures."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 
 from adagen.plan.robot import PlanJoint, PlanLoop
-from adagen.plan.split_rods import rod_halves_in, signature_of
 from adagen.plan.steps import CarryRows, CloseCoupling, CloseLoop, Eliminate, HoldBack, Step
 from adagen.plan.types import Plan
 
@@ -77,33 +76,3 @@ def nature(joint: PlanJoint) -> tuple[object, ...]:
     """Return the kind of a joint that all joints of a row must share."""
     effects = (joint.damping, joint.friction, joint.stiffness, joint.rotor_inertia + joint.lent)
     return (joint.kind, joint.prescribed, *map(bool, effects))
-
-
-def structure(plan: Plan, one: ClosureSteps) -> tuple[object, ...]:
-    """Return the structure that closures must share to be computed side by side."""
-    joints, top = plan.joints, one.eliminate.link
-    place = {j: k for k, j in enumerate(one.path)}
-
-    def link(number: int) -> tuple[str, int]:
-        if number - 1 in place:
-            return "own", place[number - 1]
-        # What the ground holds is seen from it: by way of all that is inwards from the top.
-        return ("top", 0) if number == top and not one.eliminate.grounded else ("other", number)
-
-    loops = []
-    for closing in one.loops:
-        loop = one.loop(plan, closing.loop)
-        ends = link(loop.link1), link(loop.link2)
-        loops.append((loop.kind, ends, closing.rows, closing.first, bool(loop.turn2)))
-    couplings = [
-        (tuple(place[j] for j, _ in plan.couplings[c.coupling].terms), c.unknown)
-        for c in one.couplings
-    ]
-    how = one.eliminate
-    return (
-        tuple((nature(joints[j]), link(joints[j].parent), one.held.get(j)) for j in one.path),
-        tuple(loops),
-        signature_of(rod_halves_in(plan, one), one),
-        tuple(couplings),
-        (how.moved, how.rows, how.followers, how.singles, how.limit, how.recovers, how.grounded),
-    )

@@ -10,7 +10,8 @@ from dataclasses import replace
 from itertools import islice
 
 from adagen.model.kinds import KINDS
-from adagen.plan.closure_steps import ClosureSteps, nature, structure
+from adagen.plan.closure_steps import ClosureSteps, nature
+from adagen.plan.split_rods import rod_halves_in, signature_of
 from adagen.plan.steps import CloseLoop, Eliminate
 from adagen.plan.types import Plan
 
@@ -87,7 +88,7 @@ def relabelled(
         eliminate,
         frozenset(exchanged),
     )
-    return found if structure(plan, found) == structure(plan, lead) else None
+    return found if _structure(plan, found) == _structure(plan, lead) else None
 
 
 def _with_numbers(own: Eliminate, lead: Eliminate, numbers: Mapping[int, int]) -> Eliminate | None:
@@ -186,3 +187,33 @@ def _labels(plan: Plan, one: ClosureSteps) -> dict[int, object]:
         at = sorted(loop.kind for loop in ends if j + 1 in (loop.link1, loop.link2))
         found[j] = (nature(joint), follows, tuple(at), tuple(beyond))
     return found
+
+
+def _structure(plan: Plan, one: ClosureSteps) -> tuple[object, ...]:
+    """The structure that closures must share to be computed side by side."""
+    joints, top = plan.joints, one.eliminate.link
+    place = {j: k for k, j in enumerate(one.path)}
+
+    def link(number: int) -> tuple[str, int]:
+        if number - 1 in place:
+            return "own", place[number - 1]
+        # What the ground holds is seen from it: by way of all that is inwards from the top.
+        return ("top", 0) if number == top and not one.eliminate.grounded else ("other", number)
+
+    loops = []
+    for closing in one.loops:
+        loop = one.loop(plan, closing.loop)
+        ends = link(loop.link1), link(loop.link2)
+        loops.append((loop.kind, ends, closing.rows, closing.first, bool(loop.turn2)))
+    couplings = [
+        (tuple(place[j] for j, _ in plan.couplings[c.coupling].terms), c.unknown)
+        for c in one.couplings
+    ]
+    how = one.eliminate
+    return (
+        tuple((nature(joints[j]), link(joints[j].parent), one.held.get(j)) for j in one.path),
+        tuple(loops),
+        signature_of(rod_halves_in(plan, one), one),
+        tuple(couplings),
+        (how.moved, how.rows, how.followers, how.singles, how.limit, how.recovers, how.grounded),
+    )

@@ -11,14 +11,11 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from adagen.model.kinds import KINDS
+from adagen.plan.closure_steps import ClosureSteps
 from adagen.plan.steps import CloseLoop, Eliminate
 from adagen.plan.types import Plan
-
-if TYPE_CHECKING:
-    from adagen.plan.closure_steps import ClosureSteps
 
 PLACES = 3
 """Rows of a weld that are of places; as many others are of turns."""

@@ -152,11 +152,9 @@ def test_torques_of_balls_go_to_what_they_join(hinges: bool) -> None:
 
 def affected_balls(model: Model) -> Model:
     """Return a robot with damping and friction, and springs at hinges, but without rotors."""
-    effects = Passive(damping=0.3, friction=0.2, stiffness=0.7, rest=0.1)
-    joints = [
-        replace(joint, passive=effects if joint.kind == REVOLUTE else Passive(damping=0.4))
-        for joint in model.joints
-    ]
+    hinge = Passive(damping=0.3, friction=0.2, stiffness=0.7, rest=0.1)
+    effects = {REVOLUTE: hinge, SPHERICAL: Passive(damping=0.4)}
+    joints = [replace(joint, passive=effects.get(joint.kind, Passive())) for joint in model.joints]
     return replace(model, joints=tuple(joints))
 
 
