@@ -8,7 +8,7 @@ in each lane (templates/include/adagen/kernels/).
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 from adagen.emit.kernels import mobility
@@ -65,30 +65,12 @@ def values(symbols: Symbols) -> dict[str, object]:
     program = symbols.program
     slots = program.slots
     own_axes = own_axes_in_loops(plan, slots.limbs, program.batch)
-    writers = [
-        KernelLines(symbols, p, process, own.operations, slots, own_axes.always)
-        for p, (process, own) in enumerate(zip(plan.processes, program.processes, strict=True))
-    ]
-    if any(process.recovery for process in plan.processes):
-        again = zip(plan.recovering().processes, program.processes, strict=True)
-        writers += [
-            KernelLines(symbols, p, process, own.recovery, slots, own_axes.always)
-            for p, (process, own) in enumerate(again, start=len(plan.processes))
-        ]
+    writers = _writers(symbols, own_axes)
     lines = [writer.all_lines() for writer in writers]
     by_columns = any(writer.columns for writer in writers)
     along = any(writer.along for writer in writers)
     in_parts = any(writer.parted for writer in writers)
-    runtime = [*mobility.runtime(plan)] if cuts else []
-    if plan.slaved:
-        runtime += [part for part in ("spatial.hpp", "joins.hpp") if part not in runtime]
-    refined: dict[str, object] = {}
-    if symbols.refine:
-        eigen = ("spatial.hpp", "joins.hpp", "wide.hpp", "refine.hpp")
-        runtime += [part for part in eigen if part not in runtime]
-        corrections = [writer.corrections() for writer in writers]
-        count = len(plan.processes)
-        refined = refinement_values(symbols, corrections[:count], corrections[count:])
+    runtime, refined = _joined_runtime(symbols, writers)
     return {
         "runtime": runtime,
         "copied": bool(plan.slaved),
@@ -119,6 +101,38 @@ def values(symbols: Symbols) -> dict[str, object]:
         "by_columns": by_columns,
         "limbs": [_limbs(symbols, slots, limbs) for limbs in slots.numbers],
     }
+
+
+def _writers(symbols: Symbols, own_axes: OwnAxes) -> list[KernelLines]:
+    """The writers of each process, and behind them those of its recovery, if there is any."""
+    plan, program = symbols.plan, symbols.program
+    rows = [
+        (process, own.operations)
+        for process, own in zip(plan.processes, program.processes, strict=True)
+    ]
+    if any(process.recovery for process in plan.processes):
+        again = zip(plan.recovering().processes, program.processes, strict=True)
+        rows += [(process, own.recovery) for process, own in again]
+    return [
+        KernelLines(symbols, p, *row, program.slots, own_axes.always) for p, row in enumerate(rows)
+    ]
+
+
+def _joined_runtime(
+    symbols: Symbols, writers: Sequence[KernelLines]
+) -> tuple[list[str], dict[str, object]]:
+    """Headers for cuts, slaved joints and refinement, and the values of refinement."""
+    plan = symbols.plan
+    parts = mobility.runtime(plan) if mobility.has_cuts(plan) else []
+    if plan.slaved:
+        parts += ["spatial.hpp", "joins.hpp"]
+    refined: dict[str, object] = {}
+    if symbols.refine:
+        parts += ["spatial.hpp", "joins.hpp", "wide.hpp", "refine.hpp"]
+        corrections = [writer.corrections() for writer in writers]
+        count = len(plan.processes)
+        refined = refinement_values(symbols, corrections[:count], corrections[count:])
+    return list(dict.fromkeys(parts)), refined
 
 
 def _loop_settings(
