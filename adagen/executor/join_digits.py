@@ -18,11 +18,10 @@ from adagen.executor.joins import Joined
 from adagen.executor.solve import Run, SingularPoseError
 from adagen.executor.trial_sweep import Sweep
 from adagen.model import Inertia
-from adagen.model.kinds import KINDS
 from adagen.plan.clusters import is_solid
 from adagen.plan.constants import inverse_inertia
 from adagen.plan.digits import EPSILON, generic_configuration, lost_mobility
-from adagen.plan.placement import joint_transform
+from adagen.plan.placement import configuration, joint_transform
 from adagen.plan.steps import Join
 from adagen.plan.types import Plan
 
@@ -107,17 +106,8 @@ def _growth(plan: Plan, seed: int) -> Growth:
 
 def _transforms(plan: Plan, q: Array) -> list[Array]:
     """X of every joint, shape (6, 6)."""
-    return [
-        joint_transform(joint, _configuration(plan, j, q)) for j, joint in enumerate(plan.joints)
-    ]
-
-
-def _configuration(plan: Plan, j: int, q: Array) -> Array:
-    joint = plan.joints[j]
-    if joint.mimic is None:
-        return q[joint.q : joint.q + KINDS[joint.kind].nq]
-    source, multiplier, offset = joint.mimic
-    return multiplier * q[[plan.joints[source].q]] + offset
+    joints = plan.joints
+    return [joint_transform(joint, configuration(joints, joint, q)) for joint in joints]
 
 
 def _lost(plan: Plan, run: Run, p: int, joined: Joined, transforms: Sequence[Array]) -> float:

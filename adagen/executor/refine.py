@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from adagen.executor.solve import Run
 from adagen.model.kinds import KINDS
-from adagen.plan.placement import cross_motion, placement
+from adagen.plan.placement import configuration, cross_motion, placement
 from adagen.plan.refine import handed_on, refinable
 from adagen.plan.types import Plan
 
@@ -115,12 +115,8 @@ class WideLinks:
         self.velocity = np.zeros((n + 1, 6), dtype=wide)
         self.product = np.zeros((n, 6), dtype=wide)  # c
         for j, joint in enumerate(plan.joints):
-            kind = KINDS[joint.kind]
-            state = q[joint.q : joint.q + kind.nq].astype(wide)
-            if joint.mimic is not None:
-                source, multiplier, offset = joint.mimic
-                state = wide(multiplier) * q[[plan.joints[source].q]].astype(wide) + wide(offset)
-            turn, shift = placement(kind, state)
+            state = configuration(plan.joints, joint, q.astype(wide))
+            turn, shift = placement(KINDS[joint.kind], state)
             base = np.array(joint.rotation, dtype=wide)
             self.turn[j] = (base @ turn).T
             self.shift[j] = np.array(joint.translation, dtype=wide) + base @ shift

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from adagen.executor.many_states import cross, rotation, skew
 from adagen.model.kinds import KINDS
 from adagen.plan.edges import is_free_base
+from adagen.plan.placement import configuration
 from adagen.plan.robot import PlanJoint, PlanLink
 from adagen.plan.types import Plan
 
@@ -90,7 +91,7 @@ class LinkMotions:
             self.place[j + 1] = np.array(joints[j].translation, self.number) + shift @ base.T
 
     def _displaced(self, joint: PlanJoint) -> tuple[Array, Array]:
-        kind, q = KINDS[joint.kind], self._configuration(joint)
+        kind, q = KINDS[joint.kind], configuration(self.plan.joints, joint, self.q)
         turn = np.zeros((self.count, 3, 3), self.number) + np.eye(3, dtype=self.number)
         shift = np.zeros((self.count, 3), self.number)
         if kind.quaternion is not None:
@@ -104,14 +105,6 @@ class LinkMotions:
             if joint.kind == "planar":
                 shift[:, :2] = q[:, :2]
         return turn, shift
-
-    def _configuration(self, joint: PlanJoint) -> Array:
-        if joint.mimic is None:
-            return self.q[:, joint.q : joint.q + KINDS[joint.kind].nq]
-        source, multiplier, offset = joint.mimic
-        at = self.plan.joints[source].q
-        own = self.number(multiplier) * self.q[:, at : at + 1] + self.number(offset)
-        return np.asarray(own, dtype=self.number)
 
     def _orient(self) -> None:
         base = self.axes[0]

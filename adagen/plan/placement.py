@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -10,6 +13,21 @@ from adagen.model.kinds import KINDS, JointKind
 from adagen.plan.robot import PlanJoint, PlanLink
 
 Array = NDArray[np.float64]
+
+
+def configuration(joints: Sequence[PlanJoint], joint: PlanJoint, q: NDArray[Any]) -> NDArray[Any]:
+    """Return the configuration of a joint; that of a slaved joint follows from its source's.
+
+    Args:
+        joints: of the plan.
+        joint: one of them.
+        q: of one state or several, shape (..., nq), in any type of numbers.
+    """
+    if joint.mimic is None:
+        return q[..., joint.q : joint.q + KINDS[joint.kind].nq]
+    (source, multiplier, offset), number = joint.mimic, q.dtype.type
+    at = joints[source].q
+    return np.asarray(number(multiplier) * q[..., at : at + 1] + number(offset))
 
 
 def motion_transform(e: Array, r: Array) -> Array:
