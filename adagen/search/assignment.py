@@ -14,6 +14,7 @@ from math import prod
 from adagen.search.incumbent import LOOK, Incumbent
 from adagen.search.layout_bounds import Around
 from adagen.search.layouts import MeetingPlace
+from adagen.search.sweep_bound import NOTHING, SweepBound
 
 Counts = tuple[int, ...]
 """How many limbs of each class of interchangeable ones."""
@@ -210,19 +211,21 @@ class Assignment:
     def _bounded(self, counts: Counts) -> _Block:
         bounds, together = self.found.bounds, self.found.bounds.by_process
         limbs = [k for own, n in zip(self.classes, counts, strict=True) for k in own[:n]]
-        work = together.least(self.limb_bounds[k] for k in limbs).both
+        every = together.least(self.limb_bounds[k] for k in limbs)
         most = max(self.long[k].both for k in limbs)
         cores, messages = self._beside(limbs, 1)
-        total = (max(most, work) + cores) / bounds.fastest
+        total = (max(most, every.both) + cores) / bounds.fastest
         total += 0.0 if self.around is not None else messages
         before: list[float] = []
         after: list[float] = []
         for core, around in self.cores:
             own = [k for k in limbs if self.place.limbs[k].tree == core.tree]
             if own:
-                known = together.least(
-                    (self.limb_bounds[k] for k in own), (self.limb_bounds[k] for k in limbs)
-                )
+                known = every
+                if len(own) < len(limbs):
+                    known = together.least(
+                        (self.limb_bounds[k] for k in own), (self.limb_bounds[k] for k in limbs)
+                    )
                 way = 0.0 if any(self.place.limbs[k].up for k in own) else around.way
                 inwards = max(known.inwards, *(self.long[k].inwards for k in own))
                 before.append((inwards + way + around.before) / bounds.fastest)
@@ -316,20 +319,32 @@ class Assignment:
         if key not in self._left:
             self._looks += 1
             limbs = [k for own, n in zip(self.classes, remaining, strict=True) for k in own[:n]]
-            work = 0.0
+            work, every = 0.0, NOTHING
             if limbs:
                 bounds = self.found.bounds
                 cores, messages = self._beside(limbs, processes)
-                whole = bounds.by_process.least(self.limb_bounds[k] for k in limbs).both
-                work = (whole / processes + cores) / bounds.fastest + messages
-            before = [self._slowest(core.tree, by, limbs, processes) for core, by in self.cores]
+                every = bounds.by_process.least(self.limb_bounds[k] for k in limbs)
+                work = (every.both / processes + cores) / bounds.fastest + messages
+            before = [
+                self._slowest(core.tree, around, limbs, every, processes)
+                for core, around in self.cores
+            ]
             self._left[key] = _Rest(work, tuple(before))
         return self._left[key]
 
-    def _slowest(self, tree: int, around: Around, limbs: Sequence[int], processes: int) -> float:
+    def _slowest(
+        self, tree: int, around: Around, limbs: Sequence[int], every: SweepBound, processes: int
+    ) -> float:
         """What the slowest process of a tree takes before the exchange that has some of the limbs.
 
         None is 0.
+
+        Args:
+            tree: which.
+            around: what its core takes.
+            limbs: numbers of those that are left, of all trees.
+            every: the least that they take.
+            processes: that share them.
         """
         bounds = self.found.bounds
         own = [k for k in limbs if self.place.limbs[k].tree == tree]
@@ -340,10 +355,11 @@ class Assignment:
             way = 0.0 if self.place.limbs[k].up else around.way
             least = max(least, self.long[k].inwards + way)
         up = any(self.place.limbs[k].up for k in own)
-        work = bounds.by_process.least(
-            (self.limb_bounds[k] for k in own), (self.limb_bounds[k] for k in limbs)
-        ).inwards
-        least = max(least, (work + around.way * (processes - up)) / processes)
+        if len(own) < len(limbs):
+            every = bounds.by_process.least(
+                (self.limb_bounds[k] for k in own), (self.limb_bounds[k] for k in limbs)
+            )
+        least = max(least, (every.inwards + around.way * (processes - up)) / processes)
         return (least + around.before) / bounds.fastest
 
     def _shares(self, blocks: Sequence[_Block]) -> list[tuple[int, ...]]:

@@ -36,6 +36,15 @@ class Levels:
     filling: int
 
 
+def together(limbs: Sequence[Levels]) -> Levels:
+    """Return the levels of some limbs, one at least, that one process has."""
+    depth = max(limb.depth for limb in limbs)
+    within = limbs[0].within[:depth]
+    for limb in limbs[1:]:
+        within = within + limb.within[:depth]
+    return Levels(within, depth, sum(limb.filling for limb in limbs))
+
+
 class FirstRows:
     """What the first rows of a process take besides the shares of full rows, for one kind of joint.
 
@@ -74,19 +83,18 @@ class FirstRows:
                 found.add((row, first, filling))
         return found
 
-    def least(self, limbs: Sequence[Levels], others: int) -> float:
+    def least(self, levels: Levels, others: int) -> float:
         """Return the least that the first rows of one process take besides.
 
         Args:
-            limbs: those whose first rows are asked for; the process has them.
+            levels: of its limbs whose first rows are asked for, together.
             others: joints of other limbs that may be in these rows.
         """
-        depth = max((limb.depth for limb in limbs), default=0)
-        if not depth:
+        if not levels.depth:
             return 0.0
-        within = np.sum([limb.within[:depth] for limb in limbs], axis=0)
-        filling = others + sum(limb.filling for limb in limbs)
-        return float(self.of(np.arange(1, depth + 1), within, filling).max())
+        rows = np.arange(1, levels.depth + 1)
+        within = levels.within[: levels.depth]
+        return float(self.of(rows, within, others + levels.filling).max())
 
     def of(
         self, rows: NDArray[np.int64], own: NDArray[np.int64], filling: int
@@ -98,6 +106,6 @@ class FirstRows:
             own: how many joints of the first levels there are for each.
             filling: how many that fill.
         """
-        found = np.outer(self._row, rows) - np.outer(self._own, own)
+        found = self._row[:, None] * rows - self._own[:, None] * own
         least: NDArray[np.float64] = (found - filling * self._filling[:, None]).max(axis=0)
         return least

@@ -346,7 +346,8 @@ class Families:
             cuttable,
             self._whole_limbs,
         )
-        lower, spent, made = bound.lower(self.least, self.expansions, tie)
+        enough = min([self.least, *self.bounds])
+        lower, spent, made = bound.lower(self.least, enough, self.expansions, tie)
         self.expanded += spent
         self.bounds.append(lower)
         if lower < self.least:

@@ -48,6 +48,9 @@ LONG = 128
 _PLAYED, _FEWEST = 2, 16
 """Joints that are priced as they are played for each expansion, and chains at least."""
 
+_FURTHER, _SHARE = 16, 4
+"""What part of the expansions goes beyond a bound that proves enough, and into schedules alone."""
+
 
 def least_profile(
     profile: CostProfile, rows: Mapping[str, int], *, folded: bool = False
@@ -319,11 +322,15 @@ class JoinedBound:
             tuple(ticks(self.joint_bounds.in_row, count) for count in counts),
         )
 
-    def lower(self, known: float, expansions: int, tie: Tie) -> tuple[float, int, Schedule | None]:
+    def lower(
+        self, known: float, enough: float, expansions: int, tie: Tie
+    ) -> tuple[float, int, Schedule | None]:
         """Return a time that no joined schedule beats, or ``known`` where none beats that.
 
         Args:
             known: a time of interest, microseconds.
+            enough: a greater bound is of no use, as other families may be as fast, microseconds;
+                beyond it, few states are expanded in search of a schedule.
             expansions: states that may be expanded.
             tie: the preference among equals, for the schedule.
 
@@ -333,7 +340,9 @@ class JoinedBound:
         search = self._search(expansions)
         if self.seen.trivial and len(self.seen.topology) <= LONG:
             search.lower = Hubs(self.costs, self._rows, max(self.speeds)).least(self.processes)
-        search.tighten(math.ceil(known * TICKS))
+        if search.tighten(math.ceil(enough * TICKS)) and search.best is None:
+            search.budget.left = min(search.budget.left, expansions // _FURTHER)
+            search.tighten(math.ceil(known * TICKS))
         made = None
         if search.best is not None:
             made = self._schedule(Found(draft_of(search.best, self.costs.chains), 0, 0), tie)
@@ -349,6 +358,7 @@ class JoinedBound:
             expansions: states that may be expanded.
             working: processes that may have work, the first ones; the others stay idle.
         """
+        expansions //= _SHARE  # no bound is asked for
         found = find_segments(self.costs, working, self._allowed, expansions, None)
         ranges = found.draft.ranges
         ranges[:] = [(a, self.processes if b == working else b) for a, b in ranges]

@@ -12,12 +12,12 @@ from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from math import inf
-from typing import Literal, get_args
+from typing import Literal
 
 import numpy as np
 
 from adagen.plan.robot import PlanJoint
-from adagen.search.base_row_bound import FirstRows, Levels
+from adagen.search.base_row_bound import FirstRows, Levels, together
 from adagen.search.joint_bounds import JointBounds
 from adagen.search.limbs import Limb
 from adagen.search.sweep_bound import NOTHING, SweepBound
@@ -122,27 +122,29 @@ class ProcessBounds:
                 widths[kind] += alike.width
                 counts[kind] += alike.count
         of_kind: defaultdict[str, list[_Alike]] = defaultdict(list)
-        total = NOTHING
+        inwards = outwards = both = 0.0
         for limb in own:
-            total = total.plus(limb.fixed)
+            inwards += limb.fixed.inwards
+            outwards += limb.fixed.outwards
+            both += limb.fixed.both
             for kind, alike in limb.kinds.items():
                 of_kind[kind].append(alike)
         for kind, found in of_kind.items():
-            shared = full = NOTHING
-            for alike in found:
-                shared = shared.plus(alike.shares[min(widths[kind] - alike.width, _MOST - 1)])
-                full = full.plus(alike.full)
+            shares = [alike.shares[min(widths[kind] - alike.width, _MOST - 1)] for alike in found]
             others = counts[kind] - sum(alike.count for alike in found)
-            levels = [alike.levels for alike in found]
-            inwards, both = (
-                max(
-                    getattr(shared, part),
-                    getattr(full, part) + self._first_rows(kind, part).least(levels, others),
-                )
-                for part in get_args(Part)
+            levels = together([alike.levels for alike in found])
+            inwards += max(
+                sum(share.inwards for share in shares),
+                sum(alike.full.inwards for alike in found)
+                + self._first_rows(kind, "inwards").least(levels, others),
             )
-            total = total.plus(SweepBound(inwards, shared.outwards, both))
-        return total
+            outwards += sum(share.outwards for share in shares)
+            both += max(
+                sum(share.both for share in shares),
+                sum(alike.full.both for alike in found)
+                + self._first_rows(kind, "both").least(levels, others),
+            )
+        return SweepBound(inwards, outwards, both)
 
     def busiest(
         self,

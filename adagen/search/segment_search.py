@@ -141,14 +141,19 @@ class SegmentSearch:
         """Return the best bound on the total known without a search."""
         if state.processes == 1:
             return self._alone(state).time.total
-        key = (state.chain, state.processes)
-        least = self._least.get(key)
-        if least is None:
-            least = self._least[key] = self.bounds.least(*key)
+        least = self._by_area(state.chain, state.processes)
         done, front = self._fronts.get(state, (0, []))
         if front:
             return max(least, min(done, min(label.time.total for label in front)))
         return max(least, done)
+
+    def _by_area(self, chain: Chain, processes: int) -> int:
+        """Return the bound on a chain's total by its area."""
+        key = (chain, processes)
+        least = self._least.get(key)
+        if least is None:
+            least = self._least[key] = self.bounds.least(chain, processes)
+        return least
 
     def _searched(self, state: State, limit: int, only_best: bool) -> list[Label]:
         chain, count = state.chain, state.processes
@@ -235,13 +240,18 @@ class SegmentSearch:
         if transit is not None:
             up, down = up + transit.handling.assembly, down + transit.handling.disassembly
             away = transit.away
+        left = [limit - up - down, limit if away is None else limit - up - down - sum(away)]
         next_one = 0 if self._alike else state.first + counts[0]
         remote = State(there, next_one, counts[1])
+        low_remote = self._lower(remote)
+        if low_remote >= left[1] or (
+            counts[0] > 1 and self._by_area(here, counts[0]) >= left[0]
+        ):  # most ways end here, before it is known what is joined
+            return []
         local = self._local(state, position, here, there, counts[0], root_here)
-        left = [limit - up - down, limit if away is None else limit - up - down - sum(away)]
         states = [local, remote]
-        low = [self._lower(local), self._lower(remote)]
-        if low[0] >= left[0] or low[1] >= left[1]:
+        low = [self._lower(local), low_remote]
+        if low[0] >= left[0]:
             return []
         fronts: list[list[Label]] = [[], []]
         for k in (0, 1) if low[0] >= low[1] else (1, 0):

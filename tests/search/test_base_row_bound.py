@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from adagen.search.base_row_bound import FirstRows, Levels
+from adagen.search.base_row_bound import FirstRows, Levels, together
 
 prices = st.lists(st.integers(0, 12), min_size=1, max_size=4).map(
     lambda own: [sum(own[k:]) / 8 for k in range(1, len(own))] + [0.0]
@@ -60,7 +60,7 @@ def fastest(limbs: list[tuple[int, ...]], fillings: int, above: list[float]) -> 
 def test_no_order_takes_less(
     limbs: list[tuple[int, ...]], fillings: int, above: list[float]
 ) -> None:
-    found = FirstRows(above).least([levels(limb) for limb in limbs], fillings)
+    found = FirstRows(above).least(together([levels(limb) for limb in limbs]), fillings)
     assert 0.0 <= found <= fastest(limbs, fillings, above) + 1e-9
 
 
@@ -68,10 +68,10 @@ def test_a_chain_has_a_row_for_each_joint() -> None:
     """Four fingers of two joints on an arm of three: the arm's rows hold one joint each."""
     above = [3.0, 1.0, 0.5, 0.0]
     hand = levels((-1, 0, 1, 2, 3, 2, 5, 2, 7, 2, 9))
-    assert FirstRows(above).least([hand], 0) == pytest.approx(9.0)
-    assert FirstRows(above).least([hand], 3) == pytest.approx(9.0 - 3 * 2.0)
-    assert FirstRows(above).least([hand], 9) == pytest.approx(0.0)
-    assert FirstRows(above).least([hand, hand], 0) == pytest.approx(6.0)
+    assert FirstRows(above).least(hand, 0) == pytest.approx(9.0)
+    assert FirstRows(above).least(hand, 3) == pytest.approx(9.0 - 3 * 2.0)
+    assert FirstRows(above).least(hand, 9) == pytest.approx(0.0)
+    assert FirstRows(above).least(together([hand, hand]), 0) == pytest.approx(6.0)
     assert fastest([(-1, 0, 1, 2, 2, 2, 2)], 0, above) == pytest.approx(9.0)
 
 
