@@ -53,6 +53,7 @@ def settings(values: Mapping[str, object], messages: int) -> list[str]:
                 ("bool", "kCertified", values["certified"], False),
                 ("int", "kPlanMessages", messages, 0),
                 ("Hops", "kHops", values["hops"], ""),
+                ("bool", "kMeetsSubnormals", values["meets_subnormals"], False),
                 ("double", "kTolerance", values["tolerance"], 1e-9),
             ]
         ),

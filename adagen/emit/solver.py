@@ -22,6 +22,7 @@ from adagen.emit.solver_program import PROGRAM_FILE, options_of
 from adagen.emit.symbols import Symbols
 from adagen.emit.templates import render
 from adagen.plan import Plan
+from adagen.plan.digits import meets_subnormals
 from adagen.program import Program
 from adagen.program.summary import TREES, meeting
 from adagen.schedule import CostProfile, load_profile, step_costs
@@ -142,6 +143,7 @@ class Solver:
             ),
             "messages": plan.messages,
             "channel_messages": [] if alone else _channel_messages(self.symbols),
+            "meets_subnormals": meets_subnormals(plan),
             "hops": _hops(step_costs(self.costs)) if count > 1 else "",
             "program_file": PROGRAM_FILE,
             "program_options": options_of(self.mpi, plan.scalar),

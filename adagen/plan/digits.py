@@ -23,6 +23,9 @@ GIMBAL_LOCK = {"double": 1e-7, "float": 2.0**-19}
 NEAR_GIMBAL_LOCK = 1e-3
 """Nearer than this they lose three digits and more, of which a warning is given."""
 
+TINY = 2.0**-32
+"""Products of four constants below it are subnormal in float."""
+
 LEAST_PIVOT = {"double": 1e-5, "float": 1e-2}
 """Least pivot of Phi for inverting a mobility to an inertia, angular and linear pivots each
 relative to the largest entry of their diagonal."""
@@ -41,6 +44,22 @@ def least_mobility(plan: Plan, join: Join) -> list[float]:
         trace = sum(parent.tensor[k][k] for k in range(3))
         least = [x + 1.0 / (trace if k < 3 else parent.mass) for k, x in enumerate(least)]
     return [KEPT * EPSILON[plan.scalar] * x for x in least] if any(least) else []
+
+
+def meets_subnormals(plan: Plan) -> bool:
+    """Return whether a plan's constants make products that are subnormal in its scalar.
+
+    In double none is. In float those of frames turned by pi / 2 in doubles are, whose zeros are
+    1e-17.
+    """
+    if plan.scalar != "float":
+        return False
+    joints, links = plan.joints, plan.links
+    rows = (
+        *(row for joint in joints for row in (*joint.rotation, joint.translation)),
+        *(row for link in links for row in (*link.tensor, link.com)),
+    )
+    return any(0 < abs(x) < TINY for row in rows for x in row)
 
 
 def lost_mobility(bare: NDArray[Any], assembled: NDArray[Any]) -> float:

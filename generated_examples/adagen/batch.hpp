@@ -21,6 +21,7 @@
 #include "sample/workspace.hpp"
 #include "sizes.hpp"
 #include "status.hpp"
+#include "tiny_numbers.hpp"
 #include "value.hpp"
 
 namespace {
@@ -224,6 +225,7 @@ class Solver {
       group.w.tau = group.tau.data(), group.w.qdd = group.qdd.data();
       group.w.status = kFine;
     }
+    [[maybe_unused]] const TinyAreZero tiny;
     for (const auto part : kParts)
       for (int g = 0; g < groups; ++g) part(groups_[size(g)].w);
     return groups_.front().w.status;

@@ -10,6 +10,7 @@
 #include "sizes.hpp"
 #include "stamp.hpp"
 #include "status.hpp"
+#include "tiny_numbers.hpp"
 
 namespace {
 
@@ -35,6 +36,7 @@ class InPlace {
  protected:
   // A pose that a try cannot stand is known to all processes: they try the next way together.
   void run() {
+    [[maybe_unused]] const TinyAreZero tiny;
     const std::size_t rank = kAlone ? 0 : static_cast<std::size_t>(channel.rank());
     stamp(0);
     kRun[rank](w, channel);
