@@ -6,14 +6,14 @@ from collections.abc import Callable, Collection, Iterator
 from typing import Any
 
 from adagen.mjcf.compiled import BALL, FREE, Compiled
-from adagen.model import Passive
+from adagen.model import FLOATING, SPHERICAL, Passive
 from adagen.urdf.notes import Notes
-from adagen.urdf.passive import tell_dropped
+from adagen.urdf.passive import SEVERAL, tell_dropped
 
 Decided = Callable[[str, str], bool]
 
-_HELD = {BALL: ("damping", "rotor inertia")}
-"""What a Model holds of joints with several degrees of freedom; of a free joint, nothing."""
+_SEVERAL = {BALL: SPHERICAL, FREE: FLOATING}
+"""Joints of several degrees of freedom."""
 
 
 def passives(
@@ -30,17 +30,21 @@ def passives(
     """
     result: dict[int, Passive] = {}
     dropped: dict[str, dict[str, int | None]] = {}
+    unfit: dict[str, dict[str, int | None]] = {}
     for j, name in enumerate(robot.joints):
-        kind, held = int(robot.model.jnt_type[j]), {}
+        kind, held = _SEVERAL.get(int(robot.model.jnt_type[j])), {}
         for effect, value in _effects(robot, j):
-            fits = kind not in (BALL, FREE) or effect in _HELD.get(kind, ())
-            if fits and (effect in wanted or effect == "rotor inertia"):
-                held[effect.replace(" ", "_")] = value
-            elif not fits or not decided(effect, name):
+            field = effect.replace(" ", "_")
+            if kind is not None and not kind.takes(field):
+                unfit.setdefault(effect, {})[name] = robot.lines.joints.get(name)
+            elif effect in wanted or effect == "rotor inertia":
+                held[field] = value
+            elif not decided(effect, name):
                 dropped.setdefault(effect, {})[name] = robot.lines.joints.get(name)
         if held:
             result[j] = Passive(**held)
     tell_dropped(dropped, notes)
+    tell_dropped(unfit, notes, why=SEVERAL)
     return result
 
 

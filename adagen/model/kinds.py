@@ -10,6 +10,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+_ABOUT_ANY_AXIS = ("damping", "rotor_inertia")
+
 
 @dataclass(frozen=True)
 class JointKind:
@@ -29,6 +31,16 @@ class JointKind:
     nv: int
     free: tuple[int, ...]
     has_axis: bool
+
+    def takes(self, effect: str) -> bool:
+        """Return whether a passive effect has one meaning for all degrees of freedom.
+
+        Args:
+            effect: a field of ``Passive``. A spherical joint is damped, and has a rotor, about any
+                axis alike; friction and springs are for one degree of freedom, and nothing is for
+                freedoms that are partly angles, partly lengths.
+        """
+        return self.nv == 1 or (self.name == "spherical" and effect in _ABOUT_ANY_AXIS)
 
     @property
     def constrained(self) -> tuple[int, ...]:

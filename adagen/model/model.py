@@ -125,7 +125,7 @@ class Joint:
             normal of a planar one, (0, 0, 1) otherwise. At q = 0 the child link's frame is the
             joint frame.
         mimic: set where the joint is slaved to another one.
-        passive: damping, friction, spring and rotor inertia; planar and floating joints have none.
+        passive: damping, friction, spring and rotor inertia, as far as its kind takes them.
         prescribed: whether its acceleration is known in advance: an input in place of its torque.
     """
 
@@ -140,8 +140,9 @@ class Joint:
     prescribed: bool = False
 
     def __post_init__(self) -> None:
-        if self.kind.name in ("planar", "floating") and self.passive != Passive():
-            raise ValueError(f'{self.kind.name} joint "{self.name}" has passive torques')
+        for effect in ("damping", "friction", "stiffness", "rotor_inertia"):
+            if getattr(self.passive, effect) and not self.kind.takes(effect):
+                raise ValueError(f'{self.kind.name} joint "{self.name}" has {effect}')
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,7 +9,6 @@ from adagen.jsonfile import nearest
 from adagen.model import BASE, REACTION_FORCE, Frame, Joint, Model, places
 from adagen.scene.types import OUTPUTS, Scene
 
-_TURNING = ("damping", "rotor_inertia")
 """Effects that have a meaning for a spherical joint: the same about every axis."""
 
 
@@ -73,7 +72,7 @@ class Names:
             InputError: it is of several degrees of freedom.
         """
         for key in effects:
-            if joint.kind.nv == 1 or (joint.kind.name == "spherical" and key in _TURNING):
+            if joint.kind.takes(key):
                 continue
             raise self.scene.error(
                 f"joint '{joint.name}' is {joint.kind.name}: {key} has no single meaning for it",

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 
-from adagen.model import Model, Passive
+from adagen.model import Model
+from adagen.urdf.bodies import KIND_OF
 from adagen.urdf.elements import Element, check_attributes, scalar
 from adagen.urdf.notes import Notes, line_of, quoted
 from adagen.urdf.numbers import number
@@ -19,6 +20,9 @@ _WAYS = {
     "stiffness": "stiffness in [joints.NAME]",
 }
 """What a scene says to model an effect."""
+
+SEVERAL = "no single meaning for a joint of several degrees of freedom"
+"""Why a joint's passive effects are not modelled whatever a scene says."""
 
 SHOWN = 3  # joints that a warning names
 
@@ -65,22 +69,30 @@ def warn_dropped(root: Element, decided: Callable[[str, str], bool], notes: Note
         notes: takes the warnings.
     """
     found: dict[str, dict[str, int | None]] = {}
+    unfit: dict[str, dict[str, int | None]] = {}
     for joint in root.iterchildren("joint"):
         name = joint.get("name", "")
         for element in joint.iterchildren("dynamics") if joint.get("type") != "fixed" else ():
+            kind = KIND_OF[joint.get("type", "")]
             for key in map(str, element.attrib):
-                if not is_zero(element.get(key, "")) and not decided(key, name):
-                    found.setdefault(key, {}).setdefault(name, line_of(element))
+                fits = key not in EFFECTS or kind.takes(key)
+                if not is_zero(element.get(key, "")) and not (fits and decided(key, name)):
+                    where = found if fits else unfit
+                    where.setdefault(key, {}).setdefault(name, line_of(element))
     tell_dropped(found, notes)
+    tell_dropped(unfit, notes, why=SEVERAL)
 
 
-def tell_dropped(found: Mapping[str, Mapping[str, int | None]], notes: Notes) -> None:
+def tell_dropped(
+    found: Mapping[str, Mapping[str, int | None]], notes: Notes, why: str | None = None
+) -> None:
     """Warn about passive forces of joints that the model does not contain.
 
     Args:
         found: for each effect, a member of ``EFFECTS`` or another, the joints that have it, with
             their lines.
         notes: takes the warnings, one for all effects of the same joints.
+        why: why no scene can model them; by default, what a scene says that does.
     """
     alike: dict[tuple[tuple[str, ...], bool], list[str]] = {}
     for key, joints in found.items():
@@ -89,7 +101,9 @@ def tell_dropped(found: Mapping[str, Mapping[str, int | None]], notes: Notes) ->
         those = f"joint {quoted(names)}" if len(names) == 1 else f"{len(names)} joints"
         how = f" ({quoted(names, SHOWN)})" if len(names) > 1 else ""
         are, them = ("is", "it") if len(keys) == 1 else ("are", "them")
-        if known:
+        if why is not None:
+            how += f": {why}"
+        elif known:
             entries = " and ".join(_WAYS[key] for key in keys)
             how += f": a scene with {entries} models {them}"
         line = found[keys[0]][names[0]]
@@ -106,11 +120,10 @@ def is_zero(text: str) -> bool:
 
 
 def with_effects(model: Model, effects: Effects) -> Model:
-    """Return the model with the effects of its joints of one degree of freedom."""
-    joints = tuple(
-        replace(joint, passive=replace(Passive(), **effects[joint.name]))
-        if joint.kind.nv == 1 and joint.name in effects
-        else joint
-        for joint in model.joints
-    )
-    return replace(model, joints=joints)
+    """Return the model with those effects that joints of their kinds take."""
+    joints = []
+    for joint in model.joints:
+        own = effects.get(joint.name, {})
+        own = {effect: value for effect, value in own.items() if joint.kind.takes(effect)}
+        joints.append(replace(joint, passive=replace(joint.passive, **own)))
+    return replace(model, joints=tuple(joints))

@@ -60,6 +60,28 @@ def test_many_joints_take_one_line_for_each_effect(tmp_path: Path) -> None:
     ]
 
 
+@pytest.mark.parametrize("kind", ["planar", "floating"])
+def test_joints_of_several_freedoms_say_that_nothing_models_it(kind: str, tmp_path: Path) -> None:
+    """Whatever a scene asks for: their damping was left out silently."""
+    text = robot(link("a"), link("b", BODY), joint("j1", "a", "b", kind, DYNAMICS))
+    for effects in ([], ["damping"], ["damping", "friction"]):
+        found = read(tmp_path, text, effects=effects, decided=lambda _effect, _joint: True)
+        assert found.model.joints[0].passive == Passive()
+        (line,) = found.warnings
+        assert line.endswith(
+            'damping and friction of joint "j1" are not modelled: no single meaning for a joint of '
+            "several degrees of freedom"
+        )
+
+
+def test_spherical_joints_are_damped_alike_about_all_axes(tmp_path: Path) -> None:
+    text = robot(link("a"), link("b", BODY), joint("j1", "a", "b", "spherical", DYNAMICS))
+    found = read(tmp_path, text, effects=["damping", "friction"])
+    assert found.model.joints[0].passive == Passive(damping=0.5)
+    (line,) = found.warnings
+    assert 'friction of joint "j1" is not modelled: no single meaning' in line
+
+
 @pytest.mark.parametrize(
     ("said", "effects"),
     [
