@@ -9,8 +9,6 @@ from adagen.jsonfile import nearest
 from adagen.model import BASE, REACTION_FORCE, Frame, Joint, Model, places
 from adagen.scene.types import OUTPUTS, Scene
 
-"""Effects that have a meaning for a spherical joint: the same about every axis."""
-
 
 class Names:
     """The names of one robot, as one scene uses them; refusals tell the scene's line.
