@@ -26,9 +26,14 @@ from adagen.states import hardened
 Array = NDArray[Any]
 States = tuple[Array, Array, Array]
 STATES = {"few joints": COUNT, "many joints": 4}
-HARDEST, TIMES = 8, 8
+HARDEST, TIMES = 8, {"few joints": 32, "many joints": 8}
 """How many of the states that lose most are tried again, and how often: what is lost there differs
 from one rounding to the next by more than a decade."""
+ONE_IN = 24
+"""What is predicted of a state is what one in so many of its roundings reaches: a little above
+the largest of eight, which by itself may be a quarter of what a solver's one rounding loses."""
+HARD_TIMES = 8
+"""How often hard states are tried again."""
 MANY = 200
 """Joints beyond which fewer states are tried: what many joints lose varies less."""
 HARD, HARD_JOINTS = 1600, 11200
@@ -68,11 +73,20 @@ def tried(plan: Plan, own_axes: OwnAxes | None) -> Trial:
         own_axes: joints that are computed in their own axes, always or where digits are lost, all
             others in base axes; None: every body is in its link's axes.
     """
-    states = _states(plan)
+    states, times = _states(plan), TIMES[_how_many(plan)]
     shares, errors, _ = _lost(plan, own_axes, states)
-    hardest = np.argsort(errors)[-HARDEST:]
-    again, repeated, _ = _lost(plan, own_axes, _rounded_anew(states, hardest))
-    return _worst(np.vstack([shares, again]), np.hstack([errors, repeated]))
+    count, hardest = len(errors), np.argsort(errors)[-HARDEST:]
+    again, repeated, _ = _lost(plan, own_axes, _rounded_anew(states, hardest, times))
+    shares, errors = np.vstack([shares, again]), np.hstack([errors, repeated])
+    anew = count + np.arange(len(repeated)).reshape(len(hardest), times)
+    roundings = np.hstack([hardest[:, None], anew])
+    candidates = np.hstack(
+        [
+            np.setdiff1d(np.arange(count), hardest),
+            [_reached(errors, one) for one in roundings],
+        ]
+    )
+    return _found(shares, errors, int(candidates[np.argmax(errors[candidates])]))
 
 
 @lru_cache(maxsize=4)  # first for a warning, then for the digits
@@ -96,17 +110,24 @@ def tried_hard(plan: Plan, own_axes: OwnAxes | None) -> Trial:
     errors = np.where(refused, 0, errors)
     most = max(1, min(HARDEST, count // HARDEST))
     hardest = np.argsort(errors)[-most:]
-    repeated = np.repeat(hardest, TIMES)
+    repeated = np.repeat(hardest, HARD_TIMES)
     beside = _beside(q[repeated], hinges).astype(own).astype(np.float64)
     again, more, too = _lost(plan, own_axes, (beside, v[repeated], tau[repeated]))
     weights = np.ones(count)
-    weights[hardest] = 1 / (1 + TIMES)
-    weights = np.hstack([weights, np.full(len(repeated), 1 / (1 + TIMES))])
+    weights[hardest] = 1 / (1 + HARD_TIMES)
+    weights = np.hstack([weights, np.full(len(repeated), 1 / (1 + HARD_TIMES))])
     errors = np.hstack([errors, np.where(too, 0, more)])
     place = _place(errors, weights, OFTEN * count / AS_MANY)
     found = _found(np.vstack([shares, again]), errors, place)
     beyond = BEYOND_LINES if own_axes is None else BEYOND_LOOPS
     return replace(found, error=found.error * beyond)
+
+
+def _reached(errors: Array, roundings: Array) -> int:
+    """Return which of some roundings loses what one in ``ONE_IN`` of them does; one that fails."""
+    order = roundings[np.argsort(errors[roundings])[::-1]]
+    fails = not np.isfinite(errors[order[0]])
+    return int(order[0 if fails else len(order) // ONE_IN])
 
 
 def _place(errors: Array, weights: Array, often: float) -> int:
@@ -181,10 +202,10 @@ def _lost(
         return *_off(plan, states, found.astype(more), truth), refused
 
 
-def _rounded_anew(states: States, which: Array) -> States:
+def _rounded_anew(states: States, which: Array, times: int) -> States:
     """States with tiny changes of angles that change only the rounding, several for each."""
     rng = np.random.default_rng(3)
-    q, v, tau = (np.repeat(x[which], TIMES, axis=0) for x in states)
+    q, v, tau = (np.repeat(x[which], times, axis=0) for x in states)
     return q * (1 + rng.uniform(-1e-8, 1e-8, q.shape)), v, tau
 
 
@@ -225,4 +246,9 @@ def accelerations(plan: Plan, q: Array, v: Array, tau: Array) -> Array:
 
 def _states(plan: Plan) -> States:
     """States that the emitted program draws, one in each row; fewer for many joints."""
-    return program_states(plan, STATES["many joints" if len(plan.joints) > MANY else "few joints"])
+    return program_states(plan, STATES[_how_many(plan)])
+
+
+def _how_many(plan: Plan) -> str:
+    """Return the key of numbers that depend on how many joints there are."""
+    return "many joints" if len(plan.joints) > MANY else "few joints"
