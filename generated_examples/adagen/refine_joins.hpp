@@ -39,7 +39,9 @@ void resolve(Joined<Kind>& i, const Vec6& beta) {
 template <class Kind>
 void rejoin(Joined<Kind>& i, const Columns6& b_A, const Columns6& b_B) {
   for (int k = 0; k < kFree<Kind>; ++k) i.tau[k][0] = 0;
-  resolve(i, b_A.col(0) - b_B.col(0));
+  Vec6 beta;
+  ADAGEN_FOR (k, 0, 6) beta[k] = b_A(k, 0) - b_B(k, 0);
+  resolve(i, beta);
 }
 
 }  // namespace

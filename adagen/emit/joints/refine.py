@@ -91,7 +91,7 @@ def _correction(symbols: Symbols, process: Process, step: Step) -> list[str]:
             return [f"{symbols.link_memory(step.link)}.pA = first_column({rho});"]
         case InvertRoot():
             product = f"{symbols.block(step.block)} * {symbols.link_memory(step.link)}.pA"
-            return [f"{symbols.bias(step.bias)}.noalias() = -{product};"]
+            return [f"{symbols.bias(step.bias)} = -({product});"]
         case _:
             return step_lines(symbols, process, step)
 

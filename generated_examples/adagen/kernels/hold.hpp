@@ -4,8 +4,8 @@
 #define ADAGEN_SAMPLE_CUTS  // read alone, it is of a solver whose processes meet, and that refines
 #endif
 
+#include <algorithm>
 #include <cstddef>
-#include <cstring>
 
 #include "../common.hpp"
 #include "../constants.hpp"
@@ -33,8 +33,8 @@ namespace {
 template <int link>
 void hold(Workspace& w, const Mat6& Phi, const Columns6& b) {
   constexpr Real kLeastPivot = sizeof(Real) == 8 ? Real(1e-5) : Real(1e-2);
-  const Real most[2] = {Phi.diagonal().template head<3>().maxCoeff(),
-                        Phi.diagonal().template tail<3>().maxCoeff()};
+  const Real most[2] = {std::max({Phi(0, 0), Phi(1, 1), Phi(2, 2)}),
+                        std::max({Phi(3, 3), Phi(4, 4), Phi(5, 5)})};
   Real least[6];
   ADAGEN_FOR (k, 0, 6) least[k] = kLeastPivot * most[k / 3];
   Mat6 I;
@@ -43,8 +43,8 @@ void hold(Workspace& w, const Mat6& Phi, const Columns6& b) {
   X.A = {I(0, 0), I(1, 0), I(2, 0), I(1, 1), I(2, 1), I(2, 2)};
   X.B = {{I(3, 0), I(4, 0), I(5, 0)}, {I(3, 1), I(4, 1), I(5, 1)}, {I(3, 2), I(4, 2), I(5, 2)}};
   X.C = {I(3, 3), I(4, 3), I(5, 3), I(4, 4), I(5, 4), I(5, 5)};
-  const Columns6 p = -(inertia_of(X) * b);
-  X.n = {p[0], p[1], p[2]}, X.f = {p[3], p[4], p[5]};
+  const Columns6 f = inertia_of(X) * b;
+  X.n = {-f[0], -f[1], -f[2]}, X.f = {-f[3], -f[4], -f[5]};
 }
 
 }  // namespace

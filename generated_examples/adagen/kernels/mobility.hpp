@@ -4,11 +4,12 @@
 #define ADAGEN_SAMPLE_CUTS  // read alone, it is of a solver whose processes meet, and that refines
 #endif
 
-#include <Eigen/LU>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "../common.hpp"
 #include "../constants.hpp"
@@ -38,16 +39,29 @@ const Columns6 kGround = Columns6::Zero();
 // Mobility: what a segment shows at its handles, and what forces there do inside it. Phi and b are
 // about the handles' origins, in the axes that their bodies are expressed in (turned.hpp), and so
 // are forces at handles; b are accelerations beyond those of a Frame.
-inline Mat3 mat3_of(const Matrix<Value>& R) {
-  Mat3 result;
-  result << R.x.x, R.x.y, R.x.z, R.y.x, R.y.y, R.y.z, R.z.x, R.z.y, R.z.z;
+template <class M>
+ADAGEN_INLINE M block_of(const Real (&numbers)[M::SizeAtCompileTime]) {  // column by column
+  M result;
+  std::memcpy(result.data(), numbers, sizeof numbers);
   return result;
+}
+[[maybe_unused]] inline Mat3 mat3_of(const Matrix<Value>& R) {
+  return block_of<Mat3>({R.x.x, R.y.x, R.z.x, R.x.y, R.y.y, R.z.y, R.x.z, R.y.z, R.z.z});
+}
+inline Mat3 transposed_of(const Matrix<Value>& R) {
+  return block_of<Mat3>({R.x.x, R.x.y, R.x.z, R.y.x, R.y.y, R.y.z, R.z.x, R.z.y, R.z.z});
 }
 template <class M>
 M rotated(const Mat3& R, const M& m) {
   M result;
-  result.template topRows<3>().noalias() = R * m.template topRows<3>();
-  result.template bottomRows<3>().noalias() = R * m.template bottomRows<3>();
+  for (int k = 0; k < M::ColsAtCompileTime; ++k) {
+    const Real* x = m.data() + 6 * k;
+    Real* to = result.data() + 6 * k;
+    ADAGEN_FOR (i, 0, 3) {
+      to[i] = R(i, 0) * x[0] + R(i, 1) * x[1] + R(i, 2) * x[2];
+      to[3 + i] = R(i, 0) * x[3] + R(i, 1) * x[4] + R(i, 2) * x[5];
+    }
+  }
   return result;
 }
 // Columns at a link from the axes that they are expressed in there to those of the base, and back.
@@ -57,34 +71,34 @@ M in_base(Workspace& w, int link, const M& m) {
 }
 template <class M>
 M as_told(Workspace& w, int link, const M& m) {
-  return turned_link(link) ? rotated(mat3_of(matrix_at(w.of(link - 1, kAxes))).transpose(), m) : m;
+  return turned_link(link) ? rotated(transposed_of(matrix_at(w.of(link - 1, kAxes))), m) : m;
 }
 [[maybe_unused]] inline Mat6 mobility_as_told(Workspace& w, int link, const Mat6& Phi) {
   if (!turned_link(link)) return Phi;
   const Mat6 half = as_told(w, link, Phi);
-  return as_told(w, link, Mat6(half.transpose()));
+  return as_told(w, link, transposed(half));
 }
 
 ADAGEN_INLINE Motion<Value> motion_of(const Columns6& a) {
   return {{a[0], a[1], a[2]}, {a[3], a[4], a[5]}};
 }
 ADAGEN_INLINE Columns6 columns_of(const Motion<Value>& a) {
-  Columns6 result;
-  result << a.angular.x, a.angular.y, a.angular.z, a.linear.x, a.linear.y, a.linear.z;
-  return result;
+  return block_of<Columns6>(
+      {a.angular.x, a.angular.y, a.angular.z, a.linear.x, a.linear.y, a.linear.z});
 }
 
 inline Mat6 inertia_of(const Body<Value>& X) {
-  Mat6 I;
-  I << X.A.xx, X.A.xy, X.A.xz, X.B.x.x, X.B.x.y, X.B.x.z,  //
-      X.A.xy, X.A.yy, X.A.yz, X.B.y.x, X.B.y.y, X.B.y.z,   //
-      X.A.xz, X.A.yz, X.A.zz, X.B.z.x, X.B.z.y, X.B.z.z,   //
-      X.B.x.x, X.B.y.x, X.B.z.x, X.C.xx, X.C.xy, X.C.xz,   //
-      X.B.x.y, X.B.y.y, X.B.z.y, X.C.xy, X.C.yy, X.C.yz,   //
-      X.B.x.z, X.B.y.z, X.B.z.z, X.C.xz, X.C.yz, X.C.zz;
-  return I;
+  return block_of<Mat6>({X.A.xx,  X.A.xy,  X.A.xz,  X.B.x.x, X.B.x.y, X.B.x.z,  //
+                         X.A.xy,  X.A.yy,  X.A.yz,  X.B.y.x, X.B.y.y, X.B.y.z,  //
+                         X.A.xz,  X.A.yz,  X.A.zz,  X.B.z.x, X.B.z.y, X.B.z.z,  //
+                         X.B.x.x, X.B.y.x, X.B.z.x, X.C.xx,  X.C.xy,  X.C.xz,   //
+                         X.B.x.y, X.B.y.y, X.B.z.y, X.C.xy,  X.C.yy,  X.C.yz,   //
+                         X.B.x.z, X.B.y.z, X.B.z.z, X.C.xz,  X.C.yz,  X.C.zz});
 }
-inline Columns6 force_of(const Body<Value>& X) { return columns_of({X.n, X.f}); }
+[[maybe_unused]] inline Columns6 force_of(const Body<Value>& X) { return columns_of({X.n, X.f}); }
+[[maybe_unused]] inline Columns6 opposite_of(const Body<Value>& X) {
+  return columns_of({-X.n, -X.f});
+}
 
 // The inverse of a symmetric matrix of six rows, and as symmetric: L^-T D^-1 L^-1, L^-1 by
 // elimination of all six unit vectors at once. Where masses differ much, subtracting on the way
@@ -124,7 +138,7 @@ ADAGEN_INLINE bool invert(const Mat6& m, const Real (&least)[6], Mat6& inverse) 
   Real least[6];
   ADAGEN_FOR (k, 0, 6) least[k] = kRounding * I(k, k);
   const bool good = invert(I, least, Phi);
-  b.noalias() = -Phi * force_of(X);
+  b = Phi * opposite_of(X);
   return good;
 }
 
@@ -141,7 +155,7 @@ void bare_link(Workspace& w, const Mat6& Phi, Columns6& b) {
   static_assert(turned_link(link));
   Body<Value> X{};
   add_own_link(w, single(link - 1), X);
-  b.noalias() = -Phi * force_of(X);
+  b = Phi * opposite_of(X);
 }
 
 // A planar joint's freedoms one after the other, the last one to be eliminated first, at its
@@ -233,9 +247,9 @@ ADAGEN_INLINE constexpr int near_link(int j) {
 template <bool reversed>
 Mat6 passed(Workspace& w, int j, const Mat6& m) {
   const Mat6 near = in_base(w, near_link<reversed>(j), m);
-  Motion<Lanes> rows = rows_of(near.transpose());
+  Motion<Lanes> rows = rows_of(transposed(near));
   pass<reversed>(w, j, rows);
-  const Mat6 far = from_rows(rows).transpose();
+  const Mat6 far = transposed(from_rows(rows));
   return as_told(w, near_link<!reversed>(j), far);
 }
 
@@ -247,7 +261,7 @@ Mat6 at_far_link(Workspace& w, int j, const Mat6& Phi) {
   Mat6 shifted = Mat6::Identity();  // linear += angular x r
   shifted(3, 1) = r.z, shifted(3, 2) = -r.y, shifted(4, 0) = -r.z;
   shifted(4, 2) = r.x, shifted(5, 0) = r.y, shifted(5, 1) = -r.x;
-  return mobility_as_told(w, near_link<false>(j), shifted * Phi * shifted.transpose());
+  return mobility_as_told(w, near_link<false>(j), shifted * Phi * transposed(shifted));
 }
 
 // S D^-1 S^T at the far link's origin.
@@ -264,8 +278,9 @@ Mat6 own_mobility(Workspace& w, int j) {
       slide_and_turn(w, j, a, unit);
       const Mat6 moved = from_rows(a);  // transposed: what a freedom does is a column of lanes
       for (int k = 0; k < 3; ++k) {
-        const Columns6 s = moved.row(k).transpose();
-        result += s * memory.e[8 * k + 7] * s.transpose();
+        Vec6 s;
+        put_six_at(s.data(), row_of(moved, k));
+        result += outer_product(s, memory.e[8 * k + 7]);
       }
     }
     return at_far_link<reversed>(w, j, result);
@@ -296,7 +311,7 @@ Mat6 own_mobility(Workspace& w, int j) {
     if constexpr (reversed) carry(S, -memory.r);
   }
   const Columns6 s = reversed ? as_told(w, near_link<false>(j), columns_of(S)) : columns_of(S);
-  return s * memory.e[7] * s.transpose();
+  return outer_product(s, memory.e[7]);
 }
 
 // Omega and b outwards across a joint: L Omega L^T + S D^-1 S^T. Nothing is subtracted.
@@ -304,18 +319,41 @@ template <bool reversed>
 void propagate(Workspace& w, int j, const Mat6& near, const Columns6& near_bias, Mat6& far,
                Columns6& far_bias) {
   const Mat6 half = passed<reversed>(w, j, near);
-  far = passed<reversed>(w, j, half.transpose()) + own_mobility<reversed>(w, j);
+  far = passed<reversed>(w, j, transposed(half)) + own_mobility<reversed>(w, j);
   Motion<Value> a = motion_of(in_base(w, near_link<reversed>(j), near_bias));
   move<reversed>(w, single(j), kJoints[static_cast<std::size_t>(j)].kind, a);
   far_bias = as_told(w, near_link<!reversed>(j), columns_of(a));
+}
+
+// x of M x = b by elimination, the largest number of each column being its pivot.
+[[maybe_unused]] inline Columns6 solved(Mat6 M, Columns6 b) {
+  Real* const x = b.data();
+  for (int k = 0; k < 6; ++k) {
+    int pivot = k;
+    for (int i = k + 1; i < 6; ++i)
+      if (std::abs(M(i, k)) > std::abs(M(pivot, k))) pivot = i;
+    for (int c = k; c < 6; ++c) std::swap(M(k, c), M(pivot, c));
+    std::swap(x[k], x[pivot]);
+    for (int i = k + 1; i < 6; ++i) {
+      const Real l = M(i, k) / M(k, k);
+      for (int c = k + 1; c < 6; ++c) M(i, c) -= l * M(k, c);
+      x[i] -= l * x[k];
+    }
+  }
+  for (int k = 5; k >= 0; --k) {
+    x[k] /= M(k, k);
+    for (int i = 0; i < k; ++i) x[i] -= M(i, k) * x[k];
+  }
+  return b;
 }
 
 // A link whose other side shows Phi and b: (1 + Phi I^A) a = b - Phi p^A.
 template <int link>
 void solve_mobility(Workspace& w, const Mat6& Phi, const Columns6& b) {
   const Body<Value>& X = w.bodies[link];
-  const Mat6 M = Mat6::Identity() + Phi * inertia_of(X);
-  const Columns6 a = M.partialPivLu().solve(b - Phi * force_of(X));
+  Mat6 M = Phi * inertia_of(X);
+  ADAGEN_FOR (k, 0, 6) M(k, k) += 1;
+  const Columns6 a = solved(M, b + Phi * opposite_of(X));
   w.motions[link] = motion_of(in_base(w, link, a));
 }
 
@@ -340,15 +378,16 @@ Columns6 force_on(Workspace& w) {
 // frame.
 [[maybe_unused]] inline void set_transforms(Workspace& w, int j, Transform& X, Transform& Y) {
   const int parent = kJoints[static_cast<std::size_t>(j)].parent;
-  const Mat3 back = mat3_of(matrix_at(w.of(j, kAxes))).transpose();
-  const Vector<Value>& r = w.joints[static_cast<std::size_t>(j)].r;
+  const Mat3 back = transposed_of(matrix_at(w.of(j, kAxes)));
+  Vector<Value> r = w.joints[static_cast<std::size_t>(j)].r;
   X.E = back;
-  X.r << r.x, r.y, r.z;
   if (turned_link(parent)) {
-    const Mat3 R = mat3_of(matrix_at(w.of(parent - 1, kAxes)));
-    X.E = mat3_of(matrix_at(w.of(j, kTurn))).transpose();
-    X.r = (R.transpose() * X.r).eval();
+    const Matrix<Value> R = matrix_at(w.of(parent - 1, kAxes));
+    X.E = transposed_of(matrix_at(w.of(j, kTurn)));
+    r = {dot(r, Vector<Value>{R.x.x, R.y.x, R.z.x}), dot(r, Vector<Value>{R.x.y, R.y.y, R.z.y}),
+         dot(r, Vector<Value>{R.x.z, R.y.z, R.z.z})};
   }
+  X.r = Vec3(r.x, r.y, r.z);
   Y.E = turned_link(j + 1) ? Mat3(Mat3::Identity()) : back;
   Y.r.setZero();
 }

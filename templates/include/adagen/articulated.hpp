@@ -150,9 +150,12 @@ std::array<std::array<Real, kColumns>, kFree<Kind>> accelerate(const Articulated
 // K m with K = 1 - S D^-1 S^T I^A, what of a motion of the near side the far side shares.
 template <class Kind>
 ADAGEN_NOINLINE void share(const Articulated<Kind>& i, Mat6& m) {
-  ADAGEN_FOR (k, 0, (kFree<Kind>)) m.row(Kind::Free::row[k]).setZero();
-  ADAGEN_FOR (k, 0, (kFree<Kind>))
-    for (int l : Kind::Constrained::row) m.row(Kind::Free::row[k]) -= i.E[k][l] * m.row(l);
+  ADAGEN_FOR (column, 0, 6)
+    ADAGEN_FOR (k, 0, (kFree<Kind>)) {
+      Real x = 0;
+      for (int l : Kind::Constrained::row) x -= i.E[k][l] * m(l, column);
+      m(Kind::Free::row[k], column) = x;
+    }
 }
 
 // Omega of the far side: K m K^T + S D^-1 S^T, m being the near side's (zero: the ground's).
@@ -197,7 +200,8 @@ ADAGEN_NOINLINE bool invert(const Inertia& I, const Columns& p, Mat6& Phi, Colum
       ADAGEN_FOR (row, 0, 6) sum += x[row][i] * x[row][k];
       Phi(i, k) = Phi(k, i) = sum;
     }
-  b.noalias() = -Phi * p;
+  b = Phi * p;
+  ADAGEN_FOR (k, 0, int(Columns::SizeAtCompileTime)) b.data()[k] = -b.data()[k];
   return good;
 }
 

@@ -1,7 +1,6 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -13,15 +12,12 @@ namespace {
 // Writes and reads the contents of a message.
 template <class M>
 Number* put(Number* to, const M& m) {
-  Eigen::Map<Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>>{to} =
-      m.template cast<Number>();
-  return to + M::SizeAtCompileTime;
+  return std::copy(m.data(), m.data() + M::SizeAtCompileTime, to);
 }
 
 template <class M>
 const Number* get(const Number* from, M& m) {
-  using Content = Eigen::Matrix<Number, M::RowsAtCompileTime, M::ColsAtCompileTime>;
-  m = Eigen::Map<const Content>(from).template cast<Real>();
+  std::transform(from, from + M::SizeAtCompileTime, m.data(), [](Number x) { return Real(x); });
   return from + M::SizeAtCompileTime;
 }
 

@@ -62,11 +62,18 @@ void extend(Run<n>& i, const Transform& X) {
     i.S.setZero();
     i.c.setZero();
   } else {
-    const Mat3 E = X.E * i.X.E;
-    i.X.r += i.X.E.transpose() * X.r;
+    Mat3 E;
+    ADAGEN_FOR (k, 0, 3) {
+      const Vec3 of(i.X.E(0, k), i.X.E(1, k), i.X.E(2, k));
+      ADAGEN_FOR (row, 0, 3)
+        E(row, k) = X.E(row, 0) * of[0] + X.E(row, 1) * of[1] + X.E(row, 2) * of[2];
+      i.X.r[k] += of[0] * X.r[0] + of[1] * X.r[1] + of[2] * X.r[2];
+    }
     i.X.E = E;
-    const Eigen::Matrix<Real, 6, at> before = i.S.template leftCols<at>();
-    i.S.template leftCols<at>() = X * before;
+    Eigen::Matrix<Real, 6, at> before;
+    std::copy_n(i.S.data(), 6 * at, before.data());
+    const Eigen::Matrix<Real, 6, at> beyond = X * before;
+    std::copy_n(beyond.data(), 6 * at, i.S.data());
     const Columns6 c = X * i.c;
     i.c = c;
   }
@@ -77,50 +84,71 @@ void extend(Run<n>& i, const Transform& X) {
 constexpr Real kLocked = std::max(Real(1e-7), 16 * std::numeric_limits<Real>::epsilon());
 constexpr Real kNearLock = Real(1e-3);
 
+inline Real squares(const Real* x, int count) {
+  Real sum = 0;
+  for (int k = 0; k < count; ++k) sum += x[k] * x[k];
+  return sum;
+}
+// x - factor u (u^T x) of some columns x.
+inline void reflect(const Real (&u)[6], Real factor, Real* columns, int count) {
+  for (Real* x = columns; x != columns + 6 * count; x += 6) {
+    Real along = 0;
+    ADAGEN_FOR (row, 0, 6) along += u[row] * x[row];
+    along *= factor;
+    ADAGEN_FOR (row, 0, 6) x[row] -= u[row] * along;
+  }
+}
+
 // B by Householder's reflections of S, scaled: lengths by the largest distance of an axis from the
 // link's origin, columns to length one. Returns false in gimbal lock.
 template <int n>
 ADAGEN_NOINLINE bool fuse(Run<n>& i) {
   Real squared = 0;
-  for (int k = 0; k < n; ++k)
-    if (i.S.col(k).template head<3>().squaredNorm() > 0)
-      squared = std::max(squared, i.S.col(k).template tail<3>().squaredNorm());
+  for (int k = 0; k < n; ++k) {
+    const Real* s = i.S.data() + 6 * k;
+    if (squares(s, 3) > 0) squared = std::max(squared, squares(s + 3, 3));
+  }
   const Real unit = squared > 0 ? 1 / std::sqrt(squared) : Real(1);
   Eigen::Matrix<Real, 6, n> R = i.S;
-  R.template bottomRows<3>() *= unit;
-  Eigen::Matrix<Real, n, 1> scale;
+  Real scale[n];
   for (int k = 0; k < n; ++k) {
-    scale[k] = 1 / R.col(k).norm();
-    R.col(k) *= scale[k];
+    Real* column = R.data() + 6 * k;
+    ADAGEN_FOR (row, 3, 6) column[row] *= unit;
+    scale[k] = 1 / std::sqrt(squares(column, 6));
+    ADAGEN_FOR (row, 0, 6) column[row] *= scale[k];
   }
   i.B.setZero();
   for (int k = 0; k < 6; ++k) i.B(k, k) = k < 3 ? Real(1) : unit;
   for (int k = 0; k < n; ++k) {
-    Vec6 u = R.col(k);
-    u.head(k).setZero();
-    u[k] += std::copysign(u.norm(), u[k]);
-    const Real factor = 2 / u.squaredNorm();
-    const Eigen::Matrix<Real, 1, n> on_R = factor * (u.transpose() * R);
-    const Eigen::Matrix<Real, 1, 6> on_B = factor * (u.transpose() * i.B);
-    R -= u * on_R;
-    i.B -= u * on_B;
+    Real u[6]{};
+    for (int row = k; row < 6; ++row) u[row] = R(row, k);
+    u[k] += std::copysign(std::sqrt(squares(u, 6)), u[k]);
+    const Real factor = 2 / squares(u, 6);
+    reflect(u, factor, R.data(), n);
+    reflect(u, factor, i.B.data(), 6);
   }
-  Eigen::Matrix<Real, n, n> inverse = Eigen::Matrix<Real, n, n>::Zero();
+  Real inverse[n][n]{};
   for (int k = 0; k < n; ++k) {
-    inverse(k, k) = 1 / R(k, k);
+    inverse[k][k] = 1 / R(k, k);
     for (int j = k - 1; j >= 0; --j) {
       Real sum = 0;
-      for (int l = j + 1; l <= k; ++l) sum += R(j, l) * inverse(l, k);
-      inverse(j, k) = -sum / R(j, j);
+      for (int l = j + 1; l <= k; ++l) sum += R(j, l) * inverse[l][k];
+      inverse[j][k] = -sum / R(j, j);
     }
   }
-  const Eigen::Matrix<Real, n, 6> top = inverse * i.B.template topRows<n>();
-  i.B.template topRows<n>() = scale.asDiagonal() * top;
+  for (int column = 0; column < 6; ++column)
+    for (int row = 0; row < n; ++row) {  // those below are not changed yet
+      Real sum = 0;
+      for (int l = row; l < n; ++l) sum += inverse[row][l] * i.B(l, column);
+      i.B(row, column) = scale[row] * sum;
+    }
   const Mat6 X = i.X * Mat6(Mat6::Identity());
-  i.BX.noalias() = i.B * X;
+  i.BX = i.B * X;
   const Columns6 c = i.c;
-  i.c.noalias() = i.B * c;
-  i.lock = 1 / inverse.norm();
+  i.c = i.B * c;
+  Real size = 0;
+  for (const auto& row : inverse) size += squares(row, n);
+  i.lock = 1 / std::sqrt(size);
   return i.lock >= kLocked;
 }
 

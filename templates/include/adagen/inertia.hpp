@@ -121,9 +121,13 @@ template <class Columns>
 Columns wrench_in_child(const Transform& X, const Columns& f) {
   Columns result;
   ADAGEN_FOR (k, 0, kColumns) {
-    const Vec3 moment = f.col(k).template head<3>(), force = f.col(k).template tail<3>();
-    result.col(k).template head<3>() = X.E * (moment - cross(X.r, force));
-    result.col(k).template tail<3>() = X.E * force;
+    const Real* c = f.data() + 6 * k;
+    const Vec3 force(c[3], c[4], c[5]), about = cross(X.r, force);
+    const Real moment[3]{c[0] - about[0], c[1] - about[1], c[2] - about[2]};
+    ADAGEN_FOR (i, 0, 3) {
+      result(i, k) = X.E(i, 0) * moment[0] + X.E(i, 1) * moment[1] + X.E(i, 2) * moment[2];
+      result(3 + i, k) = X.E(i, 0) * force[0] + X.E(i, 1) * force[1] + X.E(i, 2) * force[2];
+    }
   }
   return result;
 }
@@ -134,10 +138,14 @@ Eigen::Matrix<Real, 6, columns> motion_in_parent(const Transform& X,
                                                  const Eigen::Matrix<Real, 6, columns>& m) {
   Eigen::Matrix<Real, 6, columns> result;
   ADAGEN_FOR (k, 0, columns) {
-    const Vec3 angular = X.E.transpose() * m.col(k).template head<3>();
-    result.col(k).template head<3>() = angular;
-    result.col(k).template tail<3>() =
-        X.E.transpose() * m.col(k).template tail<3>() + cross(X.r, angular);
+    const Real* c = m.data() + 6 * k;
+    Vec3 angular;
+    ADAGEN_FOR (i, 0, 3) angular[i] = X.E(0, i) * c[0] + X.E(1, i) * c[1] + X.E(2, i) * c[2];
+    const Vec3 swept = cross(X.r, angular);
+    ADAGEN_FOR (i, 0, 3) {
+      result(i, k) = angular[i];
+      result(3 + i, k) = X.E(0, i) * c[3] + X.E(1, i) * c[4] + X.E(2, i) * c[5] + swept[i];
+    }
   }
   return result;
 }

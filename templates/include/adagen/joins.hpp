@@ -1,7 +1,6 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -155,7 +154,7 @@ ADAGEN_NOINLINE bool join(Joined<Kind>& i, const Mat6& Phi_A, const Mat6& Phi_B,
   Columns6 beta = b_A - b_B + c;
   for (int k = 0; k < n; ++k)
     for (int column = 0; column < kColumns; ++column)
-      beta.col(column) -= Phi.col(free[k]) * i.tau[k][column];
+      ADAGEN_FOR (row, 0, 6) beta(row, column) -= Phi(row, free[k]) * i.tau[k][column];
   for (int row = 0; row < n; ++row) {
     for (int column = 0; column < kColumns; ++column)
       i.R_beta[row][column] = beta(free[row], column);
@@ -212,12 +211,14 @@ ADAGEN_NOINLINE Mat6 product([[maybe_unused]] const Coupled<Kind>& j,
 // Phi_ji gamma_i = Z^T z + Y^T tau: the change of b_j in Eq. (6) and (7).
 template <class Kind>
 Columns6 bias_change(const Joined<Kind>& i, const Coupled<Kind>& j) {
-  Columns6 result = Columns6::Zero();
+  Columns6 result;
   for (int column = 0; column < kColumns; ++column) {
+    InRegisters sum{};
     for (int row = 0; row < kConstrained<Kind>; ++row)
-      result.col(column) += Eigen::Map<const Vec6>(j.Z[row].data()) * i.z[row][column];
+      sum = sum + six_at(j.Z[row].data()) * i.z[row][column];
     for (int row = 0; row < kFree<Kind>; ++row)
-      result.col(column) += Eigen::Map<const Vec6>(j.Y[row].data()) * i.tau[row][column];
+      sum = sum + six_at(j.Y[row].data()) * i.tau[row][column];
+    put_six_at(result.data() + 6 * column, sum);
   }
   return result;
 }
@@ -256,11 +257,13 @@ class Release {
  private:
   void feel(const Coupled<Kind>& j, const Columns6& f, Real sign) {
     for (int column = 0; column < kColumns; ++column) {
-      const Vec6 signed_f = sign * f.col(column);
-      for (int row = 0; row < kConstrained<Kind>; ++row)
-        z_[row][column] += Eigen::Map<const Vec6>(j.Z[row].data()).dot(signed_f);
-      for (int row = 0; row < kFree<Kind>; ++row)
-        qdd_[row][column] -= Eigen::Map<const Vec6>(j.Y[row].data()).dot(signed_f);
+      const auto along = [&f, column](const std::array<Real, 6>& x) {
+        return (x[0] * f(0, column) + x[1] * f(1, column)) +
+               (x[2] * f(2, column) + x[3] * f(3, column)) +
+               (x[4] * f(4, column) + x[5] * f(5, column));
+      };
+      for (int row = 0; row < kConstrained<Kind>; ++row) z_[row][column] += sign * along(j.Z[row]);
+      for (int row = 0; row < kFree<Kind>; ++row) qdd_[row][column] -= sign * along(j.Y[row]);
     }
   }
 

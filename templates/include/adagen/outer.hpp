@@ -1,7 +1,6 @@
 // adagen's runtime, the same for all robots.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 
 #include "constants.hpp"
@@ -18,19 +17,19 @@ namespace {
 [[maybe_unused]] inline Columns6 outer_force(Workspace& w, int k, int at, int joint) {
   require_finite(w, w.tau + at, 6, joint);
   const OuterForce& outer = kOuterForces[static_cast<std::size_t>(k)];
-  using Given = Eigen::Map<const Eigen::Matrix<Number, 3, 1>>;
-  const Vec3 given_force = Given(w.tau + at).cast<Real>();
-  const Vec3 given_moment = Given(w.tau + at + 3).cast<Real>();
-  Mat3 turn;
-  Vec3 place;
-  for (int i = 0; i < 3; ++i) {
-    place[i] = Real(outer.translation[i]);
-    for (int c = 0; c < 3; ++c) turn(i, c) = Real(outer.rotation[3 * i + c]);
+  const Number* const given = w.tau + at;  // force, moment
+  Real turned[6];
+  for (int i = 0; i < 6; ++i) {
+    const Number* const of = given + i / 3 * 3;
+    turned[i] = 0;
+    for (int c = 0; c < 3; ++c) turned[i] += Real(outer.rotation[3 * (i % 3) + c]) * Real(of[c]);
   }
-  const Vec3 force = turn * given_force;
+  const Vec3 force(turned[0], turned[1], turned[2]);
+  const Vec3 place(Real(outer.translation[0]), Real(outer.translation[1]),
+                   Real(outer.translation[2]));
+  const Vec3 about = cross(place, force);
   Columns6 result = Columns6::Zero();
-  result.col(0).template head<3>() = turn * given_moment + cross(place, force);
-  result.col(0).template tail<3>() = force;
+  ADAGEN_FOR (i, 0, 3) result(i, 0) = turned[3 + i] + about[i], result(3 + i, 0) = force[i];
   return result;
 }
 

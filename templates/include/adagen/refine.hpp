@@ -96,8 +96,8 @@ class Refinement {
     for (const int link : own.links) {
       WideJoint& i = joints_[link - 1];
       const Wide6 momentum = times_inertia(link, i.v);
-      const Wide3 w = i.v.head<3>(), n = momentum.head<3>(), p = momentum.tail<3>();
-      i.gyration = wide(w.cross(n) + Wide3(i.v.tail<3>()).cross(p), w.cross(p));
+      const Wide3 w = angular_of(i.v), n = angular_of(momentum), p = linear_of(momentum);
+      i.gyration = spatial(sum(crossed(w, n), crossed(linear_of(i.v), p)), crossed(w, p));
     }
   }
 
@@ -204,8 +204,9 @@ class Refinement {
     }
     i.v = motion;
     if (joint.parent > 0) i.v += i.carried(joints_[joint.parent - 1].v);
-    const Wide3 w = i.v.head<3>(), u = i.v.tail<3>(), turning = motion.head<3>();
-    i.c = wide(w.cross(turning), w.cross(Wide3(motion.tail<3>())) + u.cross(turning));
+    const Wide3 w = angular_of(i.v), turning = angular_of(motion);
+    i.c = spatial(crossed(w, turning),
+                  sum(crossed(w, linear_of(motion)), crossed(linear_of(i.v), turning)));
   }
 
   std::array<WideJoint, kJointCount> joints_;

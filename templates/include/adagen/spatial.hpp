@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
+#include <type_traits>
 
 #include "common.hpp"
 #include "constants.hpp"
@@ -96,6 +97,33 @@ inline void put_column(const InRegisters& x, int k, Mat6& m) { put_six_at(m.data
 [[maybe_unused]] inline InRegisters row_of(const Mat6& m, int k) {
   const Real* x = m.data() + k;
   return {Four{x[0], x[6], x[12], x[18]}, Two{x[24], x[30]}};
+}
+
+// Products and transposes of blocks, so that none is put together from Eigen's expressions.
+// What is an expression itself is left to Eigen.
+template <class R, int columns>
+auto operator*(const Eigen::Matrix<R, 6, 6>& m, const Eigen::Matrix<R, 6, columns>& n)
+    -> std::enable_if_t<std::is_same_v<R, Real>, Eigen::Matrix<R, 6, columns>> {
+  Eigen::Matrix<R, 6, columns> result;
+  for (int k = 0; k < columns; ++k) {
+    const Real* x = n.data() + 6 * k;
+    InRegisters sum = column_of(m, 0) * x[0];
+    ADAGEN_FOR (i, 1, 6) sum = sum + column_of(m, i) * x[i];
+    put_six_at(result.data() + 6 * k, sum);
+  }
+  return result;
+}
+[[maybe_unused]] inline Mat6 transposed(const Mat6& m) {
+  Mat6 result;
+  ADAGEN_FOR (k, 0, 6) put_column(row_of(m, k), k, result);
+  return result;
+}
+// s by s^T
+[[maybe_unused]] inline Mat6 outer_product(const Vec6& s, Real by) {
+  Mat6 result;
+  const InRegisters scaled = six_at(s.data()) * by;
+  ADAGEN_FOR (k, 0, 6) put_column(scaled * s[k], k, result);
+  return result;
 }
 
 // m X^T, which is (X m^T)^T: with m = X Phi the congruence X Phi X^T.

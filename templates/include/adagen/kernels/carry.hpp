@@ -92,17 +92,14 @@ void show(Workspace& w, const Way& way, Mat6& Phi, Columns6& b) {
 // the far link do.
 [[maybe_unused]] inline void show(const Way& way, const Mat6& near, const Columns6& near_bias,
                                   Mat6& Phi, Columns6& b) {
-  const Mat6 half = way.moved * near;
-  Phi = way.own;
-  Phi.noalias() += half * way.moved.transpose();
-  b = way.free;
-  b.noalias() += way.moved * near_bias;
+  Phi = way.own + way.moved * near * transposed(way.moved);
+  b = way.free + way.moved * near_bias;
 }
 
 // What the near link feels of the load of the link beyond joints first .. last.
 template <int first, int last>
 void deliver_along(Workspace& w, const Mat6& moved) {
-  w.loads[kJoints[first].parent] += moved.transpose() * w.loads[last + 1];
+  w.loads[kJoints[first].parent] += transposed(moved) * w.loads[last + 1];
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ inline Transform own_transform(Workspace& w, int j) {
     const Vector<Value> slide{q[0], q[1], joint.kind == JointKind::kFloating ? q[2] : Value{}};
     r += Vector<Value>{dot(slide, P.x), dot(slide, P.y), dot(slide, P.z)};
   }
-  return {mat3_of(turn).transpose(), {r.x, r.y, r.z}};
+  return {transposed_of(turn), {r.x, r.y, r.z}};
 }
 
 // From a link's own axes to those that its mobility and forces at it are expressed in, which may be
@@ -44,7 +44,7 @@ inline Transform own_transform(Workspace& w, int j) {
 }
 [[maybe_unused]] inline Mat6 for_expressed(Workspace& w, int link, const Mat6& m) {
   if (turned_link(link)) return m;
-  return rotated(mat3_of(matrix_at(w.of(link - 1, kAxes))), Mat6(m.transpose())).transpose();
+  return transposed(rotated(mat3_of(matrix_at(w.of(link - 1, kAxes))), transposed(m)));
 }
 
 }  // namespace
