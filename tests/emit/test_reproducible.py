@@ -143,7 +143,8 @@ def test_other_arithmetic_is_not_compiled(
 ) -> None:
     source = tmp_path / "solver.cpp"
     source.write_text(joined(text_of(reproducible_plan(serial_chain(2)))))
-    command = [*builder.toolchain.compile_command(source, tmp_path / "x.o", False), "-c", *flags]
+    command = builder.toolchain.compile_command(source, tmp_path / "x.o", False)
+    command += ["-c", "-Wfatal-errors", *flags]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode != 0
     assert said in done.stderr
