@@ -158,7 +158,13 @@ _IN_PARTS: dict[type, Features] = {
     Propagate: {},
     Deliver: {},
     Accelerate: {"parts.outwards": 1},
+    Join: {},
+    Disassemble: {},
+    Load: {},
+    AccelerateRoot: {},
 }
+_OF_LEVELS = {"join": "parts.join", "disassemble": "parts.release"}
+"""What the joins between parts take, level by level."""
 _LANES = {2: "two", 4: "four"}
 
 
@@ -174,6 +180,9 @@ def operation_features(operation: Operation, joints: Sequence[PlanJoint]) -> Fea
         return _limbs_features(operation, block, joints)
     if operation.method == "parts":
         found = [_IN_PARTS[type(step)] for step in operation.steps]
+        if operation.does in _OF_LEVELS:
+            levels = len(operation.steps).bit_length()
+            found.append({_OF_LEVELS[operation.does]: levels})
     else:
         found = [_of_step(step, operation, joints) for step in operation.steps]
     if isinstance(block, Run):

@@ -7,16 +7,18 @@ at both of its ends, and the process joins the parts by Eq. (3)-(10), as process
 
 from __future__ import annotations
 
-from collections.abc import Container, Sequence
+from collections.abc import Container, Iterator, Sequence
 from itertools import pairwise
 
 from adagen.plan.robot import PlanJoint
 from adagen.plan.steps import (
-    Accelerate,
+    AccelerateRoot,
     Articulate,
-    FreeAcceleration,
+    Deliver,
+    Disassemble,
     FreeBase,
     InvertRoot,
+    Load,
     Propagate,
     Receive,
     Send,
@@ -89,6 +91,27 @@ def _turn(step: Step) -> int:
     return next((k for k, kinds in enumerate(turns) if isinstance(step, kinds)), len(turns))
 
 
-def accelerated_last(steps: Sequence[Step]) -> list[Step]:
-    """Return steps with the accelerations of joints last, as no step waits for them."""
-    return sorted(steps, key=lambda step: isinstance(step, Accelerate | FreeAcceleration))
+def released_first(steps: Sequence[Step]) -> list[Step]:
+    """Return steps with the releases of all joints before what is done inside the parts.
+
+    The accelerations of their joints come last, as no step waits for them.
+    """
+    begun = next((k for k, s in enumerate(steps) if isinstance(s, Disassemble)), len(steps))
+    return [*steps[:begun], *sorted(steps[begun:], key=_turn_outwards)]
+
+
+def _turn_outwards(step: Step) -> int:
+    turns: tuple[tuple[type, ...], ...]
+    turns = ((Disassemble,), (Load,), (Deliver,), (AccelerateRoot,))
+    return next((k for k, kinds in enumerate(turns) if isinstance(step, kinds)), len(turns))
+
+
+def pairs_of(count: int) -> Iterator[tuple[int, int]]:
+    """Yield which of so many parts are joined, in order: pairs, then pairs of pairs, and so on.
+
+    The first of each two stands for what both become.
+    """
+    distance = 1
+    while distance < count:
+        yield from ((k, k + distance) for k in range(0, count - distance, 2 * distance))
+        distance *= 2

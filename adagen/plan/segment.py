@@ -17,7 +17,7 @@ from functools import cached_property
 from adagen.plan.ada import AdaPlanner, Chain, bare
 from adagen.plan.edges import Edge, edges_from, is_free_base, joints_at, ways_to
 from adagen.plan.fusions import Run
-from adagen.plan.parts import accelerated_last, parts_of, swept_first
+from adagen.plan.parts import pairs_of, parts_of, released_first, swept_first
 from adagen.plan.robot import PlanJoint
 from adagen.plan.steps import (
     Accelerate,
@@ -164,17 +164,18 @@ class SegmentPlanner(AdaPlanner):
         return self.schedule.parts if node is self.schedule.root else 0
 
     def _in_parts(self, strips: Sequence[range], process: int) -> Chain:
-        """Join the parts of a chain outwards, each by its first joint.
+        """Join the parts of a chain, each by its first joint: as a tree, in lanes, then the ground.
 
-        What is joined before has one handle at the cut and one at most beside it: in any other
-        order there are as many updates of blocks, or more.
+        A joined chain has a handle at both ends wherever more is joined there. Outwards from the
+        ground it would have one only, but each join would wait for the one before.
         """
-        chain = bare(0, process) if self.joints[strips[0].start].parent == 0 else None
-        for strip in strips:
-            part = self._whole(strip[1], set(strip[1:]), process)
-            chain = part if chain is None else self._join((strip.start,), process, chain, part)
-        assert chain is not None
-        return chain
+        parts = [self._whole(strip[1], set(strip[1:]), process) for strip in strips]
+        for near, far in pairs_of(len(parts)):
+            parts[near] = self._join((strips[far].start,), process, parts[near], parts[far])
+        first = strips[0].start
+        if self.joints[first].parent > 0:
+            return parts[0]
+        return self._join((first,), process, bare(0, process), parts[0])
 
     def _whole(self, name: int, members: set[int], process: int) -> Chain:
         """Assemble joints without any join."""
@@ -199,7 +200,7 @@ class SegmentPlanner(AdaPlanner):
     def _disassemble(self, top: Chain) -> None:
         super()._disassemble(top)
         if self.schedule.parts:
-            self.steps = [accelerated_last(steps) for steps in self.steps]
+            self.steps = [released_first(steps) for steps in self.steps]
 
     @staticmethod
     def _show(component: Component, chain: Chain, couplings: set[tuple[int, int]]) -> None:

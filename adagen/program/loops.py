@@ -4,23 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import groupby, takewhile
-from typing import Any
+from typing import Any, TypeVar
 
 from adagen.plan.edges import is_base
 from adagen.plan.order import inward_order, outward_order
-from adagen.plan.parts import strips_of
+from adagen.plan.parts import pairs_of, strips_of
 from adagen.plan.requested_outputs import needed_outwards
 from adagen.plan.simd_groups import Limbs, placed_links
 from adagen.plan.stages import stages
 from adagen.plan.steps import (
     Accelerate,
+    AccelerateRoot,
     Append,
     Arrive,
     Articulate,
     Deliver,
+    Disassemble,
     FreeAcceleration,
     FreeBase,
     InvertRoot,
+    Join,
     Kinematics,
     Load,
     Propagate,
@@ -48,6 +51,8 @@ from adagen.program.slots import Slots
 from adagen.program.strips import LANES, split
 from adagen.program.types import Block, Links, Method, Operation
 from adagen.schedule.costs import StepCosts
+
+_AtLink = TypeVar("_AtLink", Load, AccelerateRoot)
 
 
 class Loops:
@@ -115,8 +120,11 @@ class Loops:
             Articulate: self._articulate,
             InvertRoot: self._invert_roots,
             Propagate: self._propagate,
+            Join: self._join,
+            Disassemble: self._join,
             Load: self._load,
             Deliver: self._deliver,
+            AccelerateRoot: self._accelerate_roots,
             Accelerate: self._accelerate,
             FreeAcceleration: self._free_accelerations,
             Receive: self._receive,
@@ -266,12 +274,18 @@ class Loops:
             parts = [Run(strip.start + 1, strip.stop - 1) for strip in strips]
             # The last one may end the chain, and shows nothing at its end then.
             shown = carried | {parts[-1]}
-            if not units & whole & shown >= set(parts):
+            if not units & whole & shown >= set(parts) or not self._joined_in_turn(strips):
                 continue
             links = range(run.first + 1, run.last + 2)
             alone = self.own.issuperset(links) and self.holding.isdisjoint(links)
             if alone and (self.told_apart | self.turned).isdisjoint(run.joints()):
                 self.parted[run] = parts
+
+    def _joined_in_turn(self, strips: Sequence[range]) -> bool:
+        """Whether parts are joined level by level, each by the first joint of its strip."""
+        wanted = [strips[far].start for _, far in pairs_of(len(strips))]
+        steps = (step for step in self.process.steps if isinstance(step, Join))
+        return [step.joint for step in steps if step.joint in wanted] == wanted
 
     def _in_parts(self) -> set[Run]:
         """Parts of runs that are swept side by side."""
@@ -352,6 +366,30 @@ class Loops:
             else:
                 self._add("propagate", None, "step", chain)
 
+    def _join(self, steps: list[Join | Disassemble]) -> None:
+        between = {part.first - 1: run for run, parts in self.parted.items() for part in parts[1:]}
+        for run, group in groupby(steps, lambda step: between.get(step.joint)):
+            if run is not None:
+                own = list(group)
+                self._add(own[0].does, run, "parts", own)
+                continue
+            for step in group:
+                self._add(step.does, None, "step", (step,))
+
+    def _of_parts(self, steps: Sequence[_AtLink], ends: Callable[[Run], set[int]]) -> list[_AtLink]:
+        """Add steps at ends of parts as one operation for each run; return the other steps."""
+        for run, parts in self.parted.items():
+            links = {link for part in parts for link in ends(part)}
+            own = [step for step in steps if step.link in links]
+            steps = [step for step in steps if step.link not in links]
+            if own:
+                self._add(own[0].does, run, "parts", own)
+        return list(steps)
+
+    def _accelerate_roots(self, steps: list[AccelerateRoot]) -> None:
+        for step in self._of_parts(steps, lambda part: {part.first}):
+            self._add(step.does, None, "step", (step,))
+
     def _passed_through(self) -> frozenset[int]:
         """Links inside runs through which handle forces pass, without forces of their own."""
         delivered = [step for step in self.process.steps if isinstance(step, Deliver)]
@@ -368,9 +406,9 @@ class Loops:
         through = [step for step in steps if step.link in self.through]
         if through:
             self._add("load", Links(tuple(step.link for step in through)), "through", through)
-        for step in steps:
-            if step.link not in self.through:
-                self._add("load", None, "step", [step])
+        forced = [step for step in steps if step.link not in self.through]
+        for step in self._of_parts(forced, lambda part: {part.first, part.last + 1}):
+            self._add("load", None, "step", [step])
 
     def _deliver(self, steps: list[Deliver]) -> None:
         by_joint = {step.joint: step for step in steps}

@@ -65,7 +65,7 @@ OTHERS: dict[str, tuple[str, ...]] = {
     "free": ("base", "acceleration"),
     "slaved": ("solve", "apply", "column"),
     "limbs": ("two", "four", "nested_inwards", "nested_outwards", "turned"),
-    "parts": ("inwards", "outwards", "run"),
+    "parts": ("inwards", "outwards", "run", "join", "release"),
     "process": ("evaluation", "margin"),
     "unrolled": ("evaluation", "operation", "move", "sine", "cycle", "fetched", "held"),
 }

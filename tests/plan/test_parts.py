@@ -13,7 +13,7 @@ from adagen.errors import UsageError
 from adagen.model import KINDS, Mimic, Model
 from adagen.plan import Plan, make_plan, plan_from_json, plan_to_json
 from adagen.plan.certificate import certified
-from adagen.plan.parts import FEWEST_ROWS, strips_of
+from adagen.plan.parts import FEWEST_ROWS, pairs_of, strips_of
 from adagen.plan.steps import Accelerate, Articulate, Disassemble, Join
 from adagen.program import check
 from adagen.program.lower import lower
@@ -69,6 +69,15 @@ def test_a_chain_in_parts_is_solved(joints: int, processes: int, parts: int, mee
         assert own.owns == others.owns and own.reads == others.reads
 
 
+@pytest.mark.parametrize(("count", "levels"), [(2, 1), (3, 2), (8, 3), (13, 4), (16, 4)])
+def test_parts_are_joined_as_a_tree(count: int, levels: int) -> None:
+    """Each pair is joined when both of its chains are: so many times what one join takes."""
+    done = dict.fromkeys(range(count), 0)  # levels below each chain that is left
+    for near, far in pairs_of(count):
+        done[near] = 1 + max(done[near], done.pop(far))
+    assert done == {0: levels}
+
+
 def test_all_parts_are_swept_before_any_are_joined() -> None:
     """And all joints are accelerated after the last force at an end of a part is known."""
     (process,) = in_parts(hinges(40, seed=1)).processes
@@ -86,7 +95,11 @@ def test_loops_sweep_all_parts_at_once(processes: int) -> None:
     program = lower(in_parts(hinges(40 * processes, seed=2), processes, meeting=meeting), "kernels")
     for process in program.processes:
         found = {op.does: op for op in process.operations if op.method == "parts"}
-        assert {"articulate", "propagate", "accelerate"} <= set(found)
+        inwards, outwards = {"articulate", "propagate", "join"}, {"disassemble", "accelerate"}
+        assert inwards | outwards | {"load", "deliver", "accelerate_root"} == set(found)
+        joined = [step.joint for step in found["join"].steps if isinstance(step, Join)]
+        released = [s.joint for s in found["disassemble"].steps if isinstance(s, Disassemble)]
+        assert len(joined) == 7 and sorted(joined) == sorted(released)
         assert len(parts_in(found["articulate"].steps)) == 8
         assert found["articulate"].first == (True,) * 8
         assert all(op.method != "columns" for op in process.operations)

@@ -66,13 +66,6 @@ class KernelLines:
         )
         self.traversed = {op.block for op in operations if op.method == "traversed"}
         self.parted = {op.block for op in operations if op.method == "parts"}
-        self.part_of = {
-            part: (op.block, number)
-            for op in operations
-            if op.does == "articulate" and op.method == "parts" and isinstance(op.block, Run)
-            for number, part in enumerate(parts_in(op.steps))
-        }
-        self.delivered = {op.block for op in operations if op.does == "deliver"}
         self.along = {
             op.block for op in operations if (op.does, op.method) == ("propagate", "along")
         }
@@ -144,6 +137,8 @@ class KernelLines:
 
     def lines(self, operation: Operation) -> list[str]:
         """Return the lines of an operation."""
+        if operation.method == "parts" and operation.does in mobility.OF_PARTS:
+            return mobility.lines_of_parts(self.symbols, operation)
         write = getattr(self, f"_{operation.does}", None)
         if write is not None:
             return list(write(operation))
@@ -343,18 +338,16 @@ class KernelLines:
     def _deliver(self, operation: Operation) -> list[str]:
         assert isinstance(operation.block, Run)
         run = operation.block
-        if operation.method in ("along", "parts"):
-            moved = f"{mobility.way_of(run)}.moved"
-            if operation.method == "parts":
-                whole, number = self.part_of[run]
-                moved = f"{mobility.swept_parts(whole)}.moved[{number}]"
-            call = f"deliver_along<{run.first}, {run.last}>(w, {moved});"
+        if operation.method == "parts":
+            return []  # parts carry loads when they start outwards
+        if operation.method == "along":
+            call = f"deliver_along<{run.first}, {run.last}>(w, {mobility.way_of(run)}.moved);"
         else:
             call = mobility.delivery(self.symbols, run, through=operation.method == "through")
         return [call + self._names(run)]
 
     def _load(self, operation: Operation) -> list[str]:
-        if operation.method == "through":
+        if operation.method in ("through", "parts"):
             return []  # nothing but what runs deliver, which their loops carry along
         return mobility.lines_of(self.symbols, self.p, operation.steps[0])
 
@@ -402,11 +395,7 @@ class KernelLines:
             return [f"accelerate_group<{self.p}, {self._number(run)}>(w);"]
         assert isinstance(run, Run)
         if operation.method == "parts":
-            parts = parts_in(operation.steps)
-            self.parts.update(part.first for part in parts)
-            loaded = sum(part in self.delivered for part in parts)
-            call = f"accelerate_in_parts<{run.first}, {run.last}, {loaded}>(w);"
-            return [call + self._names(run)]
+            return [mobility.accelerated_parts(run) + self._names(run)]
         self.parts.add(ends_of_run(self.joints, run)[0])
         verb = "accelerate" + "_along" * (operation.method == "along")
         return [self._sweep(run, verb) + self._names(run)]

@@ -37,7 +37,7 @@ from adagen.plan.steps import (
     blocks_set_by,
 )
 from adagen.program import Operation, Program
-from adagen.program.runs import Run, ends_of_run, spans
+from adagen.program.runs import Run, ends_of_run
 
 CARRIED = ("carried", "along")
 """Methods by which wrenches are carried through runs."""
@@ -102,13 +102,15 @@ def members(symbols: Symbols) -> dict[int, list[str]]:
     """Return the memory members of joints that have any."""
     lines: dict[int, dict[str, None]] = defaultdict(dict)
     forces: set[Force] = set()
-    for step in _computed(symbols.program):
+    computed = list(_computed(symbols.program))
+    for step in (*computed, *_joining_parts(symbols.program)):
         for block in blocks_set_by(step):
             assert block.joint is not None  # bare links' blocks are constants
             lines[block.joint][f"Mat6 {symbols.block_member(block)};"] = None
         for bias in biases_set_by(step):
             assert bias.joint is not None
             lines[bias.joint][f"Columns6 b_{symbols.links[bias.handle]};"] = None
+    for step in computed:
         if isinstance(step, LinkBias):
             lines[step.link - 1]["Columns6 b;"] = None
         if isinstance(step, Join):
@@ -121,16 +123,23 @@ def members(symbols: Symbols) -> dict[int, list[str]]:
 
 
 def _computed(program: Program) -> Iterator[Step]:
-    """Yield the steps whose results are stored: of a run with carried wrenches the last one."""
+    """Yield the steps whose results are all stored: of a run with carried wrenches the last one."""
     for own in program.processes:
         for operation in (*own.operations, *own.recovery):
             if operation.method == "parts":
-                shown = shown_by_parts(operation)
-                yield from (step for steps in shown for step in steps if step is not None)
-            elif operation.method in CARRIED:
+                continue  # they hand on what they find in variables
+            if operation.method in CARRIED:
                 yield operation.steps[-1]
             else:
                 yield from operation.steps
+
+
+def _joining_parts(program: Program) -> Iterator[Join]:
+    """Yield the joins by which parts become one chain: what that shows is stored."""
+    for own in program.processes:
+        for operation in own.operations:
+            if (operation.does, operation.method) == ("join", "parts"):
+                yield _last_join(operation)
 
 
 def _members_of_join(symbols: Symbols, join: Join) -> list[str]:
@@ -216,40 +225,64 @@ def swept_parts(run: Run) -> str:
     return f"swept_{run.first}"
 
 
-def shown_by_parts(operation: Operation) -> list[tuple[InvertRoot, Propagate | None]]:
-    """Return what is found of each part: its first link's mobility, and its last one's, if asked.
-
-    Args:
-        operation: that shows the mobilities of parts, or another of parts, which shows none.
-    """
-    roots = [step for step in operation.steps if isinstance(step, InvertRoot)]
-    across = {step.joint: step for step in operation.steps if isinstance(step, Propagate)}
-    last = {first: across[end] for first, end in spans(across)}
-    return [(root, last.get(root.link)) for root in roots]
+OF_PARTS = ("propagate", "join", "disassemble", "accelerate_root")
+"""What is done of all parts of a run at once, each by a call and with a variable for the next."""
 
 
-def _parts(symbols: Symbols, operation: Operation) -> list[str]:
-    """Return the lines that show the mobilities of parts."""
+def lines_of_parts(symbols: Symbols, operation: Operation) -> list[str]:
+    """Return the lines of one of ``OF_PARTS``."""
     run = operation.block
     assert isinstance(run, Run)
-    rows = []
-    for root, step in shown_by_parts(operation):
-        members = [symbols.block(root.block), symbols.bias(root.bias)]
-        if step is not None:
-            (spread,) = step.spreads  # with the first link
-            assert spread.target_transposed
-            members += [symbols.block(of) for of in (step.block, spread.target)]
-            members.append(symbols.bias(step.bias))
-        numbers = [f"&{member}" for member in members] + ["nullptr"] * (5 - len(members))
-        rows.append(f"    {{{', '.join(numbers)}}},")
-    call = f"show_parts<{run.first}, {run.last}>(w, {swept_parts(run)}, {{{{"
-    return [call, *rows, "}});"]
+    k, ends = run.first, f"{run.first}, {run.last}"
+    match operation.does:
+        case "propagate":
+            return [f"ShownParts shown_{k} = show_parts<{ends}>(w, {swept_parts(run)});"]
+        case "join":
+            whole = ", ".join(_shown_by_whole(symbols, operation))
+            call = f"join_parts<{ends}>(w, shown_{k}.ends, {{{whole}}});"
+            return [f"const JoinedParts joined_{k} = {call}"]
+        case "disassemble":
+            outer = [symbols.force(force) for force in _first_release(operation).forces]
+            on = ", ".join([*outer, "Columns6::Zero()"][:2])
+            return [f"const EndForces forces_{k} = release_parts<{ends}>(w, joined_{k}, {on});"]
+    call = f"start_parts({swept_parts(run)}, shown_{k}, forces_{k});"
+    return [f"const StartedParts started_{k} = {call}"]
+
+
+def accelerated_parts(run: Run) -> str:
+    """Return the call that sweeps the parts of a run outwards."""
+    return f"accelerate_in_parts<{run.first}, {run.last}>(w, started_{run.first});"
+
+
+def _last_join(operation: Operation) -> Join:
+    """The join by which the parts of a run become one chain."""
+    step = operation.steps[-1]
+    assert isinstance(step, Join)
+    return step
+
+
+def _first_release(operation: Operation) -> Disassemble:
+    step = operation.steps[0]
+    assert isinstance(step, Disassemble)
+    return step
+
+
+def _shown_by_whole(symbols: Symbols, operation: Operation) -> Iterator[str]:
+    """Where the mobility of joined parts is put: of the first link, then what the last one has."""
+    last = _last_join(operation)
+    blocks, biases = list(blocks_set_by(last)), list(biases_set_by(last))
+    (near, *beyond), (near_bias, *far_bias) = sorted(blocks), sorted(biases)
+    yield from (f"&{symbols.block(near)}", f"&{symbols.bias(near_bias)}")
+    if not beyond:
+        yield from ("nullptr",) * 3
+        return
+    across, far = beyond
+    yield from (f"&{symbols.block(far)}", f"&{symbols.block(across)}")
+    yield f"&{symbols.bias(far_bias[0])}"
 
 
 def propagation(symbols: Symbols, operation: Operation) -> list[str]:
     """Return the lines of an operation that carries mobilities outwards."""
-    if operation.method == "parts":
-        return _parts(symbols, operation)
     steps = [step for step in operation.steps if isinstance(step, Propagate)]
     first, last = steps[0], steps[-1]
     if operation.method not in CARRIED:
