@@ -18,6 +18,7 @@ from adagen.emit.templates import render, template, templates_folder
 from adagen.errors import UsageError
 from adagen.executor import Grouping
 from adagen.plan import Plan, plan_to_json
+from adagen.plan.steps import Join
 from adagen.program import Program, check, lower
 from adagen.schedule import CostProfile, step_costs, with_steps
 
@@ -155,6 +156,9 @@ def program_of(
         if len(plan.processes) > 1:
             raise UsageError("a batch is solved by the plan of one process")
         check_batch(shape, refine, plan.channel)
+        one_by_one = _in_parts(plan, shape, profile)
+        if one_by_one is not None:
+            return one_by_one
     if refine and checked_shape(refine, shape) == "auto":
         shape = shape_to_refine(plan, shape)
     shape = chosen_shape(plan, shape, batch=batch, profile=profile)
@@ -164,3 +168,16 @@ def program_of(
     again = refine > 0 and not plan.corrections
     program = programmed(plan, shape, profile, batch=batch, again=again)
     return program if batch else with_recovery(program, profile)
+
+
+def _in_parts(plan: Plan, shape: str, profile: CostProfile | None) -> Program | None:
+    """Return the program of one state whose chain is in parts, one in each lane; None if it is not.
+
+    A batch is solved by it state by state: its lanes are for parts.
+    """
+    if shape not in ("auto", "kernels") or not any(plan.steps_of(Join)):
+        return None
+    program = programmed(plan, "kernels", profile)
+    (process,) = program.processes
+    parted = any((op.does, op.method) == ("join", "parts") for op in process.operations)
+    return program if parted else None

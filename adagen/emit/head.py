@@ -51,6 +51,11 @@ _CLOSED = (
     "(docs/explanation/loops.md)."
 )
 _BATCH = "Each SIMD lane holds a state; the processes share the states of a batch, not the robot."
+_ONE_BY_ONE = (
+    "The states of a batch are solved one after the other, each in parts of the chain, one in each"
+    " SIMD lane: what as many states work on as there are lanes would not fit the second-level"
+    " cache. The processes share the states, not the robot."
+)
 
 
 def method(program: Program) -> str:
@@ -65,7 +70,7 @@ def frames(program: Program) -> str:
     return f"spatial vectors [angular; linear] {where}"
 
 
-def algorithm(program: Program) -> list[str]:
+def algorithm(program: Program, *, batch: bool = False) -> list[str]:
     """Return as lines how processes meet, how loops are solved and how batches are solved."""
     match program.plan.form, meeting(program):
         case "ada", _:
@@ -77,7 +82,8 @@ def algorithm(program: Program) -> list[str]:
         case _, how:
             parts = [_SEGMENTS, _JOINED] + [_EXCHANGED] * (how == "exchanged")
     parts += [_CLOSED] * program.plan.closed
-    parts += [_BATCH] * program.batch
+    if batch:
+        parts += [_BATCH if program.batch else _ONE_BY_ONE]
     return textwrap.wrap(" ".join(parts), _WIDTH)
 
 

@@ -111,6 +111,7 @@ class Solver:
             "columns": self.symbols.columns,
             "slaved_count": len(plan.slaved),
             "batch": bool(self.batch),
+            "state_by_state": bool(self.batch) and not self.program.batch,
             "reproducible": plan.reproducible,
             "certified": plan.certified,
             "refine": self.refine,
@@ -191,7 +192,7 @@ class Solver:
             "tree": quoted(plan.schedule)[1:-1] if meeting(program) in TREES else "",
             "method": method(program),
             "frames": frames(program),
-            "algorithm": algorithm(program),
+            "algorithm": algorithm(program, batch=bool(self.batch)),
             "program_lines": program_lines(program, self.costs),
         }
 
@@ -204,6 +205,7 @@ def _macros(plan: Plan, values: Mapping[str, object]) -> list[str]:
         "ADAGEN_THREADS": plan.threads,
         "ADAGEN_EMBEDDED": values["embedded"],
         "ADAGEN_BATCH": values["batch"],
+        "ADAGEN_STATE_BY_STATE": values["state_by_state"],
         "ADAGEN_LOOPS": plan.closed,
         "ADAGEN_CERTIFIED": plan.certified,
         "ADAGEN_REFINES": values["refine"],

@@ -9,6 +9,7 @@ from adagen.emit import check_batch, check_certified, check_reproducible
 from adagen.emit.embedded import TARGETS, check_target
 from adagen.emit.refine import RESIDUALS, checked_shape, checked_steps
 from adagen.errors import UsageError
+from adagen.plan.parts import MOST_IN_LANES
 
 MOST_PROCESSES = 1024
 
@@ -158,14 +159,15 @@ class Request:
             return False
         return self.shape in ("auto", "kernels") and not self.refinement
 
-    @property
-    def may_part(self) -> bool:
+    def may_part(self, joints: int) -> bool:
         """Whether a process may sweep a long chain in parts, one in each SIMD lane.
 
         Loops for one state do, whose answers are neither certified nor the same on any number of
-        processes.
+        processes. So a batch of chains of so many joints is solved state by state, if as many
+        states as there are lanes would not fit the cache.
         """
-        alone = self.batch or self.certify or self.reproducible or self.target != "host"
+        alone = self.certify or self.reproducible or self.target != "host"
+        alone |= self.batch and joints <= MOST_IN_LANES
         return self.parts == "auto" and self.may_gather and self.form == "segment" and not alone
 
     @property

@@ -91,7 +91,9 @@ def _whole(
         profile = profile.joins_only()
     try:
         asked = request.form, request.scalar
-        schedule = best_schedule(full, processes, profile, *asked, in_parts=request.may_part)
+        schedule = best_schedule(
+            full, processes, profile, *asked, in_parts=request.may_part(len(full.joints))
+        )
         plan = make_plan(full, schedule, form=request.form, scalar=request.scalar)
     except InputError:
         return None

@@ -41,7 +41,7 @@ def schedule_of(model: Model, request: Request) -> Schedule:
                 request.schedule,
             )
         # Parts say how a process sweeps what is its own, which not all answers can be found by.
-        found = found if request.may_part else replace(found, parts=0)
+        found = found if request.may_part(len(model.joints)) else replace(found, parts=0)
         return as_gathered(model, found)
     return as_gathered(model, searched(model, request))
 
@@ -84,7 +84,7 @@ def _best(model: Model, request: Request, profile: CostProfile) -> Schedule:
         improved=not request.naive,
         gather=request.may_gather,
         shape=request.priced_shape,
-        in_parts=request.may_part,
+        in_parts=request.may_part(len(model.joints)),
         **({} if request.expansions is None else {"expansions": request.expansions}),
     )
 

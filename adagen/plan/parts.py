@@ -35,6 +35,12 @@ second-level cache of 2 MB. Of 5000, least times are still shorter than by tiles
 from 150 to 210 us instead of 190 to 200."""
 
 
+MOST_IN_LANES = 512
+"""Joints of a chain, at most, of whose states one in each SIMD lane is solved faster than one after
+the other in parts. So many are straight lines in batches; in loops, eight states need some 7 kB for
+each joint, more of it than a second-level cache of 2 MB has."""
+
+
 def strips_of(joints: range, lanes: int) -> list[range]:
     """Return a run of joints in as many parts as there are lanes, the last ones a joint shorter."""
     rows = -(-len(joints) // lanes)

@@ -26,7 +26,8 @@
 
 namespace {
 
-// Solves many states at once, one in each lane of a register. Each process solves states of its
+// Solves many states: at once, one in each lane of a register, or one after the other, where its
+// Value is one number. Each process solves states of its
 // own; where process 0 has them all, it hands them out (handout.hpp).
 class Solver {
   // Reads the parameters that come with states.
@@ -132,16 +133,16 @@ class Solver {
   bool solve_rows(int count, const Number* q, const Number* v, const Number* tau, Number* qdd,
                   double* bounds) {
     bool good = true;
-    for (int first = 0; first < count; first += kGroups * kLanes) {
-      const int groups = std::min(kGroups, (count - first + kLanes - 1) / kLanes);
+    for (int first = 0; first < count; first += kGroups * kTogether) {
+      const int groups = std::min(kGroups, (count - first + kTogether - 1) / kTogether);
       for (int g = 0; g < groups; ++g) {
-        const int at = first + g * kLanes;
-        take(groups_[size(g)], at, std::min(kLanes, count - at), q, v, tau);
+        const int at = first + g * kTogether;
+        take(groups_[size(g)], at, std::min(kTogether, count - at), q, v, tau);
       }
       run(groups);
       for (int g = 0; g < groups; ++g) {
-        const int at = first + g * kLanes;
-        good &= give(groups_[size(g)], std::min(kLanes, count - at), qdd + size(at) * kNqdd,
+        const int at = first + g * kTogether;
+        good &= give(groups_[size(g)], std::min(kTogether, count - at), qdd + size(at) * kNqdd,
                      bounds == nullptr ? nullptr : bounds + at);
       }
     }
@@ -213,8 +214,11 @@ class Solver {
 
   // One lane of some values in all lanes.
   template <class Values>
-  static void everywhere(Values& lanes, const Values& all, int s) {
-    for (std::size_t k = 0; k < lanes.size(); ++k) lanes[k] = Value{} + all[k][s];
+  static void everywhere(Values& lanes, const Values& all, [[maybe_unused]] int s) {
+    if constexpr (kTogether == 1)
+      lanes = all;
+    else
+      for (std::size_t k = 0; k < lanes.size(); ++k) lanes[k] = Value{} + all[k][s];
   }
 
   // Returns how the first group fares.

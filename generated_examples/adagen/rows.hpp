@@ -60,6 +60,16 @@ void to_lanes(int states, const Real* rows, std::array<Lanes, width>& lanes) {
       lanes[k][s] = rows[static_cast<std::size_t>(std::min(s, states - 1)) * width + k];
 }
 
+// One state, which is solved by itself.
+template <std::size_t width>
+void to_lanes(int, const Real* row, std::array<Real, width>& numbers) {
+  std::copy_n(row, width, numbers.data());
+}
+template <std::size_t width>
+void to_rows(int, const std::array<Real, width>& numbers, Real* row) {
+  std::copy_n(numbers.data(), width, row);
+}
+
 // Lanes become rows of numbers.
 template <std::size_t width>
 void to_rows(int states, const std::array<Lanes, width>& lanes, Real* rows) {

@@ -12,7 +12,7 @@ from adagen.plan import make_plan
 from adagen.schedule import Topology, load_profile
 from adagen.search import named_schedule
 from adagen.states import random_states
-from tests.emitted import NARROW, OPTIMISED, QUICK, ROUNDING, Builder, kernels_of
+from tests.emitted import NARROW, OPTIMISED, QUICK, ROUNDING, Builder, kernels_of, text_of
 from tests.models import serial_chain
 from tests.plan.test_parts import hinges, in_parts
 from tests.slow import slow, spread
@@ -89,6 +89,18 @@ def test_passive_forces_and_rotors_act_in_parts(builder: Builder, tmp_path: Path
     assert "inward_in_parts<" in kernels_of(plan)
     solver = builder.solver(plan, name="parts", shape="kernels")
     assert solver.error(model, random_states(model, 4, seed=6), tmp_path, "--check") < 1e-11
+
+
+@pytest.mark.parametrize("processes", [1, slow(2)])
+def test_a_batch_is_solved_state_by_state(processes: int, builder: Builder, tmp_path: Path) -> None:
+    """Lanes are for parts; the head says so."""
+    model = hinges(30, seed=11)
+    plan = in_parts(model)
+    assert "#define ADAGEN_STATE_BY_STATE" in text_of(plan, batch=processes)
+    assert "one after the other" in text_of(plan, batch=processes)
+    solver = builder.solver(plan, name="parts", batch=processes)
+    states = random_states(model, 11, seed=10)
+    assert solver.error(model, states, tmp_path, "--check") < 1e-11
 
 
 @pytest.mark.parametrize("shape", ["unrolled", slow("joints")])

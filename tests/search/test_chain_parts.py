@@ -11,6 +11,7 @@ from adagen.library.request import Request
 from adagen.library.scheduling import schedule_of
 from adagen.model import Model
 from adagen.plan import make_plan
+from adagen.plan.parts import MOST_IN_LANES
 from adagen.plan.steps import Join
 from adagen.schedule import Topology, load_profile, schedule_to_json
 from adagen.search import best_schedule, predicted_time, schedule_from_json
@@ -79,6 +80,13 @@ def test_chains_stay_whole_where_parts_cannot_be_or_are_not_wanted(
     model = hinges(300, seed=1)
     request = Request(profile="xeon", **asked)  # type: ignore[arg-type]
     assert schedule_of(model, request).parts == 0
+
+
+def test_batches_of_long_chains_are_in_parts() -> None:
+    """State by state, where as many states as there are lanes would not fit the cache."""
+    model = hinges(MOST_IN_LANES + 1, seed=2)
+    assert schedule_of(model, Request(profile="xeon", batch=True)).parts == 8
+    assert schedule_of(model, Request(profile="xeon", batch=True, parts="none")).parts == 0
 
 
 def test_a_file_may_ask_for_parts() -> None:

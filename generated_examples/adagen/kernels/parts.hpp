@@ -27,6 +27,7 @@
 #include "loop_settings.hpp"
 #include "memory.hpp"
 #include "mobility.hpp"
+#include "parts_joined.hpp"
 #include "shuffles.hpp"
 #include "strips.hpp"
 
@@ -54,28 +55,6 @@ ADAGEN_INLINE void clear_others(const LaneBits& kept, T& numbers) {
   std::memcpy(all, &numbers, sizeof all);
   for (Lanes& each : all) each = chosen(kept, each, Lanes{});
   std::memcpy(&numbers, all, sizeof all);
-}
-
-// The numbers of each lane, as they follow each other, are put where that lane's belong.
-template <int begin = 0, std::size_t count, class To>
-ADAGEN_INLINE void lay_out(const Lanes (&numbers)[count], const To& to) {
-  ADAGEN_FOR (first, 0, (static_cast<int>(count) + 7) / 8) {
-    const int left = static_cast<int>(count) - 8 * first, own = left < 8 ? left : 8;
-    const Column none = eight<begin>(numbers[0]) - eight<begin>(numbers[0]);  // see set_up_columns
-    Column square[8]{none, none, none, none, none, none, none, none};
-    ADAGEN_FOR (k, 0, own) square[k] = eight<begin>(numbers[8 * first + k]);
-    transpose(square);
-    ADAGEN_FOR (k, 0, 8)
-      std::memcpy(to(begin + k) + 8 * first, &square[k],
-                  sizeof(Real) * static_cast<std::size_t>(own));
-  }
-  if constexpr (begin + 8 < kPerBlock) lay_out<begin + 8>(numbers, to);
-}
-
-// The torques of a row.
-template <class Run, std::size_t... lane>
-ADAGEN_INLINE Lanes torques(const Workspace& w, int row, std::index_sequence<lane...>) {
-  return Lanes{torque(w, Run::joint(static_cast<int>(lane), row))...};
 }
 
 // Bodies beyond the joints that parts hang on by, each about its first link, without that.
@@ -156,14 +135,13 @@ ADAGEN_NOINLINE Yields yields_of_parts(Workspace& w) {
 }
 
 // What the sweep inwards of a run's parts finds: the bodies at the parts' first links, without the
-// joints that these hang on, and how unit wrenches on the last ones arrive there; for each part L,
-// by which its last link moves as the first one does.
+// joints that these hang on, and how unit wrenches on the last ones arrive there.
 struct SweptParts {
   Body<Lanes> bodies;
   ThreeWrenches moments, forces;
-  std::array<Mat6, kPerBlock> moved;
 
-  // A column of all L: what each wrench has become along one direction.
+  // A column of L, by which a part's last link moves as its first one does: what each wrench has
+  // become along one direction.
   ADAGEN_INLINE void column(int k, Lanes (&found)[6]) const {
     using V = Vector<Lanes>;
     constexpr Lanes V::* components[]{&V::x, &V::y, &V::z};
@@ -181,13 +159,6 @@ ADAGEN_NOINLINE SweptParts inward_in_parts(Workspace& w) {
   swept.bodies = inward_along_parts<Run>(w);
   add_bare_link(w, Run::row(0, 0), swept.bodies);
   swept.moments = carry_along_parts<Run, 0>(w), swept.forces = carry_along_parts<Run, 3>(w);
-  ADAGEN_FOR (k, 0, 6) {
-    Lanes column[6];
-    swept.column(k, column);
-    lay_out(column, [&swept, k](int lane) {
-      return swept.moved[static_cast<std::size_t>(lane)].data() + 6 * k;
-    });
-  }
   return swept;
 }
 
@@ -229,75 +200,72 @@ ADAGEN_INLINE Lanes invert(const Body<Lanes>& X, Lanes (&Phi)[6][6], Lanes (&b)[
   return chosen(good, Lanes{} + 1, Lanes{} - 1);
 }
 
-// Where it is put what a part shows: Phi and b of its first link and of its last one, and Phi of
-// the two; nothing is where nothing is joined to the last one.
-struct ShownPart {
-  Mat6* near;
-  Columns6* near_bias;
-  Mat6 *far, *across;
-  Columns6* far_bias;
+// What each part shows; nothing is joined to the last one's last link where the chain ends there.
+struct ShownParts {
+  Ends ends;
+  Lanes Phi[6][6], b[6];  // of the first links
 };
 template <int first, int last>
-ADAGEN_NOINLINE void show_parts(Workspace& w, const SweptParts& swept,
-                                std::array<ShownPart, kPerBlock> shown) {
+ADAGEN_NOINLINE ShownParts show_parts(Workspace& w, const SweptParts& swept) {
   using Run = Strips<first, last>;
-  Mat6 nowhere;
-  Columns6 no_bias;
-  for (ShownPart& each : shown)
-    if (each.far == nullptr) each.far = each.across = &nowhere, each.far_bias = &no_bias;
-  const auto put = [&shown](auto place, int column, const Lanes(&numbers)[6]) ADAGEN_ALWAYS {
-    lay_out(numbers, [&](int lane) ADAGEN_ALWAYS {
-      return (shown[static_cast<std::size_t>(lane)].*place)->data() + 6 * column;
-    });
-  };
-  Lanes Phi[6][6], b[6];
+  ShownParts shown;
+  auto& [ends, Phi, b] = shown;
   const Lanes good = invert(swept.bodies, Phi, b);
   if (__builtin_expect(!all_positive(good), 0)) fail_one(w, Run::row(0, 0), good);
-  ADAGEN_FOR (k, 0, 6) put(&ShownPart::near, k, Phi[k]);
-  put(&ShownPart::near_bias, 0, b);
-
+  ends.near = mobility_of(Phi, b);
   const Yields yields = yields_of_parts<Run>(w);
-  Lanes L[6][6], half[6][6];  // L by columns; L Phi by rows
+  Lanes L[6][6], far[6][6], far_bias[6];  // L by columns
   ADAGEN_FOR (k, 0, 6) swept.column(k, L[k]);
   ADAGEN_FOR (i, 0, 6)
     ADAGEN_FOR (k, 0, 6) {
-      half[i][k] = L[0][i] * Phi[0][k];
-      ADAGEN_FOR (h, 1, 6) half[i][k] += L[h][i] * Phi[h][k];
+      ends.across[k][i] = L[0][i] * Phi[0][k];
+      ADAGEN_FOR (h, 1, 6) ends.across[k][i] += L[h][i] * Phi[h][k];
     }
-  ADAGEN_FOR (k, 0, 6) put(&ShownPart::across, k, half[k]);
   int at = 0;
   ADAGEN_FOR (i, 0, 6)
     ADAGEN_FOR (k, i, 6) {
       Lanes sum = yields.own[at++];
-      ADAGEN_FOR (h, 0, 6) sum += half[i][h] * L[h][k];
-      Phi[i][k] = Phi[k][i] = sum;
+      ADAGEN_FOR (h, 0, 6) sum += ends.across[h][i] * L[h][k];
+      far[i][k] = far[k][i] = sum;
     }
-  ADAGEN_FOR (k, 0, 6) put(&ShownPart::far, k, Phi[k]);
-  Lanes far_bias[6];
   ADAGEN_FOR (i, 0, 6) {
     far_bias[i] = yields.free[i];
     ADAGEN_FOR (h, 0, 6) far_bias[i] += L[h][i] * b[h];
   }
-  put(&ShownPart::far_bias, 0, far_bias);
+  ends.far = mobility_of(far, far_bias);
+  return shown;
+}
+
+// How parts start outwards: their first links' accelerations, and the loads of their last links.
+struct StartedParts {
+  Motion<Lanes> first;
+  Lanes load[6];
+};
+[[maybe_unused]] ADAGEN_NOINLINE StartedParts start_parts(const SweptParts& swept,
+                                                          const ShownParts& shown,
+                                                          const EndForces& forces) {
+  Lanes load[6], a[6], L[6];
+  ADAGEN_FOR (k, 0, 6) load[k] = forces.near[k];
+  ADAGEN_FOR (k, 0, 6) {  // of the last link, as the first one feels it
+    swept.column(k, L);
+    ADAGEN_FOR (i, 0, 6) load[k] += L[i] * forces.far[i];
+  }
+  ADAGEN_FOR (i, 0, 6) {
+    a[i] = shown.b[i];
+    ADAGEN_FOR (k, 0, 6) a[i] += shown.Phi[i][k] * load[k];
+  }
+  StartedParts started{{angular_of(a), linear_of(a)}, {}};
+  ADAGEN_FOR (k, 0, 6) started.load[k] = forces.far[k];
+  return started;
 }
 
 // The parts' joints outwards. Each takes its part of the load of its part's last link: what unit
-// wrenches there did to it. The first parts have such a load; the last one may have none.
-template <int first, int last, int loaded>
-ADAGEN_NOINLINE void accelerate_in_parts(Workspace& w) {
+// wrenches there did to it.
+template <int first, int last>
+ADAGEN_NOINLINE void accelerate_in_parts(Workspace& w, const StartedParts& started) {
   using Run = Strips<first, last>;
-  Motion<Lanes> a;
-  Lanes load[6]{};
-  ADAGEN_FOR (lane, 0, kPerBlock) {
-    const Motion<Value>& own = w.motions[static_cast<std::size_t>(Run::joint(lane, 0) + 1)];
-    a.angular.x[lane] = own.angular.x, a.angular.y[lane] = own.angular.y;
-    a.angular.z[lane] = own.angular.z, a.linear.x[lane] = own.linear.x;
-    a.linear.y[lane] = own.linear.y, a.linear.z[lane] = own.linear.z;
-    if (lane < loaded) {
-      const int link = Run::joint(lane, Run::kRows - 1) + 1;
-      ADAGEN_FOR (k, 0, 6) load[k][lane] = w.loads[static_cast<std::size_t>(link)][k];
-    }
-  }
+  Motion<Lanes> a = started.first;
+  const Lanes(&load)[6] = started.load;
   const auto pass = [&](int row) ADAGEN_ALWAYS {
     const Joints<Lanes> joints = Run::row(row, 0);
     const auto& [r, e] = w.memory(joints);

@@ -15,7 +15,10 @@
 
 namespace {
 
-// As many states as there are lanes, one in each, and what they are solved with.
+// States that are solved together: as many as there are lanes, one in each, or one by itself.
+constexpr int kTogether = static_cast<int>(sizeof(Value) / sizeof(Real));
+
+// These, and what they are solved with.
 struct Group {
   Workspace w;
   std::array<Value, kNq> q{};

@@ -9,7 +9,7 @@ namespace {
 [[maybe_unused]] constexpr int kLanes = 64 / static_cast<int>(sizeof(Real));
 typedef Real Lanes __attribute__((vector_size(64)));
 
-#if defined(ADAGEN_BATCH)
+#if defined(ADAGEN_BATCH) && !defined(ADAGEN_STATE_BY_STATE)
 using Value = Lanes;  // what is computed with: one state in each lane
 #else
 using Value = Real;  // what is computed with
