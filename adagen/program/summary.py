@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal
 
 from adagen.errors import printable
@@ -65,7 +66,8 @@ def groups(program: Program, process: int, *, whole: bool = False) -> list[str]:
     Args:
         program: the program.
         process: one of its processes.
-        whole: whether all joints of a run are named, and not its first and last alone.
+        whole: whether all joints of a run are named, but for long chains, and not its first and
+            last alone.
     """
     own: Process = program.plan.processes[process]
     side_by_side = program.slots.limbs[process]
@@ -78,10 +80,22 @@ def groups(program: Program, process: int, *, whole: bool = False) -> list[str]:
     return found + [_run_words(program, range(a, b + 1), whole) for a, b in left]
 
 
+_LISTED = 12
+"""Joints of a chain, each on the link of the one before, up to which all are named."""
+
+
 def _run_words(program: Program, run: Sequence[int], whole: bool) -> str:
-    shown = run if whole else dict.fromkeys((run[0], run[-1]))
-    names = [program.plan.joints[j].name for j in shown]
-    return (", " if whole else " .. ").join(names)
+    joints = program.plan.joints
+    if not whole:
+        return " .. ".join(joints[j].name for j in dict.fromkeys((run[0], run[-1])))
+    words: list[str] = []
+    begins = [k for k, j in enumerate(run) if not k or joints[j].parent != run[k - 1] + 1]
+    for begin, end in pairwise([*begins, len(run)]):
+        names = [joints[j].name for j in run[begin:end]]
+        if len(names) > _LISTED:
+            names = [f"{names[0]} .. {names[-1]} ({len(names)} joints)"]
+        words += names
+    return ", ".join(words)
 
 
 def title(program: Program) -> str:

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from adagen.cli import main
-from tests.cli.robots import Said
+from tests.cli.robots import Said, write_arm
 
 
 class TestSchedule:
@@ -20,6 +20,12 @@ class TestSchedule:
         assert all(f"j{j}" in stdout for j in range(3))
         assert re.search(r"0\.\d+ us predicted \(default profile", stdout)
         assert "2 processes do not pay: " in stderr and stderr.count("warning:") == 1
+
+    def test_long_chains_are_named_by_their_ends(self, tmp_path: Path, said: Said) -> None:
+        path = write_arm(tmp_path / "chain.urdf", 40)
+        assert main(["schedule", str(path), "--procs", "2", "--schedule", "balanced"]) == 0
+        listed = re.findall(r"^  (.*) \.\. (.*) \((\d+) joints\)$", said()[0], re.MULTILINE)
+        assert len(listed) == 2 and sum(int(count) for _, _, count in listed) == 40
 
     def test_as_json_and_back(self, arm: Path, tmp_path: Path, said: Said) -> None:
         assert main(["schedule", str(arm), "--procs", "2", "--json"]) == 0
