@@ -58,7 +58,7 @@ def with_recovery(program: Program, profile: CostProfile | None = None) -> Progr
         profile: prices limbs; the shipped one where it prices joins alone, or none is given.
     """
     plan = program.plan
-    if program.shape != "unrolled" or not any(process.recovery for process in plan.processes):
+    if program.shape != "unrolled" or program.batch or not plan.recovers:
         return program
     return replace(program, recovering=chosen_grouping(plan.recovering(), step_costs(profile)))
 

@@ -348,9 +348,17 @@ class Plan:
     def for_batches(self) -> Plan:
         """The plan for many states at once.
 
-        Lanes of a batch cannot go different ways: they go the one that suits all closed poses.
+        Lanes of a batch go the same way: the first one, or the last one, which suits all closed
+        poses, where a pose in a group is poor. A reproducible one always takes the last one, so
+        that neighbours do not matter.
         """
-        return self.alternatives[-1] if self.closed else self
+        if not self.closed:
+            return self
+        if self.reproducible:
+            return self.alternatives[-1]
+        ways = [(process, (process.recovery, *process.others)) for process in self.processes]
+        processes = (replace(p, recovery=again[-1], others=()) for p, again in ways)
+        return replace(self, processes=tuple(processes))
 
     @property
     def nv(self) -> int:

@@ -194,10 +194,17 @@ class TestFailures:
 
 
 @pytest.mark.parametrize("mechanism", [four_bar, quadruped])
-def test_a_batch_goes_the_way_that_suits_all_closed_poses(
+def test_a_batch_has_two_ways_and_a_reproducible_one_that_suits_all_closed_poses(
     mechanism: Callable[[], Model],
 ) -> None:
-    """Lanes cannot go different ways, also where nobody has chosen one for them."""
+    """Lanes cannot go different ways; groups can, whose answers depend on their neighbours."""
     plan = plan_of(mechanism(), 1)
     assert plan.recovers
-    assert text_of(plan, batch=1) == text_of(plan.alternatives[-1], batch=1)
+    found, all_ways = (
+        [each.processes[0].steps for each in some.alternatives] for some in (plan.for_batches, plan)
+    )
+    assert found == [all_ways[0], all_ways[-1]]
+    assert "kRecoverParts{begin_group_again" in text_of(plan, batch=1)
+    again = replace(plan, reproducible=True)
+    assert again.for_batches.processes[0].steps == plan.alternatives[-1].processes[0].steps
+    assert "kRecoverParts" not in text_of(again, batch=1)

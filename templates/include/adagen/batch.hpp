@@ -133,6 +133,9 @@ class Solver {
   bool solve_rows(int count, const Number* q, const Number* v, const Number* tau, Number* qdd,
                   double* bounds) {
     bool good = true;
+#ifdef ADAGEN_RECOVERS
+    tried_ = poor_ = 0;
+#endif
     for (int first = 0; first < count; first += kGroups * kTogether) {
       const int groups = std::min(kGroups, (count - first + kTogether - 1) / kTogether);
       for (int g = 0; g < groups; ++g) {
@@ -230,10 +233,39 @@ class Solver {
       group.w.status = kFine;
     }
     [[maybe_unused]] const TinyAreZero tiny;
+#ifdef ADAGEN_RECOVERS
+    std::array<bool, kGroups> poor;
+    poor.fill(true);
+    if (2 * poor_ <= tried_) {
+      go_through(kParts, groups, poor);
+      for (int g = 0; g < groups; ++g) {
+        int& status = groups_[size(g)].w.status;
+        poor[size(g)] = failure_kind(status) == kSingularPose;
+        if (poor[size(g)]) status = kFine, ++poor_;
+      }
+      tried_ += groups;
+    }
+    go_through(kRecoverParts, groups, poor);
+#else
     for (const auto part : kParts)
       for (int g = 0; g < groups; ++g) part(groups_[size(g)].w);
+#endif
     return groups_.front().w.status;
   }
+
+#ifdef ADAGEN_RECOVERS
+  // Some of the groups go through all parts.
+  template <class Parts>
+  void go_through(const Parts& parts, int groups, const std::array<bool, kGroups>& which) {
+    for (const auto part : parts)
+      for (int g = 0; g < groups; ++g)
+        if (which[size(g)]) part(groups_[size(g)].w);
+  }
+
+  // Groups of a call that went the first way, and those of them in which it cannot stand a pose. If
+  // that is more than half of them, the rest of the call goes the other way at once.
+  int tried_ = 0, poor_ = 0;
+#endif
 
   std::array<Group, kGroups> groups_;
   static constexpr int kKept = 256;  // what fails beyond is only counted
