@@ -14,6 +14,7 @@ from hypothesis import settings
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from adagen.build import cache_folder, find_toolchain
+from adagen.garbage import ALLOCATIONS
 from tests.emitted import HURRIED, Builder
 
 # Examples take as long as the machine is busy: a test that found nothing wrong is not to fail.
@@ -42,10 +43,12 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 def pytest_collection_finish() -> None:
     """Let Python not look for cycles among tests and modules, of which none ends before the run.
 
-    Each time it did took a quarter of a second, and a sixth of the time of tests in Python.
+    Each time it did took a quarter of a second, and a sixth of the time of tests in Python. Among
+    what tests make it looks as seldom as adagen has it.
     """
     gc.collect()
     gc.freeze()
+    gc.set_threshold(ALLOCATIONS)
 
 
 @pytest.fixture(scope="session")
