@@ -136,8 +136,8 @@ class Solver {
 #ifdef ADAGEN_RECOVERS
     tried_ = poor_ = 0;
 #endif
-    for (int first = 0; first < count; first += kGroups * kTogether) {
-      const int groups = std::min(kGroups, (count - first + kTogether - 1) / kTogether);
+    for (int first = 0, groups; first < count; first += groups * kTogether) {
+      groups = std::min(at_once(), (count - first + kTogether - 1) / kTogether);
       for (int g = 0; g < groups; ++g) {
         const int at = first + g * kTogether;
         take(groups_[size(g)], at, std::min(kTogether, count - at), q, v, tau);
@@ -251,6 +251,14 @@ class Solver {
       for (int g = 0; g < groups; ++g) part(groups_[size(g)].w);
 #endif
     return groups_.front().w.status;
+  }
+
+  // How many groups are next: one that shows which way to go, if there are several.
+  int at_once() const {
+#ifdef ADAGEN_RECOVERS
+    if (tried_ == 0) return 1;
+#endif
+    return kGroups;
   }
 
 #ifdef ADAGEN_RECOVERS
