@@ -86,9 +86,10 @@ def test_one_lucky_rounding_is_not_what_is_predicted() -> None:
     plan, hardest = plan_of(model, 1), 51
     rng = np.random.default_rng(11)
     q, v, tau = (np.repeat(x[hardest : hardest + 1], 300, axis=0) for x in program_states(plan))
-    states = q * (1 + rng.uniform(-1e-8, 1e-8, q.shape)), v, tau
+    q = q * (1 + rng.uniform(-1e-8, 1e-8, q.shape))
+    states = q, v, tau
     truth = accelerations(plan, *states)
-    found = interpret(plan, *(x.T for x in states)).T
+    found = interpret(plan, q.T, v.T, tau.T).T
     energy = Sweep(plan, np.float64, None, states).energy
     off, whole = (energy(x.astype(float)).sum(axis=1) for x in (found - truth, truth))
     errors = np.sqrt(off / whole)
