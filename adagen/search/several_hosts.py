@@ -6,12 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import accumulate
 
-from adagen.cost import programmed, timeline
+from adagen.cost import timeline
 from adagen.cost.handout import Batch, Handout, Helper, handed_out
+from adagen.emit import program_of
 from adagen.emit.predicted import priced_program
-from adagen.emit.shapes import chosen_shape
 from adagen.model import Model
 from adagen.plan import make_plan
+from adagen.plan.parts import MOST_IN_LANES
 from adagen.schedule import CostProfile, Host
 from adagen.schedule.costs import StepCosts
 from adagen.schedule.fat_tree import Network, between_hosts
@@ -185,11 +186,13 @@ def state_time(model: Model, profile: CostProfile) -> float:
     """Return the predicted time of a process for one state of a batch, microseconds.
 
     It is the time of the program that a batch runs, by the price of single evaluations, shared by
-    the lanes: what registers take longer for than numbers is not in it.
+    the lanes: what registers take longer for than numbers is not in it. Long chains are solved
+    state by state, their lanes are for parts.
     """
-    plan = make_plan(model, best_schedule(model, 1, profile))
-    shape = chosen_shape(plan, batch=True, profile=profile)
-    return timeline(programmed(plan, shape, profile, batch=True), profile).makespan / LANES
+    in_parts = len(model.joints) > MOST_IN_LANES
+    plan = make_plan(model, best_schedule(model, 1, profile, in_parts=in_parts))
+    program = program_of(plan, batch=True, profile=profile)
+    return timeline(program, profile).makespan / (LANES if program.batch else 1)
 
 
 def batches_on(

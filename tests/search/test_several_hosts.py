@@ -11,11 +11,14 @@ import pytest
 from adagen.calibrate import profile_text
 from adagen.cli import main
 from adagen.cost import timeline
+from adagen.emit import program_of
 from adagen.emit.predicted import priced_program
+from adagen.plan import make_plan
 from adagen.schedule import CostProfile, Host, load_profile
 from adagen.schedule.costs import ChannelCosts
 from adagen.schedule.fat_tree import between_hosts
-from adagen.search.several_hosts import across_hosts, network_of, placed
+from adagen.search import best_schedule
+from adagen.search.several_hosts import across_hosts, network_of, placed, state_time
 from tests.emitted import plan_of
 from tests.golden.make_models import MODELS
 from tests.models import serial_chain
@@ -72,6 +75,15 @@ def test_batches_pay_where_the_link_is_fast_enough() -> None:
     assert fast.best_batches.hosts == 4
     for one in (*slow.batches, *fast.batches):
         assert one.rate <= one.in_place
+
+
+def test_states_of_long_chains_are_priced_one_by_one() -> None:
+    """Their batches are solved state by state, in parts: no lane holds another state."""
+    model, xeon = serial_chain(520), load_profile("xeon")
+    alone = best_schedule(model, 1, xeon, in_parts=True)
+    assert alone.parts and not program_of(make_plan(model, alone), batch=True, profile=xeon).batch
+    assert state_time(model, xeon) == pytest.approx(alone.makespan)
+    assert state_time(serial_chain(500), xeon) < alone.makespan / 2
 
 
 def test_it_is_said_in_words_and_as_json(
