@@ -28,7 +28,7 @@ from adagen.search.segment_pareto import put_segment
 
 _FEWEST = 2
 """Joints of a part at least, by which this family is defined."""
-_PLAYS = 3
+_PLAYS = 4
 _MOST_AT_ONCE = 8
 """Groups of processes that put passages together at once, at most: each sends to all others."""
 _FINE = 1e-4  # microseconds to which parts are equally long
@@ -141,9 +141,10 @@ class ChainExchange:
         others = [0.0] * count
         found: list[tuple[float, int, Schedule]] = []
         fans = _fans(count)
+        cuts: list[int] | None = None
         for _ in range(_PLAYS):
-            cuts = self._even(others, latest)
-            if cuts is None:
+            before, cuts = cuts, self._even(others, latest)
+            if cuts is None or cuts == before:
                 break
             tried: list[tuple[float, int, Schedule, list[float]]] = []
             for fan in fans:

@@ -41,7 +41,7 @@ def exchanged(joints: int, processes: int, cuttable: list[bool] | None = None) -
 
 @pytest.mark.parametrize(("joints", "processes"), [(300, 2), (600, 4), slow(700, 8), slow(900, 16)])
 def test_parts_are_as_long_as_each_other(joints: int, processes: int) -> None:
-    """Moving a cut by a tenth of a part makes no schedule faster (of 16 parts, by 0.2 %)."""
+    """Moving a cut by a tenth of a part makes no schedule of a chain faster."""
     found = exchanged(joints, processes)
     plan = make_plan(serial_chain(joints), found)
     parts = [len(process.owns) for process in plan.processes]
@@ -59,9 +59,7 @@ def test_parts_are_as_long_as_each_other(joints: int, processes: int) -> None:
             moved = [joint + by * (i == k) for i, joint in enumerate(ends.tolist())]
             allowed = [j in moved for j in range(joints)]
             other = played(serial_chain(joints), exchanged(joints, processes, allowed), PROFILE)
-            # Cuts let all first sweeps end at once. On 16 processes, who waits for whom afterwards
-            # is worth a thousandth that no cut is moved for.
-            assert best <= other * (1.002 if processes > 8 else 1.0)
+            assert best <= other
 
 
 @pytest.mark.parametrize("allowed", [(10, 11, 12), (100, 101, 399), (1, 2, 300)])
