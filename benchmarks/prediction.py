@@ -1,6 +1,6 @@
 """Predicted against measured times, over models and schedules, at P = 1, 2 and 4.
 
-    python -m benchmarks.prediction measure FILE.json
+    python -m benchmarks.prediction measure FILE.json [--profile NAME]
     python -m benchmarks.prediction report FILE.json [--profile NAME]
                                                       [--write docs/records/prediction.md]
 
@@ -32,7 +32,7 @@ from adagen.errors import AdagenError
 from adagen.executor.join_digits import predicted_growth
 from adagen.model import Model
 from adagen.plan import Plan, make_plan, plan_to_json
-from adagen.schedule import Schedule, Topology, load_profile
+from adagen.schedule import CostProfile, Schedule, Topology, load_profile
 from adagen.search import best_schedule, find_schedule
 from benchmarks.page import command, publish
 from benchmarks.prediction_report import report
@@ -58,9 +58,9 @@ def models() -> Iterator[Model]:
             yield dataclasses.replace(model, name=name)
 
 
-def schedules(model: Model) -> Iterator[tuple[str, Schedule]]:
+def schedules(model: Model, profile: CostProfile) -> Iterator[tuple[str, Schedule]]:
     """Yield the schedules that are compared, each with a label: form, processes, how it is made."""
-    topology, profile = Topology.of(model), load_profile("default")
+    topology = Topology.of(model)
     best = find_schedule(topology, 2, profile=profile)
     single = find_schedule(topology, 1, profile=profile)
 
@@ -79,10 +79,10 @@ def schedules(model: Model) -> Iterator[tuple[str, Schedule]]:
     yield "ada, P=2, random orders", made(7, 2, 0.3, True)
 
 
-def plans(model: Model) -> list[tuple[str, Plan]]:
+def plans(model: Model, profile: CostProfile) -> list[tuple[str, Plan]]:
     """Return labels and plans that differ; without those whose form cannot treat the robot."""
     found: dict[Plan, str] = {}
-    for label, schedule in schedules(model):
+    for label, schedule in schedules(model, profile):
         try:
             plan = make_plan(model, schedule, form=label.split(",")[0])
             predicted_growth(plan)
@@ -94,13 +94,14 @@ def plans(model: Model) -> list[tuple[str, Plan]]:
 
 
 def measured(
-    model: Model, toolchain: Toolchain, say: Callable[[str], None]
+    model: Model, profile: CostProfile, toolchain: Toolchain, say: Callable[[str], None]
 ) -> list[dict[str, Any]]:
     """Build and time a robot's programs; return what is recorded of them."""
-    labelled = plans(model)
+    labelled = plans(model, profile)
     say(f"compiling {len(labelled)} programs")
     with ThreadPoolExecutor(2) as pool:
-        programs = list(pool.map(lambda pair: Built(pair[1], toolchain), labelled))
+        built = pool.map(lambda pair: Built(pair[1], toolchain, profile=profile), labelled)
+        programs = list(built)
     say("timing")
     found: list[list[Measurement]] = [[] for _ in programs]
     for _ in range(ROUNDS):
@@ -118,7 +119,7 @@ def measured(
     ]
 
 
-def measure(path: Path) -> None:
+def measure(path: Path, profile: CostProfile) -> None:
     """Build and time all, keeping the file up to date robot by robot."""
     toolchain = find_toolchain()
     rows: list[dict[str, Any]] = json.loads(path.read_text()) if path.exists() else []
@@ -131,7 +132,7 @@ def measure(path: Path) -> None:
         def say(what: str, place: str = f"{k + 1} of {len(every)}: {model.name}") -> None:
             note(f"{time.monotonic() - start:4.0f} s  robot {place}: {what}")
 
-        rows += measured(model, toolchain, say)
+        rows += measured(model, profile, toolchain, say)
         path.write_text(json.dumps(rows))
 
 
@@ -140,11 +141,11 @@ def main() -> None:
     parser = command(__doc__)
     parser.add_argument("what", choices=("measure", "report"))
     parser.add_argument("file", type=Path)
-    parser.add_argument("--profile", default="default")
+    parser.add_argument("--profile", default="default", help="the machine's cost profile")
     parser.add_argument("--machine", default="this one", help="what the report calls it")
     options = parser.parse_args()
     if options.what == "measure":
-        measure(options.file)
+        measure(options.file, load_profile(options.profile))
         return
     publish(options, "prediction", report(options.file, options.profile, options.machine))
 

@@ -109,7 +109,7 @@ def _summary(rows: list[Row], names: list[str], profile: str, machine: str) -> I
         yield (
             "≈: more processes than cores. A wall time means nothing then; what each process "
             "computes between messages is\nmeasured by itself, and played through with what the "
-            "shipped profile says of messages ([benchmarks](benchmarks.md)).\n"
+            "profile says of messages ([benchmarks](benchmarks.md)).\n"
         )
 
 

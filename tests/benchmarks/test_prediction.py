@@ -29,7 +29,7 @@ def test_rank_correlation_shares_ranks_of_ties() -> None:
 
 def test_every_distinct_plan_is_recorded_and_reported(tmp_path: Path) -> None:
     model = squared(robot("arm", chain(8), ["revolute"], 2))
-    labelled = plans(model)
+    labelled = plans(model, load_profile("default"))
     labels = [label for label, _ in labelled]
     assert len(labels) == len(set(labels)) and len({plan for _, plan in labelled}) == len(labels)
     assert sum("P=4" not in label for label in labels) >= 5  # P = 1 and 2
