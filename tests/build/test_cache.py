@@ -121,6 +121,14 @@ def test_the_program_around_solvers_is_compiled_once_for_each_kind(
     assert len(objects(fake)) == 3
 
 
+def test_the_program_around_solvers_is_optimised_little(fake: Toolchain, tmp_path: Path) -> None:
+    build_executable(SOLVER, "robot", replace(fake, flags=("-O3", "-g")), tmp_path / "cache")
+    (call,) = objects(fake)
+    assert "-O1 -g -DADAGEN_FLOAT -c " in call
+    log = Path(f"{fake.mpicxx[0]}.calls").read_text().splitlines()
+    assert all("-O3 -g " in line for line in log if line != call)
+
+
 def test_what_is_a_library_or_no_solver_is_linked_with_nothing(
     fake: Toolchain, tmp_path: Path
 ) -> None:

@@ -63,6 +63,19 @@ def test_the_emitted_makefile_builds_and_checks(
     assert "right" in done.stdout
 
 
+def test_the_program_around_solvers_is_optimised_little(arm: Path, tmp_path: Path) -> None:
+    assert main([str(arm), "--procs", "1", "--out", str(tmp_path)]) == 0
+
+    def optimised(flags: str) -> list[str]:
+        command = ["make", "-n", "-C", str(tmp_path), f"EIGEN={EIGEN}", f"CXXFLAGS={flags}"]
+        said = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True)
+        words = said.stdout.replace("\\\n", " ").split()
+        return [word for word in words if word.startswith("-O")]
+
+    assert optimised("-O3 -g") == ["-O1", "-O3"]  # the program, the solver
+    assert optimised("-O2") == ["-O2", "-O2"]
+
+
 @pytest.mark.parametrize("target", ["all", "lib"])
 def test_an_mpi_compiler_that_is_not_there_is_named(target: str, arm: Path, tmp_path: Path) -> None:
     words = ["--procs", "2", "--form", "ada", "--channel", "message", "--out", str(tmp_path)]
