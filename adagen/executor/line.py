@@ -168,7 +168,7 @@ def line_of(plan: Plan) -> Line:
     free = replace(plan, reproducible=False)
     limbs = least_of(free, offered_groupings(free))
     robot = aligned(plan, limbs[0]) if limbs[0] else plan
-    (simulated,) = after_all_steps(
-        plan, [Machine(robot, {}, all_limbs=limbs[0], steps=plan.processes[0].steps)]
-    )
+    steps = plan.processes[0].steps
+    machine = Machine(robot, {}, all_limbs=limbs[0], steps=steps, unturned=plan)
+    (simulated,) = after_all_steps(plan, [machine])
     return Line(plan, simulated)

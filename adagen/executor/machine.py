@@ -76,8 +76,9 @@ class Machine(State):
         graph: Graph | Numbers | None = None,
         all_limbs: Sequence[Limbs] = (),
         steps: Sequence[Step] = (),
+        unturned: Plan | None = None,
     ) -> None:
-        super().__init__(plan, refining, graph, all_limbs)
+        super().__init__(plan, refining, graph, all_limbs, unturned)
         self.mail = mail
         self.sent: dict[int, list[Expression]] = {}
         self.motion = Motion(self)
@@ -95,7 +96,8 @@ class Machine(State):
 
     def again(self, steps: Sequence[Step]) -> Machine:
         """Return a machine that repeats steps in the same graph and lanes."""
-        return Machine(self.plan, self.mail, self.refining, self.graph, self.limbs, steps)
+        same = self.plan, self.mail, self.refining, self.graph, self.limbs
+        return Machine(*same, steps, self.unturned)
 
     def step(self, step: Step) -> bool:
         """Execute one step; return False if it has to wait for a message."""
@@ -229,7 +231,7 @@ class Machine(State):
             added.add(("energies", 0))
         if message.repeats is not None:
             self.corrections.receive(self.received[message.repeats], added)
-        for item, entries, shape in self.mail.pop(number):
+        for item, entries, shape in self.mail[number]:
             values = [
                 self.graph.constant(known)
                 if place is None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import accumulate, chain
@@ -12,7 +12,8 @@ from adagen.executor.lane_frames import aligned
 from adagen.executor.lanes import Grouping, steps_in_order
 from adagen.executor.machine import Machine
 from adagen.executor.state import Refining
-from adagen.graph import Operations, count_operations
+from adagen.graph import Operations, count_operations, live_nodes
+from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Step
 from adagen.plan.types import Plan
 
@@ -34,9 +35,14 @@ class Simulated:
     ends: tuple[int, ...]
 
     @cached_property
+    def alive(self) -> list[int]:
+        """Indices of all nodes that are needed, ascending."""
+        return live_nodes(self.machine.graph, self.machine.roots())
+
+    @cached_property
     def operations(self) -> Operations:
         """Number of operations of an evaluation in this process."""
-        return count_operations(self.machine.graph, self.machine.roots())
+        return count_operations(self.machine.graph, self.machine.roots(), self.alive)
 
 
 def _done(machine: Machine, step: Step) -> bool:
@@ -47,7 +53,6 @@ def _done(machine: Machine, step: Step) -> bool:
         raise PlanError(f"{step} reads {missing}, which this process does not have") from None
 
 
-@lru_cache(maxsize=12)  # a plan is judged, priced and emitted one after the other, in lanes or not
 def each_for_itself(
     plan: Plan, grouping: Grouping | None = None, refining: Refining = None
 ) -> tuple[Simulated, ...]:
@@ -62,14 +67,108 @@ def each_for_itself(
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.
     """
-    mail: dict[int, list[Any]] = {}
     limbs = grouping or tuple(() for _ in plan.processes)
-    robot = aligned(plan, chain.from_iterable(limbs)) if any(limbs) else plan
-    machines = [
-        Machine(robot, mail, refining, all_limbs=own, steps=process.steps)
-        for own, process in zip(limbs, plan.processes, strict=True)
-    ]
-    return after_all_steps(plan, machines)
+    return lines_of(plan, refining).in_lanes(limbs)
+
+
+@lru_cache(maxsize=3)  # a plan is judged, priced and emitted one after the other
+def lines_of(plan: Plan, refining: Refining = None) -> Lines:
+    """Return the straight lines of a plan's processes, in whatever grouping they are asked for."""
+    return Lines(plan, refining)
+
+
+@dataclass(frozen=True)
+class _Line:
+    """A process's line, with what it was made from: constants of joints and links, and messages.
+
+    Attributes:
+        simulated: the process after all its steps.
+        robot: the plan with link frames turned.
+        heard: contents of the messages that it received, by number.
+        told: of those that it sent.
+    """
+
+    simulated: Simulated
+    robot: Plan
+    heard: dict[int, Any]
+    told: dict[int, Any]
+
+
+class Lines:
+    """The straight lines of a plan's processes, kept for as long as the plan is of interest.
+
+    Where a grouping changes the limbs of some processes only, the others' lines stay as they are,
+    unless a link frame is turned, or a message has another structure, that they use.
+    """
+
+    def __init__(self, plan: Plan, refining: Refining) -> None:
+        self.plan, self.refining = plan, refining
+        self._together: dict[Grouping, tuple[Simulated, ...]] = {}
+        self._known: dict[tuple[int, tuple[Limbs, ...]], _Line] = {}
+
+    def in_lanes(self, limbs: Grouping) -> tuple[Simulated, ...]:
+        """Return all processes after their steps, with limbs in lanes.
+
+        Raises:
+            PlanError: the plan deadlocks, or a step reads what its process does not have.
+        """
+        if limbs not in self._together:
+            self._together[limbs] = self._all(limbs)
+        return self._together[limbs]
+
+    def _all(self, limbs: Grouping) -> tuple[Simulated, ...]:
+        robot = aligned(self.plan, chain.from_iterable(limbs)) if any(limbs) else self.plan
+        alike = {p: line for p, own in enumerate(limbs) if (line := self._alike(p, own, robot))}
+        return self._beside(alike, limbs, robot) or self._beside({}, limbs, robot)
+
+    def _alike(self, p: int, own: tuple[Limbs, ...], robot: Plan) -> _Line | None:
+        """The line of a process with limbs in lanes, if its joints and links are still the same."""
+        line = self._known.get((p, own))
+        if line is None or self.plan.certified:  # bounds are of others' limbs, too
+            return None
+        process, before = self.plan.processes[p], line.robot
+        joints = {*process.reads, *process.treated, *process.spares}
+        same = all(
+            robot.joints[j] == before.joints[j] and robot.links[j + 1] == before.links[j + 1]
+            for j in joints
+        )
+        return line if same and _attached(robot) == _attached(before) else None
+
+    def _beside(
+        self, known: Mapping[int, _Line], limbs: Grouping, robot: Plan
+    ) -> tuple[Simulated, ...]:
+        """All processes after their steps, some as they are known; none if these hear other things.
+
+        Raises:
+            PlanError: the plan deadlocks, or a step reads what its process does not have.
+        """
+        plan, mail = self.plan, dict[int, Any]()
+        for line in known.values():
+            mail.update(line.told)
+        machines = {
+            p: Machine(robot, mail, self.refining, None, limbs[p], process.steps, plan)
+            for p, process in enumerate(plan.processes)
+            if p not in known
+        }
+        found = _after_all_steps(plan, machines)
+        if any(line.heard != _part(mail, line.heard) for line in known.values()):
+            return ()
+        for p, simulated in found.items():
+            heard = [n for n, message in enumerate(plan.messages) if message.target == p]
+            told = machines[p].sent
+            line = _Line(simulated, robot, _part(mail, heard), _part(mail, told))
+            self._known[p, limbs[p]] = line
+        return tuple((found.get(p) or known[p].simulated) for p in range(len(limbs)))
+
+
+def _part(mail: Mapping[int, Any], numbers: Iterable[int]) -> dict[int, Any]:
+    """The contents of some messages."""
+    return {number: mail[number] for number in numbers if number in mail}
+
+
+def _attached(robot: Plan) -> tuple[Any, ...]:
+    """What lies in frames of links beside joints and bodies."""
+    return robot.wrenches, robot.loops, robot.outputs, robot.parameters
 
 
 def after_all_steps(plan: Plan, machines: Sequence[Machine]) -> tuple[Simulated, ...]:
@@ -78,30 +177,38 @@ def after_all_steps(plan: Plan, machines: Sequence[Machine]) -> tuple[Simulated,
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.
     """
-    orders = [
-        steps_in_order(plan, process, machine.limbs)
-        for machine, process in zip(machines, plan.processes, strict=True)
-    ]
-    done = [0] * len(machines)
-    ends = [[0] * len(process.steps) for process in plan.processes]
+    return tuple(_after_all_steps(plan, dict(enumerate(machines))).values())
+
+
+def _after_all_steps(plan: Plan, machines: Mapping[int, Machine]) -> dict[int, Simulated]:
+    """The same for some processes, which find others' messages where those of all lie.
+
+    Raises:
+        PlanError: the plan deadlocks, or a step reads what its process does not have.
+    """
+    steps = {p: plan.processes[p].steps for p in machines}
+    orders = {
+        p: steps_in_order(plan, plan.processes[p], machine.limbs) for p, machine in machines.items()
+    }
+    done = dict.fromkeys(machines, 0)
+    ends = {p: [0] * len(own) for p, own in steps.items()}
     moved = True
     while moved:
         moved = False
-        for p, (machine, process) in enumerate(zip(machines, plan.processes, strict=True)):
+        for p, machine in machines.items():
             while done[p] < len(orders[p]):
                 place = orders[p][done[p]]
                 machine.graph.mark = place
-                if not _done(machine, process.steps[place]):
+                if not _done(machine, steps[p][place]):
                     break
                 ends[p][place] = len(machine.graph.nodes)
                 done[p] += 1
                 moved = True
-    for p, (process, order) in enumerate(zip(plan.processes, orders, strict=True)):
+    for p, order in orders.items():
         if done[p] < len(order):
-            raise PlanError(f"process {p} waits for ever at {process.steps[order[done[p]]]}")
-        own = plan.force_entries(process)
+            raise PlanError(f"process {p} waits for ever at {steps[p][order[done[p]]]}")
+        own = plan.force_entries(plan.processes[p])
         machines[p].forces = {k: x for k, x in machines[p].forces.items() if k in own}
-    return tuple(
-        Simulated(machine, tuple(accumulate(own, max)))
-        for machine, own in zip(machines, ends, strict=True)
-    )
+    return {
+        p: Simulated(machine, tuple(accumulate(ends[p], max))) for p, machine in machines.items()
+    }

@@ -60,6 +60,7 @@ class State:
             nothing else.
         refining: whether joint forces are kept, in the frames of the child links, and whether links
             feel what is left over of their equations of motion, and nothing else.
+        unturned: the plan before its link frames were turned for limbs in lanes.
     """
 
     def __init__(
@@ -68,6 +69,7 @@ class State:
         refining: Refining = None,
         graph: Graph | Numbers | None = None,
         all_limbs: Sequence[Limbs] = (),
+        unturned: Plan | None = None,
     ) -> None:
         joined = (
             plan.form == "ada" and plan.corrections > 0
@@ -91,7 +93,8 @@ class State:
         self.passed: dict[tuple[str, int], Array] = {}
         self.rows = Rows(self, rows_of(all_limbs))
         self.left: Residuals | None = None
-        self._exact = losing_joints(plan)
+        self.unturned = unturned or plan
+        self._exact = losing_joints(self.unturned)  # turns change nothing of it but last digits
         self.asks_up = any(output.what == LINK_ACCELERATION for output in plan.outputs)
 
     # -- numbers ----------------------------------------------------------------------------------

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from math import sqrt
 
 from adagen.executor.run import Simulated
-from adagen.graph import Operations, live_nodes
+from adagen.graph import Operations
 from adagen.plan.steps import Receive, Send, Step
 from adagen.schedule.costs import StepCosts
 
@@ -73,28 +73,28 @@ def stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list[
         held: statements whose instructions the first instruction cache holds; more of them are
             fetched anew in each evaluation.
     """
-    graph, stretch = simulated.machine.graph, _stretch_of(steps)
+    stretch = _stretch_of(steps)
     counts: list[dict[int, int]] = [{} for _ in range(stretch[-1] + 1 if stretch else 1)]
     done = [0] * len(counts)  # cycles until a stretch's last value is there
-    ready: dict[int, int] = {}
-    nodes = graph.nodes
-    for index in live_nodes(graph, simulated.machine.roots()):
-        node = nodes[index]
-        here = stretch[node.mark] if stretch else 0
+    nodes = simulated.machine.graph.nodes
+    ready = [0] * len(nodes)
+    for index in simulated.alive:
+        op, args, _, there, mark, _ = nodes[index]
+        here = stretch[mark] if stretch else 0
         before = waits = 0
-        for k in node.args:  # comparisons instead of max: this loop runs for every statement
-            operand = nodes[k]
-            if operand.ready > before:
-                before = operand.ready
-            if stretch[operand.mark] == here and ready[k] > waits:
+        for k in args:  # comparisons instead of max: this loop runs for every statement
+            _, _, _, earlier, other, _ = nodes[k]
+            if earlier > before:
+                before = earlier
+            if stretch[other] == here and ready[k] > waits:
                 waits = ready[k]
-        if node.ready > before:
-            waits += node.ready - before
+        if there > before:
+            waits += there - before
         ready[index] = waits
         if waits > done[here]:
             done[here] = waits
-        if node.op in _COMPUTED:
-            counts[here][node.mark] = counts[here].get(node.mark, 0) + 1
+        if op in _COMPUTED:
+            counts[here][mark] = counts[here].get(mark, 0) + 1
     work = work_of(simulated.operations, held)
     computed = sum(sum(count.values()) for count in counts) or 1
     parts = []

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from adagen.graph.nodes import Expression, Graph, Node
@@ -57,20 +57,37 @@ def live_nodes(graph: Graph, roots: Iterable[Expression]) -> list[int]:
     return [index for index, flag in enumerate(alive) if flag]
 
 
-def count_operations(graph: Graph, roots: Iterable[Expression]) -> Operations:
-    """Return the operations of an evaluation of the roots."""
-    roots = list(roots)
-    alive = live_nodes(graph, roots)
-    uses = Counter(k for index in alive for k in graph.nodes[index].args)
-    uses.update(root.index for root in roots)
-    kinds = Counter(graph.nodes[index].op for index in alive)
-    fused = sum(
-        graph.nodes[index].op in ("add", "sub")
-        and any(graph.nodes[k].op == "mul" and uses[k] == 1 for k in graph.nodes[index].args)
-        for index in alive
-    )
-    ready = max((graph.nodes[root.index].ready for root in roots), default=0)
-    wide = sum(graph.nodes[index].width > 1 and graph.nodes[index].op in _DONE for index in alive)
+def count_operations(
+    graph: Graph, roots: Iterable[Expression], alive: Sequence[int] | None = None
+) -> Operations:
+    """Return the operations of an evaluation of the roots.
+
+    Args:
+        graph: it.
+        roots: what is wanted.
+        alive: what ``live_nodes`` returns, if it is known.
+    """
+    roots, nodes = list(roots), graph.nodes
+    alive = live_nodes(graph, roots) if alive is None else alive
+    uses = [0] * len(nodes)
+    for root in roots:
+        uses[root.index] += 1
+    for index in alive:
+        for k in nodes[index].args:
+            uses[k] += 1
+    kinds: Counter[str] = Counter()
+    fused = wide = moves = 0
+    for index in alive:
+        node = nodes[index]
+        op = node.op
+        kinds[op] += 1
+        if op in _DONE:
+            wide += node.width > 1
+            if op in _SUMS and any(nodes[k].op == "mul" and uses[k] == 1 for k in node.args):
+                fused += 1
+        elif op in _MOVED:
+            moves += _moves(node)
+    ready = max((nodes[root.index].ready for root in roots), default=0)
     return Operations(
         kinds["mul"],
         kinds["add"] + kinds["sub"],
@@ -79,11 +96,13 @@ def count_operations(graph: Graph, roots: Iterable[Expression]) -> Operations:
         fused,
         ready,
         wide,
-        sum(_moves(graph.nodes[index]) for index in alive),
+        moves,
     )
 
 
 _DONE = ("mul", "add", "sub", "reciprocal", "neg")
+_SUMS = ("add", "sub")
+_MOVED = ("pack", "lane", "across")
 
 
 def _moves(node: Node) -> int:

@@ -308,15 +308,15 @@ class Graph:
 
     def _add(self, op: Op, args: tuple[int, ...], value: Any, ready: int, width: int) -> None:
         """Append a node; without a width it is as wide as its operands."""
-        latest, widest = 0, 1
-        for k in args:
-            node = self.nodes[k]
-            if node.ready > latest:
-                latest = node.ready
-            if node.width > widest:
-                widest = node.width
+        nodes, latest, widest = self.nodes, 0, 1
+        for k in args:  # comparisons instead of max: this loop runs for every value
+            _, _, _, earlier, _, wide = nodes[k]
+            if earlier > latest:
+                latest = earlier
+            if wide > widest:
+                widest = wide
         ready += latest + _CYCLES.get(op, 4)
-        self.nodes.append(Node(op, args, value, ready, self.mark, width or widest))
+        nodes.append(Node(op, args, value, ready, self.mark, width or widest))
         self._constants.append(value if op == "constant" else None)
         self._negated.append(args[0] if op == "neg" else -1)
 

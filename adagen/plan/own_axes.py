@@ -91,6 +91,7 @@ def joints_in_own_axes(plan: Plan) -> OwnAxes:
     return OwnAxes(always, _with_joints_beyond(plan, steps, worst) - always)
 
 
+@lru_cache(maxsize=16)  # of one plan it is asked by each process, for each grouping of limbs
 def losing_joints(plan: Plan) -> frozenset[int]:
     """Return the joints that may lose too many digits, with those beyond them.
 

@@ -16,7 +16,7 @@ from adagen.executor.grouping import offered_groupings
 from adagen.executor.inner_root import InnerRoot
 from adagen.executor.lanes import Grouping
 from adagen.executor.refine import WideLinks
-from adagen.executor.run import each_for_itself
+from adagen.executor.run import lines_of
 from adagen.executor.segments import Articulated, Segments
 from adagen.executor.solve import Run
 from adagen.graph import BALLS, DOUBLE, FLOAT, Algebra, Expression
@@ -137,7 +137,7 @@ def test_a_factor_that_is_off_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
 
     for articulates in (articulate, spoilt):
         monkeypatch.setattr(Segments, "_articulate", articulates)
-        each_for_itself.cache_clear()
+        lines_of.cache_clear()
         for state in states.each:
             qdd, error, answer = _squares(plan, state)
             true = exact_forward_dynamics(model, *state).value
@@ -145,7 +145,7 @@ def test_a_factor_that_is_off_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
             bound = np.sqrt(error / answer)
             assert off <= 3 * bound
             assert (off > 1e-8 and bound < 1e-3) if articulates is spoilt else bound < 1e-12
-    each_for_itself.cache_clear()
+    lines_of.cache_clear()
 
 
 def test_limbs_in_lanes_have_the_same_bounds() -> None:
@@ -247,9 +247,9 @@ def test_how_a_held_link_moves_otherwise_is_part_of_the_bound(
     monkeypatch.setattr(
         InnerRoot, "apart", lambda at: honest(at) + at.state.constants(np.full(6, 1e-6))
     )
-    each_for_itself.cache_clear()
+    lines_of.cache_clear()
     _, bound, _ = _squares(plan, state)
-    each_for_itself.cache_clear()
+    lines_of.cache_clear()
     (held,) = {s.link for s in plan.processes[0].steps if isinstance(s, HoldMobility)}
     limbs = spread(plan, beyond_held(plan, plan.processes[0].steps), held)
     assert bound - right == pytest.approx(27e-12 * (limbs.turning + limbs.sliding), rel=1e-6)
@@ -266,11 +266,11 @@ def test_limbs_that_move_otherwise_are_part_of_the_bound(monkeypatch: pytest.Mon
         return honest(found, step, sums)
 
     monkeypatch.setattr(certificate, "told", off)
-    each_for_itself.cache_clear()
+    lines_of.cache_clear()
     beyond = [j for j in plan.processes[1].owns if j not in plan.processes[0].treated]
     limbs = spread(plan, beyond, 1)
     _, bound, _ = _squares(plan, state)
-    each_for_itself.cache_clear()
+    lines_of.cache_clear()
     assert bound - right == pytest.approx(27e-12 * (limbs.turning + limbs.sliding), rel=1e-6)
 
 

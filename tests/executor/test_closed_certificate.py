@@ -17,7 +17,7 @@ from adagen.executor.front import Freed
 from adagen.executor.grouping import offered_groupings
 from adagen.executor.lanes import Grouping
 from adagen.executor.refine import WideLinks
-from adagen.executor.run import each_for_itself
+from adagen.executor.run import lines_of
 from adagen.executor.solve import Run
 from adagen.graph import BALLS, DOUBLE, Algebra
 from adagen.model import Model
@@ -125,14 +125,14 @@ def test_a_factor_that_is_off_is_seen(monkeypatch: pytest.MonkeyPatch) -> None:
         return solve_free(self, y, blamed, sizes, off, *rest)  # type: ignore[arg-type]
 
     monkeypatch.setattr(Elimination, "_solve_free", spoilt)
-    each_for_itself.cache_clear()
+    lines_of.cache_clear()
     for state in _rows(states_of(model, 2)):
         qdd, error, answer = _squares(plan, state)
         true = exact_forward_dynamics(model, *state).value
         assert np.abs(qdd - true).max() > 1e-8 * np.abs(true).max()
         assert 1e-7 < np.sqrt(error / answer) < 1e-5
         assert _ratio(plan, model, state) <= 1.1
-    each_for_itself.cache_clear()
+    lines_of.cache_clear()
 
 
 def test_closures_in_lanes_have_the_same_bounds() -> None:

@@ -78,11 +78,7 @@ def arranged(
     last_work: int | None = None
     stretches: dict[int, Stretch] = {}
     nodes = machine.graph.nodes
-    alive = [
-        k
-        for k in live_nodes(machine.graph, machine.roots())
-        if nodes[k].op != "constant" and not is_given(nodes[k])
-    ]
+    alive = [k for k in simulated.alive if nodes[k].op != "constant" and not is_given(nodes[k])]
     pace = None if costs is None else Pace.of(simulated.operations, len(alive), costs)
     found = stages(process)
     for place, stage in enumerate([*found, None]):

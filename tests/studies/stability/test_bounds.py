@@ -9,7 +9,7 @@ import pytest
 
 from adagen.build import Toolchain
 from adagen.executor import certificate
-from adagen.executor.run import each_for_itself
+from adagen.executor.run import lines_of
 from adagen.model import PRISMATIC, REVOLUTE, SPHERICAL
 from adagen.states import States
 from adagen.studies.stability.adversary import FAMILIES, arms, hard_states, robots
@@ -85,9 +85,9 @@ def test_there_is_something_to_be_bounded(
     states = hard_states(model, 40, seed=8)
     kept = bounded(model, states, [LINE], quick)[LINE]
     monkeypatch.setattr(certificate, "ROUNDING", 1e-9)
-    each_for_itself.cache_clear()
+    lines_of.cache_clear()
     bare = bounded(model, states, [LINE], quick)[LINE]
-    each_for_itself.cache_clear()
+    lines_of.cache_clear()
     assert (kept.ratios <= FACTOR).all()
     assert (bare.ratios > FACTOR).any()
 
