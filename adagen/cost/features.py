@@ -181,7 +181,8 @@ def operation_features(operation: Operation, joints: Sequence[PlanJoint]) -> Fea
     if operation.method == "parts":
         found = [_IN_PARTS[type(step)] for step in operation.steps]
         if operation.does in _OF_LEVELS:
-            levels = len(operation.steps).bit_length()
+            # Parts are as many as a power of two; what the ground holds takes no level of its own.
+            levels = len(operation.steps).bit_length() - (len(operation.steps) % 2 == 0)
             found.append({_OF_LEVELS[operation.does]: levels})
     else:
         found = [_of_step(step, operation, joints) for step in operation.steps]

@@ -167,7 +167,8 @@ class SegmentPlanner(AdaPlanner):
         """Join the parts of a chain, each by its first joint: as a tree, in lanes, then the ground.
 
         A joined chain has a handle at both ends wherever more is joined there. Outwards from the
-        ground it would have one only, but each join would wait for the one before.
+        ground it would have one only, but each join would wait for the one before. Loops do not
+        join the ground at all: they begin with what it leaves of the first part's mobility.
         """
         parts = [self._whole(strip[1], set(strip[1:]), process) for strip in strips]
         for near, far in pairs_of(len(parts)):

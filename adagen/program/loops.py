@@ -367,7 +367,10 @@ class Loops:
                 self._add("propagate", None, "step", chain)
 
     def _join(self, steps: list[Join | Disassemble]) -> None:
-        between = {part.first - 1: run for run, parts in self.parted.items() for part in parts[1:]}
+        between: dict[int, Run] = {}
+        for parted, parts in self.parted.items():
+            on_ground = self.joints[parted.first].parent == 0  # then the first part is held by it
+            between.update((part.first - 1, parted) for part in parts[not on_ground :])
         for run, group in groupby(steps, lambda step: between.get(step.joint)):
             if run is not None:
                 own = list(group)

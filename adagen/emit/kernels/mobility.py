@@ -242,8 +242,10 @@ def lines_of_parts(symbols: Symbols, operation: Operation) -> list[str]:
             call = f"join_parts<{ends}>(w, shown_{k}.ends, {{{whole}}});"
             return [f"const JoinedParts joined_{k} = {call}"]
         case "disassemble":
-            outer = [symbols.force(force) for force in _first_release(operation).forces]
-            on = ", ".join([*outer, "Columns6::Zero()"][:2])
+            release = _first_release(operation)
+            outer = [symbols.force(force) for force in release.forces]
+            on_ground = symbols.plan.joints[release.joint].parent == 0
+            on = ", ".join([*["Columns6::Zero()"] * on_ground, *outer, "Columns6::Zero()"][:2])
             return [f"const EndForces forces_{k} = release_parts<{ends}>(w, joined_{k}, {on});"]
     call = f"start_parts({swept_parts(run)}, shown_{k}, forces_{k});"
     return [f"const StartedParts started_{k} = {call}"]
@@ -267,18 +269,17 @@ def _first_release(operation: Operation) -> Disassemble:
     return step
 
 
-def _shown_by_whole(symbols: Symbols, operation: Operation) -> Iterator[str]:
+def _shown_by_whole(symbols: Symbols, operation: Operation) -> tuple[str, ...]:
     """Where the mobility of joined parts is put: of the first link, then what the last one has."""
     last = _last_join(operation)
-    blocks, biases = list(blocks_set_by(last)), list(biases_set_by(last))
-    (near, *beyond), (near_bias, *far_bias) = sorted(blocks), sorted(biases)
-    yield from (f"&{symbols.block(near)}", f"&{symbols.bias(near_bias)}")
-    if not beyond:
-        yield from ("nullptr",) * 3
-        return
-    across, far = beyond
-    yield from (f"&{symbols.block(far)}", f"&{symbols.block(across)}")
-    yield f"&{symbols.bias(far_bias[0])}"
+    blocks = [f"&{symbols.block(block)}" for block in sorted(blocks_set_by(last))]
+    biases = [f"&{symbols.bias(bias)}" for bias in sorted(biases_set_by(last))]
+    nothing = "nullptr"
+    if last.a is None:  # the ground holds the first link
+        blocks, biases = [nothing, nothing, *blocks], [nothing, *biases]
+    near, across, far = [*blocks, nothing, nothing, nothing][:3]
+    near_bias, far_bias = [*biases, nothing, nothing][:2]
+    return near, near_bias, far, across, far_bias
 
 
 def propagation(symbols: Symbols, operation: Operation) -> list[str]:

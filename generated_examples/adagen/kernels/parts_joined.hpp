@@ -28,12 +28,17 @@
 namespace {
 
 // The parts of a run are joined by Eq. (3)-(7) as a tree, in lanes: each even part with the one
-// beyond it, then each second of these pairs with the next, and so on until one chain is left in
-// the first lane. Other lanes hold numbers without meaning by then. Mobilities stay in the axes of
-// the base: of a hinge only the axis and two directions across it are needed, and what is linear
-// needs no axes of its own.
+// beyond it, then each second of these pairs with the next, and so on until one chain is left.
+// Mobilities stay in the axes of the base: of a hinge only the axis and two directions across it
+// are needed, and what is linear needs no axes of its own.
+//
+// What two ends of a chain show is computed alike, so that each has a lane: a chain of several
+// parts shows in the lane of its first part what its first link does, and in that of its last part
+// what its last link does. Lanes between them hold numbers without meaning. Two chains that are
+// joined meet with the last lane of one and the first lane of the other, and the chain that comes
+// of them needs no number moved.
 
-// What a chain shows at its two ends: mobilities about the origins of its first and its last link.
+// What a part shows at its two ends: mobilities about the origins of its first and its last link.
 // They are shifted as bodies are, what is linear in the place of what turns: A and n are linear, C
 // and f angular.
 struct Ends {
@@ -50,27 +55,61 @@ ADAGEN_INLINE Body<Lanes> mobility_of(const Lanes (&Phi)[6][6], const Lanes (&b)
           {b[0], b[1], b[2]}};
 }
 
-// Numbers that consist of lanes, each lane's from the one that lies so many beyond it: with a
-// distance below zero, before it.
-template <int distance, std::size_t... lane>
-ADAGEN_INLINE Lanes moved_lanes(const Lanes& x, std::index_sequence<lane...>) {
-  constexpr int n = kPerBlock;
-  return shuffled<((static_cast<int>(lane) + distance + n) % n)...>(x, x);
-}
-template <int distance, class T>
-ADAGEN_INLINE void from_lane(const T& numbers, T& to) {  // one by one: calls of memcpy take longer
-  ADAGEN_FOR (k, 0, static_cast<int>(sizeof numbers / sizeof(Lanes))) {
-    Lanes x;
-    std::memcpy(&x, reinterpret_cast<const char*>(&numbers) + k * sizeof x, sizeof x);
-    x = moved_lanes<distance>(x, std::make_index_sequence<kPerBlock>{});
-    std::memcpy(reinterpret_cast<char*>(&to) + k * sizeof x, &x, sizeof x);
-  }
-}
+// Chains, an end in each lane: its mobility, and by a wrench there (k) the acceleration of the
+// other end (i).
+struct Chains {
+  Body<Lanes> ends;
+  Lanes across[6][6];
+};
 
-// The lanes of the chains that are joined to one a distance before them.
-template <int distance, std::size_t... lane>
-constexpr LaneBits joined_lanes(std::index_sequence<lane...>) {
-  return LaneBits{(static_cast<int>(lane) % (2 * distance) == distance ? -1 : 0)...};
+// Where lanes of joined chains find what is another lane's, of chains with so many parts.
+struct Places {
+  LaneBits before, beyond;    // the ends that meet
+  LaneBits first, last;       // the ends of what they become
+  LaneBits opposite;          // the other one of these
+  LaneBits is_beyond, meets;  // masks: lanes of the chain beyond, and those of ends that meet
+  Lanes sign;                 // 1, of the chain beyond -1
+};
+template <int count, std::size_t... lane>
+constexpr Places places(std::index_sequence<lane...>) {
+  constexpr int both = 2 * count;
+  constexpr auto start = [](std::size_t own) { return static_cast<int>(own) / both * both; };
+  constexpr auto at = [](std::size_t own) { return static_cast<int>(own) % both; };
+  return {LaneBits{start(lane) + count - 1 ...},
+          LaneBits{start(lane) + count...},
+          LaneBits{start(lane)...},
+          LaneBits{start(lane) + both - 1 ...},
+          LaneBits{start(lane) + both - 1 - at(lane)...},
+          LaneBits{(at(lane) >= count ? -1 : 0)...},
+          LaneBits{(at(lane) == count - 1 || at(lane) == count ? -1 : 0)...},
+          Lanes{(at(lane) >= count ? Real(-1) : Real(1))...}};
+}
+template <int count>
+[[maybe_unused]] constexpr Places kPlaces = places<count>(std::make_index_sequence<kPerBlock>{});
+
+// Each lane's number from where it is said to be: not by constants, as levels share their code.
+ADAGEN_INLINE Lanes moved(const Lanes& x, const LaneBits& from) {
+#if defined(__clang__)
+  Lanes result = x;
+  for (int lane = 0; lane < kPerBlock; ++lane) result[lane] = x[from[lane]];
+  return result;
+#else
+  return __builtin_shuffle(x, from);
+#endif
+}
+ADAGEN_INLINE Vector<Lanes> moved(const Vector<Lanes>& x, const LaneBits& from) {
+  return {moved(x.x, from), moved(x.y, from), moved(x.z, from)};
+}
+// One or the other, number by number.
+template <class T>
+ADAGEN_INLINE void choose(const LaneBits& first, const T& x, const T& y, T& to) {
+  ADAGEN_FOR (k, 0, static_cast<int>(sizeof x / sizeof(Lanes))) {
+    Lanes own, other;
+    std::memcpy(&own, reinterpret_cast<const char*>(&x) + k * sizeof own, sizeof own);
+    std::memcpy(&other, reinterpret_cast<const char*>(&y) + k * sizeof own, sizeof own);
+    own = chosen(first, own, other);
+    std::memcpy(reinterpret_cast<char*>(&to) + k * sizeof own, &own, sizeof own);
+  }
 }
 
 // The torques of a row.
@@ -79,39 +118,45 @@ ADAGEN_INLINE Lanes torques(const Workspace& w, int row, std::index_sequence<lan
   return Lanes{torque(w, Run::joint(static_cast<int>(lane), row))...};
 }
 
-// What the release of joints needs, in the lanes of the chains before them: see Joined and Coupled
-// in joins.hpp. Rows are two directions across the axis, three of sliding, and the axis: the last
-// one is no constraint, but elimination of the others leaves the joint's acceleration there.
+// What the release of joints needs, the same in all lanes of two chains that are joined but for Z
+// and r: see Joined and Coupled in joins.hpp. Rows are two directions across the axis, three of
+// sliding, and the axis: the last one is no constraint, but elimination of the others leaves the
+// joint's acceleration there.
 struct Hinges {
-  Vector<Lanes> across[2], axis, r;
+  Vector<Lanes> across[2], axis, r;  // r: from the end before the joint to it; beyond it zero
   Lanes tau, rotor;
 };
 struct JoinedLevel {
   Hinges hinges;
   Lanes L[6][6], over[6], z[6];
-  Lanes near[6][6],
-      far[6][6];  // L^-1 of how a wrench on the chain's ends moves the joint: [k][row]
+  Lanes Z[6][6];  // L^-1 of how a wrench on the chain's end moves the joint: [k][row]
   Lanes yields;   // 1 / (1 + D I), I the rotor's inertia: 1 without
 };
 
 ADAGEN_INLINE Vector<Lanes> angular_of(const Lanes (&x)[6]) { return {x[0], x[1], x[2]}; }
 ADAGEN_INLINE Vector<Lanes> linear_of(const Lanes (&x)[6]) { return {x[3], x[4], x[5]}; }
 
-// L D L^T of M = N (Phi_A + Phi_B) N^T, its last row with the axis, and z = L^-1 beta. Positive in
-// lanes where each pivot exceeds what it must at least.
-ADAGEN_INLINE Lanes factorize(JoinedLevel& i, const Body<Lanes>& Phi, const Vector<Lanes>& turns,
-                              const Vector<Lanes>& slides) {
+// L D L^T of M = N (Phi_A + Phi_B) N^T, its last row with the axis, and z = L^-1 beta, from what
+// the two ends that meet have of both. Positive in lanes where each pivot exceeds what it must at
+// least.
+ADAGEN_INLINE Lanes factorize(JoinedLevel& i, const Body<Lanes>& Phi, const Places& at) {
   constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
   const Vector<Lanes>&x = i.hinges.across[0], &y = i.hinges.across[1], &s = i.hinges.axis;
   const Vector<Lanes> Cx = Phi.C * x, Cy = Phi.C * y, Cs = Phi.C * s;
   const Vector<Lanes> Bx = Phi.B * x, By = Phi.B * y, Bs = Phi.B * s;
+  const Vector<Lanes> turns = Phi.f * at.sign, slides = Phi.n * at.sign;
   Lanes m[6][6]{{dot(x, Cx)},
                 {dot(y, Cx), dot(y, Cy)},
                 {Bx.x, By.x, Phi.A.xx},
                 {Bx.y, By.y, Phi.A.xy, Phi.A.yy},
                 {Bx.z, By.z, Phi.A.xz, Phi.A.yz, Phi.A.zz},
                 {dot(s, Cx), dot(s, Cy), Bs.x, Bs.y, Bs.z, dot(s, Cs)}};
-  const Lanes beta[6]{dot(x, turns), dot(y, turns), slides.x, slides.y, slides.z, dot(s, turns)};
+  Lanes beta[6]{dot(x, turns), dot(y, turns), slides.x, slides.y, slides.z, dot(s, turns)};
+  ADAGEN_FOR (row, 0, 6) {
+    ADAGEN_FOR (c, 0, row + 1)
+      m[row][c] = moved(m[row][c], at.before) + moved(m[row][c], at.beyond);
+    beta[row] = moved(beta[row], at.before) + moved(beta[row], at.beyond);
+  }
   Lanes least[5];
   ADAGEN_FOR (c, 0, 5) least[c] = m[c][c] * kRounding;
   ADAGEN_FOR (c, 0, 6) i.z[c] = beta[c] - m[5][c] * i.hinges.tau;
@@ -156,8 +201,7 @@ ADAGEN_INLINE void copy(const Body<Lanes>& from, Body<Lanes>& to) {
 
 // Phi less Z^T D^-1 Z.
 template <int rows>
-ADAGEN_INLINE void lessen(const Body<Lanes>& Phi, const Lanes (&Z)[6][6], const Lanes (&over)[6],
-                          Body<Lanes>& less) {
+ADAGEN_INLINE void lessen(Body<Lanes>& Phi, const Lanes (&Z)[6][6], const Lanes (&over)[6]) {
   Body<Lanes> X;
   copy(Phi, X);
   for (int row = 0; row < rows; ++row) {
@@ -165,88 +209,77 @@ ADAGEN_INLINE void lessen(const Body<Lanes>& Phi, const Lanes (&Z)[6][6], const 
     const Vector<Lanes> turn{Z[0][row], Z[1][row], Z[2][row]};
     subtract(X, slide, turn, slide * over[row], turn * over[row]);
   }
-  copy(X, less);
+  copy(X, Phi);
 }
 
-// Joins chains with those that lie beyond them, by Eq. (3)-(7). Rows that weigh: 6 where a joint
-// has a rotor. One function for all levels, with loops: three times as much code, each run once,
-// takes longer to fetch than to compute.
+// Joins chains with those that lie beyond them, by Eq. (3)-(7); the ends that meet are seen from
+// where they lie. Rows that weigh: 6 where a joint has a rotor. One function for all levels, with
+// loops: three times as much code, each run once, takes longer to fetch than to compute.
 template <int rows>
-ADAGEN_NOINLINE Lanes join_chains(Ends& chains, const Ends& beyond, JoinedLevel& i) {
-  const Hinges& hinges = i.hinges;
+ADAGEN_NOINLINE Lanes join_chains(Chains& chains, const Body<Lanes>& meeting, const Hinges& hinges,
+                                  const Places& at, JoinedLevel& i) {
+  i.hinges = {{moved(hinges.across[0], at.beyond), moved(hinges.across[1], at.beyond)},
+              moved(hinges.axis, at.beyond),
+              moved(hinges.r, at.beyond),
+              moved(hinges.tau, at.beyond),
+              moved(hinges.rotor, at.beyond)};
+  Vector<Lanes>& r = i.hinges.r;
+  choose(at.is_beyond, Vector<Lanes>{}, r, r);
   Body<Lanes> Phi;
-  copy(chains.far, Phi);
-  shift(Phi, -hinges.r);
-  const Vector<Lanes> turns = Phi.f - beyond.near.f, slides = Phi.n - beyond.near.n;
-  Phi += beyond.near;
-  const Lanes good = factorize(i, Phi, turns, slides);
-  Lanes n[rows], near_bias[6], far_bias[6];
+  copy(meeting, Phi);
+  shift(Phi, -r);
+  const Lanes good = factorize(i, Phi, at);
+  Lanes n[rows], bias[6];
   ADAGEN_FOR (row, 0, rows) n[row] = i.z[row] * i.over[row];
   for (int k = 0; k < 6; ++k) {
     const Lanes(&own)[6] = chains.across[k];
     Lanes x[6];
-    in_rows(hinges, angular_of(own), linear_of(own) + cross(angular_of(own), hinges.r), x);
-    near_bias[k] = x[5] * hinges.tau;
+    in_rows(i.hinges, angular_of(own), linear_of(own) + cross(angular_of(own), r), x);
+    bias[k] = x[5] * i.hinges.tau;
     eliminate(i, x);
-    ADAGEN_FOR (row, 0, rows) near_bias[k] += x[row] * n[row];
-    ADAGEN_FOR (row, 0, 6) i.near[k][row] = x[row];
+    ADAGEN_FOR (row, 0, rows) bias[k] += x[row] * n[row];
+    ADAGEN_FOR (row, 0, 6) i.Z[k][row] = x[row];
   }
-  for (int k = 0; k < 6; ++k) {
-    const auto& own = beyond.across;
-    Lanes x[6];
-    in_rows(hinges, {own[0][k], own[1][k], own[2][k]}, {own[3][k], own[4][k], own[5][k]}, x);
-    far_bias[k] = x[5] * hinges.tau;
-    eliminate(i, x);
-    ADAGEN_FOR (row, 0, rows) far_bias[k] += x[row] * n[row];
-    ADAGEN_FOR (row, 0, 6) i.far[k][row] = x[row];
-  }
-  lessen<rows>(chains.near, i.near, i.over, chains.near);
-  chains.near.f += -angular_of(near_bias), chains.near.n += -linear_of(near_bias);
-  lessen<rows>(beyond.far, i.far, i.over, chains.far);
-  chains.far.f += angular_of(far_bias), chains.far.n += linear_of(far_bias);
+  lessen<rows>(chains.ends, i.Z, i.over);
+  chains.ends.f += angular_of(bias) * -at.sign, chains.ends.n += linear_of(bias) * -at.sign;
+  Lanes other[6][rows];
+  for (int k = 0; k < 6; ++k)
+    ADAGEN_FOR (row, 0, rows) other[k][row] = moved(i.Z[k][row], at.opposite);
   for (int k = 0; k < 6; ++k) {
     Lanes weighed[rows];
-    ADAGEN_FOR (row, 0, rows) weighed[row] = i.near[k][row] * i.over[row];
-    ADAGEN_FOR (h, 0, 6) {
-      chains.across[k][h] = weighed[0] * i.far[h][0];
-      ADAGEN_FOR (row, 1, rows) chains.across[k][h] += weighed[row] * i.far[h][row];
+    ADAGEN_FOR (row, 0, rows) weighed[row] = i.Z[k][row] * i.over[row];
+    for (int h = k; h < 6; ++h) {
+      Lanes sum = weighed[0] * other[h][0];
+      ADAGEN_FOR (row, 1, rows) sum += weighed[row] * other[h][row];
+      chains.across[k][h] = sum;
+      chains.across[h][k] = moved(sum, at.opposite);  // as seen from the other end
     }
   }
   return good;
 }
 
-// Wrenches on both ends of chains.
-struct EndForces {
-  Lanes near[6]{}, far[6]{};
-};
-
-// Eq. (8)-(10): the joints' accelerations, and the wrenches on the two chains that each joined.
-template <int distance, int rows>
-ADAGEN_NOINLINE Lanes release_level(const JoinedLevel& i, EndForces& forces) {
+// Eq. (8)-(10): the joints' accelerations, and the wrenches on the ends that meet, from those on
+// the ends of what they have become.
+template <int rows>
+ADAGEN_NOINLINE Lanes release_level(const JoinedLevel& i, const Places& at,
+                                    const Lanes (&wrench)[6], Lanes (&meeting)[6]) {
   Lanes right[6], n[rows];
   ADAGEN_FOR (row, 0, 6) {
-    Lanes of_near = i.near[0][row] * forces.near[0], of_far = i.far[0][row] * forces.far[0];
-    ADAGEN_FOR (k, 1, 6)
-      of_near += i.near[k][row] * forces.near[k], of_far += i.far[k][row] * forces.far[k];
-    right[row] = i.z[row] + (of_near - of_far);
+    Lanes own = i.Z[0][row] * wrench[0];
+    ADAGEN_FOR (k, 1, 6) own += i.Z[k][row] * wrench[k];
+    right[row] = i.z[row] + (moved(own, at.first) - moved(own, at.last));
   }
   ADAGEN_FOR (row, 0, rows) n[row] = right[row] * i.over[row];
   ADAGEN_FOR (down, 0, rows - 1)
     ADAGEN_FOR (row, 0, rows - 1 - down) n[row] -= i.L[rows - 1 - down][row] * n[rows - 1 - down];
   Lanes drive = i.hinges.tau;
   if constexpr (rows > 5) drive += n[5];
-  const Vector<Lanes> force{n[2], n[3], n[4]};
+  const Vector<Lanes> force = Vector<Lanes>{n[2], n[3], n[4]} * -at.sign;
   const Vector<Lanes> moment =
-      i.hinges.across[0] * n[0] + i.hinges.across[1] * n[1] + i.hinges.axis * drive;
-  const Vector<Lanes> back = moment + cross(i.hinges.r, force);
-  const Lanes on_child[6]{moment.x, moment.y, moment.z, force.x, force.y, force.z};
-  const Lanes on_parent[6]{-back.x, -back.y, -back.z, -force.x, -force.y, -force.z};
-  constexpr LaneBits beyond = joined_lanes<distance>(std::make_index_sequence<kPerBlock>{});
-  constexpr auto lanes = std::make_index_sequence<kPerBlock>{};
-  ADAGEN_FOR (k, 0, 6) {
-    forces.near[k] = chosen(beyond, moved_lanes<-distance>(on_child[k], lanes), forces.near[k]);
-    forces.far[k] = chosen(beyond, moved_lanes<-distance>(forces.far[k], lanes), on_parent[k]);
-  }
+      (i.hinges.across[0] * n[0] + i.hinges.across[1] * n[1] + i.hinges.axis * drive) * -at.sign +
+      cross(i.hinges.r, force);
+  meeting[0] = moment.x, meeting[1] = moment.y, meeting[2] = moment.z;
+  meeting[3] = force.x, meeting[4] = force.y, meeting[5] = force.z;
   return -right[5] * i.yields;
 }
 
@@ -265,17 +298,20 @@ template <class Run>
 [[maybe_unused]] constexpr int kJoinRows =
     any_rotor<Run>(std::make_index_sequence<kPerBlock>{}) ? 6 : 5;
 
-// Where what the joined chain shows is put: Phi and b of its first link, and where more is joined
-// to the last one, of that and across; nothing where not.
+// Where what the joined chain shows is put: Phi and b of its first and its last link, and across;
+// nothing at ends to which nothing is joined.
 struct WholeChain {
   Mat6* near;
   Columns6* near_bias;
   Mat6 *far, *across;  // from the first link (rows) to the last one (columns)
   Columns6* far_bias;
 };
+template <int lane>
 ADAGEN_INLINE void put_mobility(const Body<Lanes>& of, Mat6& Phi, Columns6& b) {
   const auto& [A, B, C, n, f] = of;
-  const auto row = [](const Vector<Lanes>& x) { return Vector<Real>{x.x[0], x.y[0], x.z[0]}; };
+  const auto row = [](const Vector<Lanes>& x) {
+    return Vector<Real>{x.x[lane], x.y[lane], x.z[lane]};
+  };
   const Vector<Real> linear_by_angular[3]{row(B.x), row(B.y), row(B.z)};
   const Vector<Real> linear[3]{row({A.xx, A.xy, A.xz}), row({A.xy, A.yy, A.yz}),
                                row({A.xz, A.yz, A.zz})};
@@ -288,28 +324,23 @@ ADAGEN_INLINE void put_mobility(const Body<Lanes>& of, Mat6& Phi, Columns6& b) {
     Phi(3 + k, 0) = Phi(0, 3 + k) = x, Phi(3 + k, 1) = Phi(1, 3 + k) = y;
     Phi(3 + k, 2) = Phi(2, 3 + k) = z;
   }
-  b << f.x[0], f.y[0], f.z[0], n.x[0], n.y[0], n.z[0];
+  b << f.x[lane], f.y[lane], f.z[lane], n.x[lane], n.y[lane], n.z[lane];
 }
 
-template <class Run, int distance = 1>
-ADAGEN_INLINE void join_levels(Workspace& w, Ends& chains, const Hinges& hinges,
-                               JoinedParts& joined) {
-  if constexpr (distance < kPerBlock) {
-    JoinedLevel& own = joined.levels[static_cast<std::size_t>(levels_of(distance))];
-    from_lane<distance>(hinges, own.hinges);
-    Ends further;
-    from_lane<distance>(chains, further);
-    const Lanes good = join_chains<kJoinRows<Run>>(chains, further, own);
-    // Lanes without a chain of their own have nothing to fail.
-    constexpr auto lanes = std::make_index_sequence<kPerBlock>{};
-    constexpr LaneBits beyond = joined_lanes<distance>(lanes);
-    const Lanes own_good = chosen(beyond, moved_lanes<-distance>(good, lanes), Lanes{} + 1);
-    if (__builtin_expect(!all_positive(own_good), 0)) fail_one(w, Run::row(0, 0), own_good);
-    join_levels<Run, 2 * distance>(w, chains, hinges, joined);
+template <class Run, int count = 1>
+ADAGEN_INLINE void join_levels(Workspace& w, Chains& chains, const Body<Lanes>& meeting,
+                               const Hinges& hinges, JoinedParts& joined) {
+  if constexpr (count < kPerBlock) {
+    constexpr const Places& at = kPlaces<count>;
+    JoinedLevel& own = joined.levels[static_cast<std::size_t>(levels_of(count))];
+    const Lanes good = join_chains<kJoinRows<Run>>(chains, meeting, hinges, at, own);
+    if (__builtin_expect(!all_positive(good), 0))
+      fail_one(w, Run::row(0, 0), chosen(at.is_beyond & at.meets, good, Lanes{} + 1));
+    join_levels<Run, 2 * count>(w, chains, chains.ends, hinges, joined);
   }
 }
 template <int first, int last>
-ADAGEN_NOINLINE JoinedParts join_parts(Workspace& w, Ends& chains, const WholeChain& whole) {
+ADAGEN_NOINLINE JoinedParts join_parts(Workspace& w, const Ends& parts, const WholeChain& whole) {
   using Run = Strips<first, last>;
   const Joints<Lanes> row = Run::row(0, 0);
   JoinedParts joined;
@@ -319,35 +350,53 @@ ADAGEN_NOINLINE JoinedParts join_parts(Workspace& w, Ends& chains, const WholeCh
                       w.memory(row).r,
                       torques<Run>(w, 0, kEachLane),
                       each(row, [](const JointConstants& own) { return own.passive.rotor; })};
-  join_levels<Run>(w, chains, hinges, joined);
-  put_mobility(chains.near, *whole.near, *whole.near_bias);
-  if (whole.far != nullptr) {
-    put_mobility(chains.far, *whole.far, *whole.far_bias);
+  constexpr const LaneBits& odd = kPlaces<1>.is_beyond;
+  Chains chains;
+  Body<Lanes> meeting;
+  choose(odd, parts.far, parts.near, chains.ends);
+  choose(odd, parts.near, parts.far, meeting);
+  ADAGEN_FOR (k, 0, 6)
+    ADAGEN_FOR (i, 0, 6) chains.across[k][i] = chosen(odd, parts.across[i][k], parts.across[k][i]);
+  join_levels<Run>(w, chains, meeting, hinges, joined);
+  if (whole.near != nullptr) put_mobility<0>(chains.ends, *whole.near, *whole.near_bias);
+  if (whole.far != nullptr) put_mobility<kPerBlock - 1>(chains.ends, *whole.far, *whole.far_bias);
+  if (whole.across != nullptr)
     ADAGEN_FOR (k, 0, 6)
       ADAGEN_FOR (i, 0, 6) (*whole.across)(k, i) = chains.across[k][i][0];
-  }
   return joined;
 }
 
-template <class Run, int distance>
-ADAGEN_INLINE void release_levels(Workspace& w, const JoinedParts& joined, EndForces& forces) {
-  if constexpr (distance > 0) {
-    const JoinedLevel& own = joined.levels[static_cast<std::size_t>(levels_of(distance))];
-    const Lanes found = release_level<distance, kJoinRows<Run>>(own, forces);
-    ADAGEN_FOR (lane, 0, kPerBlock)
-      if (lane % (2 * distance) == distance)
-        answer(w, single(Run::joint(lane, 0)), 0, found[lane - distance]);
-    release_levels<Run, distance / 2>(w, joined, forces);
+// Wrenches on both ends of parts.
+struct EndForces {
+  Lanes near[6], far[6];
+};
+// From wrenches on the ends of chains of twice as many parts.
+template <class Run, int count>
+ADAGEN_INLINE EndForces release_levels(Workspace& w, const JoinedParts& joined,
+                                       Lanes (&wrench)[6]) {
+  constexpr const Places& at = kPlaces<count>;
+  const JoinedLevel& own = joined.levels[static_cast<std::size_t>(levels_of(count))];
+  Lanes meeting[6];
+  const Lanes found = release_level<kJoinRows<Run>>(own, at, wrench, meeting);
+  ADAGEN_FOR (lane, 0, kPerBlock)
+    if (lane % (2 * count) == count) answer(w, single(Run::joint(lane, 0)), 0, found[lane]);
+  if constexpr (count > 1) {
+    choose(at.meets, meeting, wrench, wrench);
+    return release_levels<Run, count / 2>(w, joined, wrench);
+  } else {
+    EndForces forces;
+    choose(at.is_beyond, meeting, wrench, forces.near);
+    choose(at.is_beyond, wrench, meeting, forces.far);
+    return forces;
   }
 }
 // The wrenches on the ends of all parts, from those on the ends of the joined chain.
 template <int first, int last>
 ADAGEN_NOINLINE EndForces release_parts(Workspace& w, const JoinedParts& joined,
                                         const Columns6& on_near, const Columns6& on_far) {
-  EndForces forces;
-  ADAGEN_FOR (k, 0, 6) forces.near[k][0] = on_near[k], forces.far[k][0] = on_far[k];
-  release_levels<Strips<first, last>, kPerBlock / 2>(w, joined, forces);
-  return forces;
+  Lanes wrench[6]{};
+  ADAGEN_FOR (k, 0, 6) wrench[k][0] = on_near[k], wrench[k][kPerBlock - 1] = on_far[k];
+  return release_levels<Strips<first, last>, kPerBlock / 2>(w, joined, wrench);
 }
 
 }  // namespace

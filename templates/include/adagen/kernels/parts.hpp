@@ -48,6 +48,11 @@ constexpr LaneBits filled_lanes(std::index_sequence<lane...>) {
   return LaneBits{(Run::filled(static_cast<int>(lane), Run::kRows - 1) ? -1 : 0)...};
 }
 
+template <std::size_t... lane>
+constexpr LaneBits first_lane(std::index_sequence<lane...>) {
+  return LaneBits{(lane == 0 ? -1 : 0)...};
+}
+
 // Numbers that consist of lanes become zero in all lanes but some.
 template <class T>
 ADAGEN_INLINE void clear_others(const LaneBits& kept, T& numbers) {
@@ -200,6 +205,37 @@ ADAGEN_INLINE Lanes invert(const Body<Lanes>& X, Lanes (&Phi)[6][6], Lanes (&b)[
   return chosen(good, Lanes{} + 1, Lanes{} - 1);
 }
 
+// Whether a run's first joint hangs on the ground, by which its first part does.
+template <class Run>
+[[maybe_unused]] constexpr bool kOnGround = kJoints[Run::joint(0, 0)].parent == 0;
+
+// Phi and b of the first link of a part that hangs on the ground by its hinge: of its body X the
+// hinge leaves one freedom, so that there is nothing to join. What is returned is as of invert.
+template <class Run>
+ADAGEN_INLINE Lanes hold_first(Workspace& w, const Body<Lanes>& X, const Lanes& good,
+                               Lanes (&Phi)[6][6], Lanes (&b)[6]) {
+  const Joints<Lanes> row = Run::row(0, 0);
+  const Vector<Lanes> axis = axis_at<Lanes>(w.at(row.slot, kAxes)), n = X.A * axis;
+  Lanes D = dot(axis, n);
+  if constexpr (kAnyPassive)
+    D += each(row, [](const JointConstants& joint) { return joint.passive.rotor; });
+  constexpr LaneBits first = first_lane(kEachLane);
+  const Lanes trace = X.A.xx + X.A.yy + X.A.zz;
+  const Lanes left = chosen(first, D - kEnough * trace, Lanes{} + 1);
+  if (__builtin_expect(!all_positive(left), 0)) lose(w, row, chosen(first, D, trace), trace);
+  const Lanes inverse = 1 / D;
+  const Lanes u = (torques<Run>(w, 0, kEachLane) - dot(axis, X.n)) * inverse;
+  const Lanes s[3]{axis.x, axis.y, axis.z};
+  ADAGEN_FOR (i, 0, 6) {
+    b[i] = chosen(first, i < 3 ? s[i % 3] * u : Lanes{}, b[i]);
+    ADAGEN_FOR (k, 0, 6) {
+      const Lanes held = i < 3 && k < 3 ? s[i % 3] * s[k % 3] * inverse : Lanes{};
+      Phi[i][k] = chosen(first, held, Phi[i][k]);
+    }
+  }
+  return chosen(first, Lanes{} + 1, good);
+}
+
 // What each part shows; nothing is joined to the last one's last link where the chain ends there.
 struct ShownParts {
   Ends ends;
@@ -210,7 +246,8 @@ ADAGEN_NOINLINE ShownParts show_parts(Workspace& w, const SweptParts& swept) {
   using Run = Strips<first, last>;
   ShownParts shown;
   auto& [ends, Phi, b] = shown;
-  const Lanes good = invert(swept.bodies, Phi, b);
+  Lanes good = invert(swept.bodies, Phi, b);
+  if constexpr (kOnGround<Run>) good = hold_first<Run>(w, swept.bodies, good, Phi, b);
   if (__builtin_expect(!all_positive(good), 0)) fail_one(w, Run::row(0, 0), good);
   ends.near = mobility_of(Phi, b);
   const Yields yields = yields_of_parts<Run>(w);
@@ -265,6 +302,10 @@ template <int first, int last>
 ADAGEN_NOINLINE void accelerate_in_parts(Workspace& w, const StartedParts& started) {
   using Run = Strips<first, last>;
   Motion<Lanes> a = started.first;
+  if constexpr (kOnGround<Run>) {
+    const Vector<Lanes> axis = axis_at<Lanes>(w.at(Run::row(0, 0).slot, kAxes));
+    answer(w, single(Run::joint(0, 0)), 0, dot(axis, a.angular)[0]);
+  }
   const Lanes(&load)[6] = started.load;
   const auto pass = [&](int row) ADAGEN_ALWAYS {
     const Joints<Lanes> joints = Run::row(row, 0);
