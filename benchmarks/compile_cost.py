@@ -98,7 +98,8 @@ def solvers() -> Iterator[tuple[object, ...]]:
         sources, chosen, seconds = {}, {}, {}
         for name, robot in robots.items():
             start = time.perf_counter()
-            made = adagen.compile(robot, procs=1, shape=shape)
+            form = "ada" if shape == "joints" else "segment"
+            made = adagen.compile(robot, procs=1, shape=shape, form=form)
             seconds[name] = time.perf_counter() - start
             sources[name] = made.in_folder(".")[f"{made.stem}.cpp"]
             chosen[name] = made.program.shape
@@ -107,6 +108,7 @@ def solvers() -> Iterator[tuple[object, ...]]:
             share = f"{own_lines(name, alike):.0%}" if len(alike) > 1 else "-"
             cost = compiled_in(name, text, (), LIBRARY)
             shown = f"auto: `{chosen[name]}`" if shape == "auto" else f"`{shape}`"
+            shown += ", form `ada`" * (shape == "joints")
             tell(f"{name}, {shown}")
             yield (
                 *(name, len(robots[name].model.joints), shown, len(text.splitlines()), share),

@@ -40,6 +40,10 @@ def unguarded(text: str) -> str:
     return text.replace(_NOTES, _NOTHING)
 
 
+_FORMS = {"kernels": ("segment",), "joints": ("ada",)}
+"""Forms of shapes that take one alone."""
+
+
 def pair(model: Model, name: str, form: str, shape: str) -> tuple[Contestant, Contestant]:
     """Return a robot's solver on one process and the same without guards, compiled."""
     variant = Variant(form, shape=shape)
@@ -62,7 +66,7 @@ def main() -> None:
     pairs: dict[tuple[str, str], tuple[Contestant, Contestant]] = {}
     for path in map(Path, options.urdf or [MODELS / "humanoid.urdf"]):
         model = read_robot(path, floating=options.floating).model
-        for form in FORMS:
+        for form in _FORMS.get(options.shape, FORMS):
             tell(f"compiling {path.stem}, form {form}")
             pairs[path.stem, form] = pair(model, path.stem, form, options.shape)
     times = by_turns([one for both in pairs.values() for one in both], options.rounds)

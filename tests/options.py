@@ -77,6 +77,7 @@ EMITTED = {
 }
 """Options that say how code is emitted: what only schedules does not know them."""
 COMPANIONS = {
+    ("--shape", "joints"): {"--form": "ada"},
     ("--residual", "own"): {"--refine": "1", "--procs": "1"},
     ("--residual", "wide"): {"--refine": "1"},
 }

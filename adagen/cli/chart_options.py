@@ -113,12 +113,11 @@ def _add_variants(parser: Parser) -> None:
 
 def _add_names(add: Callable[..., Any]) -> None:
     """Add the options that name what is tried, by the argument group's ``add_argument``."""
-    from adagen.emit.shapes import BASELINES, SHAPES
-    from adagen.studies.chart.variants import ALGORITHMS, SCHEDULES
-    from adagen.studies.chart.variants import SHAPES as DEFAULT
+    from adagen.emit.shapes import BASELINES
+    from adagen.studies.chart.variants import ALGORITHMS, SCHEDULES, SHAPES
 
     for name, what, known, default in (
-        ("--shapes", "code shapes, ", ("auto", *SHAPES), DEFAULT),
+        ("--shapes", "code shapes of form segment, ", SHAPES, None),
         ("--algorithms", f"{', '.join(BASELINES)} are baselines; ", ALGORITHMS, None),
         ("--schedules", "", tuple(SCHEDULES), SCHEDULES[:1]),
     ):

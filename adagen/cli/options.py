@@ -242,8 +242,8 @@ def add_emission(parser: Parser) -> None:
         choices=("auto", "unrolled", "kernels", "joints"),
         default="auto",
         help="shape of the code: a straight line of scalar statements (unrolled), loops over runs "
-        "of joints (kernels), a function for each joint and step (joints), or what should be "
-        "fastest for the robot (auto, default)",
+        "of joints (kernels), a function for each joint and step (joints, form ada alone), or what "
+        "should be fastest for the robot (auto, default)",
     )
     group.add_argument(
         "--batch",
@@ -307,7 +307,7 @@ def check_emission(parser: Parser, options: argparse.Namespace) -> None:
     Raises:
         UsageError: options exclude each other.
     """
-    from adagen.emit import check_batch, check_reproducible
+    from adagen.emit import check_batch, check_form, check_reproducible
     from adagen.emit.refine import checked_shape
 
     check_search(parser, options)
@@ -319,6 +319,7 @@ def check_emission(parser: Parser, options: argparse.Namespace) -> None:
         check_batch(options.shape, steps, options.channel)
         if options.tune or options.tuned is not None:
             parser.error("batches are not tuned: leave out --tune or --batch")
+    check_form(options.form, options.shape if options.tuned is None else options.tuned.shape)
     if options.tuned is not None and (options.tune or options.shape != "auto"):
         parser.error("--tuned replaces --tune and --shape: leave those out")
 

@@ -6,7 +6,12 @@ from dataclasses import replace
 
 from adagen import __version__
 from adagen.cost import programmed, with_recovery
-from adagen.emit.combinations import check_batch, check_certified, check_reproducible
+from adagen.emit.combinations import (
+    check_batch,
+    check_certified,
+    check_form,
+    check_reproducible,
+)
 from adagen.emit.embedded import check_target
 from adagen.emit.names import file_stem
 from adagen.emit.refine import checked_shape, checked_steps
@@ -26,6 +31,7 @@ __all__ = [
     "TOLERANCE",
     "check_batch",
     "check_certified",
+    "check_form",
     "check_reproducible",
     "emit",
     "file_stem",

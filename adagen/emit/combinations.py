@@ -5,6 +5,19 @@ from __future__ import annotations
 from adagen.errors import UsageError
 from adagen.plan.types import THREADS
 
+FORM_ADA_ALONE = "it is for form ada: add --form ada, or take shape kernels or unrolled"
+"""Why shape joints does not take form segment."""
+
+
+def check_form(form: str, shape: str) -> None:
+    """Refuse a shape that does not take a form, for any robot.
+
+    Raises:
+        UsageError: it does not.
+    """
+    if shape == "joints" and form != "ada":
+        raise UsageError(f"shape joints cannot be emitted: {FORM_ADA_ALONE}")
+
 
 def check_batch(shape: str, refine: int, channel: str) -> None:
     """Refuse options that batches do not support.

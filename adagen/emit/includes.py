@@ -34,7 +34,7 @@ def umbrellas(values: Mapping[str, object]) -> dict[str, bool]:
 
     Returns:
         keeps: loops have memory of their own, which the source declares; plain_loops: they take
-        plain_sweeps.hpp; loops_alone: loops_alone.hpp; joints_alone: joints_alone.hpp.
+        plain_sweeps.hpp; loops_alone: loops_alone.hpp.
     """
     loops = values["shape"] == LOOPS
     keeps = loops and any(values[name] for name in _KEPT)
@@ -44,9 +44,6 @@ def umbrellas(values: Mapping[str, object]) -> dict[str, bool]:
         "keeps": keeps,
         "plain_loops": plain,
         "loops_alone": plain and alone,
-        "joints_alone": values["shape"] == "joints"
-        and alone
-        and values["runtime"] == ["articulated.hpp"],
     }
 
 

@@ -3,7 +3,7 @@
 * ``kernels``: loops over runs of joints in base axes, several links at once where there is no
   recursion. It takes plans of form segment.
 * ``joints``: joint-local frames, a function for each joint and step, one call after the other: the
-  shape of the paper's form. It takes every plan that joins.
+  shape of the paper's form, for reading. It takes plans of form ada alone.
 * ``unrolled``: a straight line of scalar statements from an expression graph, the fastest up to
   about 10 joints.
 """

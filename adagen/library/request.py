@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from adagen.emit import check_batch, check_certified, check_reproducible
+from adagen.emit import check_batch, check_certified, check_form, check_reproducible
 from adagen.emit.embedded import TARGETS, check_target
 from adagen.emit.refine import RESIDUALS, checked_shape, checked_steps
 from adagen.errors import UsageError
@@ -23,7 +23,7 @@ class Request:
         form: of the algorithm, "segment" or the paper's "ada".
         scalar: "double" or "float".
         channel: between processes, "auto", "window" or "message"; or "threads" of one program.
-        shape: of the code, "auto", "unrolled", "kernels" or "joints".
+        shape: of the code, "auto", "unrolled", "kernels" or (form "ada") "joints".
         refine: steps of iterative refinement, 0 to 9; None: as many as the scalar needs.
         residual: what these find residuals in: the solver's "own" numbers, "wide" ones, or its own
             where loops have them ("auto").
@@ -114,6 +114,7 @@ class Request:
         if self.reproducible:
             check_reproducible(self.form, self.refinement, self.shape)
             self._check_bare()
+        check_form(self.form, self.shape)
 
     def _check_certified(self) -> None:
         """Refuse options that cannot be combined with --certify.
@@ -179,7 +180,9 @@ class Request:
             return "kernels"
         if self.tuned:  # it was not known yet
             return "auto"
-        return "joints" if self.refinement else self.shape
+        if self.refinement and self.shape == "auto":
+            return "joints" if self.form == "ada" else "kernels"
+        return self.shape
 
 
 _KNOWN = {

@@ -66,17 +66,6 @@ struct Articulated {
   }
 };
 
-// What a process keeps of a joint that it does not join, and of the child link.
-template <class Body>
-struct ArticulatedJoint {
-  Transform X;  // parent link's to child link's frame
-  Vec6 v;       // velocity
-  Inertia IA;   // articulated-body inertia
-  Columns6 pA;  // and its bias force
-  Columns6 a;   // acceleration, relative to free fall
-  Body body;
-};
-
 // The joint's share of the articulated body with inertia I and bias p on its far side: what it
 // passes on to its near side, by exact projection: nothing along S but the torque. Returns false
 // where D cannot be factorized.

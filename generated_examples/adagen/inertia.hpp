@@ -117,9 +117,8 @@ ADAGEN_NOINLINE Inertia in_child(const Transform& X, const Inertia& m) {
 }
 
 // X^-T f: a wrench on the parent, felt in the child's frame.
-template <class Columns>
-Columns wrench_in_child(const Transform& X, const Columns& f) {
-  Columns result;
+[[maybe_unused]] inline Columns6 wrench_in_child(const Transform& X, const Columns6& f) {
+  Columns6 result;
   ADAGEN_FOR (k, 0, kColumns) {
     const Real* c = f.data() + 6 * k;
     const Vec3 force(c[3], c[4], c[5]), about = cross(X.r, force);

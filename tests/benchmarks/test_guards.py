@@ -14,7 +14,7 @@ from tests.models import serial_chain
 
 @pytest.mark.parametrize("shape", SHAPES)
 def test_one_line_is_what_guards_end_in(shape: str) -> None:
-    plan = plan_of(serial_chain(3), 1)
+    plan = plan_of(serial_chain(3), 1, form="ada" if shape == "joints" else "segment")
     text = joined(text_of(plan, shape=shape))
     pairs = zip(text.splitlines(), unguarded(text).splitlines(), strict=True)
     (changed,) = ((old, new) for old, new in pairs if old != new)

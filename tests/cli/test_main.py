@@ -88,6 +88,8 @@ class TestUsage:
             (["compile"], "commands: info, schedule, solve, verify, calibrate, env"),
             (["r.urdf", "--procs", "2", "--batch", "--refine", "1"], "batches are not refined"),
             (["r.urdf", "--procs", "2", "--batch", "--shape", "joints"], "in shapes kernels"),
+            (["r.urdf", "--procs", "2", "--shape", "joints"], "add --form ada, or take shape"),
+            (["r.urdf", "--procs", "2", "--tuned", "joints:0:"], "add --form ada, or take shape"),
             (["r.urdf", "--procs", "2", "--batch", "--tune"], "batches are not tuned"),
             (["r.urdf", "--procs", "2", "--naive"], "--naive is for --strategy astar or paper"),
             (["r.urdf", "--procs", "2", "--schedule", "balanced", "--tie", "lex"], "--tie is for"),

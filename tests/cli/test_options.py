@@ -129,7 +129,7 @@ def test_shared_robots(shared: Path, tmp_path: Path, capsys: pytest.CaptureFixtu
         slow("arm7", "--procs 2 --scalar float"),
         ("mobile", "--procs 2 --form ada --scalar float --schedule sequential"),
         ("double_pendulum", "--procs 2 --batch --scene effects"),
-        slow("mobile", "--procs 3 --schedule balanced --shape joints --refine 1"),
+        slow("mobile", "--procs 3 --schedule balanced --form ada --shape joints --refine 1"),
     ],
 )
 def test_a_few_are_built_and_right(

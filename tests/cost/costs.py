@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from adagen.cost import Timeline, timeline
+from adagen.plan import Plan
+from adagen.program import lower
 from adagen.schedule.costs import NAMES, ChannelCosts, StepCosts
 from adagen.schedule.profile import CostProfile
 
@@ -20,3 +23,8 @@ def step_costs(cores: tuple[float, ...] = (), **changes: float) -> StepCosts:
 def step_profile(cores: tuple[float, ...] = (), **changes: float) -> CostProfile:
     """Return a profile with these step costs."""
     return CostProfile("steps", 0.05, 0.05, -0.01, 0.25, steps=step_costs(cores, **changes))
+
+
+def step_by_step(plan: Plan, profile: CostProfile) -> Timeline:
+    """Return the timeline of a plan whose steps are operations by themselves, as trees price it."""
+    return timeline(lower(plan, "joints"), profile)

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from adagen.calibrate.schedules import random_schedule
-from adagen.cost import step_features
-from adagen.emit.predicted import predict
+from adagen.cost import operation_features, step_features, timeline
+from adagen.emit.predicted import predict, priced_program
 from adagen.model.kinds import KINDS, REVOLUTE
 from adagen.plan import Plan, make_plan
 from adagen.plan.stages import stages
@@ -55,14 +55,16 @@ def test_what_is_predicted_can_happen(form: str, processes: int, seed: int) -> N
 
 
 @pytest.mark.parametrize("form", ["ada", "segment"])
-def test_one_process_takes_the_sum_of_its_steps(form: str) -> None:
+def test_one_process_takes_the_sum_of_its_operations(form: str) -> None:
     made, costs = plan(1, form), step_costs()
-    total = sum(costs.total(step_features(step, made.joints)) for step in made.processes[0].steps)
-    line = predict(made, step_profile(), "joints")
+    shape = "joints" if form == "ada" else "kernels"
+    program = priced_program(made, shape, step_profile())
+    features = [operation_features(op, made.joints) for op in program.processes[0].operations]
+    line = timeline(program, step_profile())
+    total = sum(map(costs.total, features))
     assert line.makespan == pytest.approx(total + costs["process.evaluation"])
     assert line.waiting(0) == 0
-    known = {name for step in made.processes[0].steps for name in step_features(step, made.joints)}
-    assert known <= set(NAMES)
+    assert {name for each in features for name in each} <= set(NAMES)
 
 
 def test_a_receiver_waits_for_latency_and_numbers() -> None:
@@ -104,8 +106,8 @@ def test_slaved_joints_make_every_step_dearer() -> None:
     schedule = find_schedule(Topology.of(model), 2, profile=load_profile("paper"))
     made = make_plan(model, schedule)
     assert made.slaved
-    without = step_profile(slaved__column=0.0)
-    line, cheaper = (predict(made, p, "joints").makespan for p in (step_profile(), without))
+    ada, without = make_plan(model, schedule, form="ada"), step_profile(slaved__column=0.0)
+    line, cheaper = (predict(ada, p, "joints").makespan for p in (step_profile(), without))
     assert line > cheaper
     free = replace(model, joints=tuple(replace(j, mimic=None) for j in model.joints))
     loops = predict(made, step_profile(), "kernels").makespan

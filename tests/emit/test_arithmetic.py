@@ -18,7 +18,7 @@ from tests.slow import spread
 SOURCES: dict[str, dict[str, Any]] = {
     "straight line": {"shape": "unrolled"},
     "loops": {"shape": "kernels"},
-    "joint by joint": {"shape": "joints"},
+    "joint by joint": {"form": "ada", "shape": "joints"},
     "batch": {"batch": True},
     "embedded": {"target": "embedded"},
 }

@@ -89,10 +89,7 @@ def wrists(*kinds: JointKind) -> Model:
 def test_loops_join_runs(
     model: Model, processes: int, scalar: str, more: int, builder: Builder, tmp_path: Path
 ) -> None:
-    """Mobilities get to the runs across joints of all kinds.
-
-    Free bodies magnify rounding: shape joints errs by 4e-13 here, too.
-    """
+    """Mobilities get to the runs across joints of all kinds. Free bodies magnify rounding."""
     plan = replace(balanced(model, processes, "segment"), scalar=scalar)
     solver = builder.solver(plan, name="runs", shape="kernels")
     states = random_states(model, 4, seed=9)

@@ -30,9 +30,9 @@ ROBOTS = {
 
 def spoiler(model: Model, builder: Builder, shape: str, scalar: str) -> Solver:
     """A program that spoils one entry after the other and says what the solver says."""
-    plan = make_plan(
-        model, best_schedule(model, 1, load_profile("default"), scalar=scalar), scalar=scalar
-    )
+    schedule = best_schedule(model, 1, load_profile("default"), scalar=scalar)
+    form = "ada" if shape == "joints" else "segment"
+    plan = make_plan(model, schedule, scalar=scalar, form=form)
     head = f"#include <fstream>\n#define ADAGEN_NO_MAIN\nusing Number = {scalar};\n"
     text = f"{head}{text_of(plan, 'guarded', shape=shape)}\n{PROGRAM.read_text()}"
     return Solver(builder.compile(text, "guarded"), 1, builder.toolchain)

@@ -28,7 +28,7 @@ from tests.schedules import random_schedule
 
 def unguarded(plan: Plan) -> list[int]:
     """Return the messages whose next writing does not come after their reading."""
-    operations = [process.operations for process in lower(plan, "joints").processes]
+    operations = [process.operations for process in lower(plan, "unrolled").processes]
     return overwritten(plan.messages, operations)
 
 
@@ -49,9 +49,8 @@ def test_every_message_is_read_before_its_place_is_written_again(
     plan = make_plan(model, random_schedule(model, processes, rng), form=form, meeting=meeting)
     assert unguarded(plan) == []
     assert unguarded(plan.recovering()) == []
-    assert all(
-        message_size(Symbols(lower(plan, "joints")), message) > 0 for message in plan.messages
-    )
+    symbols = Symbols(lower(plan, "unrolled"))
+    assert all(message_size(symbols, message) > 0 for message in plan.messages)
 
 
 def test_messages_of_another_way_are_guarded_too() -> None:

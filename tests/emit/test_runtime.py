@@ -139,7 +139,7 @@ def test_a_source_is_not_long(stem: str, most: int) -> None:
     ("stem", "other"),
     [
         ("arm7_p1", "human40_p1"),
-        ("human40_p1", "arm7_p1"),
+        ("human40_p1", "arm7_slaved_p2"),
         ("arm7_unrolled_p1", "human40_p1"),
         ("humanoid_p1", "arm7_p2"),
         ("mobile_p1", "humanoid_p1"),
@@ -193,7 +193,7 @@ def test_a_program_of_another_version_is_not_linked(tmp_path: Path) -> None:
 
 
 KINDS: dict[str, tuple[int, dict[str, Any], dict[str, Any]]] = {
-    "joints": (1, {}, {"shape": "joints"}),
+    "joints": (1, {"form": "ada"}, {"shape": "joints"}),
     "loops": (1, {"scalar": "float"}, {"shape": "kernels"}),
     "lines": (1, {}, {"shape": "unrolled", "target": "embedded"}),
     "threads": (2, {"channel": "threads"}, {"shape": "kernels"}),

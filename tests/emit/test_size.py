@@ -44,13 +44,20 @@ def test_most_lines_of_what_is_chosen_for_a_robot_are_its_own() -> None:
         slow("unrolled", 2, 0.8),
         ("kernels", 1, 0.8),
         ("kernels", 2, 0.75),
-        ("joints", 1, 0.8),
-        slow("joints", 2, 0.8),
+        ("joints", 1, 0.7),
+        slow("joints", 2, 0.7),
     ],
 )
 def test_lines_of_a_shape_are_the_robots_own(shape: str, processes: int, least: float) -> None:
-    """As written to a folder. In loops on two processes, an arm's few lines stand among thirty."""
-    made = {name: adagen.compile(_real(name), procs=processes, shape=shape) for name in ROBOTS}
+    """As written to a folder. In loops on two processes, an arm's few lines stand among thirty.
+
+    In form ada, functions of joints of one kind differ by names alone: some of these are alike.
+    """
+    form = "ada" if shape == "joints" else "segment"
+    made = {
+        name: adagen.compile(_real(name), procs=processes, shape=shape, form=form)
+        for name in ROBOTS
+    }
     texts = {name: each.in_folder(".")[f"{each.stem}.cpp"] for name, each in made.items()}
     for name in ROBOTS:
         assert own_lines(name, texts) >= least, name

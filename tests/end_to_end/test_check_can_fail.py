@@ -21,18 +21,18 @@ SPOILT = {
     ),
     "a torque is taken for its opposite": (
         "arm7_p1",
-        r"tau\[k\]\[0\] = Real\(w\.tau\[v",
-        "tau[k][0] = -Real(w.tau[v",
+        r"const Real tau = torque\(w, j\);",
+        "const Real tau = -torque(w, j);",
     ),
     "a velocity product is left out": (
         "arm7_p1",
-        r"i\.body\.c = velocity_product<",
-        "i.body.c = 0 * velocity_product<",
+        r"at\.alpha \+= turn_with\(axis",
+        "turn_with(axis",
     ),
     "a link is a thousandth too heavy for the sweep": (
         "arm7_p1",
-        r"IA = inertia;",
-        "IA = inertia; IA.C[0] *= Real(1.001);",
+        r"bias_force\(J, c, wide\(constants\.mass\)",
+        "bias_force(J, c, Real(1.001) * wide(constants.mass)",
     ),
 }
 

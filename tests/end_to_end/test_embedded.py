@@ -199,7 +199,7 @@ def test_its_memory_is_what_the_head_says(case: str, builder: Builder) -> None:
         ({"batch": True}, "one process and one state at a time"),
         ({"refine": 1}, "does not refine"),
         ({"single_file": True}, "has no program around it"),
-        ({"shape": "joints"}, "needs Eigen here"),
+        ({"form": "ada", "shape": "joints"}, "needs Eigen here"),
         ({"target": "moon"}, "target is one of host, embedded"),
     ],
 )

@@ -145,7 +145,6 @@ def test_headers_are_c99_and_cpp17_and_included_by_the_source(
 def _plans() -> dict[str, tuple[Plan, dict[str, object]]]:
     arm, human = BY_STEM["arm7_p1"].model(), human_figure()
     return {
-        "joints": (plan_of(arm, 1), {"shape": "joints"}),
         "ada": (plan_of(arm, 1, form="ada"), {"shape": "joints"}),
         "kernels": (plan_of(human, 1), {"shape": "kernels"}),
         "unrolled": (plan_of(arm, 1), {"shape": "unrolled"}),
@@ -160,7 +159,7 @@ def _plans() -> dict[str, tuple[Plan, dict[str, object]]]:
 PLANS = _plans()
 
 
-@pytest.mark.parametrize("name", all_but(PLANS, "joints", "ada", "refined", "float"))
+@pytest.mark.parametrize("name", all_but(PLANS, "ada", "refined", "float"))
 def test_nothing_is_taken_from_the_heap_once_a_solver_is_open(name: str, builder: Builder) -> None:
     plan, options = PLANS[name]
     files = emit(plan, name="heap", **options)  # type: ignore[arg-type]

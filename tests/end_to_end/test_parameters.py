@@ -34,7 +34,7 @@ def build(path: Path, floating: bool = False, **asked: Any) -> adagen.Solver:
 CASES: dict[str, tuple[Path, bool, dict[str, Any]]] = {
     "straight line": (ARM, False, {"shape": "unrolled"}),
     "loops": (ARM, False, {"shape": "kernels"}),
-    "joints": (ARM, False, {"shape": "joints"}),
+    "joints": (ARM, False, {"form": "ada", "shape": "joints"}),
     "the paper's form": (ARM, False, {"form": "ada", "shape": "joints", "procs": 2,
                                       "channel": "threads"}),
     "in lanes": (HUMANOID, False, {"shape": "unrolled"}),
@@ -46,7 +46,7 @@ CASES: dict[str, tuple[Path, bool, dict[str, Any]]] = {
     "float": (ARM, False, {"scalar": "float"}),
     "refined loops": (ARM, False, {"refine": 1, "shape": "kernels"}),
     "loops refined wide": (ARM, False, {"refine": 1, "shape": "kernels", "residual": "wide"}),
-    "refined joints": (ARM, False, {"refine": 1, "shape": "joints"}),
+    "refined joints": (ARM, False, {"form": "ada", "refine": 1, "shape": "joints"}),
     "threads": (HUMANOID, True, {"procs": 2, "channel": "threads"}),
 }  # fmt: skip
 
@@ -175,7 +175,6 @@ def test_masses_and_their_centres_are_set_at_run_time(case: str) -> None:
         ("mass:forarm", {}, "mass:forarm: no moving link of this name; did you mean 'forearm'"),
         ("mass:camera", {}, "camera is fixed to hand: say mass:hand"),
         ("mass:pedestal", {}, "no moving link of this name"),
-        ("mass:hand", {"shape": "joints"}, "in it masses are constants"),
         (
             "mass:hand",
             {"refine": 1, "residual": "wide"},

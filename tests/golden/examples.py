@@ -61,7 +61,7 @@ class Example:
 
 
 EXAMPLES = (
-    Example("arm7", "arm7", 1, shape="joints"),
+    Example("arm7", "arm7", 1, shape="kernels"),
     Example("arm7", "arm7", 2, shape="kernels", schedule="balanced"),
     Example("arm7_unrolled", "arm7", 1, shape="unrolled"),
     Example("arm7_unrolled", "arm7", 2, form="ada", shape="unrolled"),

@@ -97,6 +97,7 @@ class TestCompile:
             ({"batch": True, "refine": 1}, "batches are not refined"),
             ({"schedule": "nowhere.json"}, "is neither a file nor one of auto, balanced"),
             ({"naive": True}, "naive is for strategy astar or paper"),
+            ({"shape": "joints"}, "for form ada: add --form ada, or take shape kernels or"),
         ],
     )
     def test_what_cannot_be_had_is_told(self, asked: dict[str, Any], said: str) -> None:
@@ -118,7 +119,7 @@ class TestSolve:
         ("path", "asked"),
         [
             (MOBILE, {}),
-            (ARM, {"shape": "joints"}),
+            (ARM, {"form": "ada", "shape": "joints"}),
             (ARM, {"batch": True}),
             (ARM, {"scalar": "float"}),
         ],

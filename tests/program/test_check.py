@@ -61,6 +61,8 @@ def test_what_is_emitted_is_well_formed(seed: int) -> None:
 def example(meeting: str = "gather", shape: str = "kernels") -> Program:
     model = human_figure()
     schedule = random_schedule(Topology.of(model), 2, PROFILE, 5)
+    if shape == "joints":
+        return programmed(make_plan(model, schedule, form="ada"), shape)
     return programmed(make_plan(model, schedule, meeting=meeting), shape)
 
 
@@ -87,7 +89,7 @@ def test_no_operation_can_be_left_out(meeting: str, shape: str) -> None:
 
 
 def test_no_operation_can_be_done_twice() -> None:
-    program = example("join", "joints")
+    program = example("join", "unrolled")
     for place, operation in enumerate(program.processes[1].operations):
         if operation.does in ("kinematics", "link_bias", "apply_coupling"):
             continue  # done again it finds the same, and what was found has been read meanwhile

@@ -13,7 +13,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from adagen.calibrate.schedules import random_schedule
-from adagen.emit.predicted import predict
 from adagen.model.kinds import KINDS
 from adagen.plan import make_plan
 from adagen.schedule import CostProfile, Topology, makespan_of, preorder, validate
@@ -21,7 +20,7 @@ from adagen.schedule.chains import WHOLE, Chain, Chains
 from adagen.schedule.tree_draft import Draft
 from adagen.search import find_schedule
 from adagen.search.segment_schedule import segment_bound
-from tests.cost.costs import step_profile
+from tests.cost.costs import step_by_step, step_profile
 from tests.models import human_figure, random_tree, serial_chain, star
 from tests.scene.held import held
 
@@ -169,7 +168,7 @@ def test_the_plan_takes_what_the_tree_says(
     model = held(model, prescribed)
     profile = step_profile(cores)
     schedule = random_schedule(Topology.of(model), processes, profile, seed)
-    line = predict(make_plan(model, schedule, form="segment"), profile, "joints")
+    line = step_by_step(make_plan(model, schedule), profile)
     assert line.makespan == pytest.approx(makespan_of(schedule.root), abs=1e-5)
 
 
@@ -189,7 +188,7 @@ def test_slow_cores_get_less_to_do() -> None:
 def test_the_plan_never_takes_less_than_is_proven(processes: int) -> None:
     for model in (human_figure(), serial_chain(20), star(6, 3), serial_chain(12, floating=True)):
         found = find_schedule(Topology.of(model), processes, profile=PROFILE, expansions=500)
-        line = predict(make_plan(model, found, form="segment"), PROFILE, "joints")
+        line = step_by_step(make_plan(model, found), PROFILE)
         assert line.makespan >= found.lower_bound - 1e-5
         assert line.makespan == pytest.approx(found.makespan, abs=1e-5)
 

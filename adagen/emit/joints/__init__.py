@@ -1,10 +1,12 @@
 """Code shape `joints`: joint-local frames, a function for each joint and step, one after another.
 
-It takes every plan but those that gather, and is how the paper's form is written.
+It is how the paper's form is written, and takes plans of form ada alone. Clusters in these
+(adagen/plan/clusters.py) are articulated bodies.
 """
 
 from __future__ import annotations
 
+from adagen.emit.combinations import FORM_ADA_ALONE
 from adagen.emit.forces import has_effects
 from adagen.emit.joints.refine import add_corrections, corrections
 from adagen.emit.joints.rows import joint_rows
@@ -19,14 +21,8 @@ __all__ = ["values", "why_not"]
 
 def why_not(plan: Plan) -> str | None:
     """Return why a plan cannot be emitted in this shape; None where it can."""
-    if plan.sets_inertias:
-        return "in it masses are constants"
-    if any(message.inertias for message in plan.messages):
-        return "the processes of this plan gather their inertias"
-    if any(process.shares for process in plan.processes):
-        return "several processes of this plan join the same joints"
-    if plan.certified:
-        return "its answers are not certified"
+    if plan.form != "ada":
+        return FORM_ADA_ALONE
     if plan.closed:
         return "robots with closed loops are emitted as straight lines"
     if plan.outputs:
@@ -36,16 +32,16 @@ def why_not(plan: Plan) -> str | None:
 
 def values(symbols: Symbols) -> dict[str, object]:
     """Return the values of joints.cpp.j2, its runtime headers among them."""
-    segments = any(symbols.plan.steps_of(StartLink))
+    clusters = any(symbols.plan.steps_of(StartLink))
     fused = any(symbols.plan.steps_of(FusedJoin))
-    runtime = ["articulated.hpp" if segments else "joins.hpp"]
+    runtime = ["articulated.hpp" if clusters else "joins.hpp"]
     runtime += ["fused.hpp"] * fused
     if has_effects(symbols.plan):
-        runtime += ["effects.hpp", *["geared.hpp"] * segments]
+        runtime += ["effects.hpp", *["geared.hpp"] * clusters]
     rows = joint_rows(symbols)
     if symbols.refine:
         runtime += ["wide.hpp", "refine.hpp", "refine_joins.hpp"]
-        runtime += ["refine_segment.hpp"] * segments + ["refine_fused.hpp"] * fused
+        runtime += ["refine_segment.hpp"] * clusters + ["refine_fused.hpp"] * fused
         add_corrections(symbols, rows)
     return {
         "runtime": runtime,

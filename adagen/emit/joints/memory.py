@@ -45,8 +45,6 @@ class Members:
             ]
             for j in range(len(plan.joints))
         ]
-        self.bases = [""] * len(plan.joints)
-        """What a joint's memory is derived from, instead of these members."""
         handle_forces: dict[int, set[Force]] = defaultdict(set)
         for step in plan.steps:
             self._add(step, handle_forces)
@@ -54,19 +52,9 @@ class Members:
             for force in sorted(named):
                 member = symbols.force_member(force)
                 self.lines[joint].append(f"Columns6 {member};  // outer wrench on that chain")
-        for j in range(len(plan.joints)):
-            self._derive(j)
         if plan.right_hand_sides > 1:
             for j, lines in enumerate(self.lines):
                 lines.append(f"{forces.freedoms_type(symbols, j)} qdd;")
-
-    def _derive(self, j: int) -> None:
-        """Omit members that ArticulatedJoint has, for joints whose link starts a body."""
-        lines, body = self.lines[j], forces.body_type(self.symbols, j)
-        kept = [*lines[:2], *_of_started_link(self.symbols, j + 1), f"{body} body;"]
-        if all(line in lines for line in kept):
-            self.lines[j] = [line for line in lines if line not in kept]
-            self.bases[j] = f"ArticulatedJoint<{body}>"
 
     def _add(self, step: Step, handle_forces: dict[int, set[Force]]) -> None:
         symbols = self.symbols

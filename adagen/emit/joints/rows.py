@@ -74,7 +74,6 @@ def joint_rows(symbols: Symbols) -> list[dict[str, object]]:
             "kind": joint.kind,
             "parent_quoted": symbols.quoted_link(joint.parent),
             "child_quoted": symbols.quoted_link(j + 1),
-            "base": members.bases[j],
             "members": members.lines[j],
             "functions": list(functions[j].values()),
         }

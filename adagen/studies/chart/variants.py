@@ -36,7 +36,7 @@ REFINEMENTS = (0, 1)
 """Steps of refinement in a chart, unless others are asked for."""
 
 SHAPES = ("auto", "kernels", "unrolled")
-_OF_SHAPE = {"kernels": "loops", "unrolled": "straight", "joints": "joints"}
+_OF_SHAPE = {"kernels": "loops", "unrolled": "straight"}
 _OF_BASELINE = {"aba": "articulated", "aba_exact": "articulated", "crba": "composite"}
 _TIMES = {1: "once", 2: "twice"}
 SCHEDULES = ("auto", "balanced", "sequential", "random")
