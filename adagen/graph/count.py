@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import compress
 
 from adagen.graph.nodes import Expression, Graph, Node
 
@@ -54,7 +55,7 @@ def live_nodes(graph: Graph, roots: Iterable[Expression]) -> list[int]:
         if alive[index]:
             for argument in nodes[index].args:
                 alive[argument] = 1
-    return [index for index, flag in enumerate(alive) if flag]
+    return list(compress(range(len(alive)), alive))
 
 
 def count_operations(
