@@ -34,6 +34,19 @@ def test_packages_have_an_order() -> None:
     assert order.index("urdf") < order.index("mjcf") < order.index("library")
 
 
+def test_modules_of_the_executor_have_an_order() -> None:
+    """By what they import for types alone, too."""
+    modules: dict[str, set[str]] = {}
+    for file in (ROOT / "executor").glob("*.py"):
+        nodes = ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+        names = {node.module or "" for node in nodes if isinstance(node, ast.ImportFrom)}
+        own = {name for name in names if name.startswith("adagen.executor.")}
+        modules[f"adagen.executor.{file.stem}"] = own
+    order = list(TopologicalSorter(modules).static_order())  # raises where there is a circle
+    first, last = (f"adagen.executor.{name}" for name in ("process_memory", "machine"))
+    assert order.index(first) < order.index("adagen.executor.state") < order.index(last)
+
+
 def test_nothing_below_the_command_line_knows_its_options() -> None:
     """Requests are dataclasses there; argparse and its namespaces stay in cli."""
     for file in ROOT.rglob("*.py"):

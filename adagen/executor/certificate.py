@@ -19,7 +19,7 @@ from adagen.executor.frames import Transform
 from adagen.executor.inner_root import InnerRoot
 from adagen.executor.kinematics import Motion
 from adagen.executor.segments import Articulated
-from adagen.executor.shares_of_bound import Heard, parting, seen_with, spread_of, told
+from adagen.executor.shared_bound import Heard, parting, seen_with, spread_of, told
 from adagen.executor.state import State
 from adagen.graph import Expression, Factors, factorize, matrix_times, total
 from adagen.plan.certificate import ROUNDING, has_inner_root

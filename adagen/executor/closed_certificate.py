@@ -12,13 +12,15 @@ alone.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.allowance import Allowance, Sums
+from adagen.executor.corrections import Corrections
 from adagen.executor.front import End, Front
+from adagen.executor.repeatable import Repeatable
 from adagen.executor.segments import Articulated
 from adagen.graph import Expression, factorize, total
 from adagen.plan.arms import WideUnknown
@@ -26,18 +28,15 @@ from adagen.plan.certificate import ROUNDING
 from adagen.plan.digits import EPSILON
 from adagen.plan.steps import Articulate, Certify, Eliminate, HoldBack, SolveRoot, StartLink, Step
 
-if TYPE_CHECKING:
-    from adagen.executor.machine import Machine
-
 Array = NDArray[Any]
 
 
 class ClosedCertificate(Allowance):
     """Bounds the error of an answer by the residuals of one correction."""
 
-    def __init__(self, machine: Machine) -> None:
+    def __init__(self, machine: Repeatable, corrections: Corrections) -> None:
         super().__init__(machine, machine.motion)
-        self.machine, self.seen = machine, Sums(machine)
+        self.machine, self.corrections, self.seen = machine, corrections, Sums(machine)
         self.held: dict[int, dict[int, Expression]] = {}
         self.unit = ROUNDING * EPSILON[machine.plan.scalar]
 
@@ -53,7 +52,7 @@ class ClosedCertificate(Allowance):
 
     def _energy_of_answer(self) -> Expression:
         """The squared energy norm of the answer, from its links and rotors."""
-        corrections, sums = self.machine.corrections, Sums(self.machine)
+        corrections, sums = self.corrections, Sums(self.machine)
         answer, energies = corrections.answer(), corrections.energies()
         for link in energies.links:
             with self.when_reached(link):
@@ -70,7 +69,7 @@ class ClosedCertificate(Allowance):
         """Add a step's squared residual error, and its allowance for rounding."""
         if not self.state.plan.certified:
             return
-        residual = self.machine.corrections.current
+        residual = self.corrections.current
         match step:
             case StartLink(link):
                 held = residual.memory["held", link]
@@ -106,7 +105,7 @@ class ClosedCertificate(Allowance):
 
     def noise_at(self, link: int) -> Array:
         """Squares of all moments and forces at a link, shape (4,)."""
-        self.memory["left", link] = self.machine.corrections.current.memory["pA", link][:, 0]
+        self.memory["left", link] = self.corrections.current.memory["pA", link][:, 0]
         return super().noise_at(link)
 
     # -- joints -----------------------------------------------------------------------------------
@@ -260,7 +259,7 @@ class ClosedCertificate(Allowance):
         drift = self.motion.drift(link - 1)
         if drift is None:
             return
-        links = self.machine.corrections.links()
+        links = self.corrections.links()
         masses = [self.whole(each - 1, self.state.rows.mass(each)) for each in links]
         fall = self.square([*drift[3:, 0], *self.memory["a", link][3:, 0]])
         self.rounded.add(link - 1, 1, total(masses) * fall)

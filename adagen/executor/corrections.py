@@ -8,12 +8,13 @@ the same expression and is not computed again.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence, Set
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.lanes import steps_in_order
+from adagen.executor.repeatable import Repeatable
 from adagen.executor.residuals import Answer, Energies, Residuals
 from adagen.graph import Expression, matrix_times
 from adagen.plan.steps import (
@@ -31,9 +32,6 @@ from adagen.plan.steps import (
 )
 from adagen.plan.types import Process
 
-if TYPE_CHECKING:
-    from adagen.executor.machine import Machine
-
 Array = NDArray[Any]
 _KINEMATICS = (Kinematics, Traverse, Append, Arrive)
 
@@ -46,16 +44,16 @@ class Corrections:
         steps: all steps of the process.
     """
 
-    def __init__(self, machine: Machine, steps: Sequence[Step]) -> None:
+    def __init__(self, machine: Repeatable, steps: Sequence[Step]) -> None:
         self.machine = machine
         count = next((k for k, step in enumerate(steps) if isinstance(step, Correct)), len(steps))
         self.steps = tuple(steps[:count])
-        self.rounds: list[Machine] = []
+        self.rounds: list[Repeatable] = []
         self._order: list[int] = []
         self._answer: Answer | None = None
 
     @property
-    def current(self) -> Machine:
+    def current(self) -> Repeatable:
         """The correction that is being computed."""
         return self.rounds[-1]
 
@@ -155,12 +153,12 @@ class Corrections:
         self.rounds.append(again)
 
 
-def _names(machine: Machine, word: str) -> list[int]:
+def _names(machine: Repeatable, word: str) -> list[int]:
     """The numbers that a process's memory has under some name."""
     return [name[1] for name in machine.memory if isinstance(name, tuple) and name[0] == word]
 
 
-def _answer_of(machine: Machine) -> Answer:
+def _answer_of(machine: Repeatable) -> Answer:
     """The answer of a process."""
     forces: dict[tuple[int, int], Expression] = {}
     for k, front in machine.closures.fronts.items():
@@ -177,7 +175,7 @@ def _answer_of(machine: Machine) -> Answer:
     return Answer(links, dict(machine.results), forces)
 
 
-def _links_of(machine: Machine) -> dict[int, Array]:
+def _links_of(machine: Repeatable) -> dict[int, Array]:
     """Accelerations of links from those of joints, outwards from the ground."""
     found = {0: machine.zeros(6)}
     for j, joint in enumerate(machine.plan.joints):

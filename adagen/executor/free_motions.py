@@ -133,9 +133,9 @@ class FreeMotions:
         self.square, self.across = square - gives[:m, :m], across - gives[:m, m : m + 6]
         self.bias, self.numbers = bias - gives[:m, m + 6 :], tuple(numbers[k] for k in left)
         self.alone = self.alone[left]
-        state = self.rows.state
-        weighed = state.plan.certified
-        energy = dot(half[:, m + 6], over[:, m + 6]) if weighed else state.graph.constant(0)
+        process = self.rows.process
+        weighed = process.plan.certified
+        energy = dot(half[:, m + 6], over[:, m + 6]) if weighed else process.graph.constant(0)
         freed = Freed(wide_unknown, factors, energy, others, over[:, :m])
         return SolvedFreeMotions(solved, freed, before, gives[m : m + 6, m:])
 

@@ -6,7 +6,7 @@ root, the joints between it and a link h have a mobility at h, whose inverse act
 one that acted in the evaluation, so that both residuals are small. The residual of the joints up to
 h costs no more than if only this force acted on them, and the lengths of both errors are added. The
 answer has the motion of h as computed from the ground. Its difference from that as computed from
-the root is added as for limbs of other processes (shares_of_bound.py).
+the root is added as for limbs of other processes (shared_bound.py).
 """
 
 from __future__ import annotations

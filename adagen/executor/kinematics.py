@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import zip_longest
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,11 +14,25 @@ from adagen.executor.frames import Dense, Transform, Turn, about_z, placed, plus
 from adagen.executor.state import State
 from adagen.graph import Expression, dot, matrix_times, total
 from adagen.model.kinds import KINDS, JointKind
-
-if TYPE_CHECKING:
-    from adagen.executor.split_rods import RodHalfMotion
+from adagen.plan.split_rods import RodHalf
 
 Array = NDArray[Any]
+
+
+class CarriedHalf(Protocol):
+    """A rod half whose inertia counts to the link that carries it (split_rods.py).
+
+    Attributes:
+        half: the link.
+    """
+
+    half: RodHalf
+
+    def inertia_at_carrier(self, own: Array) -> Array:
+        """Return its inertia at the other half's link, shape (6, 6)."""
+
+    def push_on(self, number: int) -> Array:
+        """Return the effect of its ball's torques on the other half, or on the ball's near link."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +59,7 @@ class Motion:
 
     def __init__(self, state: State) -> None:
         self.state = state
-        self.rod_halves: tuple[RodHalfMotion, ...] = ()
+        self.rod_halves: tuple[CarriedHalf, ...] = ()
 
     def _kind(self, j: int) -> JointKind:
         """A joint's kind, and whether its motion is prescribed."""

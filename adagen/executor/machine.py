@@ -24,8 +24,9 @@ from adagen.executor.kinematics import Motion
 from adagen.executor.loop_constraints import LoopConstraints
 from adagen.executor.outputs import Outputs
 from adagen.executor.passages import Passages
+from adagen.executor.repeatable import Repeatable
 from adagen.executor.segments import Segments
-from adagen.executor.state import Refining, State
+from adagen.executor.state import Refining
 from adagen.graph import Expression, Graph, Numbers, total
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import (
@@ -58,7 +59,7 @@ RECEIVED = "w.from"
 """What names of inputs that messages bring begin with."""
 
 
-class Machine(State):
+class Machine(Repeatable):
     """One process: its state, and the execution of each step.
 
     Joints in one row (rows.py) are treated as one, whose values are wide.
@@ -86,11 +87,13 @@ class Machine(State):
         self.joins = Joins(self, self.motion)
         self.passages = Passages(self, self.motion)
         self.closures = Closures(self, self.motion, steps)
+        self.corrections = Corrections(self, steps)
         self.bounds: ClosedCertificate | Certificate = (
-            ClosedCertificate(self) if plan.closed else Certificate(self, self.motion, steps)
+            ClosedCertificate(self, self.corrections)
+            if plan.closed
+            else Certificate(self, self.motion, steps)
         )
         self.given_outputs = Outputs(self, self.motion)
-        self.corrections = Corrections(self, steps)
         self.received: dict[int, dict[Any, Array]] = {}
         self.take_angles_of_rows()
 
@@ -250,7 +253,7 @@ class Machine(State):
             front.take(memory["square", side], memory["bias", side])
         return True
 
-    def _machine_of(self, message: Message) -> Machine:
+    def _machine_of(self, message: Message) -> Repeatable:
         """The machine that a message belongs to: this one, or that of the current correction."""
         return self if message.repeats is None else self.corrections.current
 

@@ -11,17 +11,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.front import End
+from adagen.executor.kinematics import Motion
+from adagen.executor.left_over import LeftOver
 from adagen.graph import Expression, matrix_times, total
 from adagen.plan.arms import WideUnknown
-
-if TYPE_CHECKING:
-    from adagen.executor.kinematics import Motion
 
 Array = NDArray[Any]
 
@@ -57,7 +56,7 @@ class Answer:
         )
 
 
-class Residuals:
+class Residuals(LeftOver):
     """Residuals of one answer at the links, joints and loops of a process.
 
     Args:

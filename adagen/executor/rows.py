@@ -6,17 +6,15 @@ The values of a row are wide. They are stored under its first joint and that joi
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.lanes import Row, in_lanes
+from adagen.executor.process_memory import ProcessMemory
 from adagen.graph import Expression
 from adagen.plan.robot import PlanJoint, PlanLink
-
-if TYPE_CHECKING:
-    from adagen.executor.state import State
 
 Array = NDArray[Any]
 
@@ -29,8 +27,8 @@ class Rows:
         beyond_joints: loops and couplings in lanes likewise, counted behind all joints.
     """
 
-    def __init__(self, state: State, rows: Mapping[int, Row]) -> None:
-        self.state, self.rows = state, rows
+    def __init__(self, process: ProcessMemory, rows: Mapping[int, Row]) -> None:
+        self.process, self.rows = process, rows
         self.beyond_joints: dict[int, tuple[int, ...]] = {}
         self._lane_of = {
             j: (lead, k) for lead, row in rows.items() for k, j in enumerate(row.lanes[: row.count])
@@ -57,30 +55,30 @@ class Rows:
 
     def of_joint(self, j: int, read: Callable[[PlanJoint], Any]) -> Array:
         """Return numbers of a joint as constants, of a row those of its lanes."""
-        return self._constants([read(self.state.plan.joints[i]) for i in self.lanes(j)])
+        return self._constants([read(self.process.plan.joints[i]) for i in self.lanes(j)])
 
     def of_link(self, number: int, read: Callable[[PlanLink], Any]) -> Array:
         """Return numbers of a link as constants, of those beyond a row those of its lanes."""
-        links = self.state.plan.links
+        links = self.process.plan.links
         return self._constants([read(links[j + 1]) for j in self.lanes(number - 1)])
 
     def mass(self, number: int) -> Expression:
         """Return the mass of a link, of those beyond a row those of its lanes."""
-        masses = [self.state.mass(j + 1) for j in self.lanes(number - 1)]
+        masses = [self.process.mass(j + 1) for j in self.lanes(number - 1)]
         return cast("Expression", self.packed(masses)[()])
 
     def com(self, number: int) -> Array:
         """Return the centre of mass of a link likewise, shape (3,)."""
-        return self.packed([self.state.com(j + 1) for j in self.lanes(number - 1)])
+        return self.packed([self.process.com(j + 1) for j in self.lanes(number - 1)])
 
     def _constants(self, values: Sequence[Any]) -> Array:
-        return self.packed([self.state.constants(value) for value in values])
+        return self.packed([self.process.constants(value) for value in values])
 
     def entries(self, name: str, j: int, count: int) -> Array:
         """Return the first ``count`` entries of a joint in q, v or tau."""
-        joints = [self.state.plan.joints[i] for i in self.lanes(j)]
+        joints = [self.process.plan.joints[i] for i in self.lanes(j)]
         starts = [joint.q if name == "q" else joint.v for joint in joints]
-        graph = self.state.graph
+        graph = self.process.graph
         own = [[graph.input(f"{name}[{start + k}]") for k in range(count)] for start in starts]
         return self.packed([np.array(each, dtype=object) for each in own])
 
@@ -96,7 +94,7 @@ class Rows:
         result = arrays[0].copy()
         for index in np.ndindex(result.shape):
             entries: list[Any] = [array[index] for array in arrays]
-            result[index] = self.state.graph.pack(entries, count)
+            result[index] = self.process.graph.pack(entries, count)
         return result
 
     def together(self, arrays: Sequence[Array]) -> Array:
@@ -126,7 +124,7 @@ class Rows:
 
     def near_links(self, j: int) -> list[int]:
         """Return the near links of joint j's row, by lanes."""
-        return [self.state.plan.joints[i].parent for i in self.lanes(j)]
+        return [self.process.plan.joints[i].parent for i in self.lanes(j)]
 
     def follows(self, j: int) -> bool:
         """Whether a joint's near link is stored in the same lanes: not for limbs' first joints."""
@@ -147,13 +145,13 @@ class Rows:
     def kept(self, name: str, link: int) -> tuple[Any, int | None]:
         """Return the stored value of a link's row, and its lane; None if it is stored by itself."""
         _, k = self._lane_of.get(link - 1, (link - 1, None))
-        return self.state.memory[name, self.name_of(link)], k
+        return self.process.memory[name, self.name_of(link)], k
 
     def near_motion(self, j: int) -> Array | None:
         """Return the acceleration of the near links of joint j's row; None for the ground."""
         if not any(self.near_links(j)):
             return None
-        return self.of_near("a", j, self.state.zeros(6, self.state.columns))
+        return self.of_near("a", j, self.process.zeros(6, self.process.columns))
 
     def of_near(self, name: str, j: int, ground: Array) -> Array:
         """Return the stored values of the near links of joint j's row.
@@ -168,7 +166,7 @@ class Rows:
     def of_links(self, name: str, links: Sequence[int], ground: Array) -> Array:
         """Return the stored values of links, one for each lane."""
         if any(links) and self.as_kept(links):
-            found: Array = self.state.memory[name, links[0]]
+            found: Array = self.process.memory[name, links[0]]
             return found
         each = {0: ground}
         for link in set(links) - {0}:
@@ -178,13 +176,13 @@ class Rows:
 
     def hand_on(self, name: str, j: int, value: Array) -> None:
         """Add the contribution of joint j to the stored values of its near links."""
-        self.state.passed[name, j] = value
+        self.process.passed[name, j] = value
         self.add(name, self.near_links(j), len(self.own(j)), value)
 
     def add(self, name: str, links: Sequence[int], count: int, value: Array) -> None:
         """Add to the stored values of links, one for each lane, the first ``count`` lanes only."""
         if self.as_kept(links):
-            memory = self.state.memory
+            memory = self.process.memory
             memory[name, links[0]] = memory[name, links[0]] + value
             return
         near = links[:count]
@@ -196,7 +194,7 @@ class Rows:
         """The sum of some lanes of the first ones; a reproducible one is the same without lanes."""
         if count == 1:
             return value
-        if len(lanes) == count and not self.state.plan.reproducible:
+        if len(lanes) == count and not self.process.plan.reproducible:
             return _each(value, lambda x: x.graph.across(x, count))
         first, *others = (self.lane(value, k) for k in lanes)
         for each in others:
@@ -204,10 +202,10 @@ class Rows:
         return first
 
     def _add(self, name: str, link: int, value: Array) -> None:
-        memory = self.state.memory
+        memory = self.process.memory
         if link - 1 in self._lane_of:
             lead, _ = self._lane_of[link - 1]
-            nothing = self.state.zeros(*value.shape)
+            nothing = self.process.zeros(*value.shape)
             lanes = [value if i == link - 1 else nothing for i in self.rows[lead].lanes]
             link, value = lead + 1, self.packed(lanes)
         memory[name, link] = memory[name, link] + value

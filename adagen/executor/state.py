@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, Literal, cast
+from typing import Any, Literal, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.checks import Check
 from adagen.executor.lanes import rows_of
+from adagen.executor.left_over import LeftOver
+from adagen.executor.process_memory import ProcessMemory
 from adagen.executor.rows import Rows
-from adagen.graph import Expression, Factors, Graph, Numbers, factorize, matrix_times, total
+from adagen.graph import Expression, Factors, Graph, Numbers, factorize, total
 from adagen.model import LINK_ACCELERATION
 from adagen.model.kinds import HELD, KINDS, JointKind
 from adagen.plan.digits import EPSILON
@@ -19,9 +21,6 @@ from adagen.plan.own_axes import losing_joints
 from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.types import Plan
-
-if TYPE_CHECKING:
-    from adagen.executor.residuals import Residuals
 
 Array = NDArray[Any]
 Refining = Literal["answer", "correction"] | None
@@ -32,15 +31,10 @@ READY = 40
 """Cycles until the polynomials have given sines and cosines."""
 
 
-class State:
-    """The graph and the memory of one process, which the steps read and change.
+class State(ProcessMemory):
+    """What the steps of one process read and change, its memory included.
 
     Attributes:
-        plan: whose process it is.
-        graph: all that the process computes, or what computes it at once; inputs are named as the
-            emitted code names them.
-        memory: values by the names that steps give them.
-        columns: right-hand sides: the motion, and one for each slaved joint.
         angles: joint angles whose sine and cosine are computed, in order.
         checks: pivots to be looked at.
         lengths: squared lengths of quaternions and their joints.
@@ -54,7 +48,6 @@ class State:
         forces: of loops and couplings, by where they are given behind the accelerations.
         limbs: those that share code, one in each lane.
         rows: joints that are treated as one.
-        passed: what joints hand inwards, "IA" or "pA", by name and joint.
         asks_up: whether links' accelerations are asked for, which need gravity in their axes.
         left: what an answer leaves over, where it is corrected: links, joints and loops feel
             nothing else.
@@ -71,14 +64,9 @@ class State:
         all_limbs: Sequence[Limbs] = (),
         unturned: Plan | None = None,
     ) -> None:
-        joined = (
-            plan.form == "ada" and plan.corrections > 0
-        )  # their joints' forces are refined, too
-        self.plan, self.refining = plan, "answer" if joined else refining
-        self.graph: Any = Graph() if graph is None else graph
-        self.memory: dict[Any, Any] = {}
-        self._constants: dict[float, Any] = {}
-        self.columns = plan.right_hand_sides
+        super().__init__(plan, graph)
+        joined = plan.form == "ada" and plan.corrections > 0  # joints' forces are refined, too
+        self.refining = "answer" if joined else refining
         self.angles: list[Expression] = []
         self._place_of_angles: dict[tuple[Expression, ...], int] = {}
         self.checks: list[Check] = []
@@ -90,28 +78,13 @@ class State:
         self.tied_links: dict[int, list[tuple[int, Array]]] = {}
         self.outputs: dict[int, Array] = {}
         self.limbs = tuple(all_limbs)
-        self.passed: dict[tuple[str, int], Array] = {}
         self.rows = Rows(self, rows_of(all_limbs))
-        self.left: Residuals | None = None
+        self.left: LeftOver | None = None
         self.unturned = unturned or plan
         self._exact = losing_joints(self.unturned)  # turns change nothing of it but last digits
         self.asks_up = any(output.what == LINK_ACCELERATION for output in plan.outputs)
 
     # -- numbers ----------------------------------------------------------------------------------
-
-    def constants(self, values: Any) -> Array:
-        """Return numbers as constants, in the shape they have."""
-        array = np.asarray(values, dtype=float)
-        result, known = np.empty(array.size, dtype=object), self._constants
-        for k, value in enumerate(array.ravel().tolist()):
-            if value not in known:
-                known[value] = self.graph.constant(value)
-            result[k] = known[value]
-        return result.reshape(array.shape)
-
-    def zeros(self, *shape: int) -> Array:
-        """Return zeros."""
-        return np.full(shape, self.graph.constant(0), dtype=object)
 
     def column(self, first: Array) -> Array:
         """First column of a right-hand side; the others answer to unit torques of slaved joints."""
@@ -176,22 +149,6 @@ class State:
         if first is None:
             return self.constants([-g for g in self.plan.gravity])
         return -np.array([self.graph.input(f"parameter[{first + k}]") for k in range(3)], object)
-
-    def mass(self, link: int) -> Array:
-        """Return a link's mass, shape ()."""
-        entry = self.plan.entry_of_parameter("mass", link)
-        if entry is None:
-            return self.constants(self.plan.links[link].mass)
-        return np.array(self.graph.input(f"parameter[{entry}]"), object)
-
-    def com(self, link: int) -> Array:
-        """Return a link's centre of mass, shape (3,)."""
-        entry = self.plan.entry_of_parameter("center", link)
-        if entry is None:
-            return self.constants(self.plan.links[link].com)
-        given = np.array([self.graph.input(f"parameter[{entry + k}]") for k in range(3)], object)
-        (turn,) = (p.turn for p in self.plan.parameters if (p.what, p.link) == ("center", link))
-        return matrix_times(self.constants(turn), given) if turn else given
 
     def circular(self, angle: Expression) -> tuple[Expression, Expression]:
         """Cosine and sine; those of all angles of the process are computed at once."""

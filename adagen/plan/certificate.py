@@ -1,7 +1,7 @@
 """Plans that can be certified, and the allowance for rounding.
 
 If several processes share a robot, each computes the residuals of its own limbs. Process 0 adds the
-core links and finishes the certificate (adagen/executor/shares_of_bound.py).
+core links and finishes the certificate (adagen/executor/shared_bound.py).
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 from adagen.errors import UsageError
-from adagen.executor import certificate, shares_of_bound
+from adagen.executor import certificate, shared_bound
 from adagen.executor.allowance import Allowance
 from adagen.executor.grouping import offered_groupings
 from adagen.executor.inner_root import InnerRoot
@@ -259,7 +259,7 @@ def test_limbs_that_move_otherwise_are_part_of_the_bound(monkeypatch: pytest.Mon
     """What a process finds for the links that its limbs hang on may differ from the answer."""
     model = star(3, 2, floating=True)
     plan, (state,) = certified_plan(model, processes=2), zip(*_one(model), strict=True)
-    honest, right = shares_of_bound.told, _squares(plan, state)[1]
+    honest, right = shared_bound.told, _squares(plan, state)[1]
 
     def off(found: Allowance, step: Certify, sums: list[Expression]) -> Array:
         found.memory["a", 1] = found.memory["a", 1] + found.state.constants(1e-6)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from adagen.emit import guards
 from adagen.emit.forces import push_calls
 from adagen.emit.kernels import messages, mobility, shared_bound
-from adagen.emit.kernels.weighing import Weighing, blocks_of, links_looked_at, word
+from adagen.emit.kernels.residual_sweep import ResidualSweep, blocks_of, links_looked_at, word
 from adagen.emit.stages import stamped
 from adagen.emit.symbols import Symbols
 from adagen.plan.edges import is_base
@@ -365,8 +365,8 @@ class KernelLines:
         """Sweep the residuals of the equations of motion inwards, block by block."""
         (step,) = operation.steps
         self.parts |= links_looked_at(step)
-        weighing = Weighing(self.symbols, self.p, self.slots)
-        return weighing.lines(step, self.operations)
+        residual_sweep = ResidualSweep(self.symbols, self.p, self.slots)
+        return residual_sweep.lines(step, self.operations)
 
     def _refine(self, operation: Operation) -> list[str]:
         """Residuals inwards and corrections outwards, as many times as asked."""

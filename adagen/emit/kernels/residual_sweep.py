@@ -40,7 +40,7 @@ def links_looked_at(step: Step) -> set[int]:
     return {link for share in shares for link in share.links}
 
 
-class Weighing:
+class ResidualSweep:
     """The operations of a process as lines that sweep the residuals of its answer.
 
     Args:
