@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import groupby, takewhile
-from typing import Any, TypeVar
+from typing import Any
 
 from adagen.plan.edges import is_base
 from adagen.plan.order import inward_order, outward_order
-from adagen.plan.parts import pairs_of, strips_of
 from adagen.plan.requested_outputs import needed_outwards
 from adagen.plan.simd_groups import Limbs, placed_links
 from adagen.plan.stages import stages
@@ -37,6 +36,7 @@ from adagen.plan.tip_mobility import holds, mentions, tip_mobility_runs
 from adagen.plan.types import Plan, Process
 from adagen.program.names import PASSING
 from adagen.program.own_axes import own_axes_in_loops
+from adagen.program.parted_runs import PartedRuns, parts_joined
 from adagen.program.runs import (
     OF_ONE_FREEDOM,
     Run,
@@ -51,8 +51,6 @@ from adagen.program.slots import Slots
 from adagen.program.strips import LANES, split
 from adagen.program.types import Block, Links, Method, Operation
 from adagen.schedule.costs import StepCosts
-
-_AtLink = TypeVar("_AtLink", Load, AccelerateRoot)
 
 
 class Loops:
@@ -100,8 +98,7 @@ class Loops:
         self.swept: set[Run] = set()  # runs that are swept inwards by columns
         self.along: set[Run] = set()  # those that unit wrenches are carried through meanwhile
         self.loaded: set[Run] = set()  # of these, those whose joints take a load when they move
-        self.parted: dict[Run, list[Run]] = {}  # runs, and their parts that are swept side by side
-        self.roots: dict[int, InvertRoot] = {}  # by link: of the first links of these parts
+        self.parts = PartedRuns()
         # A sweep that is repeated with other forces leaves mobilities as they are.
         self.once = not (again or plan.slaved)
         self.found: list[Operation] = []
@@ -238,15 +235,14 @@ class Loops:
         self._find_parts(swept_inwards)
         columns: set[int] = set()
         for unit in swept_inwards:
-            if isinstance(unit, Run) and unit not in self._in_parts() and self._in_columns(unit):
+            if isinstance(unit, Run) and unit not in self.parts and self._in_columns(unit):
                 columns |= set(links_of_run(self.joints, unit)) - {self._near(unit)}
         self._set_up_columns(columns & self.own)
-        for run, parts in self.parted.items():
-            own = [by_joint[j] for part in parts for j in _inwards(part)]
-            first = [self._first(self._near(part)) for part in parts]
+        for run, own in self.parts.of_joints(by_joint, Run.inwards):
+            first = [self._first(self._near(part)) for part in self.parts.runs[run]]
             self._add("articulate", run, "parts", own, first)
         for unit in swept_inwards:
-            if unit in self._in_parts():
+            if unit in self.parts:
                 continue
             if isinstance(unit, Limbs):
                 nears = [self.joints[j].parent for j in unit.rows[0]]
@@ -256,7 +252,7 @@ class Loops:
                 method: Method = "turned" if turned else "lanes"
                 self._add("articulate", unit, method, members, first)
                 continue
-            own = [by_joint[j] for j in _inwards(unit)]
+            own = [by_joint[j] for j in unit.inwards()]
             if self._near(unit) == 0 and self.joints[unit.first].prescribed:
                 # The ground moves as it does, and so does what it carries: nothing is computed.
                 self._add("articulate", unit, "step", own)
@@ -270,26 +266,15 @@ class Loops:
         units = {unit for unit in swept_inwards if not isinstance(unit, Limbs)}
         whole, carried = self._accelerated(), self._carried()
         for run in self.slots.in_strips:
-            strips = strips_of(range(run.first, run.last + 1), LANES[self.plan.scalar])
-            parts = [Run(strip.start + 1, strip.stop - 1) for strip in strips]
+            parts = parts_joined(run, LANES[self.plan.scalar], self.process.steps)
             # The last one may end the chain, and shows nothing at its end then.
-            shown = carried | {parts[-1]}
-            if not units & whole & shown >= set(parts) or not self._joined_in_turn(strips):
+            shown = carried.union(parts[-1:])
+            if not parts or not units & whole & shown >= set(parts):
                 continue
             links = range(run.first + 1, run.last + 2)
             alone = self.own.issuperset(links) and self.holding.isdisjoint(links)
             if alone and (self.told_apart | self.turned).isdisjoint(run.joints()):
-                self.parted[run] = parts
-
-    def _joined_in_turn(self, strips: Sequence[range]) -> bool:
-        """Whether parts are joined level by level, each by the first joint of its strip."""
-        wanted = [strips[far].start for _, far in pairs_of(len(strips))]
-        steps = (step for step in self.process.steps if isinstance(step, Join))
-        return [step.joint for step in steps if step.joint in wanted] == wanted
-
-    def _in_parts(self) -> set[Run]:
-        """Parts of runs that are swept side by side."""
-        return {part for parts in self.parted.values() for part in parts}
+                self.parts.runs[run] = parts
 
     def _carried(self) -> set[Run]:
         """Runs whose mobility is needed at the far link only."""
@@ -341,21 +326,13 @@ class Loops:
         self._add("link_columns", Links(tuple(sorted(among))), "columns")
 
     def _invert_roots(self, steps: list[InvertRoot]) -> None:
-        first = {part.first for part in self._in_parts()}
-        for step in steps:
-            if step.link in first:  # whose first link's number is that of their first joint
-                self.roots[step.link] = step
-            else:
-                self._add(step.does, None, "step", (step,))
+        for step in self.parts.keep_roots(steps):
+            self._add(step.does, None, "step", (step,))
 
     def _propagate(self, steps: list[Propagate]) -> None:
-        for run, parts in self.parted.items():
-            joints = {j for part in parts for j in part.joints()}
-            own = [step for step in steps if step.joint in joints]
-            steps = [step for step in steps if step.joint not in joints]
-            if own:
-                roots = [self.roots[part.first] for part in parts]
-                self._add("propagate", run, "parts", [*roots, *own])
+        in_parts, steps = self.parts.propagated(steps)
+        for run, own in in_parts:
+            self._add("propagate", run, "parts", own)
         for chain in tip_mobility_runs(self.plan, steps, self.named, self.told_apart):
             if len(chain) > 1:
                 first, last = sorted((chain[0].joint, chain[-1].joint))
@@ -367,30 +344,18 @@ class Loops:
                 self._add("propagate", None, "step", chain)
 
     def _join(self, steps: list[Join | Disassemble]) -> None:
-        between: dict[int, Run] = {}
-        for parted, parts in self.parted.items():
-            on_ground = self.joints[parted.first].parent == 0  # then the first part is held by it
-            between.update((part.first - 1, parted) for part in parts[not on_ground :])
-        for run, group in groupby(steps, lambda step: between.get(step.joint)):
+        for run, own in self.parts.joined(steps, self.joints):
             if run is not None:
-                own = list(group)
                 self._add(own[0].does, run, "parts", own)
                 continue
-            for step in group:
+            for step in own:
                 self._add(step.does, None, "step", (step,))
 
-    def _of_parts(self, steps: Sequence[_AtLink], ends: Callable[[Run], set[int]]) -> list[_AtLink]:
-        """Add steps at ends of parts as one operation for each run; return the other steps."""
-        for run, parts in self.parted.items():
-            links = {link for part in parts for link in ends(part)}
-            own = [step for step in steps if step.link in links]
-            steps = [step for step in steps if step.link not in links]
-            if own:
-                self._add(own[0].does, run, "parts", own)
-        return list(steps)
-
     def _accelerate_roots(self, steps: list[AccelerateRoot]) -> None:
-        for step in self._of_parts(steps, lambda part: {part.first}):
+        in_parts, steps = self.parts.at_links(steps, lambda part: {part.first})
+        for run, own in in_parts:
+            self._add("accelerate_root", run, "parts", own)
+        for step in steps:
             self._add(step.does, None, "step", (step,))
 
     def _passed_through(self) -> frozenset[int]:
@@ -410,7 +375,10 @@ class Loops:
         if through:
             self._add("load", Links(tuple(step.link for step in through)), "through", through)
         forced = [step for step in steps if step.link not in self.through]
-        for step in self._of_parts(forced, lambda part: {part.first, part.last + 1}):
+        in_parts, forced = self.parts.at_links(forced, lambda part: {part.first, part.last + 1})
+        for run, own in in_parts:
+            self._add("load", run, "parts", own)
+        for step in forced:
             self._add("load", None, "step", [step])
 
     def _deliver(self, steps: list[Deliver]) -> None:
@@ -422,9 +390,9 @@ class Loops:
             if method == "through" and run in self.along & whole and self._of_one_freedom(run):
                 method = "along"
                 self.loaded.add(run)
-            if run in self._in_parts():
+            if run in self.parts:
                 method = "parts"
-            self._add("deliver", run, method, (by_joint[j] for j in _inwards(run)))
+            self._add("deliver", run, method, (by_joint[j] for j in run.inwards()))
 
     def _accelerated(self) -> set[Run]:
         """Runs whose accelerations are all computed in one pass."""
@@ -434,18 +402,17 @@ class Loops:
 
     def _accelerate(self, steps: list[Accelerate]) -> None:
         by_joint = {step.joint: step for step in steps}
-        for run, parts in self.parted.items():
-            in_lanes = [by_joint[j] for part in parts for j in part.joints()]
-            self._add("accelerate", run, "parts", in_lanes)
+        for run, own in self.parts.of_joints(by_joint, Run.joints):
+            self._add("accelerate", run, "parts", own)
         for unit in units_of_sweep(self.joints, steps, self.limbs, outward_order):
-            if unit in self._in_parts():
+            if unit in self.parts:
                 continue
             if isinstance(unit, Limbs):
                 if not self.needed.isdisjoint(unit.members()):
                     members = (by_joint[j] for j in unit.members())
                     self._add("accelerate", unit, "lanes", members)
                 continue
-            outwards = reversed(list(_inwards(unit)))
+            outwards = reversed(unit.inwards())
             joints = list(takewhile(self.needed.__contains__, outwards))
             if joints:
                 run = Run(min(joints), max(joints), unit.reversed)
@@ -461,9 +428,3 @@ class Loops:
         for step in steps:
             links = self.plan.messages[step.message].inertias
             self._add("receive", None, "step", [step], [self._first(link) for link in links])
-
-
-def _inwards(run: Run) -> Iterator[int]:
-    """The joints of a run in the order of the inward sweep."""
-    joints = range(run.first, run.last + 1)
-    return iter(joints if run.reversed else reversed(joints))

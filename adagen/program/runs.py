@@ -30,8 +30,12 @@ class Run:
         return self.last - self.first + 1
 
     def joints(self) -> range:
-        """Its joints, outwards."""
+        """Its joints by number: outwards, unless it is reversed."""
         return range(self.first, self.last + 1)
+
+    def inwards(self) -> range:
+        """Its joints in the order of the inward sweep."""
+        return self.joints() if self.reversed else self.joints()[::-1]
 
 
 def runs(joints: Sequence[PlanJoint], order: Iterable[int]) -> list[Run]:
