@@ -67,7 +67,7 @@ def _builds_of_the_tool(request: pytest.FixtureRequest) -> Iterator[None]:
     Little is optimised: the compiler's time counts, not the program's.
     """
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("CXXFLAGS", " ".join(("-O1", *HURRIED)))
+        patch.setenv("CXXFLAGS", " ".join(("-Og", *HURRIED)))
         patch.setenv("XDG_CACHE_HOME", str(request.config.cache.mkdir("adagen-home")))
         yield
 

@@ -109,7 +109,9 @@ class Builder:
     ) -> Path:
         """Return the executable of a source; a warning is an error."""
         source = joined(source)
-        shared = flags in PARSED and options_in(source) is not None
+        # clang++ takes nothing parsed for an #include.
+        gnu = "clang" not in self.toolchain.cxx[0]
+        shared = gnu and flags in PARSED and options_in(source) is not None
         common = (*STANDARD, *WARNINGS, "-Werror", *HURRIED)
         all_flags = (*common, *flags, *libraries)
         if shared:

@@ -9,13 +9,30 @@ import numpy as np
 import pytest
 
 import adagen
+from adagen.library import Compiled
 from adagen.plan.types import THREADS
-from adagen.states import random_states
-from tests.emitted import ROUNDING, Builder, truth_of
+from adagen.states import States, random_states
+from tests.emitted import ROUNDING, Array, Builder, truth_of
 from tests.golden.make_models import MODELS
 from tests.slow import slow
 
 WANTED = "joint002"
+
+
+@pytest.fixture(scope="module")
+def wanted(tmp_path_factory: pytest.TempPathFactory) -> tuple[Compiled, States, Array]:
+    """A robot compiled for two processes, three states of it, and the acceleration in each."""
+    scene = tmp_path_factory.mktemp("wanted") / "scene.toml"
+    scene.write_text(f'accelerations = ["{WANTED}"]\n')
+    compiled = adagen.compile(adagen.read(MODELS / "snake100.urdf", scene=scene), procs=2)
+    states = random_states(compiled.model, 3, seed=4)
+    return compiled, states, truth_of(compiled.model, states)[:, entry(compiled)]
+
+
+def entry(compiled: Compiled) -> int:
+    """Return which acceleration is wanted."""
+    joints = compiled.model.joints
+    return compiled.plan.joints[next(j for j, x in enumerate(joints) if x.name == WANTED)].v
 
 
 @pytest.mark.parametrize(
@@ -27,23 +44,20 @@ WANTED = "joint002"
     ],
 )
 def test_all_processes_take_part(
-    channel: str, words: tuple[str, ...], builder: Builder, tmp_path: Path
+    channel: str,
+    words: tuple[str, ...],
+    wanted: tuple[Compiled, States, Array],
+    builder: Builder,
+    tmp_path: Path,
 ) -> None:
-    scene = tmp_path / "scene.toml"
-    scene.write_text(f'accelerations = ["{WANTED}"]\n')
-    robot = adagen.read(MODELS / "snake100.urdf", scene=scene)
-    compiled = adagen.compile(robot, procs=2)
+    compiled, states, true = wanted
     plan, model = compiled.plan, compiled.model
     answering = [any(plan.wants(j) for j in process.owns) for process in plan.processes]
     assert all(process.owns for process in plan.processes) and answering == [True, False]
 
     solver = builder.solver(replace(plan, channel=THREADS) if channel == "threads" else plan)
-    states = random_states(model, 3, seed=4)
     found = solver.solve(model, states, tmp_path, *words)
-    place = next(j for j, joint in enumerate(model.joints) if joint.name == WANTED)
-    entry = plan.joints[place].v
-    true = truth_of(model, states)[:, entry]
-    assert np.allclose(found[:, entry], true, rtol=100 * ROUNDING["double"], atol=0)
+    assert np.allclose(found[:, entry(compiled)], true, rtol=100 * ROUNDING["double"], atol=0)
     for asked in (("--check",), ("--time", "--repeat", "2")):  # in place and through process 0
         done = solver.run(*asked, *words)
         assert (done.status, done.stderr) == (0, "")

@@ -102,7 +102,7 @@ class TestPeers:
         wait_for(lambda: all(spent(pid) > _PAST_THE_START for pid in ranks), limit=120)
         for pid in ranks:
             os.kill(pid, signal.SIGSTOP)
-        time.sleep(8)
+        time.sleep(5)
         before = [spent(pid) for pid in ranks]
         for pid in ranks:
             os.kill(pid, signal.SIGCONT)
