@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from html import escape
 from unicodedata import east_asian_width
-from xml.sax.saxutils import escape, quoteattr
 
 from adagen.errors import printable
 
@@ -106,7 +106,7 @@ class Canvas:
         weight = ' font-weight="bold"' if bold else ""
         self._shapes.append(
             f'<text x="{x:.1f}" y="{y:.1f}" font-size="{size:.1f}" fill="{fill}" '
-            f'text-anchor="{anchor}"{weight}>{escape(printable(text))}</text>'
+            f'text-anchor="{anchor}"{weight}>{escape(printable(text), quote=False)}</text>'
         )
 
     def document(self, width: float, height: float, title: str) -> str:
@@ -115,8 +115,8 @@ class Canvas:
         return "\n".join(
             [
                 f'<svg xmlns="http://www.w3.org/2000/svg" width="{w}" height="{h}" '
-                f'viewBox="0 0 {w} {h}" font-family={quoteattr(FONT)} role="img">',
-                f"<title>{escape(printable(title))}</title>",
+                f'viewBox="0 0 {w} {h}" font-family="{FONT}" role="img">',
+                f"<title>{escape(printable(title), quote=False)}</title>",
                 f'<rect width="{w}" height="{h}" fill="{PAPER}"/>',
                 *self._shapes,
                 "</svg>\n",
@@ -125,7 +125,7 @@ class Canvas:
 
 
 def _close(tag: str, note: str) -> str:
-    return f"><title>{escape(printable(note))}</title></{tag}>" if note else "/>"
+    return f"><title>{escape(printable(note), quote=False)}</title></{tag}>" if note else "/>"
 
 
 def time_axis(canvas: Canvas, end: float, start: float, scale: float, y: float) -> None:
