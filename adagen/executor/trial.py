@@ -82,7 +82,7 @@ def tried(plan: Plan, own_axes: OwnAxes | None) -> Trial:
     roundings = np.hstack([hardest[:, None], anew])
     candidates = np.hstack(
         [
-            np.setdiff1d(np.arange(count), hardest),
+            np.delete(np.arange(count), hardest),
             [_reached(errors, one) for one in roundings],
         ]
     )

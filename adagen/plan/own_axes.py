@@ -41,6 +41,8 @@ thousand times that for a pivot without digits."""
 ENOUGH = 2.0**8
 """Beyond which tr A / D loops repeat a sweep that may come to lose more than that."""
 SEEDS = (1, 2, 3)
+"""Of the configurations: an odd number of them, so that one is in the middle. (np.median would
+import numpy.ma, in every process that plans.)"""
 _SMALLEST = 1e-200
 """The value used for D where it is nothing, so that tr A / D is a number."""
 
@@ -261,8 +263,8 @@ def _sides(
             if flat[j] and stood and not backwards:  # what is about other axes stays apart, exactly
                 trace = rigid[j + 1][:, free[0], free[0]] + rotor
             least = float(own[:, free[0], free[0]].min()) + rotor
-            usual = trace / np.maximum(d[:, 0, 0], _SMALLEST)
-            found[j, backwards] = Side(float(trace.max()), least, float(np.median(usual)))
+            usual = np.sort(trace / np.maximum(d[:, 0, 0], _SMALLEST))[len(SEEDS) // 2]
+            found[j, backwards] = Side(float(trace.max()), least, float(usual))
         rest: Array = inertia - u @ _inverse(d) @ u.transpose(0, 2, 1)
         return rest
 
