@@ -301,7 +301,7 @@ class JoinedBound:
         forces = {link: Force(0, link) for link in handles}
         steps = (*map(Kinematics, reads), *segment.inwards()[0], *segment.outwards(forces))
         process = Process(steps, reads, tuple(sorted(members)))
-        inwards, outwards = self.pricing.sweeps(process, singly=not self.seen.trivial)
+        inwards, outwards = self.pricing.sweeps(process)
         return round(inwards * TICKS), round(outwards * TICKS)
 
     def _joint(self, joint: int) -> _Joint:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from adagen.cost import operation_features, step_features
+from adagen.cost import operation_features
 from adagen.cost.lane_choice import chosen_limbs
 from adagen.emit.predicted import predict
 from adagen.emit.shapes import SHAPES
@@ -18,7 +18,7 @@ from adagen.plan import Plan, make_plan
 from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.stages import stages
-from adagen.plan.steps import Kinematics, Receive, Send, Step
+from adagen.plan.steps import Kinematics, Receive, Send
 from adagen.plan.types import Message, Process
 from adagen.program import Operation
 from adagen.program.loops import Loops
@@ -116,31 +116,16 @@ class Pricing:
     ) -> tuple[Operation, ...]:
         return Loops(plan, process, slots, limbs, batch=False, costs=self.costs).operations()
 
-    def sweeps(self, process: Process, *, singly: bool) -> tuple[float, float]:
+    def sweeps(self, process: Process) -> tuple[float, float]:
         """Return the times of the first and second sweep of a process without messages.
 
         Long runs are assumed to be passed outwards as is best; nothing is known of a process that
         shape kernels does not take.
-
-        Args:
-            process: its steps.
-            singly: whether it may be that nothing is passed together, as in shape joints.
         """
         share = self.share(process, ())
         if share is None:
             return 0.0, 0.0
-        inwards, outwards = share.least_kinematics + share.inwards, share.outwards
-        if singly:
-            later = [stage.first for stage in stages(process) if stage.what == "disassembly"]
-            first = process.steps[: min(later, default=len(process.steps))]
-            rest = process.steps[len(first) :]
-            inwards = min(inwards, self._singly(first))
-            outwards = min(outwards, self._singly(rest))
-        return inwards, outwards
-
-    def _singly(self, steps: Sequence[Step]) -> float:
-        """Times of steps one by one."""
-        return sum(self.costs.total(step_features(step, self.joints)) for step in steps)
+        return share.least_kinematics + share.inwards, share.outwards
 
     def _time(self, operation: Operation) -> float:
         return self.costs.total(operation_features(operation, self.joints))
