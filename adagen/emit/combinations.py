@@ -35,11 +35,11 @@ def check_batch(shape: str, refine: int, channel: str) -> None:
         raise UsageError(f"batches are emitted in shapes kernels and unrolled, not {shape}")
 
 
-def check_certified(form: str, refine: int, shape: str) -> None:
+def check_certified(form: str, refine: int) -> None:
     """Refuse options that certified solvers do not support, for any robot.
 
     Raises:
-        UsageError: the form, refinement or shape has no certificates.
+        UsageError: the form or refinement has no certificates.
     """
     if form != "segment":
         raise UsageError(
@@ -50,8 +50,6 @@ def check_certified(form: str, refine: int, shape: str) -> None:
         raise UsageError(
             "refined answers come with an estimate of their own: leave out --certify or --refine"
         )
-    if shape not in ("auto", "kernels", "unrolled"):
-        raise UsageError(f"certificates are emitted in shapes kernels and unrolled, not {shape}")
 
 
 def check_reproducible(form: str, refine: int, shape: str) -> None:

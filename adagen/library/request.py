@@ -109,7 +109,7 @@ class Request:
         if self.batch:
             check_batch(self.shape, self.refinement, self.channel)
         if self.certify:
-            check_certified(self.form, self.refinement, self.shape)
+            check_certified(self.form, self.refinement)
             self._check_certified()
         if self.reproducible:
             check_reproducible(self.form, self.refinement, self.shape)

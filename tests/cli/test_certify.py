@@ -160,7 +160,7 @@ def test_a_certified_batch_is_shared_by_as_many_cores_as_another(tmp_path: Path)
     [
         (("--form", "ada"), "form ada has no factors to certify answers with"),
         (("--refine", "1"), "refined answers come with an estimate of their own"),
-        (("--shape", "joints"), "certificates are emitted in shapes kernels and unrolled"),
+        (("--shape", "joints"), "it is for form ada"),
         (("--target", "embedded"), "certified solvers are not emitted with --target"),
         (("--tune",), "certified solvers are not emitted with --tune"),
         (("--procs", "2", "--schedule", "balanced"), "otherwise than by limbs of a link"),
