@@ -8,6 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from adagen.emit import emit, stem_of
+from adagen.emit.shapes import chosen_shape
+from adagen.errors import UsageError
 from adagen.model import Inertia, Model
 from adagen.model.kinds import REVOLUTE, SPHERICAL
 from adagen.plan import Plan, make_plan
@@ -45,10 +48,10 @@ def geared(model: Model) -> Model:
     return replace(model, joints=tuple(joints))
 
 
-def plan_of(model: Model, processes: int) -> Plan:
+def plan_of(model: Model, processes: int, runtime: str = "") -> Plan:
     seen = fold_of(model, "ada")
     found = named_schedule("balanced", seen.topology, processes, profile=PROFILE)
-    return make_plan(model, seen.unfold(found, PROFILE), form="ada")
+    return make_plan(model, seen.unfold(found, PROFILE), form="ada", runtime=runtime)
 
 
 CASES = {
@@ -84,3 +87,13 @@ def test_clusters_are_refined(builder: Builder, tmp_path: Path) -> None:
     solver = builder.solver(plan_of(model, 2), name="clusters", shape="joints", refine=2)
     states = random_states(model, 3, seed=3)
     assert energy_errors(model, states, solver.solve(model, states, tmp_path)).max() < 1e-14
+
+
+def test_masses_of_clusters_are_set_in_straight_lines() -> None:
+    """Shape joints has them as constants, and must not take a plan in which they are set."""
+    model = CASES["plain"]
+    plan = plan_of(model, 2, runtime=f"mass:{model.links[1].name}")
+    assert plan.sets_inertias and chosen_shape(plan, "auto") == "unrolled"
+    assert "parameter[0]" in emit(plan)[f"{stem_of(plan)}.cpp"]
+    with pytest.raises(UsageError, match="masses are constants"):
+        emit(plan, shape="joints")

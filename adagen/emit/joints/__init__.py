@@ -23,6 +23,8 @@ def why_not(plan: Plan) -> str | None:
     """Return why a plan cannot be emitted in this shape; None where it can."""
     if plan.form != "ada":
         return FORM_ADA_ALONE
+    if plan.sets_inertias:
+        return "in it masses are constants"
     if plan.closed:
         return "robots with closed loops are emitted as straight lines"
     if plan.outputs:
