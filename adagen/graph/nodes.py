@@ -18,6 +18,8 @@ from typing import Any, Literal, NamedTuple
 
 from flint import fmpq
 
+from adagen.graph.constants import KEPT, is_negative, lanewise, rational, shortened
+
 Op = Literal[
     "constant",
     "input",
@@ -34,9 +36,6 @@ Op = Literal[
     "lane",
     "across",
 ]
-
-_LONGEST = 2048  # bits of a numerator or denominator before it is cut to
-_KEPT = 256
 
 _CYCLES: dict[Op, int] = {
     "constant": -1,
@@ -110,11 +109,11 @@ class Graph:
         if isinstance(value, fmpq):
             return self._constant((value,))
         if isinstance(value, tuple):
-            return self._constant(tuple([_rational(x) for x in value]))
+            return self._constant(tuple([rational(x) for x in value]))
         index = self._numbers.get(value)
         if index is not None:
             return Expression(self, index)
-        found = self._constant((_rational(value),))
+        found = self._constant((rational(value),))
         self._numbers[value] = found.index
         return found
 
@@ -126,13 +125,13 @@ class Graph:
             return self._constant(lanes[:1])
         index = self._known.get(parts)
         if index is None:
-            value = tuple(_shortened(x, *part) for x, part in zip(lanes, parts, strict=True))
+            value = tuple(shortened(x, *part) for x, part in zip(lanes, parts, strict=True))
             if value != lanes:
                 return self._constant(value)
             single = len(value) == 1
             index = self._known[parts] = len(self.nodes)
             self._add("constant", (), value[0] if single else value, 0, len(value))
-            if _is_negative(value):
+            if is_negative(value):
                 self._minus.add(index)
             if single:
                 self._zero = index if value[0] == 0 else self._zero
@@ -192,7 +191,7 @@ class Graph:
             return a
         x, y = self._constants[i], self._constants[k]
         if x is not None and y is not None:
-            return self.constant(_lanewise(lambda a, b: a + b, x, y))
+            return self.constant(lanewise(lambda a, b: a + b, x, y))
         if self._negated[i] >= 0:
             return self.sub(b, Expression(self, self._negated[i]))
         if self._negated[k] >= 0:
@@ -210,7 +209,7 @@ class Graph:
             return self.neg(b)
         x, y = self._constants[i], self._constants[k]
         if x is not None and y is not None:
-            return self.constant(_lanewise(lambda a, b: a - b, x, y))
+            return self.constant(lanewise(lambda a, b: a - b, x, y))
         if i == k:
             return self.constant(0)
         if self._negated[k] >= 0:
@@ -231,7 +230,7 @@ class Graph:
         x, y = self._constants[i], self._constants[k]
         if x is not None or y is not None:
             if x is not None and y is not None:
-                return self.constant(_lanewise(lambda a, b: a * b, x, y))
+                return self.constant(lanewise(lambda a, b: a * b, x, y))
             if (k if x is None else i) in self._minus:
                 return self.neg(self.mul(self.neg(a), b) if y is None else self.mul(a, self.neg(b)))
         if self._negated[i] >= 0:
@@ -257,7 +256,7 @@ class Graph:
         """Return 1 / a; of zero it is left to whoever evaluates it."""
         x = a.constant
         if x is not None and x != 0 and not (isinstance(x, tuple) and 0 in x):
-            return self.constant(_lanewise(lambda x, y: x / y, fmpq(1), x))
+            return self.constant(lanewise(lambda x, y: x / y, fmpq(1), x))
         if a.negated is not None:
             return self.neg(self.reciprocal(a.negated))
         return self._node("reciprocal", (a.index,))
@@ -269,8 +268,8 @@ class Graph:
         x = a.constant
         if x is None or x < 0:
             return self._node("sqrt", (a.index,))
-        root = isqrt((int(x.p) << 2 * _KEPT) // int(x.q))
-        return self.constant(fmpq(root) / fmpq(2) ** _KEPT)
+        root = isqrt((int(x.p) << 2 * KEPT) // int(x.q))
+        return self.constant(fmpq(root) / fmpq(2) ** KEPT)
 
     def sign(self, a: Expression) -> Expression:
         """Return 1 where a is not negative, else -1."""
@@ -292,7 +291,7 @@ class Graph:
         """Return the larger of a and b."""
         x, y = a.constant, b.constant
         if x is not None and y is not None:
-            return self.constant(_lanewise(max, x, y))
+            return self.constant(lanewise(max, x, y))
         if a.index == b.index:
             return a
         return self._node("max", (min(a.index, b.index), max(a.index, b.index)))
@@ -421,40 +420,3 @@ class Expression:
 
     def __repr__(self) -> str:
         return f"Expression({self.index}: {self.node})"
-
-
-def _rational(value: Any) -> Any:
-    """A float or int as a rational number."""
-    if isinstance(value, fmpq):
-        return value
-    return fmpq(*value.as_integer_ratio()) if isinstance(value, float) else fmpq(value)
-
-
-def _lanewise(operation: Callable[[Any, Any], Any], x: Any, y: Any) -> Any:
-    """An operation on constants: a single number stands for all lanes."""
-    if not isinstance(x, tuple) and not isinstance(y, tuple):
-        return operation(x, y)
-    width = max(len(c) for c in (x, y) if isinstance(c, tuple))
-    xs, ys = (c if isinstance(c, tuple) else (c,) * width for c in (x, y))
-    return tuple(operation(a, b) for a, b in zip(xs, ys, strict=True))
-
-
-def _is_negative(lanes: tuple[Any, ...]) -> bool:
-    """Whether a constant is written as the negative of another: its first nonzero number is."""
-    return bool(next((x for x in lanes if x != 0), 0) < 0)
-
-
-def _shortened(value: Any, p: int, q: int) -> Any:
-    """A rational number of excessive length, rounded to 256 bits: far more than any scalar keeps.
-
-    Args:
-        value: p / q in lowest terms.
-        p: its numerator.
-        q: its denominator.
-    """
-    longest = max(p.bit_length(), q.bit_length())
-    if longest <= _LONGEST:
-        return value
-    shift = _KEPT - p.bit_length() + q.bit_length()
-    scaled = (p << shift) // q if shift >= 0 else p // (q << -shift)
-    return fmpq(scaled) / fmpq(2) ** shift
