@@ -11,6 +11,7 @@ from adagen.model.closing import (
 )
 from adagen.model.frames import canonical
 from adagen.model.kinds import FLOATING, KINDS, PLANAR, PRISMATIC, REVOLUTE, SPHERICAL, JointKind
+from adagen.model.links import Frame, Inertia, Link
 from adagen.model.loops import LOOP_KINDS, LOOP_WORDS, Coupling, Loop, LoopKind
 from adagen.model.model import (
     BASE,
@@ -18,10 +19,7 @@ from adagen.model.model import (
     LINK_ACCELERATION,
     OUTPUT_SIZES,
     REACTION_FORCE,
-    Frame,
-    Inertia,
     Joint,
-    Link,
     Mimic,
     Model,
     Output,

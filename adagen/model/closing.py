@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from adagen.exact import exact, rotation_from_rpy, rotation_taking_z_to, rounded
+from adagen.model.links import Frame
 from adagen.model.loops import LOOP_WORDS, Coupling, Loop, open_by
-from adagen.model.model import Frame, Model
+from adagen.model.model import Model
 from adagen.model.rigid import Pose
 
 Triple = tuple[float, float, float]

@@ -8,7 +8,8 @@ from functools import lru_cache
 import numpy as np
 
 from adagen.exact import Exact, exact, identity, rotated_inertia, rotation_taking_z_to, rounded
-from adagen.model.model import Frame, Inertia, Model
+from adagen.model.links import Frame, Inertia
+from adagen.model.model import Model
 
 
 @lru_cache(maxsize=4)  # asked for by every plan that a search tries

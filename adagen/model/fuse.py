@@ -13,7 +13,8 @@ from dataclasses import replace
 
 from adagen.exact import Exact, exact
 from adagen.model.frames import canonical
-from adagen.model.model import Inertia, Joint, Model
+from adagen.model.links import Inertia
+from adagen.model.model import Joint, Model
 from adagen.model.rigid import Part, lump
 
 Run = tuple[int, ...]

@@ -9,7 +9,7 @@ import numpy as np
 from flint import arb
 
 from adagen.exact import Exact, exact, identity, rotated_inertia, rounded
-from adagen.model.model import Frame, Inertia
+from adagen.model.links import Frame, Inertia
 
 Part = tuple[arb, Exact, Exact]
 """Mass (kg), centre of mass (3,) and tensor about it (3, 3), all in one frame."""

@@ -11,7 +11,7 @@ import pytest
 from adagen.errors import UsageError
 from adagen.executor import interpret
 from adagen.model import LINK_ACCELERATION, REACTION_FORCE, Model, Output
-from adagen.model.model import Frame
+from adagen.model.links import Frame
 from adagen.plan import make_plan
 from adagen.reference.closed import closed_forward_dynamics
 from adagen.reference.double import inverse_dynamics
