@@ -68,15 +68,22 @@ def _number(value: object) -> int:
 def _bytes(symbols: Symbols, values: dict[str, object]) -> int:
     """Largest size of a solver's memory in bytes, at any alignment."""
     size = 4 if symbols.plan.scalar == "float" else 8
-    numbers = symbols.plan.nqdd + len(symbols.plan.parameter_values)
+    numbers, results = len(symbols.plan.parameter_values), symbols.plan.nqdd
     if symbols.program.shape == LOOPS:
-        whole = _in_loops(symbols, values, size)
+        whole = _in_loops(symbols, values, size) + results * size
     else:
-        numbers += 3 * _number(values["angle_count"]) + _number(values["wide_results"])
-        numbers += _number(values["places"])
-        whole = 4 * _LINE  # in front of what is aligned
+        angles = 3 * _number(values["angle_count"])
+        rows, places = _number(values["wide_results"]), _number(values["places"])
+        # Each part of StraightMemory begins on a line of its own, pointers at the begin of it all.
+        parts = (angles + results, rows + 2, places)
+        whole = _LINE + sum(max(_LINE, _lines(part * size)) for part in parts)
     pointers = 8 * 8
-    return -(-(whole + numbers * size + pointers + TEXT + 2 * _LINE) // _LINE) * _LINE
+    return _lines(whole + numbers * size + pointers + TEXT + 2 * _LINE)
+
+
+def _lines(size: int) -> int:
+    """A size in bytes, as whole lines."""
+    return -(-size // _LINE) * _LINE
 
 
 def _in_loops(symbols: Symbols, values: dict[str, object], size: int) -> int:

@@ -76,7 +76,8 @@ class Solver:
     def symbols(self) -> Symbols:
         """The C++ names of joints, links and buffers."""
         in_wide_numbers = 0 if self.plan.corrections else self.refine
-        return Symbols(self.program, in_wide_numbers, self.chunk, step_costs(self.profile))
+        costs = step_costs(self.profile)
+        return Symbols(self.program, in_wide_numbers, self.chunk, costs, self.embedded)
 
     @cached_property
     def costs(self) -> CostProfile:

@@ -24,6 +24,7 @@ class Symbols:
     refine: int = 0  # steps of refinement whose residuals are in wider numbers
     chunk: int = 0  # values of one function in shape unrolled; 0 for its default
     costs: StepCosts = field(default_factory=lambda: step_costs(None))  # what order goes by
+    embedded: bool = False  # for a processor that may have no vectors of numbers
 
     @property
     def plan(self) -> Plan:

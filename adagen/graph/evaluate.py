@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy as np
@@ -15,7 +16,51 @@ from flint import arb
 
 from adagen.graph.nodes import Expression, Graph, Node
 
-_FAR = 1e5  # beyond, three parts of pi/2 would lose digits
+_TWO_OVER_PI = 0.63661977236758134308
+
+
+@dataclass(frozen=True)
+class Trigonometry:
+    """Constants of sines and cosines (templates/include/adagen/trigonometry.hpp).
+
+    Attributes:
+        largest: angle beyond which three parts of pi/2 would lose digits.
+        shift: number that rounds to a whole number when it is added.
+        parts: of pi/2.
+        sine: coefficients of its polynomial.
+        cosine: likewise.
+    """
+
+    largest: float
+    shift: float
+    parts: tuple[float, ...]
+    sine: tuple[float, ...]
+    cosine: tuple[float, ...]
+
+
+TRIGONOMETRY: dict[type[np.floating[Any]], Trigonometry] = {
+    np.float64: Trigonometry(
+        1e5,
+        6755399441055744.0,
+        (1.57079632673412561417e00, 6.07710050630396597660e-11, 2.02226624871116645580e-21),
+        (
+            *(1.58962301576546568060e-10, -2.50507477628578072866e-8, 2.75573136213857245213e-6),
+            *(-1.98412698295895385996e-4, 8.33333333332211858878e-3, -1.66666666666666307295e-1),
+        ),
+        (
+            *(-1.13585365213876817300e-11, 2.08757008419747316778e-9, -2.75573141792967388112e-7),
+            *(2.48015872888517045348e-5, -1.38888888888730564116e-3, 4.16666666666665929218e-2),
+        ),
+    ),
+    np.float32: Trigonometry(
+        8000.0,
+        12582912.0,
+        (1.5703125, 4.837512969970703125e-4, 7.54978995489188216e-8),
+        (-1.9515295891e-4, 8.3321608736e-3, -1.6666654611e-1),
+        (2.443315711809948e-5, -1.388731625493765e-3, 4.166664568298827e-2),
+    ),
+}
+"""By number type."""
 
 
 class Algebra(Protocol):
@@ -73,17 +118,44 @@ class Floating:
         return np.array(np.broadcast_arrays(*values))
 
     def sines_and_cosines(self, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
-        """Return what templates/include/adagen/unrolled_numbers.hpp computes, in double.
+        """Return what templates/include/adagen/kernels/lanes.hpp computes.
 
-        Where one angle is far from zero, all are left to the C library.
+        Angles far from zero are left to the C library.
         """
-        stacked = np.array(np.broadcast_arrays(*angles), dtype=np.float64)
-        near = _sine_and_cosine(stacked)
-        far = np.abs(stacked).max(axis=0) > _FAR
-        library = (np.vectorize(f, otypes=[np.float64]) for f in (math.sin, math.cos))
-        if far.any():
-            near = tuple(np.where(far, f(stacked), x) for f, x in zip(library, near, strict=True))
-        return list(zip(*map(self.given, near), strict=True))
+        stacked = self.given(np.array(np.broadcast_arrays(*angles)))
+        return list(zip(*map(self.given, self._sine_and_cosine(stacked)), strict=True))
+
+    def _sine_and_cosine(self, angle: Any) -> tuple[Any, Any]:
+        """Sine and cosine, operation by operation those of the runtime; shape of the angle."""
+        number, table = self.scalar, TRIGONOMETRY[self.scalar]
+        shift = number(table.shift)
+        turns = (angle * number(_TWO_OVER_PI) + shift) - shift
+        rest = angle
+        for part in table.parts:
+            rest = rest - turns * number(part)
+        square = rest * rest
+        s = rest + rest * square * self._polynomial(table.sine, square)
+        c = number(1) - square / number(2)
+        c = c + square * square * self._polynomial(table.cosine, square)
+        quadrant = np.mod(turns, number(4))
+        swapped = np.mod(quadrant, number(2)) == 1
+        sine, cosine = np.where(swapped, c, s), np.where(swapped, s, c)
+        sine = np.where(quadrant >= 2, -sine, sine)
+        cosine = np.where((quadrant == 1) | (quadrant == 2), -cosine, cosine)
+        far = np.abs(angle) > table.largest
+        if np.any(far):
+            given = np.asarray(angle, dtype=np.float64)
+            sine, cosine = (
+                np.where(far, np.vectorize(f, otypes=[np.float64])(given), near)
+                for f, near in ((math.sin, sine), (math.cos, cosine))
+            )
+        return sine, cosine
+
+    def _polynomial(self, coefficients: Sequence[float], x: Any) -> Any:
+        result = self.scalar(coefficients[0])
+        for coefficient in coefficients[1:]:
+            result = result * x + self.scalar(coefficient)
+        return result
 
     def sqrt(self, a: Any) -> Any:
         """Return the square root."""
@@ -263,27 +335,3 @@ def _across(lanes: tuple[Any, ...], count: int) -> Any:
     if count > half:
         return _across(first, half) + _across(second, count - half)
     return _across(first, count)
-
-
-def _sine_and_cosine(angle: Any) -> tuple[Any, ...]:
-    """Sine and cosine, operation by operation those of the runtime; shape of the angle."""
-    turns = (angle * 0.63661977236758134308 + 6755399441055744.0) - 6755399441055744.0
-    r = (angle - turns * 1.57079632673412561417e00) - turns * 6.07710050630396597660e-11
-    r = r - turns * 2.02226624871116645580e-21
-    z = r * r
-    z2 = z * z
-    z4 = z2 * z2
-    s = (-1.66666666666666307295e-1 + z * 8.33333333332211858878e-3) + z2 * (
-        -1.98412698295895385996e-4 + z * 2.75573136213857245213e-6
-    )
-    s = s + z4 * (-2.50507477628578072866e-8 + z * 1.58962301576546568060e-10)
-    s = r + r * z * s
-    c = (4.16666666666665929218e-2 - z * 1.38888888888730564116e-3) + z2 * (
-        2.48015872888517045348e-5 - z * 2.75573141792967388112e-7
-    )
-    c = c + z4 * (2.08757008419747316778e-9 - z * 1.13585365213876817300e-11)
-    c = (1 - 0.5 * z) + z2 * c
-    half = np.floor(turns * 0.5)
-    odd = turns - 2 * half != 0
-    sign = 1 - 2 * (half - 2 * np.floor(half * 0.5))
-    return sign * np.where(odd, c, s), sign * np.where(odd, -s, c)

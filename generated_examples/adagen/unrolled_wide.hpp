@@ -12,6 +12,7 @@
 #include "common.hpp"
 #include "kernels/lanes.hpp"
 #include "sample/unrolled.hpp"
+#include "short_vectors.hpp"
 #include "sizes.hpp"
 #include "status.hpp"
 #include "unrolled.hpp"
@@ -19,26 +20,9 @@
 namespace {
 
 // Limbs of the same structure share code, one limb in each lane.
-typedef Real Two __attribute__((vector_size(2 * sizeof(Real))));
-typedef Real Four __attribute__((vector_size(4 * sizeof(Real))));
-typedef Real Eight __attribute__((vector_size(8 * sizeof(Real))));
-template <class T>
-[[maybe_unused]] constexpr int kWidth = static_cast<int>(sizeof(T) / sizeof(Real));
 template <class T>
 using Half =
     std::conditional_t<kWidth<T> == 8, Four, std::conditional_t<kWidth<T> == 4, Two, Real>>;
-
-template <class T>
-ADAGEN_INLINE T load(const Real* from) {
-  T x;
-  std::memcpy(&x, from, sizeof x);
-  return x;
-}
-template <class T>
-ADAGEN_INLINE T put(const T& x, Real* to) {
-  std::memcpy(to, &x, sizeof x);
-  return x;
-}
 
 // The sum of the first numbers, half by half.
 template <int count>
@@ -86,26 +70,6 @@ ADAGEN_INLINE void require_more(Workspace& w, const T& x, const L& least, Failur
 template <class T, std::size_t count>
 ADAGEN_INLINE void require_length(Workspace& w, const T& squared, const int (&joints)[count]) {
   for (std::size_t k = 0; k < count; ++k) require_length(w, squared[k], joints[k]);
-}
-
-// Sines and cosines of angles, whose places in q are given; as many are written as fill registers.
-template <std::size_t count, std::size_t... lane>
-ADAGEN_INLINE Lanes angles_of(const Real* q, const std::array<int, count>& places,
-                              std::size_t first, std::index_sequence<lane...>) {
-  return Lanes{q[places[std::min(first + lane, count - 1)]]...};
-}
-template <std::size_t count>
-ADAGEN_INLINE void take_sines_and_cosines(const Real* q, const std::array<int, count>& places,
-                                          Real* sine, Real* cosine) {
-  constexpr int kBlocks = (static_cast<int>(count) + kLanes - 1) / kLanes;
-  ADAGEN_FOR (block, 0, kBlocks) {
-    const Lanes angle = angles_of(q, places, static_cast<std::size_t>(block * kLanes),
-                                  std::make_index_sequence<kLanes>{});
-    Lanes s, c;
-    sine_and_cosine(angle, s, c);
-    store(s, sine + block * kLanes);
-    store(c, cosine + block * kLanes);
-  }
 }
 
 }  // namespace

@@ -71,17 +71,17 @@ constexpr std::array<const char*, 2> kLoopNames{ {
 // ---- functions ----------------------------------------------------------------------------------
 
 #include "adagen/far_angles.hpp"
-#include "adagen/kernels/lanes.hpp"
 #include "adagen/no_channel.hpp"
 #include "adagen/unrolled_memory.hpp"
 
 namespace {
 
-struct Workspace : StraightMemory<16, 8, 0> {};
+struct Workspace : StraightMemory<8, 8, 0> {};
 
 }  // namespace
 
 #include "adagen/unrolled_numbers.hpp"
+#include "adagen/unrolled_sines.hpp"
 #include "adagen/unrolled.hpp"
 #include "adagen/tanh_library.hpp"
 #include "adagen/unrolled_functions.hpp"

@@ -73,7 +73,6 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 // ---- functions ----------------------------------------------------------------------------------
 
 #include "adagen/far_angles.hpp"
-#include "adagen/kernels/lanes.hpp"
 #include "adagen/channel.hpp"
 #include "adagen/unrolled_memory.hpp"
 

@@ -63,17 +63,17 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 // ---- functions ----------------------------------------------------------------------------------
 
 #include "adagen/far_angles.hpp"
-#include "adagen/kernels/lanes.hpp"
 #include "adagen/no_channel.hpp"
 #include "adagen/unrolled_memory.hpp"
 
 namespace {
 
-struct Workspace : StraightMemory<16, 2, 0> {};
+struct Workspace : StraightMemory<8, 2, 0> {};
 
 }  // namespace
 
 #include "adagen/unrolled_numbers.hpp"
+#include "adagen/unrolled_sines.hpp"
 #include "adagen/unrolled.hpp"
 #include "adagen/unrolled_wide.hpp"
 

@@ -88,12 +88,13 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 // ---- functions ----------------------------------------------------------------------------------
 
+#include "adagen/far_angles.hpp"
 #include "adagen/channel.hpp"
 #include "adagen/unrolled_memory.hpp"
 
 namespace {
 
-struct Workspace : StraightMemory<7, 0, 196> {};
+struct Workspace : StraightMemory<8, 0, 196> {};
 
 }  // namespace
 
@@ -2715,13 +2716,14 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_2(Workspace& w) {
 // Process 0: 6 of 9 joints: "base_yaw", "shoulder_pitch", "upper_arm_roll", "elbow_pitch", "forearm_roll", "wrist_pitch"
 constexpr std::array<int, 6> kRead_0{0, 1, 2, 3, 4, 5};
 constexpr std::array<int, 6> kOwned_0{0, 1, 2, 3, 4, 5};
+constexpr std::array<int, 6> kAngles_0{0, 1, 2, 3, 4, 5};
 
 ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
   if (!all(unlike_zero(q + 0, 6) + unlike_zero(v + 0, 6) + unlike_zero(tau + 0, 6) == 0))
     name_what_is_not_finite(w, kRead_0, kOwned_0);
   w.to[1] = channel.outgoing(1, w.status);
-  take_sines_and_cosines<6>(q + 0, w.sine.data(), w.cosine.data());
+  take_sines_and_cosines(q, kAngles_0, w.sine.data(), w.cosine.data());
   w.to[1][2] = tau[5];
   part_0_0(w);
   stamp(1);
@@ -2743,13 +2745,14 @@ ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] C
 // Process 1: 3 of 9 joints: "flange_roll", "left_finger_slide", "right_finger_slide"; kinematics of 6 more on the way to the ground
 constexpr std::array<int, 9> kRead_1{0, 1, 2, 3, 4, 5, 6, 7, 8};
 constexpr std::array<int, 3> kOwned_1{6, 7, 8};
+constexpr std::array<int, 7> kAngles_1{0, 1, 2, 3, 4, 5, 6};
 
 ADAGEN_AS_IT_STANDS void run_1([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
   if (!all(unlike_zero(q + 0, 9) + unlike_zero(v + 0, 9) + unlike_zero(tau + 6, 3) == 0))
     name_what_is_not_finite(w, kRead_1, kOwned_1);
   w.to[0] = channel.outgoing(0, w.status);
-  take_sines_and_cosines<7>(q + 0, w.sine.data(), w.cosine.data());
+  take_sines_and_cosines(q, kAngles_1, w.sine.data(), w.cosine.data());
   part_1_0(w);
   stamp(1);
   stamp(2);

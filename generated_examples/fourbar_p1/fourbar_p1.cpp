@@ -49,12 +49,13 @@ constexpr std::array<const char*, 1> kLoopNames{ {
 
 // ---- functions ----------------------------------------------------------------------------------
 
+#include "adagen/far_angles.hpp"
 #include "adagen/no_channel.hpp"
 #include "adagen/unrolled_memory.hpp"
 
 namespace {
 
-struct Workspace : StraightMemory<3, 0, 0> {};
+struct Workspace : StraightMemory<8, 0, 0> {};
 
 }  // namespace
 
@@ -279,10 +280,11 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_1_0(Workspace& w) {
 // Process 0: 3 of 3 joints: "crank_pin", "coupler_pin", "rocker_pin"
 constexpr std::array<int, 3> kRead_0{0, 1, 2};
 constexpr std::array<int, 3> kOwned_0{0, 1, 2};
+constexpr std::array<int, 3> kAngles_0{0, 1, 2};
 
 ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
-  take_sines_and_cosines<3>(q + 0, w.sine.data(), w.cosine.data());
+  take_sines_and_cosines(q, kAngles_0, w.sine.data(), w.cosine.data());
   part_0_0(w);
   stamp(1);
   stamp(2);
@@ -296,9 +298,10 @@ ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] C
 
 
 // Alternative for poses in which a mobility is singular.
+constexpr std::array<int, 3> kAngles_1{0, 1, 2};
 ADAGEN_AS_IT_STANDS void recover_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
-  take_sines_and_cosines<3>(q + 0, w.sine.data(), w.cosine.data());
+  take_sines_and_cosines(q, kAngles_1, w.sine.data(), w.cosine.data());
   part_1_0(w);
   stamp(1);
   stamp(2);

@@ -150,7 +150,6 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 // ---- functions ----------------------------------------------------------------------------------
 
 #include "adagen/far_angles.hpp"
-#include "adagen/kernels/lanes.hpp"
 #include "adagen/no_channel.hpp"
 #include "adagen/unrolled_memory.hpp"
 
@@ -161,6 +160,7 @@ struct Workspace : StraightMemory<32, 24, 0> {};
 }  // namespace
 
 #include "adagen/unrolled_numbers.hpp"
+#include "adagen/unrolled_sines.hpp"
 #include "adagen/unrolled.hpp"
 #include "adagen/unrolled_wide.hpp"
 

@@ -50,12 +50,13 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 
 // ---- functions ----------------------------------------------------------------------------------
 
+#include "adagen/far_angles.hpp"
 #include "adagen/no_channel.hpp"
 #include "adagen/unrolled_memory.hpp"
 
 namespace {
 
-struct Workspace : StraightMemory<4, 0, 0> {};
+struct Workspace : StraightMemory<8, 0, 0> {};
 
 }  // namespace
 
@@ -635,16 +636,13 @@ ADAGEN_NOINLINE ADAGEN_AS_IT_STANDS void part_0_0(Workspace& w) {
 // Process 0: 6 of 6 joints: "drive", "laser_spin", "lift", "shoulder", "wrist", "loose"
 constexpr std::array<int, 6> kRead_0{0, 1, 2, 3, 4, 5};
 constexpr std::array<int, 6> kOwned_0{0, 1, 2, 3, 4, 5};
+constexpr std::array<int, 4> kAngles_0{2, 3, 5, 6};
 
 ADAGEN_AS_IT_STANDS void run_0([[maybe_unused]] Workspace& w, [[maybe_unused]] Channel& channel) {
   ADAGEN_INPUTS
   if (!all(unlike_zero(q + 0, 3) + unlike_zero(v + 3, 1) == 0))
     name_what_is_not_finite(w, kRead_0, kOwned_0);
-  w.angle[0] = q[2];
-  w.angle[1] = q[3];
-  w.angle[2] = q[5];
-  w.angle[3] = q[6];
-  take_sines_and_cosines<4>(w.angle.data(), w.sine.data(), w.cosine.data());
+  take_sines_and_cosines(q, kAngles_0, w.sine.data(), w.cosine.data());
   part_0_0(w);
   stamp(1);
   stamp(2);

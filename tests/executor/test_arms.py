@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from adagen.executor import Grouping, chosen_grouping, grouping_of, interpret, simulate
+from adagen.graph import DOUBLE, FLOAT
 from adagen.model import PRISMATIC, REVOLUTE, SPHERICAL, LoopEnd, Model, NamedLoop
 from adagen.plan import Plan
 from adagen.plan.arms import arms_among
@@ -19,7 +20,6 @@ from adagen.plan.closure_steps import closures_in
 from tests.emitted import EXACT, Builder
 from tests.executor.plans import in_lanes_off
 from tests.executor.test_closures import plan_of, worst
-from tests.executor.test_lane_bits import InLanes
 from tests.mechanisms import states_of, with_loops
 from tests.models import Part, assemble, rod, vector
 from tests.slow import slow
@@ -123,7 +123,7 @@ def test_emitted_arms_compute_what_the_executor_does(
     assert arms_of(plan, chosen_grouping(plan))
     solver = builder.solver(plan, EXACT, name="arms", shape="unrolled")
     found = solver.solve(model, states, tmp_path)
-    algebra = InLanes(scalar)
+    algebra = FLOAT if scalar == "float" else DOUBLE
     expected = np.array([interpret(plan, *row, algebra, lanes=True) for row in states.each])
     np.testing.assert_array_equal(found.astype(expected.dtype), expected)
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from adagen.executor import Grouping, chosen_grouping, interpret, simulate
-from adagen.graph import BALLS
+from adagen.graph import BALLS, DOUBLE, FLOAT
 from adagen.model import (
     BASE,
     FLOATING,
@@ -31,7 +31,6 @@ from adagen.search.closed_loops import _layouts
 from tests.emitted import EXACT, Builder
 from tests.executor.plans import in_lanes_off
 from tests.executor.test_closures import plan_of, worst
-from tests.executor.test_lane_bits import InLanes
 from tests.mechanisms import quadruped, standing, states_of, with_loops
 from tests.models import Part, assemble, human_figure, rod, vector
 from tests.slow import all_but, slow
@@ -207,7 +206,7 @@ def test_emitted_lanes_compute_what_the_executor_does(
     assert lanes_of(plan, chosen_grouping(plan))
     solver = builder.solver(plan, EXACT, name="lanes", shape="unrolled")
     found = solver.solve(model, states, tmp_path)
-    algebra = InLanes(scalar)
+    algebra = FLOAT if scalar == "float" else DOUBLE
     expected = np.array([interpret(plan, *row, algebra, lanes=True) for row in states.each])
     np.testing.assert_array_equal(found.astype(expected.dtype), expected)
 

@@ -6,17 +6,14 @@ operation by operation, too.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
 from adagen.executor import grouping_of, interpret, straight_line
 from adagen.graph import DOUBLE, FLOAT
-from adagen.graph.evaluate import Floating
 from adagen.model import PRISMATIC, REVOLUTE, SPHERICAL, JointKind, Mimic, Model, Passive
 from adagen.plan import Plan
 from adagen.plan.steps import (
@@ -41,58 +38,6 @@ from tests.models import (
     vector,
 )
 from tests.scene.effects import with_wrenches
-
-_ROUND = {"double": 6755399441055744.0, "float": 12582912.0}
-_TWO_OVER_PI = {"double": 0.63661977236758134308, "float": 0.636619772}
-_PARTS = {
-    "double": (1.57079632673412561417e00, 6.07710050630396597660e-11, 2.02226624871116645580e-21),
-    "float": (1.5703125, 4.837512969970703125e-4, 7.54978995489188216e-8),
-}
-_SINE = {
-    "double": (
-        *(1.58962301576546568060e-10, -2.50507477628578072866e-8, 2.75573136213857245213e-6),
-        *(-1.98412698295895385996e-4, 8.33333333332211858878e-3, -1.66666666666666307295e-1),
-    ),
-    "float": (-1.9515295891e-4, 8.3321608736e-3, -1.6666654611e-1),
-}
-_COSINE = {
-    "double": (
-        *(-1.13585365213876817300e-11, 2.08757008419747316778e-9, -2.75573141792967388112e-7),
-        *(2.48015872888517045348e-5, -1.38888888888730564116e-3, 4.16666666666665929218e-2),
-    ),
-    "float": (2.443315711809948e-5, -1.388731625493765e-3, 4.166664568298827e-2),
-}
-
-
-class InLanes(Floating):
-    """Numbers of a processor with the sines and cosines of lanes; angles are not large."""
-
-    def __init__(self, name: str) -> None:
-        super().__init__(np.float32 if name == "float" else np.float64)
-        self.name = name
-
-    def sines_and_cosines(self, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
-        return [self._of(angle) for angle in angles]
-
-    def _of(self, angle: Any) -> tuple[Any, Any]:
-        number, name = self.scalar, self.name
-        turns = angle * number(_TWO_OVER_PI[name]) + number(_ROUND[name]) - number(_ROUND[name])
-        rest = angle
-        for part in _PARTS[name]:
-            rest = rest - turns * number(part)
-        square = rest * rest
-        s = rest + rest * square * self._polynomial(_SINE[name], square)
-        c = number(1) - square / number(2)
-        c = c + square * square * self._polynomial(_COSINE[name], square)
-        quadrant = int(turns) % 4
-        s, c = (c, s) if quadrant % 2 else (s, c)
-        return -s if quadrant in (2, 3) else s, -c if quadrant in (1, 2) else c
-
-    def _polynomial(self, coefficients: Sequence[float], x: Any) -> Any:
-        result = self.scalar(coefficients[0])
-        for coefficient in coefficients[1:]:
-            result = result * x + self.scalar(coefficient)
-        return result
 
 
 def affected(model: Model, seed: int = 3) -> Model:
@@ -209,7 +154,7 @@ def test_a_straight_line_in_lanes_is_the_executor(
     plan, states = case.plan(), random_states(case.model, 3, seed=4)
     solver = builder.solver(plan, EXACT, name="lane_bits", shape="unrolled")
     found = solver.solve(case.model, states, tmp_path, "--check")
-    algebra = InLanes(case.scalar)
+    algebra = FLOAT if case.scalar == "float" else DOUBLE
     expected = np.array([interpret(plan, *row, algebra, lanes=True) for row in states.each])
     np.testing.assert_array_equal(found.astype(expected.dtype), expected)
 

@@ -36,7 +36,6 @@ from tests.emitted import EXACT, Builder
 from tests.executor.plans import in_lanes_off
 from tests.executor.test_closed_lanes import lanes_of
 from tests.executor.test_closures import plan_of, worst
-from tests.executor.test_lane_bits import InLanes
 from tests.mechanisms import states_of, with_loops
 from tests.models import Part, assemble, rod, vector
 from tests.slow import every_other
@@ -177,8 +176,7 @@ def test_emitted_legs_compute_what_the_executor_does(builder: Builder, tmp_path:
     assert lanes_of(plan, chosen_grouping(plan)) == [2]
     solver = builder.solver(plan, EXACT, name="mirrored", shape="unrolled")
     found = solver.solve(model, states, tmp_path)
-    algebra = InLanes("double")
-    expected = np.array([interpret(plan, *row, algebra, lanes=True) for row in states.each])
+    expected = np.array([interpret(plan, *row, lanes=True) for row in states.each])
     np.testing.assert_array_equal(found, expected)
 
 

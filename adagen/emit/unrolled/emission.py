@@ -37,7 +37,7 @@ cache longer to hold."""
 
 _NAMES = re.compile(r"\bx(\d+)")
 _NAMED = ("reciprocal", "pack", "lane", "across")
-_ANGLES_AT_ONCE = 16  # the most that registers hold
+_ANGLES_AT_ONCE = 8  # as many are written as fill registers of 256 bits
 
 
 def values(symbols: Symbols, chunk: int = 0) -> dict[str, object]:
@@ -57,20 +57,19 @@ def values(symbols: Symbols, chunk: int = 0) -> dict[str, object]:
     ]
     processes = [process for each in plans for process in each.processes]
     wide = any(simulated.machine.rows.rows for simulated in line)
-    sines_in_lanes = wide or (plan.reproducible and not symbols.batch)
+    at_once = not (symbols.batch or symbols.embedded)  # sines of several angles in a register
     rows = [
-        _ProcessText(symbols, p, process, simulated, chunk, wide=sines_in_lanes)
+        _ProcessText(symbols, p, process, simulated, chunk, at_once=at_once)
         for p, (process, simulated) in enumerate(zip(processes, line, strict=True))
     ]
     angles = max(len(row.machine.angles) for row in rows)
     texts = [row.values() for row in rows]
     functions = any(row.calls_functions() for row in rows)
     own = plan.reproducible  # sines and tangents, not those of the C library
-    lanes = ["far_angles_reduced.hpp" if own else "far_angles.hpp", "kernels/lanes.hpp"]
     return {
         "runtime": [
             *["reproducible.hpp"] * own,
-            *lanes * (symbols.batch or sines_in_lanes),
+            "far_angles_reduced.hpp" if own else "far_angles.hpp",
         ],
         "functions": ["tanh_own.hpp" if own else "tanh_library.hpp", "unrolled_functions.hpp"]
         * functions
@@ -78,13 +77,10 @@ def values(symbols: Symbols, chunk: int = 0) -> dict[str, object]:
         "unrolled": texts[: len(plan.processes)],
         "recovery": texts[len(plan.processes) :],
         "places": max((row.arrangement.places for row in rows), default=0),
-        "angle_count": -(-angles // _ANGLES_AT_ONCE) * _ANGLES_AT_ONCE
-        if sines_in_lanes
-        else angles,
+        "angle_count": -(-angles // _ANGLES_AT_ONCE) * _ANGLES_AT_ONCE if at_once else angles,
         "wide": wide,
         "as_it_stands": not symbols.batch,
         "wide_functions": ["unrolled_wide_functions.hpp"] * (functions and wide),
-        "sines_in_lanes": sines_in_lanes,
         "near_lock": not symbols.batch and any(c.near for s in line for c in s.machine.checks),
         "wide_results": max((row.results.lanes for row in rows), default=0),
     }
@@ -112,9 +108,10 @@ class _ProcessText:
         simulated: Simulated,
         chunk: int,
         *,
-        wide: bool,
+        at_once: bool,
     ) -> None:
-        self.symbols, self.p, self.machine, self.wide = symbols, p, simulated.machine, wide
+        self.symbols, self.p, self.machine = symbols, p, simulated.machine
+        self.at_once = at_once
         self.process = process
         self.owner = p % len(symbols.plan.processes)  # processes come again for their recovery
         self.graph = simulated.machine.graph
@@ -139,7 +136,7 @@ class _ProcessText:
             "operations": self.operations,
             "read": read_joints(self.symbols, self.process),
             "owned": owned,
-            "angles": self._places_of_angles() if self.wide else [],
+            "angles": self._places_of_angles() if self.at_once else [],
         }
 
     def calls_functions(self) -> bool:
@@ -222,7 +219,7 @@ class _ProcessText:
             for number in self.machine.sent
         ]
         angles = [self.text.inlined(angle.index) for angle in self.machine.angles]
-        if angles and self.wide:
+        if angles and self.at_once:
             source = "q"
             if not self._angles_are_given():
                 source = "w.angle.data()"

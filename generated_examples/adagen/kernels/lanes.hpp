@@ -10,12 +10,15 @@
 #include "../common.hpp"
 #include "../sample/angles.hpp"
 #include "../sizes.hpp"
+#include "../trigonometry.hpp"
 #include "../value.hpp"
 
 namespace {
 
-typedef std::conditional_t<sizeof(Real) == 8, std::int64_t, std::int32_t> Bits;
-typedef Bits LaneBits __attribute__((vector_size(64)));
+// What comparisons of vectors give: of as many whole numbers, of the same size.
+template <class T>
+using BitsOf = decltype(T{} < T{});
+typedef BitsOf<Lanes> LaneBits;
 
 // Where registers are narrower, compilers warn that vectors are passed in other ways. Programs that
 // are linked with this one pass none.
@@ -76,43 +79,41 @@ ADAGEN_INLINE Lanes hyperbolic_tangent(const Lanes& x) {
   return result;
 }
 
-// Sines and cosines, with an error of about one unit in the last place: the angle less n pi/2 by
-// three parts of pi/2 (Cody and Waite), then polynomials (Cephes). The parts are exact up to
-// kLargestAngle; beyond, each lane is computed by itself.
-template <class R>
-struct Trigonometry;
-
-template <>
-struct Trigonometry<double> {
-  [[maybe_unused]] static constexpr double kLargestAngle = 1e5, kRound = 6755399441055744.0;
-  [[maybe_unused]] static constexpr double kTwoOverPi = 0.63661977236758134308;
-  [[maybe_unused]] static constexpr double kParts[3] = {
-      1.57079632673412561417e+00, 6.07710050630396597660e-11, 2.02226624871116645580e-21};
-  [[maybe_unused]] static constexpr double kSine[6] = {
-      1.58962301576546568060e-10, -2.50507477628578072866e-8, 2.75573136213857245213e-6,
-      -1.98412698295895385996e-4, 8.33333333332211858878e-3,  -1.66666666666666307295e-1};
-  [[maybe_unused]] static constexpr double kCosine[6] = {
-      -1.13585365213876817300e-11, 2.08757008419747316778e-9,  -2.75573141792967388112e-7,
-      2.48015872888517045348e-5,   -1.38888888888730564116e-3, 4.16666666666665929218e-2};
-};
-
-template <>
-struct Trigonometry<float> {
-  [[maybe_unused]] static constexpr float kLargestAngle = 8000.0f, kRound = 12582912.0f;
-  [[maybe_unused]] static constexpr float kTwoOverPi = 0.636619772f;
-  [[maybe_unused]] static constexpr float kParts[3] = {1.5703125f, 4.837512969970703125e-4f,
-                                                       7.54978995489188216e-8f};
-  [[maybe_unused]] static constexpr float kSine[3] = {-1.9515295891e-4f, 8.3321608736e-3f,
-                                                      -1.6666654611e-1f};
-  [[maybe_unused]] static constexpr float kCosine[3] = {
-      2.443315711809948e-5f, -1.388731625493765e-3f, 4.166664568298827e-2f};
-};
-
-template <std::size_t n>
-ADAGEN_INLINE Lanes polynomial(const Real (&coefficients)[n], const Lanes& x) {
-  Lanes result = Lanes{} + coefficients[0];
+template <class T, std::size_t n>
+ADAGEN_INLINE T polynomial(const Real (&coefficients)[n], const T& x) {
+  T result = T{} + coefficients[0];
   ADAGEN_FOR (k, 1, static_cast<int>(n)) result = result * x + coefficients[k];
   return result;
+}
+
+// Of angles that are not too large.
+template <class T>
+ADAGEN_INLINE void near_sine_and_cosine(const T& angle, T& sine, T& cosine) {
+  using Table = Trigonometry<Real>;
+  using Whole = BitsOf<T>;
+  const T shifted = angle * Table::kTwoOverPi + Table::kRound;
+  const Whole quadrant = reinterpret_cast<Whole>(shifted);
+  const T turns = shifted - Table::kRound;
+  const T rest =
+      ((angle - turns * Table::kParts[0]) - turns * Table::kParts[1]) - turns * Table::kParts[2];
+  const T square = rest * rest;
+  const T s = rest + rest * square * polynomial(Table::kSine, square);
+  const T c = 1 - square / 2 + square * square * polynomial(Table::kCosine, square);
+  const Whole swapped = -(quadrant & 1);
+  const Whole s_bits = reinterpret_cast<Whole>(s);
+  const Whole c_bits = reinterpret_cast<Whole>(c);
+  constexpr int kSign = 8 * static_cast<int>(sizeof(Real)) - 2;  // bit 1 of a quadrant to the sign
+  const Whole sine_bits = ((s_bits & ~swapped) | (c_bits & swapped)) ^ ((quadrant & 2) << kSign);
+  const Whole cosine_bits =
+      ((c_bits & ~swapped) | (s_bits & swapped)) ^ (((quadrant + 1) & 2) << kSign);
+  sine = reinterpret_cast<T>(sine_bits);
+  cosine = reinterpret_cast<T>(cosine_bits);
+}
+
+template <class T>
+ADAGEN_INLINE BitsOf<T> too_large(const T& angle) {
+  constexpr Real kLargest = Trigonometry<Real>::kLargestAngle;
+  return (angle > kLargest) | (angle < -kLargest);
 }
 
 ADAGEN_COLD inline void take_far_ones(const Lanes& angle, const LaneBits& lanes, Lanes& sine,
@@ -123,33 +124,6 @@ ADAGEN_COLD inline void take_far_ones(const Lanes& angle, const LaneBits& lanes,
     far_sine_and_cosine(angle[k], s, c);
     sine[k] = s, cosine[k] = c;
   }
-}
-
-// Of angles that are not too large.
-ADAGEN_INLINE void near_sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
-  using Table = Trigonometry<Real>;
-  const Lanes shifted = angle * Table::kTwoOverPi + Table::kRound;
-  const LaneBits quadrant = reinterpret_cast<LaneBits>(shifted);
-  const Lanes turns = shifted - Table::kRound;
-  const Lanes rest =
-      ((angle - turns * Table::kParts[0]) - turns * Table::kParts[1]) - turns * Table::kParts[2];
-  const Lanes square = rest * rest;
-  const Lanes s = rest + rest * square * polynomial(Table::kSine, square);
-  const Lanes c = 1 - square / 2 + square * square * polynomial(Table::kCosine, square);
-  const LaneBits swapped = -(quadrant & 1);
-  const LaneBits s_bits = reinterpret_cast<LaneBits>(s);
-  const LaneBits c_bits = reinterpret_cast<LaneBits>(c);
-  constexpr int kSign = 8 * static_cast<int>(sizeof(Real)) - 2;  // bit 1 of a quadrant to the sign
-  const LaneBits sine_bits = ((s_bits & ~swapped) | (c_bits & swapped)) ^ ((quadrant & 2) << kSign);
-  const LaneBits cosine_bits =
-      ((c_bits & ~swapped) | (s_bits & swapped)) ^ (((quadrant + 1) & 2) << kSign);
-  sine = reinterpret_cast<Lanes>(sine_bits);
-  cosine = reinterpret_cast<Lanes>(cosine_bits);
-}
-
-ADAGEN_INLINE LaneBits too_large(const Lanes& angle) {
-  constexpr Real kLargest = Trigonometry<Real>::kLargestAngle;
-  return (angle > kLargest) | (angle < -kLargest);
 }
 
 ADAGEN_INLINE void sine_and_cosine(const Lanes& angle, Lanes& sine, Lanes& cosine) {
