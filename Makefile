@@ -7,7 +7,9 @@ VENV    := .venv
 BIN     := $(VENV)/bin
 STAMP   := $(VENV)/.installed
 PYTHON  ?= $(firstword $(foreach p,python3.11 python3.12 python3.13 python3.14 python3,$(shell command -v $(p) 2>/dev/null)))
-WORKERS ?= 2
+# One more than two cores: some tests wait for a time limit, or for another process.
+WORKERS ?= 3
+PYTEST  := $(BIN)/python -m pytest -n $(WORKERS) --dist worksteal
 CPP     = $(shell git ls-files '*.cpp' '*.hpp' ':!generated_examples' 2>/dev/null)
 
 # Only what was said on the command line or in the environment is passed on.
@@ -48,10 +50,10 @@ demo: setup ## two robots: generate, build, run on 1 and 2 processes, check, tim
 	@$(BIN)/python -m adagen.cli.demo
 
 test: setup lint ## lint and run the test suite
-	$(BIN)/python -m pytest -n $(WORKERS) $(ARGS)
+	$(PYTEST) $(ARGS)
 
 test-all: setup lint ## the same with the slow tests
-	$(BIN)/python -m pytest -n $(WORKERS) -m 'slow or not slow' $(ARGS)
+	$(PYTEST) -m 'slow or not slow' $(ARGS)
 
 lint: setup ## ruff, mypy, clang-format
 	$(BIN)/ruff check .
