@@ -4,13 +4,15 @@
                                              [--record FILE] [--write FILE]
     python -m benchmarks.certificates loops [the same]
     python -m benchmarks.certificates shared [the same]
+    python -m benchmarks.certificates chains [the same]
     python -m benchmarks.certificates predicted [the same]
     python -m benchmarks.certificates times [ROBOT.urdf ...] [--write FILE]
     python -m benchmarks.certificates mechanisms [NAME ...] [--write FILE]
 
 Errors are those of hard states of random robots of twelve families (adagen/studies/stability), in
 the energy norm against certified accelerations; "shared" takes trees whose limbs two or three
-threads share, long arms that two share, and batches that two processes of MPI share; "loops" takes
+threads share, long arms that two share, and batches that two processes of MPI share; "chains" takes
+long chains of hinges, whole and in parts, one in each SIMD lane; "loops" takes
 mechanisms with closed loops, half of their states as near singular ones as are found, and compares
 with the plan in 400 bits: which rows are left out where they follow from others is its choice, and
 a state in doubles closes loops up to rounding only. Times are minima
@@ -42,7 +44,7 @@ from adagen.search import best_schedule
 from adagen.search.objective import predicted_digits
 from adagen.states import States
 from adagen.studies.bench.report import table
-from adagen.studies.stability.adversary import arms, trees
+from adagen.studies.stability.adversary import arms, long_chains, trees
 from adagen.studies.stability.bounds import FACTOR, Bounded, Certified, bounded, certified_plan
 from benchmarks.closed_robots import MECHANISMS
 from benchmarks.hard import Asked, fastest, hard_mechanisms, hard_robots, study
@@ -67,6 +69,12 @@ SHARED = [
     Certified("kernels", processes=2, elsewhere=True, scalar="float"),
     Certified("unrolled", batch=True, processes=2),
     Certified("kernels", batch=True, processes=2),
+]
+PARTED = [
+    Certified("kernels"),
+    Certified("kernels", parts=True),
+    Certified("unrolled", parts=True),
+    Certified("kernels", scalar="float", parts=True),
 ]
 LOOPED = [Certified("unrolled"), Certified("unrolled", batch=True)]
 ROBOTS = [
@@ -113,6 +121,11 @@ def measured_loops(asked: Asked, record: Record, toolchain: Toolchain) -> list[s
 def measured_shared(asked: Asked, record: Record, toolchain: Toolchain) -> list[str]:
     """Return the table of trees and arms that threads share, or processes of MPI the states of."""
     return _measured(hard_robots(asked, [trees, arms]), SHARED, asked, record, toolchain)
+
+
+def measured_chains(asked: Asked, record: Record, toolchain: Toolchain) -> list[str]:
+    """Return the table of bounds of long chains, whole and in parts."""
+    return _measured(hard_robots(asked, [long_chains]), PARTED, asked, record, toolchain)
 
 
 def _measured(
@@ -227,6 +240,7 @@ def main() -> None:
         "errors": measured_errors,
         "loops": measured_loops,
         "shared": measured_shared,
+        "chains": measured_chains,
         "predicted": measured_predictions,
     }
     times = {

@@ -23,6 +23,7 @@ from adagen.plan.certificate import why_not as why_not_corrected
 from adagen.plan.own_axes import balls_lose
 from adagen.plan.refine import corrected, refinable, why_not_in_lines
 from adagen.plan.robot import slaved_joint
+from adagen.plan.steps import Join
 from adagen.schedule import CostProfile, with_steps
 
 
@@ -138,6 +139,8 @@ def why_not_own(plan: Plan, shape: str) -> str | None:
     if shape != "kernels":
         return f"shape {shape} computes residuals in higher precision only"
     reason = why_not_corrected(plan) or kernels.why_not_weighed(plan)
+    if reason is None and any(plan.steps_of(Join)):
+        reason = "its process joins parts of a chain"
     if reason is None and plan.several:
         reason = "several processes share the robot"
     return None if reason is None else f"residuals are in wider numbers here: {reason}"

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from adagen.executor.allowance import Allowance, Sums
+from adagen.executor.floating_parts import FloatingParts
 from adagen.executor.frames import Transform
 from adagen.executor.inner_root import InnerRoot
 from adagen.executor.kinematics import Motion
@@ -27,6 +28,8 @@ from adagen.plan.digits import EPSILON
 from adagen.plan.steps import Certify, StartLink, Step
 
 Array = NDArray[Any]
+_NOTHING = 1e-30
+"""What a pivot of which no digit is known is taken to be known by, that bounds are infinite."""
 
 
 class Certificate(Allowance):
@@ -50,7 +53,9 @@ class Certificate(Allowance):
         steps = list(steps)
         self.seen, self.answer = Sums(state), Sums(state)
         self.own = {step.link for step in steps if isinstance(step, StartLink)}
+        self.unit = ROUNDING * EPSILON[state.plan.scalar]
         self.inner_root: InnerRoot | None = None
+        self.parts = FloatingParts.of(self, steps)
         if has_inner_root(state.plan):
             self.inner_root = InnerRoot(state, motion, steps, self.bases)
             self.bases = []  # nothing is taken of their free fall as a whole
@@ -63,6 +68,8 @@ class Certificate(Allowance):
             root: whether all others are reached from that link.
         """
         fall = self.inner_root.fall_at(j, root=root) if self.inner_root else None
+        if root and self.parts:
+            fall = self.state.upwards()  # a part's first link: nothing is before it
         if root and self.inner_root and self.inner_root.shown and self.inner_root.held == j + 1:
             self.memory["unheld", j + 1] = self.memory["a", j + 1]
             self.size(j, self.state.zeros(6, 6), fall)
@@ -103,18 +110,21 @@ class Certificate(Allowance):
         self._sweep(step)
         energy = total([self.answer.total(), *(each.energy for each in shares)])
         seen = total([self.seen.total(), *(each.seen for each in shares)])
-        unit = ROUNDING * EPSILON[self.state.plan.scalar]
-        rounded = total([self.rounded.total() * unit**2, *(each.rounded for each in shares)])
+        apart = self.parts.apart() if self.parts else []
+        rounded = self.rounded.total() * self.unit**2
+        rounded = total([rounded, *(each.rounded for each in shares)])
         if step.tells is not None:
             own = [seen, rounded, energy]
             self.memory["share", step.tells.process] = told(self, step, own)
             return
         parted = [x for each in shares for x in each.parted]
         if self.inner_root is not None and self.inner_root.held:
-            seen = self._with_held(seen)
+            seen = self._both(seen, self.held.total())
             limbs = spread_of(self, self.inner_root.beyond, self.inner_root.held)
             parted += parting(self, self.inner_root.apart(), limbs)
         error = seen_with(seen, parted) if parted else seen
+        if apart:
+            error = self._both(seen, total(apart))
         self.state.certificate = (error + rounded, energy)
 
     def _heard(self, step: Certify) -> list[Heard]:
@@ -126,10 +136,11 @@ class Certificate(Allowance):
         )
         return found
 
-    def _with_held(self, seen: Expression) -> Expression:
-        """The squared sum of two lengths: of the residuals beyond the held link, and up to it."""
-        held = self.held.total()
-        return total([seen, held, self.state.graph.sqrt(seen * held) * 2])
+    def _both(self, one: Expression, other: Expression) -> Expression:
+        """The square of the sum of two lengths, from their squares."""
+        graph = self.state.graph
+        product = graph.larger(one * other, graph.constant(0))  # a form may round below zero
+        return total([one, other, graph.sqrt(product) * 2])
 
     def _sweep(self, step: Certify) -> None:
         """Sweep residuals inwards."""
@@ -137,6 +148,9 @@ class Certificate(Allowance):
         inwards = [j for j in inwards if not step.joints or j in step.joints]
         if self.inner_root is not None:
             self._sweep_elsewhere(inwards, step)
+            return
+        if self.parts is not None:
+            self._sweep_parts(self.parts, inwards)
             return
         for j in inwards:
             self._inwards(j)
@@ -148,6 +162,15 @@ class Certificate(Allowance):
             if not step.joints or base in step.joints:
                 self._error_of_base(base)
                 self.answer.add(base, 1, self._energy_of_base(base))
+
+    def _sweep_parts(self, parts: FloatingParts, inwards: Sequence[int]) -> None:
+        """The same in each part, to its first link."""
+        parts.load()
+        for j in inwards:
+            self._inwards(j)
+        for root, phi, known in parts.shown(self.unit):
+            least = self.state.graph.larger(known, self.state.graph.constant(_NOTHING))
+            self._weigh_shown(root, phi, self.state.graph.reciprocal(least))
 
     def _sweep_elsewhere(self, inwards: Sequence[int], step: Certify) -> None:
         """The same towards another root; first from the ground to a held link."""
@@ -179,11 +202,11 @@ class Certificate(Allowance):
             if at.shown is not None:
                 self._weigh_shown(at.held, self.memory[at.shown])
 
-    def _weigh_shown(self, root: int, phi: Array) -> None:
+    def _weigh_shown(self, root: int, phi: Array, times: Expression | None = None) -> None:
         """The residual at a root of known mobility Phi: its error is at most that by Phi alone."""
         left, noise = self.memory["left", root], self.noise_at(root)
         for x, moved in zip(left, matrix_times(phi, left), strict=True):
-            self.seen.add(root - 1, 1, x * moved)
+            self.seen.add(root - 1, 1, x * moved if times is None else x * moved * times)
         for k in range(6):
             self.rounded.add(root - 1, 1, phi[k, k] * noise[min(k, 3)])
 
@@ -198,6 +221,8 @@ class Certificate(Allowance):
         if self.inner_root is not None:
             for energy in self.inner_root.energies(link, inertia, a, taken):
                 self.answer.add(self.run(link - 1), self.count(link - 1), energy)
+        if self.parts is not None:
+            self.answer.add(self.run(link - 1), self.count(link - 1), total(a * taken))
         self.memory["noise", link] = self.pushed(link)
         if self.bases:
             self.memory["bare", link] = np.array([*own[3:], inertia[3, 3]], dtype=object)

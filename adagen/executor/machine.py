@@ -32,6 +32,7 @@ from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import (
     Accelerate,
     AccelerateHeld,
+    AccelerateRoot,
     Append,
     ApplyCoupling,
     Arrive,
@@ -152,7 +153,7 @@ class Machine(Repeatable):
         if not self.plan.certified or self.left is not None:
             return
         match step:
-            case SolveRoot() | SolveMobility():
+            case SolveRoot() | SolveMobility() | AccelerateRoot():
                 self.bounds.reach(step.link - 1, root=True)
             case Accelerate(reversed=True):
                 assert isinstance(self.bounds, Certificate)  # closed loops are one process's

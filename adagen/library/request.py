@@ -163,11 +163,11 @@ class Request:
     def may_part(self, joints: int) -> bool:
         """Whether a process may sweep a long chain in parts, one in each SIMD lane.
 
-        Loops for one state do, whose answers are neither certified nor the same on any number of
-        processes. So a batch of chains of so many joints is solved state by state, if as many
-        states as there are lanes would not fit the cache.
+        Loops for one state do, whose answers are not the same on any number of processes. One
+        process certifies them. A batch of chains of so many joints is solved state by state, if as
+        many states as there are lanes would not fit the cache, and they are not certified.
         """
-        alone = self.certify or self.reproducible or self.target != "host"
+        alone = self.reproducible or self.target != "host" or (self.certify and self.batch)
         alone |= self.batch and joints <= MOST_IN_LANES
         return self.parts == "auto" and self.may_gather and self.form == "segment" and not alone
 

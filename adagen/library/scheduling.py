@@ -19,6 +19,7 @@ from adagen.search.base_gathering import (
     certified_schedule,
     reproducible_schedule,
 )
+from adagen.search.chain_parts import certifies
 from adagen.search.objective import schedule_for
 
 KNOWN = ("auto", *get_args(Named))
@@ -41,7 +42,10 @@ def schedule_of(model: Model, request: Request) -> Schedule:
                 request.schedule,
             )
         # Parts say how a process sweeps what is its own, which not all answers can be found by.
-        found = found if request.may_part(len(model.joints)) else replace(found, parts=0)
+        if not request.may_part(len(model.joints)) or (
+            request.certify and found.parts and not certifies(found, model)
+        ):
+            found = replace(found, parts=0)
         return as_gathered(model, found)
     return as_gathered(model, searched(model, request))
 
@@ -61,11 +65,13 @@ def searched(model: Model, request: Request) -> Schedule:
     if request.schedule != "auto":
         return _named(model, request, profile.joins_only() if request.form == "ada" else profile)
     if request.certify and request.sharing > 1:
-        plain = _best(model, request, profile).gathered if request.may_gather else None
+        whole = replace(request, parts="none")  # processes that have parts do not certify
+        plain = _best(model, whole, profile).gathered if request.may_gather else None
         # Each process passes the joints that it hangs on: certificates look at their motions.
         elsewhere = () if plain is None else (replace(plain, told=False),)
         asked = request.sharing, profile, request.scalar, request.shape
-        return certified_schedule(model, *asked, elsewhere)
+        in_parts = request.may_part(len(model.joints))
+        return certified_schedule(model, *asked, elsewhere, in_parts=in_parts)
     return _best(model, request, profile)
 
 
@@ -85,6 +91,7 @@ def _best(model: Model, request: Request, profile: CostProfile) -> Schedule:
         gather=request.may_gather,
         shape=request.priced_shape,
         in_parts=request.may_part(len(model.joints)),
+        certify=request.certify,
         **({} if request.expansions is None else {"expansions": request.expansions}),
     )
 

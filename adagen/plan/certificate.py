@@ -23,6 +23,7 @@ from adagen.plan.steps import (
     FreeBase,
     FusedJoin,
     HoldMobility,
+    InvertRoot,
     Join,
     Kinematics,
     Load,
@@ -91,15 +92,27 @@ def why_not(plan: Plan) -> str | None:
     if plan.closed and (plan.wanted or plan.outputs):
         return "a scene wants other outputs than all accelerations of closed loops"
     steps = [step for each in plan.alternatives for step in each.steps]
-    if not plan.several and any(isinstance(step, Join) for step in steps):
-        return "its process joins parts of a chain, and has no factors of all that is beyond them"
     if any(isinstance(step, FusedJoin) for step in steps):
         return "joints are joined as one over links without mass"
+    if not plan.several and any(isinstance(step, Join) for step in steps):
+        return _why_not_parted(plan)
     if any(isinstance(step, CarryRows) for step in steps):
         return (
             "a closure of many joints carries its loops through them, and what rounding does to "
             "that is not bounded (--refine 1 estimates errors)"
         )
+    return None
+
+
+def _why_not_parted(plan: Plan) -> str | None:
+    """Why a chain in parts of one process cannot be certified (executor/floating_parts.py)."""
+    if plan.wanted or plan.outputs:
+        return "a scene wants other outputs than all accelerations of a chain in parts"
+    roots = {step.link for step in plan.steps_of(InvertRoot)}
+    joined = {step.joint for step in plan.steps_of(Join)}
+    serial = all(joint.parent == j for j, joint in enumerate(plan.joints))
+    if not serial or roots != {j + 1 for j in joined} or min(joined) > 0:
+        return "its process joins more than the parts of a chain"
     return None
 
 

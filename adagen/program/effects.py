@@ -281,9 +281,16 @@ def _certify(plan: Plan, step: Certify | Refine) -> Effects:
         reads += [("load", link) for link in _held(plan, step)]
     if tells is not None:
         reads += [("acceleration", link) for link in tells.links]
+    cut = set[int]()
+    if not plan.several:  # a chain in parts is weighed by what these show at their first links
+        cut = {joined.joint for joined in plan.steps_of(Join)}
+        reads += [root.block for root in plan.steps_of(InvertRoot)]
+        reads += [load.force for load in plan.steps_of(Load) if load.force is not None]
     for j in own:
         joint = plan.joints[j]
         reads += [("qdd", j), ("transform", j), ("velocity", j + 1), ("acceleration", j + 1)]
+        if j in cut:
+            continue
         reads.append(("inertia" if is_base(joint) else "projected", j + is_base(joint)))
     found = ("certificate", 0) if tells is None else ("share", tells.process)
     return Effects(tuple(reads), (found,))

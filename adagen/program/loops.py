@@ -17,6 +17,7 @@ from adagen.plan.steps import (
     Append,
     Arrive,
     Articulate,
+    Certify,
     Deliver,
     Disassemble,
     FreeAcceleration,
@@ -123,6 +124,7 @@ class Loops:
             Deliver: self._deliver,
             AccelerateRoot: self._accelerate_roots,
             Accelerate: self._accelerate,
+            Certify: self._certify,
             FreeAcceleration: self._free_accelerations,
             Receive: self._receive,
         }
@@ -261,7 +263,7 @@ class Loops:
 
     def _find_parts(self, swept_inwards: Sequence[Limbs | Run]) -> None:
         """Find the runs that are parts of one run in all SIMD lanes."""
-        if self.batch or not self.once or self.plan.weighed:
+        if self.batch or not self.once or self.plan.corrections:
             return
         units = {unit for unit in swept_inwards if not isinstance(unit, Limbs)}
         whole, carried = self._accelerated(), self._carried()
@@ -423,6 +425,12 @@ class Loops:
         for step in steps:
             if step.joint in self.needed:
                 self._add(step.does, None, "step", (step,))
+
+    def _certify(self, steps: list[Certify]) -> None:
+        """A chain in parts is certified part by part, beside each other."""
+        for step in steps:
+            run = next(iter(self.parts.runs), None)
+            self._add(step.does, run, "step" if run is None else "parts", [step])
 
     def _receive(self, steps: list[Receive]) -> None:
         for step in steps:

@@ -23,6 +23,7 @@ from adagen.plan.robot import PlanJoint
 from adagen.plan.shared_line import serial_plan
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.tree import Gathered
+from adagen.search.best import in_parts_alone
 from adagen.search.schedules import find_schedule
 from adagen.search.straight_layouts import cheapest_of, joint_weights, layouts_at
 
@@ -62,6 +63,8 @@ def certified_schedule(
     scalar: str,
     shape: str,
     elsewhere: Iterable[Gathered] = (),
+    *,
+    in_parts: bool = False,
 ) -> Schedule:
     """Return the layout of least time among those whose processes bound errors together.
 
@@ -72,6 +75,7 @@ def certified_schedule(
         scalar: "double" or "float".
         shape: of the code, "auto" for that of least price.
         elsewhere: layouts of processes that gather at other links, to be tried, too.
+        in_parts: whether a long chain of one process may be in parts, one in each SIMD lane.
 
     Raises:
         InputError: the robot has no joint.
@@ -82,6 +86,8 @@ def certified_schedule(
     if plan.closed or not _may_share(model, processes, profile):
         return alone
     layouts, weights = certified_layouts(model, plan.joints, alone, scalar)
+    if in_parts:
+        alone = in_parts_alone(model, alone, profile, scalar, shape)
     return cheapest_of(
         alone,
         chain(layouts, (_led(plan.joints, gathered) for gathered in elsewhere)),

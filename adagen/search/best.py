@@ -13,7 +13,7 @@ from adagen.program.strips import LANES
 from adagen.schedule import CostProfile, Schedule, Topology
 from adagen.schedule.fold import Fold
 from adagen.search.ada_search import played_schedule
-from adagen.search.chain_parts import parted
+from adagen.search.chain_parts import certifies, parted
 from adagen.search.closed_loops import closed_schedule
 from adagen.search.families import Families, scaled
 from adagen.search.schedules import find_schedule
@@ -32,6 +32,7 @@ def best_schedule(
     gather: bool = True,
     shape: str = "auto",
     in_parts: bool = False,
+    certify: bool = False,
     **search: Any,
 ) -> Schedule:
     """Return a schedule for a form of the algorithm.
@@ -52,6 +53,7 @@ def best_schedule(
         shape: of the code that is emitted, as ``adagen.emit.emit`` takes it.
         in_parts: whether a process may sweep a long chain in parts, one in each SIMD lane; it does
             in double.
+        certify: whether one process bounds its errors, which only some parts allow.
         search: further arguments of ``find_schedule``.
 
     Raises:
@@ -69,7 +71,7 @@ def best_schedule(
     parts = LANES[scalar] if in_parts else 0
     if form == "segment" and processes == 1:
         whole = find_schedule(topology, 1, profile=profile, **search)
-        return _alone(model, whole, profile, scalar, limit, shape, parts)
+        return _alone(model, whole, profile, scalar, limit, shape, parts, certify)
     seen = fold_of(model, form)
     if form == "segment" and len(seen.topology):
         rules = scalar, limit, gather, shape, parts
@@ -89,16 +91,34 @@ def _alone(
     limit: float | None,
     shape: str,
     parts: int,
+    certify: bool,
 ) -> Schedule:
     """The schedule of one process, with its chain in parts where that is predicted to pay."""
     seen = fold_of(model, "segment")
-    if not (seen.trivial and parted(whole, model, parts)):
+    found = parted(whole, model, parts if seen.trivial else 0)
+    if found is None or (certify and not certifies(found, model)):
         return whole
-    families = Families(model, seen, 1, profile, 0, shape, parts)
+    families = Families(model, seen, whole.processes, profile, 0, shape, parts, certify=certify)
     families.consider(whole, "alone")
     families.part(cuttable_joints(model, scalar, None, limit))
     found = families.taken()
     return found if found.parts else whole
+
+
+def in_parts_alone(
+    model: Model, alone: Schedule, profile: CostProfile, scalar: str, shape: str
+) -> Schedule:
+    """Return a certified schedule of one process that works, in parts where that pays.
+
+    Args:
+        model: the robot.
+        alone: the schedule by which one of some processes does everything.
+        profile: the costs.
+        scalar: "double" or "float"; parts are priced in double.
+        shape: of the code that is emitted.
+    """
+    parts = LANES[scalar] if profile.steps is not None and scalar == "double" else 0
+    return _alone(model, alone, profile, scalar, None, shape, parts, certify=True)
 
 
 def _by_families(

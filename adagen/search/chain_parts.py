@@ -9,8 +9,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from adagen.emit import kernels
+from adagen.errors import AdagenError
 from adagen.model import Model
 from adagen.plan import make_plan
+from adagen.plan.certificate import certified
 from adagen.plan.steps import Join
 from adagen.schedule import Schedule
 
@@ -28,6 +31,15 @@ def parted(schedule: Schedule, model: Model, parts: int) -> Schedule | None:
     found = replace(schedule, parts=parts)
     more = joined(found, model) - joined(schedule, model)
     return found if more else None
+
+
+def certifies(schedule: Schedule, model: Model) -> bool:
+    """Return whether loops bound the errors of a schedule whose process has its chain in parts."""
+    try:
+        plan = certified(make_plan(model, schedule))
+    except AdagenError:
+        return False
+    return any(plan.steps_of(Join)) and kernels.why_not(plan) is None
 
 
 def joined(schedule: Schedule, model: Model) -> set[int]:

@@ -28,6 +28,7 @@ from adagen.emit.shapes import offered
 from adagen.model import Model
 from adagen.paper.restricted import joined_between_processes
 from adagen.plan import Plan, can_gather, make_plan
+from adagen.plan.certificate import certified
 from adagen.plan.types import Process
 from adagen.program import Program
 from adagen.program.lower import LOOPS
@@ -82,6 +83,7 @@ class Families:
         expansions: what each search may spend, for a robot of some tens of joints.
         shape: of the code that is emitted, "auto" for that of least price.
         parts: in how many parts a process may sweep a long chain of its own; 0: not in parts.
+        certify: whether plans are priced with the bound of their errors.
     """
 
     def __init__(
@@ -93,10 +95,12 @@ class Families:
         expansions: int,
         shape: str = "auto",
         parts: int = 0,
+        *,
+        certify: bool = False,
     ) -> None:
         self.model, self.seen, self.processes = model, seen, processes
         self.profile, self.costs, self.shape = profile, profile.measured, shape
-        self.parts = parts
+        self.parts, self.certify = parts, certify
         self.most, self.expansions = expansions, scaled(expansions, len(model.joints))
         self.topology = Topology.of(model)
         self.best: Schedule | None = None
@@ -134,6 +138,7 @@ class Families:
 
     def _try(self, schedule: Schedule) -> None:
         plan = make_plan(self.model, schedule)
+        plan = certified(plan) if self.certify else plan
         if plan.processes in self._tried:
             return
         self._tried.add(plan.processes)

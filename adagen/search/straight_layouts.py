@@ -47,7 +47,7 @@ def cheapest_of(
     costs = profile.measured
     tried = [_played(alone, profile, make, shape)]
     for gathered in _promising(layouts, weights):
-        found = replace(alone, meeting="gather", gathered=gathered)
+        found = replace(alone, meeting="gather", gathered=gathered, parts=0)
         with suppress(AdagenError):  # it would divide a closure, or is not certified
             tried.append(_played(found, profile, make, shape))
     best = min(tried, key=lambda schedule: schedule.makespan)

@@ -123,11 +123,14 @@ def test_two_processes_share_a_long_arm_whose_plain_schedule_tells_motions(tmp_p
     arm = adagen.read(write_arm(tmp_path / "arm.urdf", 420))
     plain = adagen.compile(arm, procs=2, parts="none").schedule.gathered
     assert plain is not None and plain.told
-    certified = adagen.compile(arm, procs=2, certify=True)
+    certified = adagen.compile(arm, procs=2, certify=True, parts="none")
     assert certified.plan.several
-    alone = adagen.compile(arm, procs=1, certify=True)
+    alone = adagen.compile(arm, procs=1, certify=True, parts="none")
     assert certified.predicted is not None and alone.predicted is not None
     assert certified.predicted < 0.8 * alone.predicted
+    in_parts = adagen.compile(arm, procs=2, certify=True)  # by one process, which is faster
+    assert in_parts.schedule.parts == 8 and not in_parts.plan.several
+    assert in_parts.predicted is not None and in_parts.predicted < certified.predicted
 
 
 def test_one_process_is_chosen_where_none_is_asked_for(tmp_path: Path) -> None:

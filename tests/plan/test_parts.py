@@ -9,18 +9,19 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from adagen.emit.shapes import SHAPES
 from adagen.errors import UsageError
 from adagen.model import KINDS, Mimic, Model
 from adagen.plan import Plan, make_plan, plan_from_json, plan_to_json
 from adagen.plan.certificate import certified
 from adagen.plan.parts import FEWEST_ROWS, pairs_of, strips_of
-from adagen.plan.steps import Accelerate, Articulate, Disassemble, Join
-from adagen.program import check
+from adagen.plan.steps import Accelerate, Articulate, Disassemble, InvertRoot, Join, Load
+from adagen.program import ProgramError, check
 from adagen.program.lower import lower
 from adagen.program.runs import parts_in
 from adagen.schedule import Topology, load_profile
 from adagen.search import named_schedule
-from tests.models import random_tree, serial_chain
+from tests.models import random_tree
 from tests.plan.test_gather import error
 
 PROFILE = load_profile("default")
@@ -129,6 +130,36 @@ def test_nothing_else_is_parted(why: str) -> None:
     assert len(list(plan.steps_of(Join))) == processes - 1
 
 
-def test_parts_are_not_certified() -> None:
-    with pytest.raises(UsageError, match="joins parts of a chain"):
-        certified(in_parts(serial_chain(24)))
+def test_parts_of_one_process_are_certified() -> None:
+    """Loops sweep them side by side once more; what the program reads for that has been set."""
+    plan = certified(in_parts(hinges(40, seed=2)))
+    assert plan_from_json(plan_to_json(plan)) == plan
+    for shape in ("kernels", "unrolled"):
+        check(lower(plan, shape))
+    (process,) = lower(plan, "kernels").processes
+    assert [(op.does, op.method) for op in process.operations][-1] == ("certify", "parts")
+    whole = certified(in_parts(hinges(40, seed=2), parts=0))
+    assert lower(whole, "kernels").processes[0].operations[-1].method == "step"
+
+
+def test_a_certificate_in_parts_reads_what_they_show() -> None:
+    """Without a mobility of a first link, or a joint's release, the program is refused."""
+    plan = certified(in_parts(hinges(40, seed=2)))
+    (process,) = plan.processes
+    for kind in (InvertRoot, Disassemble, Load):
+        spoilt = [step for step in process.steps if not isinstance(step, kind)]
+        program = lower(replace(plan, processes=(replace(process, steps=tuple(spoilt)),)), "joints")
+        with pytest.raises(ProgramError):
+            check(program)
+
+
+def test_parts_of_several_processes_are_not_certified() -> None:
+    with pytest.raises(UsageError, match="no process has the factors"):
+        certified(in_parts(hinges(80, seed=2), 2, meeting="exchange"))
+
+
+def test_chains_without_parts_side_by_side_are_not_certified_in_loops() -> None:
+    """Three parts are none of eight lanes; straight lines take them."""
+    plan = certified(in_parts(hinges(20, seed=1), parts=3))
+    assert "side by side" in str(SHAPES["kernels"].why_not(plan))
+    assert SHAPES["kernels"].why_not(certified(in_parts(hinges(24, seed=1)))) is None

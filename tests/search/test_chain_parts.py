@@ -4,21 +4,26 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
+from adagen.cost import timeline
 from adagen.errors import InputError
 from adagen.library.request import Request
 from adagen.library.scheduling import schedule_of
 from adagen.model import Model
 from adagen.plan import make_plan
+from adagen.plan.certificate import certified
 from adagen.plan.parts import MOST_IN_LANES
 from adagen.plan.steps import Join
+from adagen.program.lower import lower
 from adagen.schedule import Topology, load_profile, schedule_to_json
 from adagen.search import best_schedule, predicted_time, schedule_from_json
-from adagen.search.chain_parts import joined, keeps_digits
+from adagen.search.chain_parts import certifies, joined, keeps_digits
 from tests.links import with_light_link
 from tests.models import serial_chain
 from tests.plan.test_parts import hinges
+from tests.slow import slow
 
 XEON = load_profile("xeon")
 
@@ -63,7 +68,8 @@ def test_processes_of_several_part_their_own() -> None:
 @pytest.mark.parametrize(
     "asked",
     [
-        *({"batch": True}, {"certify": True}, {"reproducible": True}, {"refine": 1}),
+        *({"batch": True}, {"certify": True, "batch": True}),
+        *({"certify": True, "shape": "unrolled"}, {"reproducible": True}, {"refine": 1}),
         *(
             {"target": "embedded"},
             {"shape": "unrolled"},
@@ -72,7 +78,7 @@ def test_processes_of_several_part_their_own() -> None:
             {"parts": "none"},
         ),
     ],
-    ids=lambda asked: next(iter(asked)),
+    ids=lambda asked: " ".join(asked),
 )
 def test_chains_stay_whole_where_parts_cannot_be_or_are_not_wanted(
     asked: dict[str, object],
@@ -80,6 +86,36 @@ def test_chains_stay_whole_where_parts_cannot_be_or_are_not_wanted(
     model = hinges(300, seed=1)
     request = Request(profile="xeon", **asked)  # type: ignore[arg-type]
     assert schedule_of(model, request).parts == 0
+
+
+@pytest.mark.parametrize("processes", [1, slow(2)])
+def test_certified_chains_are_parted_where_that_is_faster(processes: int) -> None:
+    """By prices of certified programs, and on one process only."""
+    model = hinges(600, seed=1)
+    asked = Request(profile="xeon", certify=True, procs=processes)
+    found = schedule_of(model, asked)
+    assert found.parts == 8 and not found.gathered
+    plan = certified(make_plan(model, found))
+    line = timeline(lower(plan, "kernels"), XEON)
+    whole = certified(make_plan(model, replace(found, parts=0)))
+    assert line.makespan == pytest.approx(found.makespan)
+    assert line.makespan < 0.8 * timeline(lower(whole, "kernels"), XEON).makespan
+    assert schedule_of(model, replace(asked, parts="none")).parts == 0
+    assert schedule_of(hinges(40, seed=1), asked).parts == 0
+
+
+def test_certified_chains_stay_whole_where_loops_cannot_weigh_parts() -> None:
+    """A link so slender that its joint is swept in its own axes."""
+    model = hinges(400, seed=1)
+    links = list(model.links)
+    body = links[70].inertia
+    along = 1e-13 * np.outer(model.joints[69].axis, model.joints[69].axis)
+    links[70] = replace(links[70], inertia=replace(body, com=0 * body.com, tensor=along))
+    slender = replace(model, links=tuple(links))
+    found = replace(best_schedule(model, 1, XEON), parts=8)
+    assert certifies(found, model)
+    assert not certifies(found, slender)
+    assert best(slender, certify=True) == 0
 
 
 def test_batches_of_long_chains_are_in_parts() -> None:

@@ -364,6 +364,9 @@ class KernelLines:
     def _certify(self, operation: Operation) -> list[str]:
         """Sweep the residuals of the equations of motion inwards, block by block."""
         (step,) = operation.steps
+        if operation.method == "parts":
+            assert isinstance(operation.block, Run)
+            return mobility.weighed_parts(operation.block)
         self.parts |= links_looked_at(step)
         residual_sweep = ResidualSweep(self.symbols, self.p, self.slots)
         return residual_sweep.lines(step, self.operations)
@@ -395,7 +398,8 @@ class KernelLines:
             return [f"accelerate_group<{self.p}, {self._number(run)}>(w);"]
         assert isinstance(run, Run)
         if operation.method == "parts":
-            return [mobility.accelerated_parts(run) + self._names(run)]
+            weighed = self.symbols.plan.weighed
+            return [mobility.accelerated_parts(run, weighed=weighed) + self._names(run)]
         self.parts.add(ends_of_run(self.joints, run)[0])
         verb = "accelerate" + "_along" * (operation.method == "along")
         return [self._sweep(run, verb) + self._names(run)]

@@ -251,9 +251,28 @@ def lines_of_parts(symbols: Symbols, operation: Operation) -> list[str]:
     return [f"const StartedParts started_{k} = {call}"]
 
 
-def accelerated_parts(run: Run) -> str:
-    """Return the call that sweeps the parts of a run outwards."""
-    return f"accelerate_in_parts<{run.first}, {run.last}>(w, started_{run.first});"
+def accelerated_parts(run: Run, *, weighed: bool) -> str:
+    """Return the call that sweeps the parts of a run outwards.
+
+    Args:
+        run: the run.
+        weighed: whether the links are weighed meanwhile, for a certificate.
+    """
+    ends, started = f"<{run.first}, {run.last}>", f"(w, started_{run.first});"
+    if weighed:
+        return f"const MovedParts moved_{run.first} = accelerate_weighed_in_parts{ends}{started}"
+    return f"accelerate_in_parts{ends}{started}"
+
+
+def weighed_parts(run: Run) -> list[str]:
+    """Return the lines of the certificate of a run in parts."""
+    k = run.first
+    found = f"swept_{k}, shown_{k}, forces_{k}, started_{k}, moved_{k}"
+    return [
+        "begin_weighing(w);",
+        f"weigh_parts<{run.first}, {run.last}>(w, {found});",
+        "end_weighing(w);",
+    ]
 
 
 def _last_join(operation: Operation) -> Join:

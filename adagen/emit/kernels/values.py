@@ -23,7 +23,9 @@ from adagen.plan.edges import is_base
 from adagen.plan.own_axes import ENOUGH, OwnAxes
 from adagen.plan.robot import PlanLink
 from adagen.plan.simd_groups import Limbs
+from adagen.plan.steps import Join
 from adagen.plan.types import CERTIFICATE, Process
+from adagen.program.lower import LOOPS, lower
 from adagen.program.own_axes import own_axes_in_loops
 from adagen.program.slots import Slots
 from adagen.program.strips import LANES
@@ -37,7 +39,12 @@ def why_not(plan: Plan) -> str | None:
         return "robots with closed loops are emitted as straight lines"
     if plan.outputs:
         return "outputs beside accelerations are computed in straight lines only"
-    return why_not_weighed(plan) if plan.weighed else None
+    reason = why_not_weighed(plan) if plan.weighed else None
+    if reason is None and plan.certified and not plan.several and any(plan.steps_of(Join)):
+        (*_, certify) = lower(plan, LOOPS).processes[0].operations
+        if certify.method != "parts":
+            return "loops cannot sweep the parts of its chain side by side"
+    return reason
 
 
 def why_not_weighed(plan: Plan) -> str | None:

@@ -198,6 +198,23 @@ def arms(rng: Generator) -> Model:
     return assembled("arm", parts)
 
 
+def long_chains(rng: Generator) -> Model:
+    """Long chains of hinges: graded, or of light, slender and ordinary links by turns."""
+    count, ratio = int(rng.integers(24, 60)), between(rng, -4, 4)
+    kind = rng.integers(3)
+    parts: list[Part] = []
+    for k in range(count):
+        grade = float(ratio ** (k / count))
+        own = (
+            rod(grade),
+            (rod(), rod(between(rng, -3, 0)), rod(radius=between(rng, -5, -1)))[rng.integers(3)],
+            rod(),
+        )[kind]
+        tilt = _axis(rng) + between(rng, -9, 0) * rng.normal(size=3)
+        parts.append(Part(k, tilt / np.linalg.norm(tilt), _length(rng, k), own))
+    return assembled("long chain", parts)
+
+
 def slides(rng: Generator) -> Model:
     """Hinges and slides by turns, along nearly the same axes."""
     parts: list[Part] = []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import json
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -22,6 +23,7 @@ from adagen.graph import BALLS
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.certificate import certified, has_inner_root
+from adagen.program.strips import LANES
 from adagen.run import launch
 from adagen.schedule import load_profile
 from adagen.schedule.tree import Gathered
@@ -47,6 +49,7 @@ class Certified:
         processes: threads that share the robot, whether that pays or not; of a batch, processes
             of MPI that process 0 hands states out to.
         elsewhere: whether two threads gather elsewhere than at the base or the ground.
+        parts: whether one process has a chain in parts, one in each SIMD lane.
     """
 
     shape: str
@@ -54,10 +57,12 @@ class Certified:
     scalar: str = "double"
     processes: int = 1
     elsewhere: bool = False
+    parts: bool = False
 
     def __str__(self) -> str:
         words = [self.shape] + ["batch"] * self.batch
         words += [f"P = {self.processes}"] * (self.processes > 1) + ["elsewhere"] * self.elsewhere
+        words += ["in parts"] * self.parts
         return ", ".join(words + [self.scalar] * (self.scalar != "double"))
 
 
@@ -81,13 +86,22 @@ class Bounded:
         return np.where(self.errors > 0, self.errors / self.bounds, 0.0)
 
 
-def certified_plan(model: Model, scalar: str = "double", processes: int = 1) -> Plan:
+def certified_plan(
+    model: Model, scalar: str = "double", processes: int = 1, *, parts: bool = False
+) -> Plan:
     """Return the certified plan of one process, or of threads that share the robot.
+
+    Args:
+        model: the robot.
+        scalar: "double" or "float".
+        processes: how many.
+        parts: whether one process has a chain in parts, if it is long enough.
 
     Raises:
         AdagenError: the robot has none.
     """
     alone = alone_schedule(model, processes, load_profile("default"))
+    alone = replace(alone, parts=LANES[scalar]) if parts else alone
     plan = certified(make_plan(model, alone, scalar=scalar))
     if processes == 1:
         return plan
@@ -126,18 +140,31 @@ def plan_elsewhere(model: Model, scalar: str = "double") -> Plan:
 
 
 def bounded(
-    model: Model, states: States, ways: list[Certified], toolchain: Toolchain
+    model: Model,
+    states: States,
+    ways: list[Certified],
+    toolchain: Toolchain,
+    truth: Sequence[Array | None] | None = None,
 ) -> dict[Certified, Bounded]:
     """Solve states of a robot in some ways and compare bounds with true errors.
 
     Errors are relative to certified accelerations of 25 digits, for states as the solver reads
     them; of closed loops to `own_truths`. Ways that a robot cannot be emitted in are left out.
 
+    Args:
+        model: the robot.
+        states: its states.
+        ways: how they are solved.
+        toolchain: builds the solvers.
+        truth: the true accelerations in double, where they are known already.
+
     Raises:
         EnvironmentFault: a solver cannot be built.
     """
     found: dict[Certified, Bounded] = {}
-    known: dict[str, tuple[States, list[Array | None]]] = {}
+    known: dict[str, tuple[States, Sequence[Array | None]]] = {}
+    if truth is not None:
+        known["double"] = states, truth
     for way in ways:
         try:
             plan = _plan_of(model, way)
@@ -148,7 +175,7 @@ def bounded(
             given = states.read_in(way.scalar)
             every = own_truths(plan, given) if plan.closed else truths(model, given)
             known[way.scalar] = given, every
-        given, truth = known[way.scalar]
+        given, true_ones = known[way.scalar]
         stem = stem_of(plan, _NAME, way.processes * way.batch)
         if way.batch and way.processes > 1:
             program = build_executable(text[f"{stem}.cpp"], stem, toolchain)
@@ -157,18 +184,19 @@ def bounded(
             answers, bounds = _answers(text[f"{stem}.cpp"], stem, plan, way, given, toolchain)
         rows = [
             (_error(plan, given.q[k], given.v[k], answers[k], true), bounds[k])
-            for k, true in enumerate(truth)
+            for k, true in enumerate(true_ones)
             if true is not None and np.isfinite(answers[k]).all()
         ]
         errors, bounds = np.array(rows, dtype=float).reshape(-1, 2).T
-        found[way] = Bounded(errors, bounds, len(truth) - len(rows))
+        found[way] = Bounded(errors, bounds, len(true_ones) - len(rows))
     return found
 
 
 def _plan_of(model: Model, way: Certified) -> Plan:
     if way.elsewhere:
         return plan_elsewhere(model, way.scalar)
-    return certified_plan(model, way.scalar, 1 if way.batch else way.processes)
+    processes = 1 if way.batch else way.processes
+    return certified_plan(model, way.scalar, processes, parts=way.parts)
 
 
 def own_truths(plan: Plan, states: States) -> list[Array | None]:

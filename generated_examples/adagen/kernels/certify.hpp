@@ -39,7 +39,7 @@ ADAGEN_INLINE void operator+=(Left<T>& a, const Left<T>& b) {
 
 // Whether a slot is filled by a process: it starts with the inertia of the link.
 template <int p>
-constexpr std::array<PerJoint, kBlockCount> kFilled = [] {
+[[maybe_unused]] constexpr std::array<PerJoint, kBlockCount> kFilled = [] {
   std::array<PerJoint, kBlockCount> result{};
   for (int j = 0; j < kJointCount; ++j)
     result[static_cast<std::size_t>(slot_of(j) / kPerBlock)]

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "../common.hpp"
@@ -296,18 +297,18 @@ struct StartedParts {
   return started;
 }
 
-// The parts' joints outwards. Each takes its part of the load of its part's last link: what unit
+// The parts' joints outwards, and what is done `with` each row and how its links move, and whether
+// lanes of it are empty. Each joint takes its part of the load of its part's last link: what unit
 // wrenches there did to it.
-template <int first, int last>
-ADAGEN_NOINLINE void accelerate_in_parts(Workspace& w, const StartedParts& started) {
-  using Run = Strips<first, last>;
+template <class Run, class With>
+ADAGEN_INLINE void pass_parts_outward(Workspace& w, const StartedParts& started, const With& with) {
   Motion<Lanes> a = started.first;
   if constexpr (kOnGround<Run>) {
     const Vector<Lanes> axis = axis_at<Lanes>(w.at(Run::row(0, 0).slot, kAxes));
     answer(w, single(Run::joint(0, 0)), 0, dot(axis, a.angular)[0]);
   }
   const Lanes(&load)[6] = started.load;
-  const auto pass = [&](int row) ADAGEN_ALWAYS {
+  const auto pass = [&](int row, auto empty) ADAGEN_ALWAYS {
     const Joints<Lanes> joints = Run::row(row, 0);
     const auto& [r, e] = w.memory(joints);
     const auto& x = w.drives[static_cast<std::size_t>(joints.slot / kPerBlock)];
@@ -317,14 +318,21 @@ ADAGEN_NOINLINE void accelerate_in_parts(Workspace& w, const StartedParts& start
     const Lanes found = freedom(e, a) + e[7] * driven;
     carry(a, r);
     a.angular += axis * found;
+    with(row, a, empty);
     return found;
   };
-  for (int row = 1; row + 1 < Run::kRows; ++row) answer(w, Run::row(row, 0), 0, pass(row));
+  const std::false_type full;
+  for (int row = 1; row + 1 < Run::kRows; ++row) answer(w, Run::row(row, 0), 0, pass(row, full));
   constexpr int final_row = Run::kRows - 1;
-  const Lanes found = pass(final_row);
+  const Lanes found = pass(final_row, std::bool_constant<(Run::kLonger < kPerBlock)>{});
   ADAGEN_FOR (lane, 0, kPerBlock)
     if (Run::filled(lane, final_row))
       answer(w, single(Run::joint(lane, final_row)), 0, found[lane]);
+}
+template <int first, int last>
+ADAGEN_NOINLINE void accelerate_in_parts(Workspace& w, const StartedParts& started) {
+  pass_parts_outward<Strips<first, last>>(w, started,
+                                          [](int, const Motion<Lanes>&, auto) ADAGEN_ALWAYS {});
 }
 
 }  // namespace

@@ -237,7 +237,7 @@ constexpr bool bare(int first, int last) {
 }
 
 // Whether a sweep of joints first .. last may lose digits and be repeated in their own axes.
-constexpr bool may_lose(int first, int last) {
+[[maybe_unused]] constexpr bool may_lose(int first, int last) {
   for (int j = first; j <= last; ++j)
     if (kAnyTurnedIfLost && kTurnedIfLost[j]) return true;
   return false;

@@ -17,11 +17,6 @@
 namespace {
 
 // What certificates take of the sweep of accelerations.
-template <class T>
-ADAGEN_INLINE T larger(const T& x, const T& y) {
-  return x > y ? x : y;
-}
-
 ADAGEN_INLINE Reached<Value> reached_at(const Workspace& w, int link) {
   return w.reached[static_cast<std::size_t>(link)];
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "algebra.hpp"
+#include "lanes.hpp"
 
 namespace {
 
@@ -19,5 +20,10 @@ template <class T>
 struct Reached {
   T turning, sliding;
 };
+
+template <class T>
+ADAGEN_INLINE T larger(const T& x, const T& y) {
+  return x > y ? x : y;
+}
 
 }  // namespace
