@@ -164,8 +164,8 @@ _IN_PARTS: dict[type, Features] = {
     AccelerateRoot: {},
 }
 _WEIGHED_IN_PARTS = {"parts.inwards": 0.5}
-"""A joint of a chain in parts that is weighed, outwards and inwards: half of what the unit wrenches
-take that are carried along (measured with 200 to 1000 joints)."""
+"""A joint of a chain in parts that is weighed, outwards and inwards: half of what it takes inwards,
+unit wrenches included (measured with 200 to 1000 joints)."""
 _OF_LEVELS = {"join": "parts.join", "disassemble": "parts.release"}
 """What the joins between parts take, level by level."""
 _LANES = {2: "two", 4: "four"}

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -9,7 +11,13 @@ import pytest
 
 import adagen
 from adagen.errors import SolveError, UsageError
+from adagen.executor.refine import WideLinks
+from adagen.plan import make_plan
+from adagen.plan.certificate import certified
+from adagen.reference import exact_forward_dynamics
+from adagen.schedule import Topology, schedule_to_json
 from adagen.states import random_states
+from tests.cli.robots import write_arm
 from tests.emitted import energy_errors
 from tests.golden.make_models import MODELS
 from tests.slow import slow
@@ -39,6 +47,32 @@ def test_certified_solvers_tell_bounds(asked: dict[str, Any]) -> None:
     with pytest.raises(SolveError):
         solver(spoilt, states.v, states.tau)
     assert np.isnan(solver.error_bound).tolist() == [k == 2 for k in range(9)]
+
+
+def test_a_file_may_ask_for_certified_parts(tmp_path: Path) -> None:
+    """Their links are weighed with masses and gravity as they are set."""
+    robot = adagen.read(write_arm(tmp_path / "arm.urdf", 30))
+    schedule = adagen.compile(robot, procs=1, parts="none").schedule
+    given = tmp_path / "schedule.json"
+    given.write_text(schedule_to_json(replace(schedule, parts=8), Topology.of(robot.model)))
+    asked: dict[str, Any] = {"certify": True, "schedule": str(given), "shape": "kernels"}
+    compiled = adagen.compile(robot, runtime="gravity,mass:l12", **asked)
+    assert compiled.schedule.parts == 8
+    solver = compiled.build()
+    solver.gravity = (1.0, 2.0, -3.0)
+    solver.set_mass("l12", 40.0)
+    links = list(robot.model.links)
+    (place,) = (k for k, link in enumerate(links) if link.name == "l12")
+    links[place] = replace(links[place], inertia=replace(links[place].inertia, mass=40.0))
+    changed = replace(robot.model, links=tuple(links), gravity=np.array([1.0, 2.0, -3.0]))
+    states = random_states(changed, 5, seed=4)
+    plan = certified(make_plan(changed, compiled.schedule))
+    for state in states.each:
+        qdd = solver(*state)
+        true = exact_forward_dynamics(changed, *state, digits=20).value
+        chain = WideLinks(plan, state[0], state[1], np.longdouble)
+        error = np.sqrt(chain.energy(qdd - true) / chain.energy(true))
+        assert error <= solver.error_bound < 1e-12
 
 
 def test_others_tell_none(arm: adagen.Solver) -> None:
