@@ -4,25 +4,21 @@ from __future__ import annotations
 
 import math
 
-from adagen.executor import simulate, stretches
+from adagen.executor import counted_stretches
 from adagen.executor.stretches import Stretch
 from adagen.plan.steps import Receive, Send
 from adagen.program import Program
 from adagen.schedule.costs import StepCosts
 
 
-def straight_stretches(program: Program, held: float) -> list[list[Stretch]]:
+def straight_stretches(program: Program, held: float) -> tuple[tuple[Stretch, ...], ...]:
     """Return the stretches of the straight line of each process of a program.
 
     Args:
         program: of shape `unrolled`.
         held: statements that the first instruction cache holds.
     """
-    line = simulate(program.plan, program.slots.limbs)
-    return [
-        stretches(simulated, process.steps, held)
-        for simulated, process in zip(line, program.plan.processes, strict=True)
-    ]
+    return counted_stretches(program.plan, program.slots.limbs, held)
 
 
 def straight_times(program: Program, costs: StepCosts) -> list[list[float]]:

@@ -12,7 +12,13 @@ from adagen.executor.lanes import Grouping
 from adagen.executor.machine import RECEIVED, Machine
 from adagen.executor.run import PlanError, Simulated
 from adagen.executor.solve import Run, interpret
-from adagen.executor.straight import chosen_grouping, groupings, simulate, straight_line
+from adagen.executor.straight import (
+    chosen_grouping,
+    counted_stretches,
+    groupings,
+    simulate,
+    straight_line,
+)
 from adagen.executor.stretches import Stretch, at_once, stretches, work_of
 
 __all__ = [
@@ -27,6 +33,7 @@ __all__ = [
     "Stretch",
     "at_once",
     "chosen_grouping",
+    "counted_stretches",
     "grouping_of",
     "groupings",
     "interpret",

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Container, Iterable, Sequence
+from functools import lru_cache
 
+from adagen.executor.counted import counted, may_share
 from adagen.executor.lane_frames import unlike
 from adagen.executor.lanes import Grouping, fit_for_lanes, steps_in_order
-from adagen.executor.run import Simulated, each_for_itself
-from adagen.executor.stretches import stretches
+from adagen.executor.run import each_for_itself
+from adagen.executor.stretches import Stretch, stretches
 from adagen.plan import Plan
 from adagen.plan.arms import arms_of, without_unlike
 from adagen.plan.closure_steps import closures_in
@@ -66,8 +68,27 @@ def spared(kinds: Sequence[str], count: int) -> float:
     return len(kinds) * (count - 1)
 
 
-Simulating = Callable[[Plan, Grouping | None], tuple[Simulated, ...]]
-"""Returns the processes of a plan in a grouping, each after all its steps."""
+Counting = Callable[[Plan, Grouping, float], Sequence[Sequence[Stretch]]]
+"""Returns the stretches of each process of a plan in a grouping; as ``stretches_of`` takes it."""
+
+
+@lru_cache(maxsize=16)  # groupings are compared, and the plan is priced in the best of them
+def stretches_of(plan: Plan, grouping: Grouping, held: float) -> tuple[tuple[Stretch, ...], ...]:
+    """Return the stretches of each process of a plan, each with a straight line of its own.
+
+    Args:
+        plan: the plan.
+        grouping: which limbs share code, one in each lane.
+        held: statements that the first instruction cache holds.
+
+    Raises:
+        PlanError: the plan deadlocks, or a step reads what its process does not have.
+    """
+    line = (counted(plan, grouping) if may_share(plan) else None) or each_for_itself(plan, grouping)
+    return tuple(
+        tuple(stretches(simulated, process.steps, held))
+        for simulated, process in zip(line, plan.processes, strict=True)
+    )
 
 
 def offered_groupings(plan: Plan) -> list[Grouping]:
@@ -80,7 +101,7 @@ def least_of(
     plan: Plan,
     offers: Sequence[Grouping],
     costs: StepCosts | None = None,
-    simulating: Simulating = each_for_itself,
+    counting: Counting = stretches_of,
 ) -> Grouping:
     """Return the grouping of least price for each process.
 
@@ -88,7 +109,7 @@ def least_of(
         plan: the plan.
         offers: groupings, none first.
         costs: prices statements; the shipped ones if not given.
-        simulating: has the processes do their steps.
+        counting: counts what each process does.
 
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.
@@ -102,17 +123,11 @@ def least_of(
         return tuple(own for (own,) in options)
     prices = step_costs(None) if costs is None else costs
     offers = [tuple(own[min(k, len(own) - 1)] for own in options) for k in range(most)]
-    times = [_times(plan, offer, prices, simulating) for offer in offers]
+    held = prices["unrolled.held"]
+    times = [
+        [sum(part.time(prices) for part in own) for own in counting(plan, offer, held)]
+        for offer in offers
+    ]
     return tuple(
         offers[min(range(most), key=lambda k: times[k][p])][p] for p in range(len(options))
     )
-
-
-def _times(plan: Plan, grouping: Grouping, costs: StepCosts, simulating: Simulating) -> list[float]:
-    """Predicted time of each process in a grouping, microseconds."""
-    held = costs["unrolled.held"]
-    line = simulating(plan, grouping if any(grouping) else None)
-    return [
-        sum(part.time(costs) for part in stretches(simulated, process.steps, held))
-        for simulated, process in zip(line, plan.processes, strict=True)
-    ]

@@ -180,6 +180,10 @@ class Machine(Repeatable):
         energies = (*self.certificate, *self.energies)
         return [*results, *given, *contents, *pivots, *lengths, *energies]
 
+    def marks(self) -> dict[int, int]:
+        """Return the place of the step that each of its nodes belongs to, in ascending order."""
+        return {index: node.mark for index, node in enumerate(self.graph.nodes)}
+
     # -- messages ---------------------------------------------------------------------------------
 
     def _items(self, message: Message) -> list[Any]:

@@ -51,6 +51,11 @@ class Rows:
             return self.beyond_joints[j]
         return self.lanes(j)[: self.rows[j].count] if j in self.rows else (j,)
 
+    def row_at(self, link: int) -> Row | None:
+        """Return the row that the joint of a link is in; None where it is by itself."""
+        place = self._lane_of.get(link - 1)
+        return None if place is None else self.rows[place[0]]
+
     # -- constants and inputs ---------------------------------------------------------------------
 
     def of_joint(self, j: int, read: Callable[[PlanJoint], Any]) -> Array:

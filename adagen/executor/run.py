@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from itertools import accumulate, chain
 from typing import Any
@@ -29,15 +29,23 @@ class Simulated:
     Attributes:
         machine: its graph and what is wanted of it.
         ends: number of nodes in the graph after each step and all before it.
+        known: what was counted of it (``stretches``), by what that depends on.
     """
 
     machine: Machine
     ends: tuple[int, ...]
+    known: dict[float, list[Any]] = field(default_factory=dict, compare=False)
+
+    @cached_property
+    def marks(self) -> dict[int, int]:
+        """The place of the step that each of the process's nodes belongs to, in ascending order."""
+        return self.machine.marks()
 
     @cached_property
     def alive(self) -> list[int]:
-        """Indices of all nodes that are needed, ascending."""
-        return live_nodes(self.machine.graph, self.machine.roots())
+        """Indices of all its nodes that are needed, ascending."""
+        machine = self.machine
+        return live_nodes(machine.graph, machine.roots(), list(self.marks))
 
     @cached_property
     def operations(self) -> Operations:
@@ -103,7 +111,7 @@ class Lines:
 
     def __init__(self, plan: Plan, refining: Refining) -> None:
         self.plan, self.refining = plan, refining
-        self._together: dict[Grouping, tuple[Simulated, ...]] = {}
+        self.together: dict[Grouping, tuple[Simulated, ...]] = {}
         self._known: dict[tuple[int, tuple[Limbs, ...]], _Line] = {}
 
     def in_lanes(self, limbs: Grouping) -> tuple[Simulated, ...]:
@@ -112,12 +120,28 @@ class Lines:
         Raises:
             PlanError: the plan deadlocks, or a step reads what its process does not have.
         """
-        if limbs not in self._together:
-            self._together[limbs] = self._all(limbs)
-        return self._together[limbs]
+        if limbs not in self.together:
+            self.together[limbs] = self._all(limbs)
+        return self.together[limbs]
+
+    def turned(self, limbs: Grouping) -> Plan:
+        """Return the plan with link frames turned for limbs in lanes."""
+        return aligned(self.plan, chain.from_iterable(limbs)) if any(limbs) else self.plan
+
+    def machine(self, p: int, robot: Plan, mail: dict[int, Any], own: tuple[Limbs, ...]) -> Machine:
+        """Return process p before its first step.
+
+        Args:
+            p: which.
+            robot: the plan with link frames turned.
+            mail: messages sent so far.
+            own: its limbs in lanes.
+        """
+        steps = self.plan.processes[p].steps
+        return Machine(robot, mail, self.refining, None, own, steps, self.plan)
 
     def _all(self, limbs: Grouping) -> tuple[Simulated, ...]:
-        robot = aligned(self.plan, chain.from_iterable(limbs)) if any(limbs) else self.plan
+        robot = self.turned(limbs)
         alike = {p: line for p, own in enumerate(limbs) if (line := self._alike(p, own, robot))}
         return self._beside(alike, limbs, robot) or self._beside({}, limbs, robot)
 
@@ -146,9 +170,7 @@ class Lines:
         for line in known.values():
             mail.update(line.told)
         machines = {
-            p: Machine(robot, mail, self.refining, None, limbs[p], process.steps, plan)
-            for p, process in enumerate(plan.processes)
-            if p not in known
+            p: self.machine(p, robot, mail, own) for p, own in enumerate(limbs) if p not in known
         }
         found = _after_all_steps(plan, machines)
         if any(line.heard != _part(mail, line.heard) for line in known.values()):

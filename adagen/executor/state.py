@@ -152,15 +152,20 @@ class State(ProcessMemory):
 
     def circular(self, angle: Expression) -> tuple[Expression, Expression]:
         """Cosine and sine; those of all angles of the process are computed at once."""
-        width, angles = angle.node.width, self.angles
+        width = angle.node.width
         own = [angle] if width == 1 else [self.graph.lane(angle, k) for k in range(width)]
-        k = self._place_of_angles.setdefault(tuple(own), len(angles))
-        if k == len(angles):
-            angles.extend(own)
-            for place, single in enumerate(own, start=k):
-                self._place_of_angles.setdefault((single,), place)
+        k = self.place_of_angles(tuple(own))
         cosine = self.graph.input(f"cosine[{k}]", READY, width)
         return cosine, self.graph.input(f"sine[{k}]", READY, width)
+
+    def place_of_angles(self, own: tuple[Expression, ...]) -> int | str:
+        """Return where angles lie, one for each lane, behind all others if they are new."""
+        k = self._place_of_angles.setdefault(own, len(self.angles))
+        if k == len(self.angles):
+            self.angles.extend(own)
+            for place, single in enumerate(own, start=k):
+                self._place_of_angles.setdefault((single,), place)
+        return k
 
     def turns_exactly(self, j: int) -> bool:
         """Whether a projected inertia may be small beside its parts, and needs exact rotations.

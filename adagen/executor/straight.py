@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from adagen.executor.grouping import least_of, offered_groupings
+from adagen.executor.grouping import least_of, offered_groupings, stretches_of
 from adagen.executor.lanes import Grouping
 from adagen.executor.reproducible import own_limbs, shared_line
 from adagen.executor.run import Simulated, each_for_itself
 from adagen.executor.state import Refining
+from adagen.executor.stretches import Stretch, stretches
 from adagen.plan import Plan
 from adagen.schedule.costs import StepCosts
 
@@ -68,4 +69,25 @@ def chosen_grouping(plan: Plan, costs: StepCosts | None = None) -> Grouping:
     Raises:
         PlanError: the plan deadlocks, or a step reads what its process does not have.
     """
-    return least_of(plan, groupings(plan), costs, _simulated)
+    return least_of(plan, groupings(plan), costs, counted_stretches)
+
+
+def counted_stretches(
+    plan: Plan, grouping: Grouping, held: float
+) -> tuple[tuple[Stretch, ...], ...]:
+    """Return the stretches of the straight line of each process, or of its share of one.
+
+    Args:
+        plan: the plan.
+        grouping: which limbs share code, one in each lane.
+        held: statements that the first instruction cache holds.
+
+    Raises:
+        PlanError: the plan deadlocks, or a step reads what its process does not have.
+    """
+    if not plan.reproducible:
+        return stretches_of(plan, grouping, held)
+    return tuple(
+        tuple(stretches(simulated, process.steps, held))
+        for simulated, process in zip(_simulated(plan, grouping), plan.processes, strict=True)
+    )

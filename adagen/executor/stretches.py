@@ -73,20 +73,27 @@ def stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list[
         held: statements whose instructions the first instruction cache holds; more of them are
             fetched anew in each evaluation.
     """
+    if held not in simulated.known:
+        simulated.known[held] = _stretches(simulated, steps, held)
+    return simulated.known[held]
+
+
+def _stretches(simulated: Simulated, steps: Sequence[Step], held: float) -> list[Stretch]:
     stretch = _stretch_of(steps)
     counts: list[dict[int, int]] = [{} for _ in range(stretch[-1] + 1 if stretch else 1)]
     done = [0] * len(counts)  # cycles until a stretch's last value is there
-    nodes = simulated.machine.graph.nodes
+    nodes, marks = simulated.machine.graph.nodes, simulated.marks
     ready = [0] * len(nodes)
     for index in simulated.alive:
-        op, args, _, there, mark, _ = nodes[index]
+        op, args, _, there, _, _ = nodes[index]
+        mark = marks[index]
         here = stretch[mark] if stretch else 0
         before = waits = 0
         for k in args:  # comparisons instead of max: this loop runs for every statement
-            _, _, _, earlier, other, _ = nodes[k]
+            _, _, _, earlier, _, _ = nodes[k]
             if earlier > before:
                 before = earlier
-            if stretch[other] == here and ready[k] > waits:
+            if ready[k] > waits and stretch[marks[k]] == here:
                 waits = ready[k]
         if there > before:
             waits += there - before

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from itertools import compress
 
 from adagen.graph.nodes import Expression, Graph, Node
 
@@ -45,17 +44,26 @@ class Operations:
         return self.arithmetic - self.fused + self.divide + self.negate + self.moves
 
 
-def live_nodes(graph: Graph, roots: Iterable[Expression]) -> list[int]:
-    """Return the indices, ascending, of all nodes that the roots depend on."""
+def live_nodes(
+    graph: Graph, roots: Iterable[Expression], among: Sequence[int] | None = None
+) -> list[int]:
+    """Return the indices, ascending, of all nodes that the roots depend on.
+
+    Args:
+        graph: it.
+        roots: what is wanted.
+        among: nodes that are looked at, ascending, all if not given; on others no root depends.
+    """
     nodes = graph.nodes
+    looked_at = range(len(nodes)) if among is None else among
     alive = bytearray(len(nodes))
     for root in roots:
         alive[root.index] = 1
-    for index in range(len(nodes) - 1, -1, -1):
+    for index in reversed(looked_at):
         if alive[index]:
             for argument in nodes[index].args:
                 alive[argument] = 1
-    return list(compress(range(len(alive)), alive))
+    return [index for index in looked_at if alive[index]]
 
 
 def count_operations(

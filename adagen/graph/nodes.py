@@ -83,11 +83,16 @@ class Graph:
     Attributes:
         nodes: in the order in which they were made, operands before what uses them.
         mark: a number that new nodes carry, for whoever prints them.
+        again: nodes that were asked for when they were there already; constants are left out.
+        relied: differences whose negatives were given, as they were known the other way round, and
+            how long ``again`` was then.
     """
 
     def __init__(self) -> None:
         self.nodes: list[Node] = []
         self.mark = 0
+        self.again: list[int] = []
+        self.relied: list[tuple[int, int]] = []
         self._known: dict[tuple[Any, ...], int] = {}
         self._numbers: dict[float, int] = {}  # nodes of plain numbers
         self._opposite: dict[int, int] = {}  # nodes of constants, by those of their negatives
@@ -217,7 +222,7 @@ class Graph:
         if self._negated[i] >= 0:
             return self.neg(self.add(Expression(self, self._negated[i]), b))
         if ("sub", (k, i), None) in self._known:
-            return self.neg(self._pair("sub", (k, i)))
+            return self.neg(self._other_way((k, i)))
         return self._pair("sub", (i, k))
 
     def mul(self, a: Expression, b: Expression) -> Expression:
@@ -310,6 +315,14 @@ class Graph:
         if index is None:
             index = self._known[key] = len(self.nodes)
             self._add(op, args, value, ready, width)
+        else:
+            self.again.append(index)
+        return Expression(self, index)
+
+    def _other_way(self, args: tuple[int, int]) -> Expression:
+        """A known difference whose negative is asked for."""
+        index = self._known["sub", args, None]
+        self.relied.append((index, len(self.again)))
         return Expression(self, index)
 
     def _pair(self, op: Op, args: tuple[int, int]) -> Expression:
@@ -331,6 +344,8 @@ class Graph:
             nodes.append(_tuple(Node, (op, args, None, ready + 4, self.mark, width)))
             self._constants.append(None)
             self._negated.append(-1)
+        else:
+            self.again.append(index)
         return Expression(self, index)
 
     def _add(self, op: Op, args: tuple[int, ...], value: Any, ready: int, width: int) -> None:

@@ -170,3 +170,13 @@ def test_operations_are_counted() -> None:
     assert count.fused == 1  # c c is used once, a b twice
     assert count.ready == 4 + 4 + 14
     assert unused.index not in [root.index for root in (a, b, c)]
+
+
+def test_a_graph_tells_what_was_there_already() -> None:
+    graph = Graph()
+    a, b = graph.input("a"), graph.input("b")
+    product, difference = a * b, a - b
+    assert not graph.again and not graph.relied
+    assert b * a == product and graph.again == [product.index]
+    assert (b - a).negated == difference
+    assert graph.relied == [(difference.index, 1)]  # b - a by itself would be a node of its own
