@@ -6,6 +6,7 @@ Both predictions and the fit of measured times use these counts.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
 
 from adagen.model.kinds import KINDS
 from adagen.plan.robot import PlanJoint
@@ -47,11 +48,13 @@ from adagen.plan.steps import (
 from adagen.program import Operation
 from adagen.program.names import PASSING
 from adagen.program.runs import Run
-from adagen.schedule.costs import block_rows
+from adagen.schedule.costs import PRESCRIBED, block_rows
 
 Features = dict[str, float]
 """How often each coefficient counts; names as in ``adagen.schedule.costs.NAMES``."""
 
+_Swept = Kinematics | Articulate | Accelerate
+_SWEPT = (Kinematics, Articulate, Accelerate)
 _PLAIN: dict[type, str] = {
     LinkBias: "link.bias",
     StartLink: "link.start",
@@ -78,14 +81,14 @@ def step_features(step: Step, joints: Sequence[PlanJoint]) -> Features:
         step: a step of a plan.
         joints: the plan's joints.
     """
+    if isinstance(step, _SWEPT):
+        return dict(_of_joint(step, joints[step.joint], "step"))
     known = _without_joint(step, joints)
     if known is not None:
         return known
     joint = joints[step.joint]  # type: ignore[union-attr]
     kind = joint.priced_as
     match step:
-        case Kinematics():
-            return {f"kinematics.{joint.kind}": 1, "kinematics.step": 1}
         case FusedJoin():
             freedoms = sum(KINDS[joints[j].kind].nv for j in step.run)
             own = _join(step, "spherical" if freedoms < 6 else "floating")
@@ -95,20 +98,53 @@ def step_features(step: Step, joints: Sequence[PlanJoint]) -> Features:
         case Disassemble():
             kind = "ground" if joint.parent == 0 and kind != "floating" else kind
             return {f"disassemble.{kind}": 1, "disassemble.coupling": len(step.forces)}
-        case Articulate():
-            grounded = not step.reversed and joint.parent == 0
-            if grounded and joint.prescribed:  # nothing is passed to the ground
-                return {}
-            return _turned("articulate", "ground" if grounded else kind, step.reversed)
         case Propagate():
             first = "ground" if step.near is None else kind
             found = _turned("propagate", first, step.reversed)
             return {**found, "propagate.spread": len(step.spreads)}
         case Deliver():
             return _turned("deliver", kind, step.reversed)
-        case Accelerate():
-            return _turned("accelerate", kind, step.reversed)
     raise AssertionError(f"unknown step {step}")
+
+
+def _of_joint(step: _Swept, joint: PlanJoint, method: str, does: str = "") -> Features:
+    """Features of a joint in a sweep, by the method of its operation."""
+    backwards = not isinstance(step, Kinematics) and step.reversed
+    grounded = joint.parent == 0 and not backwards
+    kinds = joint.kind, joint.priced_as
+    return _swept(step.does, *kinds, method, grounded, backwards, does == PASSING)
+
+
+@lru_cache(maxsize=1024)  # of a large robot it is asked for some hundred thousand times
+def _swept(
+    sort: str,
+    kind: str,
+    priced_as: str,
+    method: str,
+    grounded: bool,
+    backwards: bool,
+    passing: bool,
+) -> Features:
+    """Features of a joint in a sweep; not to be changed. ``sort`` is what its step does."""
+    if sort == "accelerate":
+        return _turned("accelerate", priced_as, backwards)
+    if sort == "articulate":
+        if method in ("columns", "tiles"):
+            here = {"articulate.ground": 1.0}
+            return here if grounded else _turned("articulate_columns", kind, backwards)
+        if grounded and priced_as == PRESCRIBED:  # nothing is passed to the ground
+            return {}
+        return _turned("articulate", "ground" if grounded else priced_as, backwards)
+    match method:
+        case "traversed":
+            return {f"kinematics_traversed.{kind}": 1}
+        case "strips":
+            return {f"{'passing' if passing else 'kinematics'}_strips.{kind}": 1}
+        case "tiles":
+            return {f"{group}.{kind}": 1 for group in ("passing_strips", "kinematics_strips")}
+        case "each" | "base":
+            return {f"kinematics.{kind}": 1}
+    return {f"kinematics.{kind}": 1, "kinematics.step": 1}
 
 
 def _join(step: Join, kind: str) -> Features:
@@ -265,20 +301,12 @@ def _limbs_features(operation: Operation, limbs: Limbs, joints: Sequence[PlanJoi
 
 def _of_step(step: Step, operation: Operation, joints: Sequence[PlanJoint]) -> Features:
     """Features of a step by the method of its operation."""
+    if isinstance(step, _SWEPT):
+        return _of_joint(step, joints[step.joint], operation.method, operation.does)
     match step, operation.method:
-        case Kinematics(), "traversed":
-            return {f"kinematics_traversed.{joints[step.joint].kind}": 1}
-        case Kinematics(), "strips":
-            group = "passing_strips" if operation.does == PASSING else "kinematics_strips"
-            return {f"{group}.{joints[step.joint].kind}": 1}
         case Traverse(passage), "strips":
             run = range(passage.first, passage.last + 1)
             return added({f"passing_strips.{joints[j].kind}": 1} for j in run)
-        case Kinematics(), "tiles":
-            return {
-                f"{group}.{joints[step.joint].kind}": 1
-                for group in ("passing_strips", "kinematics_strips")
-            }
         case Propagate(), "carried":
             return {f"propagate_run.{joints[step.joint].kind}": 1}
         case Propagate(), "along":
@@ -287,10 +315,4 @@ def _of_step(step: Step, operation: Operation, joints: Sequence[PlanJoint]) -> F
             return {"deliver.along": 1}
         case Load(), "through":
             return {}
-        case Kinematics(), "each" | "base":
-            return {f"kinematics.{joints[step.joint].kind}": 1}
-        case Articulate(), "columns" | "tiles":
-            if joints[step.joint].parent == 0 and not step.reversed:
-                return {"articulate.ground": 1}
-            return _turned("articulate_columns", joints[step.joint].kind, step.reversed)
     return step_features(step, joints)

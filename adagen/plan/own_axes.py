@@ -184,6 +184,8 @@ def own_axes_of_units(
         units: the joints of each run, and of limbs side by side, that is swept at once.
     """
     found = joints_in_own_axes(plan)
+    if not (found.always or found.if_lost):
+        return found
     always, if_lost = set(found.always), set(found.if_lost)
     swept = list(units)
     held = {j for unit in swept if any(plan.joints[j].prescribed for j in unit) for j in unit}

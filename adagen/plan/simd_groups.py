@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
 from itertools import groupby
 from typing import TypeVar
 
@@ -112,8 +112,13 @@ def simd_groupings(
     plan: Plan, process: Process, saved: Saving, offered: Iterable[Iterable[int]] = OFFERED
 ) -> list[list[Limbs]]:
     """Return the same for each of some counts."""
-    last, pools = _last_beyond(plan.joints), _chains(plan, process)
-    return [_groups(plan.joints, pools, last, saved, frozenset(counts)) for counts in offered]
+    joints, last, pools = plan.joints, _last_beyond(plan.joints), _chains(plan, process)
+
+    @cache  # first of all the same ones are offered for all counts
+    def offers(chains: Chains) -> list[_Offer]:
+        return _offers(joints, chains, last, saved)
+
+    return [_groups(pools, last, offers, frozenset(counts)) for counts in offered]
 
 
 def nearly_fewest(process: Process, offers: Iterable[tuple[Limbs, ...]]) -> list[tuple[Limbs, ...]]:
@@ -134,20 +139,35 @@ _TIMES, _MORE = 1.25, 5
 """Joints that a grouping may leave and still be priced: so many times the fewest, or some more."""
 
 
+Chains = tuple[tuple[int, ...], ...]
+"""Chains of joints that may share lanes."""
+_Offer = tuple[float, int, Chains]
+"""What limbs save, their rows, and the chains that they are the ends of."""
+
+
 def _groups(
-    joints: Sequence[PlanJoint],
     pools: Iterable[list[list[int]]],
     last: Sequence[int],
-    saved: Saving,
+    offers: Callable[[Chains], Iterable[_Offer]],
     counts: frozenset[int],
 ) -> list[Limbs]:
-    """The limbs, chosen one group after the other."""
+    """The limbs, chosen one group after the other: those that save most beside those chosen."""
     found: list[Limbs] = []
-    for chains in pools:
-        while (best := _best(joints, chains, last, found, saved, counts)) is not None:
+    for pool in pools:
+        chains = tuple(map(tuple, pool))
+        while True:
+            every = (
+                Limbs(tuple(zip(*sorted(c[-rows:] for c in together), strict=True)))
+                for _, rows, together in offers(chains)
+                if len(together) in counts
+            )
+            best = next((limbs for limbs in every if _follows(limbs, found, last)), None)
+            if best is None:
+                break
             found.append(best)
             taken = set(best.members())  # what is left of a longer chain may be taken later
-            chains = [rest for c in chains if (rest := [j for j in c if j not in taken])]
+            left = (tuple(j for j in chain if j not in taken) for chain in chains)
+            chains = tuple(chain for chain in left if chain)
     return found
 
 
@@ -231,16 +251,11 @@ def longest_chains(joints: Sequence[PlanJoint], fit: Mapping[int, object]) -> li
     return chains
 
 
-def _best(
-    joints: Sequence[PlanJoint],
-    chains: Sequence[list[int]],
-    last: Sequence[int],
-    taken: Sequence[Limbs],
-    saved: Saving,
-    counts: frozenset[int],
-) -> Limbs | None:
-    """The limbs that save most beside those chosen; None if none saves."""
-    offers: list[tuple[float, int, list[list[int]]]] = []
+def _offers(
+    joints: Sequence[PlanJoint], chains: Chains, last: Sequence[int], saved: Saving
+) -> list[_Offer]:
+    """Limbs that save something, those that save most first."""
+    offers: list[_Offer] = []
     kinds = [tuple(joints[j].kind for j in reversed(c)) for c in chains]  # outermost first
     distinct = list(dict.fromkeys(kinds))
     for pattern in sorted(distinct, key=len, reverse=True):
@@ -255,19 +270,15 @@ def _best(
                     continue
                 together.append(chain)
                 rows, count = least, len(together)
-                if count in counts and (gain := saved(pattern[:rows], count)) > 0:
-                    offers.append((gain, rows, together.copy()))
+                if count in COUNTS and (gain := saved(pattern[:rows], count)) > 0:
+                    offers.append((gain, rows, tuple(together)))
                 if count == max(COUNTS):
                     break
     offers.sort(key=lambda offer: -offer[0])
-    found = (
-        Limbs(tuple(zip(*sorted(c[-rows:] for c in together), strict=True)))
-        for _, rows, together in offers
-    )
-    return next((limbs for limbs in found if _follows(limbs, taken, last)), None)
+    return offers
 
 
-def _meets_any(end: int, chains: Iterable[list[int]], rows: int, last: Sequence[int]) -> bool:
+def _meets_any(end: int, chains: Iterable[Sequence[int]], rows: int, last: Sequence[int]) -> bool:
     """Whether a joint is beyond or before the joint of a chain with which it would share a row.
 
     Written without calls: it is asked some ten thousand times for each grouping of a large robot.

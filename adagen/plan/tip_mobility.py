@@ -14,10 +14,12 @@ from adagen.plan.robot import PlanJoint
 from adagen.plan.steps import Block, HoldMobility, Propagate
 from adagen.plan.types import Plan, Process
 
+Mentions = Counter[Block]
+"""How often each block is named."""
 _KINDS = ("revolute", "prismatic", "spherical", "planar")
 
 
-def mentions(plan: Plan, process: Process) -> Counter[Block]:
+def mentions(plan: Plan, process: Process) -> Mentions:
     """Return how often a process's steps and the messages name each block."""
     if not any(process.steps_of(Propagate)):
         return Counter()
@@ -38,7 +40,7 @@ def can_carry_wrenches(joints: Sequence[PlanJoint], joint: int) -> bool:
 
 
 def tip_mobility_runs(
-    plan: Plan, steps: Sequence[Propagate], named: Counter[Block], apart: Container[int] = ()
+    plan: Plan, steps: Sequence[Propagate], named: Mentions, apart: Container[int] = ()
 ) -> Iterator[Sequence[Propagate]]:
     """Group successive steps into runs of which only the last mobility is needed.
 
@@ -60,7 +62,7 @@ def tip_mobility_runs(
 
 
 def _goes_on(
-    plan: Plan, named: Counter[Block], apart: Container[int], step: Propagate, after: Propagate
+    plan: Plan, named: Mentions, apart: Container[int], step: Propagate, after: Propagate
 ) -> bool:
     """Whether only the next step uses a step's mobility and couplings."""
     if step.joint in apart or after.joint in apart:

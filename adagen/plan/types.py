@@ -149,7 +149,13 @@ class Process:
     def steps_of(self, first: type[A], second: type[B], /) -> Iterator[A | B]: ...
     def steps_of(self, *kinds: type) -> Iterator[Any]:
         """Yield its steps of one kind, or of two, in order."""
+        if not any(issubclass(sort, kinds) for sort in self._sorts):
+            return iter(())  # as for most kinds in most processes
         return (step for step in self.steps if isinstance(step, kinds))
+
+    @cached_property
+    def _sorts(self) -> frozenset[type]:
+        return frozenset(map(type, self.steps))
 
 
 @dataclass(frozen=True)
@@ -243,7 +249,7 @@ class Plan:
     def steps_of(self, first: type[A], second: type[B], /) -> Iterator[A | B]: ...
     def steps_of(self, *kinds: type) -> Iterator[Any]:
         """Yield the steps of one kind, or of two, process by process."""
-        return (step for step in self.steps if isinstance(step, kinds))
+        return chain.from_iterable(process.steps_of(*kinds) for process in self.processes)
 
     @property
     def steps(self) -> Iterator[Step]:

@@ -33,7 +33,7 @@ from adagen.plan.steps import (
     Step,
     Traverse,
 )
-from adagen.plan.tip_mobility import holds, mentions, tip_mobility_runs
+from adagen.plan.tip_mobility import Mentions, holds, mentions, tip_mobility_runs
 from adagen.plan.types import Plan, Process
 from adagen.program.names import PASSING
 from adagen.program.own_axes import own_axes_in_loops
@@ -65,6 +65,7 @@ class Loops:
         batch: whether SIMD lanes are for states.
         costs: what the methods take that a run can be passed by.
         again: whether sweeps are done again, for what is left over (refinement).
+        named: the process's ``mentions``, if they are at hand.
     """
 
     def __init__(
@@ -77,18 +78,19 @@ class Loops:
         costs: StepCosts,
         *,
         again: bool = False,
+        named: Mentions | None = None,
     ) -> None:
         self.plan, self.process, self.slots, self.limbs = plan, process, slots, limbs
         self.batch, self.costs = batch, costs
         self.in_lanes = {j for each in limbs for j in each.members()}
         self.joints = plan.joints
         self.placed = placed_links(plan)
-        starts = {s.link for s in process.steps if isinstance(s, StartLink)}
+        starts = {step.link for step in process.steps_of(StartLink)}
         turned = own_axes_in_loops(plan, slots.limbs, batch)
         self.turned = turned.always
         self.told_apart = frozenset[int]() if holds(process) else turned.always | turned.if_lost
         self.own = starts - self.placed  # links whose own inertia the sweep adds as it passes them
-        self.named = mentions(plan, process)
+        self.named = mentions(plan, process) if named is None else named
         self.through = self._passed_through()  # links that no load but a run's own reaches
         self.needed = needed_outwards(plan, process.steps, limbs)
         self.turning: set[int] = set()  # joints whose sines and cosines are known
@@ -209,7 +211,7 @@ class Loops:
             self._add("link_inertia", Links(tuple(step.link for step in steps)), "tiles", steps)
             return
         if not self.bare:
-            starts = [step for step in self.process.steps if isinstance(step, StartLink)]
+            starts = list(self.process.steps_of(StartLink))
             self.bare.update(step.link for step in starts)
             self._add("link_inertia", Links(tuple(s.link for s in starts)), "each", starts)
         for step in steps:
@@ -263,7 +265,7 @@ class Loops:
 
     def _find_parts(self, swept_inwards: Sequence[Limbs | Run]) -> None:
         """Find the runs that are parts of one run in all SIMD lanes."""
-        if self.batch or not self.once or self.plan.corrections:
+        if self.batch or not self.once or self.plan.corrections or not self.slots.in_strips:
             return
         units = {unit for unit in swept_inwards if not isinstance(unit, Limbs)}
         whole, carried = self._accelerated(), self._carried()
@@ -362,14 +364,14 @@ class Loops:
 
     def _passed_through(self) -> frozenset[int]:
         """Links inside runs through which handle forces pass, without forces of their own."""
-        delivered = [step for step in self.process.steps if isinstance(step, Deliver)]
+        delivered = list(self.process.steps_of(Deliver))
         inside: set[int] = set()
         ends: set[int] = set()
         for run in swept(self.joints, delivered):
             links = links_of_run(self.joints, run)
             inside.update(links)
             ends.update(ends_of_run(self.joints, run))
-        forced = {s.link for s in self.process.steps if isinstance(s, Load) and s.force is not None}
+        forced = {step.link for step in self.process.steps_of(Load) if step.force is not None}
         return frozenset(inside - ends - forced)
 
     def _load(self, steps: list[Load]) -> None:
@@ -385,7 +387,7 @@ class Loops:
 
     def _deliver(self, steps: list[Deliver]) -> None:
         by_joint = {step.joint: step for step in steps}
-        whole = self._accelerated()
+        whole = self._accelerated() if self.along else set()
         for run in swept(self.joints, steps):
             inside = set(links_of_run(self.joints, run)) - set(ends_of_run(self.joints, run))
             method: Method = "through" if inside and inside <= self.through else "each"
@@ -398,7 +400,7 @@ class Loops:
 
     def _accelerated(self) -> set[Run]:
         """Runs whose accelerations are all computed in one pass."""
-        steps = [step for step in self.process.steps if isinstance(step, Accelerate)]
+        steps = list(self.process.steps_of(Accelerate))
         units = units_of_sweep(self.joints, steps, self.limbs, outward_order)
         return {u for u in units if isinstance(u, Run) and self.needed.issuperset(u.joints())}
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import lru_cache
 
 from adagen.executor.lanes import Grouping
@@ -23,13 +24,15 @@ def own_axes_in_loops(plan: Plan, limbs: Grouping, batch: bool = False) -> OwnAx
         batch: whether SIMD lanes are for states: one of them loses digits too often for a sweep to
             be repeated for all.
     """
-    units: list[frozenset[int]] = []
+    rows = [row for own in limbs for each in own for row in each.rows]
+    found = own_axes_of_units(plan, rows, _units(plan, limbs))
+    return OwnAxes(found.always | found.if_lost, frozenset()) if batch else found
+
+
+def _units(plan: Plan, limbs: Grouping) -> Iterator[frozenset[int]]:
+    """The joints that are swept at once."""
     for process, own in zip(plan.processes, limbs, strict=True):
         for steps, together in ((process.steps, own), (process.recovery, ())):
             swept = [step for step in steps if isinstance(step, Articulate)]
             for unit in units_of_sweep(plan.joints, swept, together, inward_order):
-                joints = unit.members() if isinstance(unit, Limbs) else unit.joints()
-                units.append(frozenset(joints))
-    rows = [row for own in limbs for each in own for row in each.rows]
-    found = own_axes_of_units(plan, rows, units)
-    return OwnAxes(found.always | found.if_lost, frozenset()) if batch else found
+                yield frozenset(unit.members() if isinstance(unit, Limbs) else unit.joints())

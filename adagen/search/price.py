@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from adagen.cost import operation_features
-from adagen.cost.lane_choice import chosen_limbs
+from adagen.cost.lane_choice import cheapest_loops
 from adagen.emit.predicted import predict
 from adagen.emit.shapes import SHAPES
 from adagen.model import Model
@@ -92,11 +92,10 @@ class Pricing:
         plan = replace(self._plan, processes=(process,), messages=messages)
         if SHAPES["kernels"].why_not(plan) is not None:
             return None
-        limbs = chosen_limbs(plan, process, self.costs)
-        slots = Slots.of(plan, (limbs,), self.costs)
+        loops = cheapest_loops(plan, self.costs)
         phases = [0.0, 0.0, 0.0, 0.0]  # kinematics, then as messages part the rest, or else sweeps
         phase = 1
-        found, parts = self._operations(plan, process, slots, limbs), stages(process)
+        found, parts = loops.operations, stages(process)
         for operation in found:
             match operation.steps:
                 case (Send(),):
@@ -108,8 +107,8 @@ class Pricing:
                     phase = 3 if what == "disassembly" else phase
                     phases[0 if what == "kinematics" else phase] += self._time(operation)
         moving, inwards, between, outwards = phases
-        least = self._least_kinematics(found) if slots.in_strips else moving
-        return Share(moving, least, inwards, between, outwards, process, limbs)
+        least = self._least_kinematics(found) if loops.slots.in_strips else moving
+        return Share(moving, least, inwards, between, outwards, process, loops.slots.limbs[0])
 
     def _operations(
         self, plan: Plan, process: Process, slots: Slots, limbs: tuple[Limbs, ...]

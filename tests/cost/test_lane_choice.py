@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -13,17 +14,19 @@ from adagen.calibrate.robots import robot
 from adagen.calibrate.samples import by_method
 from adagen.cost import operation_features, programmed, timeline
 from adagen.cost.features import added
-from adagen.cost.lane_choice import offered_limbs
+from adagen.cost.lane_choice import _least, _loops, chosen_limbs, offered_limbs
 from adagen.executor import chosen_grouping, groupings
 from adagen.executor.grouping import spared
 from adagen.model import Model
 from adagen.plan import Plan, make_plan, plan_from_json, plan_to_json
 from adagen.plan.simd_groups import simd_groups
+from adagen.plan.tip_mobility import mentions
 from adagen.program import Program, lower
 from adagen.schedule import CostProfile, Topology, load_profile, step_costs
 from adagen.search import find_schedule
 from tests.cost.costs import step_profile
 from tests.models import human_figure, random_tree, serial_chain, star
+from tests.schedules import random_schedule
 
 DEFAULT = load_profile("default")
 
@@ -53,6 +56,30 @@ def test_no_grouping_that_is_offered_takes_less(joints: int, branching: float, s
         for limbs in offered_limbs(plan, plan.processes[0], costs):
             other = lower(plan, "kernels", limbs=(limbs,), costs=costs)
             assert best <= timeline(other, profile).makespan * (1 + 1e-12)
+
+
+@settings(max_examples=40)
+@given(
+    st.integers(2, 24),
+    st.integers(1, 3),
+    st.floats(0.0, 1.0),
+    st.sampled_from(["join", "gather"]),
+    st.integers(0, 2**32 - 1),
+)
+def test_no_grouping_takes_less_than_its_bound(
+    joints: int, processes: int, branching: float, meeting: str, seed: int
+) -> None:
+    rng = np.random.default_rng(seed)
+    model = random_tree(rng, joints, branching=branching, floating=bool(rng.integers(2)))
+    plan = make_plan(model, random_schedule(model, processes, rng), meeting=meeting)
+    for costs in (step_costs(DEFAULT), step_costs(step_profile())):
+        for process in plan.processes:
+            offers = offered_limbs(plan, process, costs)
+            alone, named = replace(plan, processes=(process,)), mentions(plan, process)
+            times = [_loops(alone, limbs, costs, named).time for limbs in offers]
+            for bound, time in zip(_least(alone, offers, costs), times, strict=True):
+                assert bound <= time * (1 + 1e-9)
+            assert times[offers.index(chosen_limbs(plan, process, costs))] == min(times)
 
 
 def test_straight_lines_are_grouped_by_their_price() -> None:
