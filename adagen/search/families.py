@@ -272,7 +272,7 @@ class Families:
             best, left_over = search.found.best, search.left_over
         if self._straight is not None and not left_over:
             self._look_near(search)
-        fewer = self._on_fewer(prices, joint_bounds, roots, best, left_over)
+        fewer = self._on_fewer(prices, bounds, roots, best, left_over)
         self._try_layouts(fewer + [layout for _, _, layout in search.found.nearest], robot)
         self.candidates += search.found.candidates
         self.expanded += spent.expanded
@@ -286,7 +286,7 @@ class Families:
     def _on_fewer(
         self,
         prices: LayoutPrices,
-        joint_bounds: JointBounds,
+        known: Bounds,
         roots: Sequence[bool],
         best: float,
         left_over: bool,
@@ -300,7 +300,7 @@ class Families:
 
         Args:
             prices: prices of layouts.
-            joint_bounds: of joints.
+            known: bounds on layouts of all processes.
             roots: for each link whether processes may meet around it; length N + 1.
             best: the least time in loops so far.
             left_over: whether the search on all processes did not end.
@@ -308,7 +308,9 @@ class Families:
         found: list[Layout] = []
         for working in halves(self.processes)[1:]:
             spent = Spent(_JOINTS * self.most)
-            bounds = Bounds(prices.robot, joint_bounds, working, self.costs, prices.pricing.channel)
+            channel = prices.pricing.channel
+            shared = known.joint_bounds, working, self.costs, channel, known.by_process
+            bounds = Bounds(prices.robot, *shared)
             fewer = GatheredSearch(prices, bounds, roots, spent)
             near = []
             if self._straight is not None:

@@ -46,6 +46,7 @@ class Bounds:
         processes: P.
         costs: the machine's coefficients.
         channel: those of messages.
+        by_process: bounds of limbs of one process, where they are at hand.
     """
 
     def __init__(
@@ -55,6 +56,7 @@ class Bounds:
         processes: int,
         costs: StepCosts,
         channel: ChannelCosts,
+        by_process: ProcessBounds | None = None,
     ) -> None:
         self.robot, self.joint_bounds, self.processes = robot, joint_bounds, processes
         self.fastest = max(costs.speeds(processes))
@@ -64,7 +66,7 @@ class Bounds:
         self.sending_one = channel.send + self.receiving_one
         self.costs = costs
         self.outwards = min(bound.outwards for bound in joint_bounds.row)
-        self.by_process = ProcessBounds(joint_bounds)
+        self.by_process = by_process or ProcessBounds(joint_bounds)
         self._shared: dict[int, float] = {}
         self._once: dict[int, float] = {}
 

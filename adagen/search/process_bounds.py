@@ -12,7 +12,7 @@ from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from math import inf
-from typing import Literal
+from typing import Literal, get_args
 
 import numpy as np
 
@@ -29,6 +29,7 @@ _LEVELS = 64
 
 Part = Literal["inwards", "both"]
 """Which of a bound's times is asked for."""
+_PARTS: tuple[Part, ...] = get_args(Part)
 
 
 @dataclass(frozen=True)
@@ -51,7 +52,7 @@ class _Alike:
     levels: Levels
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class LimbBound:
     """The least that a limb takes, by how many of its joints can share rows.
 
@@ -91,6 +92,7 @@ class ProcessBounds:
     def __init__(self, joint_bounds: JointBounds) -> None:
         self.joint_bounds = joint_bounds
         self._known: dict[Limb, LimbBound] = {}
+        self._least: dict[tuple[tuple[LimbBound, ...], ...], SweepBound] = {}
         self._first: dict[tuple[str, Part, bool], FirstRows] = {}
         self._cores: dict[str, _InCore] = {}
         depths = [0] * (len(joint_bounds.robot.joints) + 1)
@@ -114,8 +116,14 @@ class ProcessBounds:
             beside: all limbs with which they may share rows, themselves included; by default no
                 others.
         """
-        own = list(limbs)
-        there = own if beside is None else list(beside)
+        own = tuple(limbs)
+        there = own if beside is None else tuple(beside)
+        if (own, there) not in self._least:  # processes of several numbers are asked for the same
+            self._least[own, there] = self._of_all(own, there)
+        return self._least[own, there]
+
+    def _of_all(self, own: Sequence[LimbBound], there: Sequence[LimbBound]) -> SweepBound:
+        """The least that limbs take among others with which they may share rows."""
         widths, counts = Counter[str](), Counter[str]()
         for limb in there:
             for kind, alike in limb.kinds.items():
@@ -130,20 +138,22 @@ class ProcessBounds:
             for kind, alike in limb.kinds.items():
                 of_kind[kind].append(alike)
         for kind, found in of_kind.items():
-            shares = [alike.shares[min(widths[kind] - alike.width, _MOST - 1)] for alike in found]
-            others = counts[kind] - sum(alike.count for alike in found)
+            total, full = [0.0, 0.0, 0.0], [0.0, 0.0]
+            others, width = counts[kind], widths[kind]
+            for alike in found:  # written without calls: it runs for every set of limbs
+                beside = width - alike.width
+                share = alike.shares[beside if beside < _MOST else _MOST - 1]
+                total[0] += share.inwards
+                total[1] += share.outwards
+                total[2] += share.both
+                full[0] += alike.full.inwards
+                full[1] += alike.full.both
+                others -= alike.count
             levels = together([alike.levels for alike in found])
-            inwards += max(
-                sum(share.inwards for share in shares),
-                sum(alike.full.inwards for alike in found)
-                + self._first_rows(kind, "inwards").least(levels, others),
-            )
-            outwards += sum(share.outwards for share in shares)
-            both += max(
-                sum(share.both for share in shares),
-                sum(alike.full.both for alike in found)
-                + self._first_rows(kind, "both").least(levels, others),
-            )
+            first = [self._first_rows(kind, part).least(levels, others) for part in _PARTS]
+            inwards += max(total[0], full[0] + first[0])
+            outwards += total[1]
+            both += max(total[2], full[1] + first[1])
         return SweepBound(inwards, outwards, both)
 
     def busiest(

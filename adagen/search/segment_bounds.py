@@ -55,6 +55,9 @@ class SegmentBounds:
         self._links(costs)
         self._rates(costs)
         self._room = Room(costs)
+        self._known_besides: dict[
+            tuple[int, bool, bool], list[tuple[Ints, NDArray[np.float64]]]
+        ] = {}
 
     def _arrays(self) -> None:
         costs, chains = self.costs, self.costs.chains
@@ -88,12 +91,14 @@ class SegmentBounds:
 
     def _links(self, costs: SegmentCosts) -> None:
         """Sum up what it takes to carry mobility from the ground to each link."""
-        self._way = {}
+        self._way: dict[bool, Ints] = {}
+        self._way_of_both: dict[bool, list[int]] = {}
         for rooted, out in self._outward.items():
             way = np.zeros((3, len(self._parent) + 1), dtype=np.int64)
             for p, above in enumerate(costs.chains.parent):
                 way[:, p + 1] = way[:, above] + out[:, p]
             self._way[rooted] = way
+            self._way_of_both[rooted] = way[0].tolist()
         self._root = _rows([costs.whole_root])[:, 0]
         self._start = np.array([costs.start, costs.start, 0])
 
@@ -125,19 +130,30 @@ class SegmentBounds:
             lone: whether parts may have nothing to tell each other.
         """
         found: list[Ints] = []
-        away = np.zeros(3) if lone or not self._alike else self._away
-        join = 0 * self._least_join if lone else self._least_join + self._handling
-        for m in range(1, processes + 1):
-            roots = (m if rooted else m - 1) * self._root - (m - 1) * self._dearest
+        for m, (roots, waits) in enumerate(self._besides(processes, rooted, lone), start=1):
             segments = np.maximum(0, work + roots[:, None]) + m * base
-            joins = log2(m) if self._alike else min(1, m - 1)
-            # All joins but that of the whole robot have a handle beside them.
-            beside = 0 if lone else max(0, joins - (not rooted)) * self._one_handle
-            waits = joins * join + beside + (m - 1) / m * away
             least: Ints = (segments / self._power[m] + waits[:, None]).astype(np.int64)
             if lone:  # nobody may wait for most of them in either sweep
                 least[1:] = 0
             found.append(np.minimum(found[-1], least) if found else least)
+        return found
+
+    def _besides(
+        self, processes: int, rooted: bool, lone: bool
+    ) -> list[tuple[Ints, NDArray[np.float64]]]:
+        """What chains on 1, 2, .. processes take besides: their roots, and waiting for joins."""
+        key = processes, rooted, lone
+        if key in self._known_besides:
+            return self._known_besides[key]
+        found = self._known_besides[key] = []
+        away = np.zeros(3) if lone or not self._alike else self._away
+        join = 0 * self._least_join if lone else self._least_join + self._handling
+        for m in range(1, processes + 1):
+            roots = (m if rooted else m - 1) * self._root - (m - 1) * self._dearest
+            joins = log2(m) if self._alike else min(1, m - 1)
+            # All joins but that of the whole robot have a handle beside them.
+            beside = 0 if lone else max(0, joins - (not rooted)) * self._one_handle
+            found.append((roots, joins * join + beside + (m - 1) / m * away))
         return found
 
     def _lone(self, chain: Chain) -> bool:
@@ -146,26 +162,26 @@ class SegmentBounds:
 
     def fits(self, chain: Chain, processes: int, time: int) -> bool:
         """Return False if no schedule of a chain on P processes keeps within ``time`` ticks."""
-        if self._room.segments(chain, int(time * self._fastest)) <= 1:
-            return True
         joined = 0 if self._lone(chain) else int(self._least_join[0])
         left = int((time - joined) * self._fastest)
-        return self._room.segments(chain, left) <= processes
+        if self._room.segments(chain, left, processes) <= processes:
+            return True
+        return self._room.segments(chain, int(time * self._fastest), 1) <= 1
 
     def least(self, chain: Chain, processes: int) -> int:
         """Return a lower bound on both sweeps of a chain by its area, ticks."""
-        costs = self.costs
-        rooted = chain.top > 0
-        work = np.array(costs.work(chain))
-        whole = np.array([work.sum(), work[0] + work[1], work[2]])
+        rooted, lone = chain.top > 0, self._lone(chain)
+        work = sum(self.costs.work(chain))
         if rooted or self._held:
-            way = self._way[rooted]
-            ends = [way[:, link] - way[:, chain.top] for link in costs.handles(chain)]
-            whole = whole + np.max([np.zeros(3, dtype=np.int64), *ends], axis=0)
-        base = self._start + costs.kinematics[chain.top] * np.array([1, 1, 0])
-        lone = self._lone(chain)
-        found = self._area(whole[:, None], base[:, None], processes, rooted, lone)
-        return int(found[-1][0, 0])
+            way = self._way_of_both[rooted]
+            links = self.costs.handles(chain)
+            work += max((0, *(way[link] - way[chain.top] for link in links)))
+        base = int(self._start[0]) + self.costs.kinematics[chain.top]
+        times = (
+            int((max(0, work + int(roots[0])) + m * base) / self._power[m] + float(waits[0]))
+            for m, (roots, waits) in enumerate(self._besides(processes, rooted, lone), start=1)
+        )
+        return min(times)
 
     # --- options ---------------------------------------------------------------------------------
 

@@ -31,7 +31,7 @@ class Room:
         # A floating chain has its root at a handle: what is beside it need not carry anything.
         self._out = {True: rooted, False: [0] * len(rows) if any(costs.free) else held}
 
-    def segments(self, chain: Chain, time: int) -> int:
+    def segments(self, chain: Chain, time: int, most: int = MANY) -> int:
         """Return a lower bound on the number of segments, none of which takes longer than ``time``.
 
         From the ends inwards, each link knows the least number of segments cut off below it, and
@@ -41,9 +41,10 @@ class Room:
         Args:
             chain: the chain.
             time: ticks on a core of speed 1.
+            most: a number beyond which they need not be counted.
 
         Returns:
-            The number; ``MANY`` if some joint alone takes longer.
+            The number, or one beyond ``most``; ``MANY`` if some joint alone takes longer.
         """
         chains, kinematics = self.costs.chains, self.costs.kinematics
         alone, out, parent = self._alone, self._out[chain.top > 0], chains.parent
@@ -58,6 +59,8 @@ class Room:
                 if work < 0:
                     return MANY
                 count += cut
+                if count > most:
+                    return count
                 if cut or link in handles:
                     handles.add(above)
                     work += out[p]

@@ -68,6 +68,7 @@ class SegmentSearch:
         self._fronts: dict[State, tuple[int, list[Label]]] = {}
         self._options: dict[tuple[Chain, int], Options] = {}
         self._least: dict[tuple[Chain, int], int] = {}
+        self._sides: dict[tuple[Chain, int], tuple[Chain, Chain]] = {}
 
     # --- the whole robot -------------------------------------------------------------------------
 
@@ -140,7 +141,8 @@ class SegmentSearch:
     def _lower(self, state: State) -> int:
         """Return the best bound on the total known without a search."""
         if state.processes == 1:
-            return self._alone(state).time.total
+            speed = self._speeds[state.first]
+            return sum(segment_time(self.costs, state.chain, state.beyond, speed))
         least = self._by_area(state.chain, state.processes)
         done, front = self._fronts.get(state, (0, []))
         if front:
@@ -212,14 +214,16 @@ class SegmentSearch:
         Raises:
             OutOfBudget: cannot tell.
         """
-        root, end = self.costs.chains.split(state.chain, position)
+        if (state.chain, position) not in self._sides:
+            self._sides[state.chain, position] = self.costs.chains.split(state.chain, position)
+        root, end = self._sides[state.chain, position]
+        cut, speed = self.costs.cut(state.chain, position), self._speeds[state.first]
+        join = scaled(cut.assembly, speed), scaled(cut.disassembly, speed)
         second = state.processes - first
-        found: list[Label] = []
-        for root_here in (True, False):
-            here, there = (root, end) if root_here else (end, root)
-            counts = (first, second) if root_here else (second, first)
-            found += self._joined(state, position, here, there, counts, root_here, limit)
-        return found
+        return [
+            *self._joined(state, position, root, end, (first, second), join, True, limit),
+            *self._joined(state, position, end, root, (second, first), join, False, limit),
+        ]
 
     def _joined(
         self,
@@ -228,25 +232,25 @@ class SegmentSearch:
         here: Chain,
         there: Chain,
         counts: tuple[int, int],
+        join: tuple[int, int],
         root_here: bool,
         limit: int,
     ) -> list[Label]:
         """Return the ways with one side on the process that joins it to the other."""
-        costs = self.costs
-        speed = self._speeds[state.first]
-        cut, transit = costs.cut(state.chain, position), costs.transit(there)
-        up, down = scaled(cut.assembly, speed), scaled(cut.disassembly, speed)
-        away = None
-        if transit is not None:
-            up, down = up + transit.handling.assembly, down + transit.handling.disassembly
-            away = transit.away
-        left = [limit - up - down, limit if away is None else limit - up - down - sum(away)]
+        (up, down), transit = join, self.costs.transit(there)
+        away, left = None, [limit - up - down, limit]
+        if transit is not None:  # written without calls: most ways end here
+            assembly, disassembly, send, latency = transit
+            up, down = up + assembly, down + disassembly + send
+            away = assembly + send + latency, disassembly + latency
+            left[0] = limit - up - down
+            left[1] = left[0] - away[0] - away[1]
         next_one = 0 if self._alike else state.first + counts[0]
         remote = State(there, next_one, counts[1])
         low_remote = self._lower(remote)
         if low_remote >= left[1] or (
             counts[0] > 1 and self._by_area(here, counts[0]) >= left[0]
-        ):  # most ways end here, before it is known what is joined
+        ):  # before it is known what is joined
             return []
         local = self._local(state, position, here, there, counts[0], root_here)
         states = [local, remote]
