@@ -68,7 +68,7 @@ def test_bounds_hold_and_are_of_use(model: Model, ways: list[Certified], quick: 
 @pytest.mark.parametrize("k", spread(range(6), 2))
 def test_hard_chains_keep_their_bounds(k: int, quick: Toolchain) -> None:
     model = robots(k + 1, seed=12, families=[long_chains])[k]
-    found = bounded(model, hard_states(model, 40, seed=3), [PARTS, LINE], quick)
+    found = bounded(model, hard_states(model, 20, seed=3), [PARTS, LINE], quick)
     assert LINE in found  # loops sweep slender links in their own axes, and then no parts
     for way, one in found.items():
         assert (one.ratios <= 1).all(), f"{way}: {one.ratios.max()}"
