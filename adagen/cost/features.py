@@ -199,8 +199,8 @@ _IN_PARTS: dict[type, Features] = {
     Load: {},
     AccelerateRoot: {},
 }
-_WEIGHED_IN_PARTS = {"parts.inwards": 0.5}
-"""A joint of a chain in parts that is weighed, outwards and inwards: half of what it takes inwards,
+_WEIGHED_IN_PARTS = {"parts.inwards": 0.8}
+"""A joint of a chain in parts that is weighed, outwards and inwards: 0.8 of what it takes inwards,
 unit wrenches included (measured with 200 to 1000 joints)."""
 _OF_LEVELS = {"join": "parts.join", "disassemble": "parts.release"}
 """What the joins between parts take, level by level."""

@@ -194,13 +194,10 @@ class Families:
         for count, bound in least.items():
             if bound >= self.least:
                 continue  # messages take longer than they save
-            found, before = chains.best(self.processes, count, self._played), self.least
-            if found is not None and not keeps_digits(found, self.model, cuttable):
-                continue  # parts are cut where they end
-            if found is not None:
+            found = chains.best(self.processes, count, self._played)
+            # Parts are cut where they end.
+            if found is not None and keeps_digits(found, self.model, cuttable):
                 self.consider(found, "exchanged")
-            if found is not None and self.least == before:
-                break  # fewer processes are no faster where more are not
 
     def halve(self, cuttable: Sequence[bool]) -> None:
         """Look at schedules of long serial chains whose two processes gather.

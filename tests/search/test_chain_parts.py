@@ -65,6 +65,14 @@ def test_processes_of_several_part_their_own() -> None:
     assert joins == [9, 8]
 
 
+def test_more_processes_are_not_predicted_slower() -> None:
+    """Where as many as there are take longer than two, two of them work."""
+    model = serial_chain(200)
+    few, many = (best_schedule(model, count, XEON, in_parts=True) for count in (2, 8))
+    assert few.parts == many.parts == 8
+    assert many.makespan <= few.makespan + 1e-9
+
+
 @pytest.mark.parametrize(
     "asked",
     [
