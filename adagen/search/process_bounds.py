@@ -10,8 +10,9 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
+from operator import attrgetter
 from typing import Literal, get_args
 
 import numpy as np
@@ -26,6 +27,7 @@ _MOST = 4
 """Joints in a row."""
 _LEVELS = 64
 """First rows that are looked at."""
+_number = attrgetter("number")
 
 Part = Literal["inwards", "both"]
 """Which of a bound's times is asked for."""
@@ -51,6 +53,12 @@ class _Alike:
     full: SweepBound
     levels: Levels
 
+    @property
+    def contents(self) -> tuple[object, ...]:
+        """All that it consists of, to be compared with others."""
+        deep = self.levels.within.tobytes(), self.levels.depth, self.levels.filling
+        return self.count, self.width, self.shares, self.full, deep
+
 
 @dataclass(frozen=True, eq=False)
 class LimbBound:
@@ -60,11 +68,19 @@ class LimbBound:
         fixed: what no row shares: joints passed towards the ground's side, the root.
         kinds: the other joints, by their kinds.
         full: all of it, in rows as wide as the robot has them.
+        number: of it among those that are known.
     """
 
     fixed: SweepBound
     kinds: dict[str, _Alike]
     full: SweepBound
+    number: int = 0
+
+    @property
+    def contents(self) -> tuple[object, ...]:
+        """All that it consists of, to be compared with others."""
+        kinds = ((kind, alike.contents) for kind, alike in self.kinds.items())
+        return self.fixed, self.full, tuple(kinds)
 
 
 @dataclass(frozen=True)
@@ -92,6 +108,7 @@ class ProcessBounds:
     def __init__(self, joint_bounds: JointBounds) -> None:
         self.joint_bounds = joint_bounds
         self._known: dict[Limb, LimbBound] = {}
+        self._same: dict[tuple[object, ...], LimbBound] = {}
         self._least: dict[tuple[tuple[LimbBound, ...], ...], SweepBound] = {}
         self._first: dict[tuple[str, Part, bool], FirstRows] = {}
         self._cores: dict[str, _InCore] = {}
@@ -102,8 +119,10 @@ class ProcessBounds:
 
     def of(self, limb: Limb) -> LimbBound:
         """Return what a limb takes at least."""
-        if limb not in self._known:
-            self._known[limb] = self._limb(limb)
+        if limb not in self._known:  # equal limbs, as both arms, have one bound
+            found = self._limb(limb)
+            same = replace(found, number=len(self._same))
+            self._known[limb] = self._same.setdefault(found.contents, same)
         return self._known[limb]
 
     def least(
@@ -116,8 +135,8 @@ class ProcessBounds:
             beside: all limbs with which they may share rows, themselves included; by default no
                 others.
         """
-        own = tuple(limbs)
-        there = own if beside is None else tuple(beside)
+        own = tuple(sorted(limbs, key=_number))
+        there = own if beside is None else tuple(sorted(beside, key=_number))
         if (own, there) not in self._least:  # processes of several numbers are asked for the same
             self._least[own, there] = self._of_all(own, there)
         return self._least[own, there]
