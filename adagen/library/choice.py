@@ -109,6 +109,7 @@ def _as_asked(model: Model, request: Request, profile: CostProfile) -> Chosen:
             request.form,
             request.priced_shape,
             reproducible=request.reproducible,
+            certify=request.certify,
         )
         for each in (own, searched(model, replace(request, procs=1)))
     )

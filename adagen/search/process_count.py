@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from adagen.emit.predicted import predict
 from adagen.model import Model
 from adagen.plan import make_plan
+from adagen.plan.certificate import certified
 from adagen.schedule import CostProfile, Schedule, step_costs
 
 _PATIENCE = 3  # numbers of processes in a row that bring nothing, after which the search ends:
@@ -31,6 +32,7 @@ def predicted_time(
     shape: str = "auto",
     *,
     reproducible: bool = False,
+    certify: bool = False,
 ) -> float:
     """Return the predicted time of a schedule, microseconds.
 
@@ -43,10 +45,12 @@ def predicted_time(
         form: of the algorithm.
         shape: of the code.
         reproducible: whether answers are the same on every number of processes.
+        certify: whether errors are bounded, too.
     """
     if profile.steps is None:
         return schedule.makespan
     plan = make_plan(model, schedule, form=form, reproducible=reproducible)
+    plan = certified(plan) if certify else plan
     return predict(plan, profile, shape).makespan
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -73,6 +74,15 @@ def test_mpi_processes_bound_what_they_answer_together(
         assert "do not pay" not in capsys.readouterr().err
         bounds.append(json.loads(found.read_text())["error_bounds"])
     assert bounds[1] == pytest.approx(bounds[0], rel=0.1)
+
+
+def test_processes_are_priced_with_their_certificates(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main([CHAIN, "--certify", "--procs", "2", "--out", str(tmp_path)]) == 0
+    said = capsys.readouterr().err
+    (told,) = re.findall(r"processes do not pay: (\S+) us predicted, \1 us on one", said)
+    assert f"\n{told} us predicted" in said
 
 
 @pytest.mark.slow
