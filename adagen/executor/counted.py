@@ -208,10 +208,8 @@ class _Counted(Machine):
             for index, before in graph.relied
             if index < first and index not in graph.again[:before]
         }
-        nodes = np.concatenate(
-            [np.arange(first, len(graph.nodes)), np.unique(np.array(graph.again, dtype=np.intp))]
-        )
-        return _Asked(nodes, tuple(relied))
+        nodes = [*range(first, len(graph.nodes)), *graph.again]
+        return _Asked(np.array(nodes, dtype=np.intp), tuple(relied))
 
     def _note(self, place: int, asked: _Asked) -> None:
         if any(all(k not in own.nodes for _, own in self.asked) for k in asked.relied):

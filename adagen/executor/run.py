@@ -12,7 +12,7 @@ from adagen.executor.lane_frames import aligned
 from adagen.executor.lanes import Grouping, steps_in_order
 from adagen.executor.machine import Machine
 from adagen.executor.state import Refining
-from adagen.graph import Operations, count_operations, live_nodes
+from adagen.graph import Operations, count_operations, uses_of
 from adagen.plan.simd_groups import Limbs
 from adagen.plan.steps import Step
 from adagen.plan.types import Plan
@@ -42,15 +42,21 @@ class Simulated:
         return self.machine.marks()
 
     @cached_property
+    def uses(self) -> list[int]:
+        """How often each node of the graph is used by what is needed of the process."""
+        machine = self.machine
+        return uses_of(machine.graph, machine.roots(), list(self.marks))
+
+    @cached_property
     def alive(self) -> list[int]:
         """Indices of all its nodes that are needed, ascending."""
-        machine = self.machine
-        return live_nodes(machine.graph, machine.roots(), list(self.marks))
+        return [index for index in self.marks if self.uses[index]]
 
     @cached_property
     def operations(self) -> Operations:
         """Number of operations of an evaluation in this process."""
-        return count_operations(self.machine.graph, self.machine.roots(), self.alive)
+        machine = self.machine
+        return count_operations(machine.graph, machine.roots(), self.uses, self.alive)
 
 
 def _done(machine: Machine, step: Step) -> bool:

@@ -44,10 +44,10 @@ class Operations:
         return self.arithmetic - self.fused + self.divide + self.negate + self.moves
 
 
-def live_nodes(
+def uses_of(
     graph: Graph, roots: Iterable[Expression], among: Sequence[int] | None = None
 ) -> list[int]:
-    """Return the indices, ascending, of all nodes that the roots depend on.
+    """Return for each node how often it is used by what the roots depend on, and as a root.
 
     Args:
         graph: it.
@@ -55,47 +55,53 @@ def live_nodes(
         among: nodes that are looked at, ascending, all if not given; on others no root depends.
     """
     nodes = graph.nodes
-    looked_at = range(len(nodes)) if among is None else among
-    alive = bytearray(len(nodes))
+    uses = [0] * len(nodes)
     for root in roots:
-        alive[root.index] = 1
-    for index in reversed(looked_at):
-        if alive[index]:
-            for argument in nodes[index].args:
-                alive[argument] = 1
-    return [index for index in looked_at if alive[index]]
+        uses[root.index] += 1
+    for index in reversed(range(len(nodes)) if among is None else among):
+        if uses[index]:
+            for k in nodes[index].args:
+                uses[k] += 1
+    return uses
+
+
+def live_nodes(graph: Graph, roots: Iterable[Expression]) -> list[int]:
+    """Return the indices, ascending, of all nodes that the roots depend on."""
+    return [index for index, used in enumerate(uses_of(graph, roots)) if used]
 
 
 def count_operations(
-    graph: Graph, roots: Iterable[Expression], alive: Sequence[int] | None = None
+    graph: Graph,
+    roots: Iterable[Expression],
+    uses: Sequence[int] | None = None,
+    alive: Sequence[int] | None = None,
 ) -> Operations:
     """Return the operations of an evaluation of the roots.
 
     Args:
         graph: it.
         roots: what is wanted.
-        alive: what ``live_nodes`` returns, if it is known.
+        uses: what ``uses_of`` returns, if it is known.
+        alive: nodes that are used, ascending, likewise.
     """
     roots, nodes = list(roots), graph.nodes
-    alive = live_nodes(graph, roots) if alive is None else alive
-    uses = [0] * len(nodes)
-    for root in roots:
-        uses[root.index] += 1
-    for index in alive:
-        for k in nodes[index].args:
-            uses[k] += 1
+    uses = uses_of(graph, roots) if uses is None else uses
+    alive = [index for index, used in enumerate(uses) if used] if alive is None else alive
     kinds: Counter[str] = Counter()
     fused = wide = moves = 0
     for index in alive:
-        node = nodes[index]
-        op = node.op
+        op, args, _, _, _, width = nodes[index]
         kinds[op] += 1
         if op in _DONE:
-            wide += node.width > 1
-            if op in _SUMS and any(nodes[k].op == "mul" and uses[k] == 1 for k in node.args):
-                fused += 1
+            wide += width > 1
+            if op in _SUMS:  # written without a loop: it runs for every other statement
+                i, k = args
+                if (uses[i] == 1 and nodes[i].op == "mul") or (
+                    uses[k] == 1 and nodes[k].op == "mul"
+                ):
+                    fused += 1
         elif op in _MOVED:
-            moves += _moves(node)
+            moves += _moves(nodes[index])
     ready = max((nodes[root.index].ready for root in roots), default=0)
     return Operations(
         kinds["mul"],

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from heapq import heappop, heappush
+from typing import NamedTuple
 
 from adagen.plan.robot import PlanJoint
 from adagen.plan.simd_groups import Limbs
@@ -19,8 +19,7 @@ Unit = Limbs | int
 """What is passed at once: limbs, or a single joint."""
 
 
-@dataclass(frozen=True)
-class Ends:
+class Ends(NamedTuple):
     """The near and the far link of a joint, seen from the root of its sweep."""
 
     near: int

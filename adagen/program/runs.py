@@ -106,24 +106,20 @@ def swept(
 
     A joint of prescribed motion is a run by itself.
     """
-    found: list[Run] = []
+    found: list[list[int]] = []  # first, last, reversed
     for step in steps:
         j = step.joint
-        if found and found[-1].reversed == step.reversed and not _alone(joints, found[-1], j):
-            first, last = found[-1].first, found[-1].last
-            if j == last + 1 and joints[j].parent == j:
-                found[-1] = Run(first, j, step.reversed)
-                continue
-            if j == first - 1 and joints[first].parent == first:
-                found[-1] = Run(j, last, step.reversed)
-                continue
-        found.append(Run(j, j, step.reversed))
-    return found
-
-
-def _alone(joints: Sequence[PlanJoint], run: Run, joint: int) -> bool:
-    """Whether a joint cannot be in a loop with others."""
-    return joints[joint].prescribed or joints[run.first].prescribed
+        if found and found[-1][2] == step.reversed:
+            first, last, _ = found[-1]
+            if not (joints[j].prescribed or joints[first].prescribed):
+                if j == last + 1 and joints[j].parent == j:
+                    found[-1][1] = j
+                    continue
+                if j == first - 1 and joints[first].parent == first:
+                    found[-1][0] = j
+                    continue
+        found.append([j, j, step.reversed])
+    return [Run(first, last, bool(backwards)) for first, last, backwards in found]
 
 
 def ends_of_run(joints: Sequence[PlanJoint], run: Run) -> tuple[int, int]:

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import astuple
 from itertools import accumulate
 from math import inf
 
@@ -340,7 +339,7 @@ class JointBounds:
             beyond = core[below[0]] if len(below) == 1 else longest_of(found[k] for k in below)
             joint = self.single[j].both  # all of it comes after the exchange, or beside it
             core[j] = SweepBound(beyond.inwards + joint, beyond.outwards, beyond.both + joint)
-            found[j] = SweepBound(*map(min, astuple(whole), astuple(core[j])))
+            found[j] = SweepBound(*map(min, whole, core[j]))
         return found
 
     def upwards(self, limb: Limb) -> SweepBound:
