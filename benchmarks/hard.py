@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import platform
+import shlex
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
@@ -122,7 +123,8 @@ def study(
             parser.error(f"{options.what} takes robots, and nothing is drawn or recorded")
         table, usually = times[options.what]
         names = options.robot or usually
-        asked = " ".join(Path(name).name for name in names)
+        asked = shlex.join(Path(name).name for name in options.robot)
         lines = table(names)
-    head = f"{platform.machine()}, `python -m benchmarks.{name} {options.what} {asked}`"
+    words = " ".join(filter(None, [options.what, asked]))
+    head = f"{platform.machine()}, `python -m benchmarks.{name} {words}`"
     publish(options, f"{name}.{options.what}", "\n".join([head, "", *lines]))
