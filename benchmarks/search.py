@@ -211,7 +211,7 @@ rule, so bounds under different rules cannot be compared; makespans can. One row
 """,
     "played": """## By predicted time
 
-Written by `python -m benchmarks.search played` ({machine}, nothing else beside it). Form
+Written by `python -m benchmarks.search played` ({machine}). Form
 `segment`, the shipped costs. Times are predicted times of the emitted program in microseconds.
 *Alone*: one process, in its best shape. *Bound*: a lower bound for all programs in shape `kernels`
 and for the `unrolled` programs that were priced
