@@ -157,18 +157,6 @@ def _least(plan: Plan, offers: Sequence[tuple[Limbs, ...]], costs: StepCosts) ->
 _SWEEPS = (Kinematics.does, Articulate.does, Accelerate.does)
 
 
-_WAYS: dict[type, tuple[tuple[str, str], ...]] = {
-    Kinematics: (
-        ("kinematics", "kinematics"),
-        ("kinematics_strips", "kinematics_strips"),
-        ("passing_strips", "kinematics_strips"),
-    ),
-    Articulate: (("articulate", "articulate"), ("articulate_columns", "articulate_columns")),
-    Accelerate: (("accelerate", "accelerate"),),
-}
-"""How a joint may be passed in a loop: what has a price of its kind, and one of the run."""
-
-
 def _fastest(step: Step, plan: Plan, costs: StepCosts, longest: int) -> float:
     """The least that a step takes, whatever loop it is in, microseconds.
 
@@ -186,14 +174,22 @@ def _fastest(step: Step, plan: Plan, costs: StepCosts, longest: int) -> float:
             return min(alone, costs.carried(plan.joints[joint].kind))
         case Deliver():
             return min(alone, costs["deliver.along"])
-        case Kinematics(j) | Articulate(j) | Accelerate(j):
-            kind, grounded = plan.joints[j].kind, plan.joints[j].parent == 0
-            ways = [
-                costs[f"{group}.{kind}"] + (0.0 if grounded else costs[f"{run}.run"] / longest)
-                for group, run in _WAYS[type(step)]
-            ]
-            return min(alone, *ways) if grounded else min(ways)
-    return alone
+        case Kinematics(j):
+            kind = plan.joints[j].kind
+            strips = min(
+                costs[f"{group}.{kind}"] for group in ("kinematics_strips", "passing_strips")
+            )
+            ways = {"kinematics": costs[f"kinematics.{kind}"], "kinematics_strips": strips}
+        case Articulate(j):
+            columns = costs[f"articulate_columns.{plan.joints[j].kind}"]
+            ways = {"articulate": alone, "articulate_columns": columns}
+        case Accelerate(j):
+            ways = {"accelerate": alone}
+        case _:
+            return alone
+    if plan.joints[j].parent == 0:  # a run by itself is none there
+        return min(ways.values())
+    return min(price + costs[f"{group}.run"] / longest for group, price in ways.items())
 
 
 def offered_limbs(plan: Plan, process: Process, costs: StepCosts) -> list[tuple[Limbs, ...]]:

@@ -26,6 +26,7 @@ from adagen.schedule import CostProfile, Topology, load_profile, step_costs
 from adagen.search import find_schedule
 from tests.cost.costs import step_profile
 from tests.models import human_figure, random_tree, serial_chain, star
+from tests.scene.effects import with_effects
 from tests.schedules import random_schedule
 
 DEFAULT = load_profile("default")
@@ -71,6 +72,7 @@ def test_no_grouping_takes_less_than_its_bound(
 ) -> None:
     rng = np.random.default_rng(seed)
     model = random_tree(rng, joints, branching=branching, floating=bool(rng.integers(2)))
+    model = with_effects(model, rng, str(rng.choice(["", "drp"])))
     plan = make_plan(model, random_schedule(model, processes, rng), meeting=meeting)
     for costs in (step_costs(DEFAULT), step_costs(step_profile())):
         for process in plan.processes:
