@@ -70,7 +70,7 @@ def grown(few: Counter[Place], many: Counter[Place]) -> dict[Place, float]:
 @pytest.mark.parametrize(
     "words",
     [
-        "ARM --out OUT --procs 1 --shape kernels",
+        "ARM --out OUT --procs 1 --shape kernels --parts none",
         slow("ARM --out OUT --procs 2 --shape kernels --schedule middle-out"),
     ],
     ids=["one process", "two processes"],

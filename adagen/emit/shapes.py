@@ -139,10 +139,10 @@ def why_not_own(plan: Plan, shape: str) -> str | None:
     if shape != "kernels":
         return f"shape {shape} computes residuals in higher precision only"
     reason = why_not_corrected(plan) or kernels.why_not_weighed(plan)
-    if reason is None and any(plan.steps_of(Join)):
-        reason = "its process joins parts of a chain"
     if reason is None and plan.several:
         reason = "several processes share the robot"
+    if reason is None and any(plan.steps_of(Join)):
+        reason = "its process joins parts of a chain"
     return None if reason is None else f"residuals are in wider numbers here: {reason}"
 
 
