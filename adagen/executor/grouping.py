@@ -8,7 +8,7 @@ from functools import lru_cache
 from adagen.executor.counted import counted, may_share
 from adagen.executor.lane_frames import unlike
 from adagen.executor.lanes import Grouping, fit_for_lanes, steps_in_order
-from adagen.executor.run import each_for_itself
+from adagen.executor.run import Simulated, each_for_itself
 from adagen.executor.stretches import Stretch, stretches
 from adagen.plan import Plan
 from adagen.plan.arms import arms_of, without_unlike
@@ -85,6 +85,13 @@ def stretches_of(plan: Plan, grouping: Grouping, held: float) -> tuple[tuple[Str
         PlanError: the plan deadlocks, or a step reads what its process does not have.
     """
     line = (counted(plan, grouping) if may_share(plan) else None) or each_for_itself(plan, grouping)
+    return stretches_in(line, plan, held)
+
+
+def stretches_in(
+    line: Sequence[Simulated], plan: Plan, held: float
+) -> tuple[tuple[Stretch, ...], ...]:
+    """Return the stretches of a plan's processes after their steps, as ``stretches`` has them."""
     return tuple(
         tuple(stretches(simulated, process.steps, held))
         for simulated, process in zip(line, plan.processes, strict=True)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from adagen.executor.grouping import least_of, offered_groupings, stretches_of
+from adagen.executor.grouping import least_of, offered_groupings, stretches_in, stretches_of
 from adagen.executor.lanes import Grouping
 from adagen.executor.reproducible import own_limbs, shared_line
 from adagen.executor.run import Simulated, each_for_itself
 from adagen.executor.state import Refining
-from adagen.executor.stretches import Stretch, stretches
+from adagen.executor.stretches import Stretch
 from adagen.plan import Plan
 from adagen.schedule.costs import StepCosts
 
@@ -87,7 +87,4 @@ def counted_stretches(
     """
     if not plan.reproducible:
         return stretches_of(plan, grouping, held)
-    return tuple(
-        tuple(stretches(simulated, process.steps, held))
-        for simulated, process in zip(_simulated(plan, grouping), plan.processes, strict=True)
-    )
+    return stretches_in(_simulated(plan, grouping), plan, held)
