@@ -14,6 +14,8 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from adagen.version import __version__ as __version__
+
 if TYPE_CHECKING:
     from adagen.library import (
         AdagenError,
@@ -30,8 +32,6 @@ if TYPE_CHECKING:
         compile,  # noqa: A004 (what it does)
         read,
     )
-
-__version__ = "0.1.0"
 
 __all__ = [
     "AdagenError",

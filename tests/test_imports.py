@@ -34,17 +34,33 @@ def test_packages_have_an_order() -> None:
     assert order.index("urdf") < order.index("mjcf") < order.index("library")
 
 
-def test_modules_of_the_executor_have_an_order() -> None:
-    """By what they import for types alone, too."""
+def modules_of() -> dict[str, Path]:
+    """Return the file of each module; that of a package is its __init__.py."""
+    found = {}
+    for file in ROOT.rglob("*.py"):
+        parts = file.relative_to(ROOT.parent).with_suffix("").parts
+        found[".".join(parts[:-1] if parts[-1] == "__init__" else parts)] = file
+    return found
+
+
+def test_modules_have_an_order() -> None:
+    """Those of all imports: for types alone and inside of functions, too."""
+    files = modules_of()
     modules: dict[str, set[str]] = {}
-    for file in (ROOT / "executor").glob("*.py"):
-        nodes = ast.walk(ast.parse(file.read_text(encoding="utf-8")))
-        names = {node.module or "" for node in nodes if isinstance(node, ast.ImportFrom)}
-        own = {name for name in names if name.startswith("adagen.executor.")}
-        modules[f"adagen.executor.{file.stem}"] = own
+    for module, file in files.items():
+        own: set[str] = set()
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Import):
+                own.update(alias.name for alias in node.names)
+            elif isinstance(node, ast.ImportFrom):
+                assert node.module and not node.level, f"{file}:{node.lineno} is relative"
+                whole = (f"{node.module}.{alias.name}" for alias in node.names)
+                own.update(name if name in files else node.module for name in whole)
+        modules[module] = own & files.keys()
     order = list(TopologicalSorter(modules).static_order())  # raises where there is a circle
     first, last = (f"adagen.executor.{name}" for name in ("process_memory", "machine"))
     assert order.index(first) < order.index("adagen.executor.state") < order.index(last)
+    assert order.index("adagen.library.solver") < order.index("adagen.library.compiled")
 
 
 def test_nothing_below_the_command_line_knows_its_options() -> None:

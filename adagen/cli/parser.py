@@ -12,8 +12,8 @@ import re
 from collections.abc import Callable, Sequence
 from typing import NoReturn, TypeVar
 
-from adagen import __version__
 from adagen.errors import UsageError, printable
+from adagen.version import __version__
 
 Item = TypeVar("Item")
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from adagen import __version__
 from adagen.cost import programmed, with_recovery
 from adagen.emit.combinations import (
     check_batch,
@@ -26,6 +25,7 @@ from adagen.plan import Plan, plan_to_json
 from adagen.plan.steps import Join
 from adagen.program import Program, check, lower
 from adagen.schedule import CostProfile, step_costs, with_steps
+from adagen.version import __version__
 
 __all__ = [
     "TOLERANCE",

@@ -8,8 +8,8 @@ from functools import cache
 from pathlib import Path, PurePosixPath
 from posixpath import normpath
 
-from adagen import __version__
 from adagen.emit.templates import templates_folder
+from adagen.version import __version__
 
 FOLDER = "adagen"
 """What the folder of the headers is called beside the sources that include them."""

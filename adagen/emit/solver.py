@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
-from adagen import __version__
 from adagen.emit.embedded import embedded_values
 from adagen.emit.head import algorithm, frames, method, program_lines
 from adagen.emit.includes import needs_eigen, umbrellas
@@ -27,6 +26,7 @@ from adagen.program import Program
 from adagen.program.summary import TREES, meeting
 from adagen.schedule import CostProfile, load_profile, step_costs
 from adagen.schedule.costs import StepCosts
+from adagen.version import __version__
 
 # Largest backward error that an emitted self-check lets pass: what cuts may lose at most, with a
 # margin (adagen/plan/cuts.py, docs/explanation/accuracy.md).

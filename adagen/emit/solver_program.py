@@ -6,9 +6,9 @@ import re
 from collections.abc import Mapping
 from functools import cache
 
-from adagen import __version__
 from adagen.emit.runtime import INTERFACE, joined, runtime_files
 from adagen.emit.templates import render
+from adagen.version import __version__
 
 PROGRAM_FILE = "adagen_program.cpp"
 """What it is called beside the solvers that it is linked with."""

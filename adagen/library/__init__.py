@@ -8,10 +8,10 @@ from adagen.errors import (
     SolveError,
     UsageError,
 )
-from adagen.library.compiled import Compiled, compile  # noqa: A004 (what it does)
+from adagen.library.compiled import compile  # noqa: A004 (what it does)
 from adagen.library.request import Request
 from adagen.library.robot import Origin, Robot, read
-from adagen.library.solver import Solver
+from adagen.library.solver import Compiled, Solver
 
 __all__ = [
     "AdagenError",

@@ -2,165 +2,25 @@
 
 from __future__ import annotations
 
-import math
-import os
-from dataclasses import dataclass, field, replace
-from functools import cached_property
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from dataclasses import replace
+from typing import Any
 
-from adagen.atomic_files import write_files
-from adagen.cost import Timeline, timeline
+from adagen.cost import timeline
 from adagen.drawing import draw
 from adagen.emit import emit, program_of
-from adagen.emit.runtime import FOLDER
 from adagen.errors import InputError, UsageError
 from adagen.garbage import seldom_collected
-from adagen.library.command import command_of, refuse_another, with_command
-from adagen.library.inputs import Input, head_lines, inputs_of, with_inputs
+from adagen.library.inputs import inputs_of
 from adagen.library.request import Request
 from adagen.library.robot import Origin, Robot
-from adagen.library.scheduling import given_schedule, schedule_of
+from adagen.library.scheduling import KNOWN, given_schedule, schedule_of
+from adagen.library.solver import Compiled
 from adagen.model import Model
 from adagen.plan import Plan, make_plan
 from adagen.plan.certificate import certified
-from adagen.program import Program
 from adagen.schedule import Schedule, Topology, load_profile
-from adagen.search.objective import Digits, predicted_digits, suited_shape
+from adagen.search.objective import suited_shape
 from adagen.urdf import model_stem
-
-if TYPE_CHECKING:
-    from adagen.build import Toolchain
-    from adagen.library.solver import Solver
-
-
-@dataclass(frozen=True, eq=False)
-class Compiled:
-    """The generated solver of a robot, as text, with its schedule and prediction.
-
-    Two are equal if the same request has made the same files of the same description: all of what
-    they are is in these, in the plan (robot, schedule, steps) and in the source. A pickle is equal
-    to its original.
-
-    Attributes:
-        model: the robot.
-        origin: where it comes from.
-        request: the options, with the shape that a given schedule asks for.
-        schedule: which process computes what.
-        plan: what each process computes.
-        program: what runs, operation by operation.
-        timeline: the predicted course of an evaluation; None if the profile or a batch leaves it
-            open.
-        files: file name to text: source, header, plan, drawing, Makefile, CMakeLists.txt, ...
-        inputs: what it was made from beside the robot, such as scene and cost profile.
-    """
-
-    model: Model
-    origin: Origin
-    request: Request
-    schedule: Schedule
-    plan: Plan
-    program: Program
-    timeline: Timeline | None
-    files: dict[str, str] = field(repr=False)
-    inputs: tuple[Input, ...] = field(default=(), repr=False)
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Compiled):
-            return NotImplemented
-        return self is other or (
-            (self.request, self.origin, self.inputs, self.files)
-            == (other.request, other.origin, other.inputs, other.files)
-        )
-
-    def __hash__(self) -> int:
-        return hash((self.request, self.source))
-
-    @property
-    def stem(self) -> str:
-        """NAME_pP, the name of the files without their endings."""
-        return next(name for name in self.files if name.endswith(".cpp")).removesuffix(".cpp")
-
-    @property
-    def source(self) -> str:
-        """The C++ source."""
-        return self.files[f"{self.stem}.cpp"]
-
-    @property
-    def header(self) -> str:
-        """The C header."""
-        return self.files[f"{self.stem}.h"]
-
-    @property
-    def predicted(self) -> float | None:
-        """Predicted time of an evaluation, microseconds; None if there is no prediction."""
-        return None if self.timeline is None else self.timeline.makespan
-
-    @property
-    def digits(self) -> float | None:
-        """Predicted number of right decimal digits; None if a factorisation fails."""
-        return None if self._digits is None else -math.log10(self._digits.error)
-
-    @property
-    def hard_digits(self) -> float | None:
-        """The same in hard poses, where axes are nearly parallel, as far as they are answered.
-
-        None also where that is not tried: with closed loops, and in form ada.
-        """
-        hard = None if self._digits is None else self._digits.hard
-        return None if hard is None else -math.log10(hard)
-
-    @cached_property
-    def _digits(self) -> Digits | None:
-        objective, shape = self.request.objective, self.program.shape
-        try:
-            return predicted_digits(objective, self.model, self.plan, shape)
-        except FloatingPointError:
-            return None
-
-    def in_folder(self, folder: str | os.PathLike[str]) -> dict[str, str]:
-        """Return the files as they are written into a folder.
-
-        The head of the source has the command that makes them, with paths relative to the folder,
-        and the hashes of scene and profile; the plan has their texts, too.
-        """
-        command = command_of(self.origin, self.request, Path(folder))
-        plan = f"{self.stem}.plan.json"
-        return {
-            **self.files,
-            f"{self.stem}.cpp": with_command(self.source, command, head_lines(self.inputs)),
-            plan: with_inputs(self.files[plan], command, self.inputs),
-        }
-
-    def write(self, folder: str | os.PathLike[str]) -> list[Path]:
-        """Write the files, all or none, and return their paths; files that are up to date stay.
-
-        Of the runtime's headers the path of their folder is returned.
-
-        Raises:
-            UsageError: an existing file was not written by adagen, or is of another robot.
-            EnvironmentFault: writing failed.
-        """
-        files = self.in_folder(folder)
-        source = f"{self.stem}.cpp"
-        refuse_another(Path(folder, source), files[source])
-        write_files(Path(folder), files)
-        names = {FOLDER if name.startswith(f"{FOLDER}/") else name for name in files}
-        return [Path(folder, name) for name in sorted(names)]
-
-    def build(self, toolchain: Toolchain | None = None) -> Solver:
-        """Return the solver, built now or found in the cache.
-
-        Args:
-            toolchain: what to build with; by default what ``adagen env`` prints.
-
-        Raises:
-            UsageError: the solver is for several MPI processes.
-            EnvironmentFault: the compiler failed, or is missing.
-        """
-        from adagen.library.solver import built
-
-        return built(self, toolchain)
 
 
 def compile(robot: Robot, procs: int = 1, **asked: Any) -> Compiled:  # noqa: A001 (what it does)
@@ -203,8 +63,6 @@ def compiled(robot: Robot, request: Request) -> Compiled:
 
 
 def _given(request: Request) -> bool:
-    from adagen.library.scheduling import KNOWN
-
     return request.schedule not in KNOWN
 
 

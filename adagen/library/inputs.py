@@ -8,11 +8,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from adagen import __version__
 from adagen.library.request import Request
 from adagen.library.robot import Origin
 from adagen.library.scheduling import KNOWN
 from adagen.schedule.profile import profile_text
+from adagen.version import __version__
 
 
 @dataclass(frozen=True)

@@ -1,34 +1,174 @@
-"""A built solver, called from Python on numpy arrays."""
+"""A robot's generated solver: as text, and built, called from Python on numpy arrays."""
 
 from __future__ import annotations
 
-import difflib
-import sysconfig
-from collections.abc import Mapping
+import math
+import os
 from copy import copy
-from dataclasses import replace
-from functools import cache
-from importlib.machinery import ExtensionFileLoader
-from importlib.util import module_from_spec, spec_from_file_location
+from dataclasses import dataclass, field
+from functools import cache, cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from adagen.build import Toolchain, build_executable, find_toolchain
-from adagen.emit.templates import verbatim
-from adagen.errors import EnvironmentFault, JointError, UsageError, printable
-from adagen.library.compiled import Compiled
+from adagen.atomic_files import write_files
+from adagen.build import Toolchain
+from adagen.cost import Timeline
+from adagen.emit.runtime import FOLDER
+from adagen.errors import UsageError, printable
+from adagen.library.command import command_of, refuse_another, with_command
+from adagen.library.extension import extension
+from adagen.library.inputs import Input, head_lines, with_inputs
 from adagen.library.open_by import open_by
+from adagen.library.request import Request
+from adagen.library.robot import Origin
+from adagen.library.vectors import Vectors
+from adagen.model import Model
+from adagen.plan import Plan
+from adagen.program import Program
+from adagen.schedule import Schedule
+from adagen.search.objective import Digits, predicted_digits
 
-Part = Literal["q", "v", "tau"]
 
-_EXTENSION = ("objects", "arrays", "states", "call", "module")
-"""Parts of the extension behind a solver's source (templates/python), in order."""
+@dataclass(frozen=True, eq=False)
+class Compiled:
+    """The generated solver of a robot, as text, with its schedule and prediction.
+
+    Two are equal if the same request has made the same files of the same description: all of what
+    they are is in these, in the plan (robot, schedule, steps) and in the source. A pickle is equal
+    to its original.
+
+    Attributes:
+        model: the robot.
+        origin: where it comes from.
+        request: the options, with the shape that a given schedule asks for.
+        schedule: which process computes what.
+        plan: what each process computes.
+        program: what runs, operation by operation.
+        timeline: the predicted course of an evaluation; None if the profile or a batch leaves it
+            open.
+        files: file name to text: source, header, plan, drawing, Makefile, CMakeLists.txt, ...
+        inputs: what it was made from beside the robot, such as scene and cost profile.
+    """
+
+    model: Model
+    origin: Origin
+    request: Request
+    schedule: Schedule
+    plan: Plan
+    program: Program
+    timeline: Timeline | None
+    files: dict[str, str] = field(repr=False)
+    inputs: tuple[Input, ...] = field(default=(), repr=False)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Compiled):
+            return NotImplemented
+        return self is other or (
+            (self.request, self.origin, self.inputs, self.files)
+            == (other.request, other.origin, other.inputs, other.files)
+        )
+
+    def __hash__(self) -> int:
+        return hash((self.request, self.source))
+
+    @property
+    def stem(self) -> str:
+        """NAME_pP, the name of the files without their endings."""
+        return next(name for name in self.files if name.endswith(".cpp")).removesuffix(".cpp")
+
+    @property
+    def source(self) -> str:
+        """The C++ source."""
+        return self.files[f"{self.stem}.cpp"]
+
+    @property
+    def header(self) -> str:
+        """The C header."""
+        return self.files[f"{self.stem}.h"]
+
+    @property
+    def predicted(self) -> float | None:
+        """Predicted time of an evaluation, microseconds; None if there is no prediction."""
+        return None if self.timeline is None else self.timeline.makespan
+
+    @property
+    def digits(self) -> float | None:
+        """Predicted number of right decimal digits; None if a factorisation fails."""
+        return None if self._digits is None else -math.log10(self._digits.error)
+
+    @property
+    def hard_digits(self) -> float | None:
+        """The same in hard poses, where axes are nearly parallel, as far as they are answered.
+
+        None also where that is not tried: with closed loops, and in form ada.
+        """
+        hard = None if self._digits is None else self._digits.hard
+        return None if hard is None else -math.log10(hard)
+
+    @cached_property
+    def _digits(self) -> Digits | None:
+        objective, shape = self.request.objective, self.program.shape
+        try:
+            return predicted_digits(objective, self.model, self.plan, shape)
+        except FloatingPointError:
+            return None
+
+    def in_folder(self, folder: str | os.PathLike[str]) -> dict[str, str]:
+        """Return the files as they are written into a folder.
+
+        The head of the source has the command that makes them, with paths relative to the folder,
+        and the hashes of scene and profile; the plan has their texts, too.
+        """
+        command = command_of(self.origin, self.request, Path(folder))
+        plan = f"{self.stem}.plan.json"
+        return {
+            **self.files,
+            f"{self.stem}.cpp": with_command(self.source, command, head_lines(self.inputs)),
+            plan: with_inputs(self.files[plan], command, self.inputs),
+        }
+
+    def write(self, folder: str | os.PathLike[str]) -> list[Path]:
+        """Write the files, all or none, and return their paths; files that are up to date stay.
+
+        Of the runtime's headers the path of their folder is returned.
+
+        Raises:
+            UsageError: an existing file was not written by adagen, or is of another robot.
+            EnvironmentFault: writing failed.
+        """
+        files = self.in_folder(folder)
+        source = f"{self.stem}.cpp"
+        refuse_another(Path(folder, source), files[source])
+        write_files(Path(folder), files)
+        names = {FOLDER if name.startswith(f"{FOLDER}/") else name for name in files}
+        return [Path(folder, name) for name in sorted(names)]
+
+    def build(self, toolchain: Toolchain | None = None) -> Solver:
+        """Return the solver, built now or found in the cache.
+
+        Args:
+            toolchain: what to build with; by default what ``adagen env`` prints.
+
+        Raises:
+            UsageError: the solver is for several MPI processes.
+            EnvironmentFault: the compiler failed, or is missing.
+        """
+        if self.plan.launched > 1:
+            raise UsageError(
+                f"{self.stem} is for {self.request.procs} processes, a Python program is one:"
+                ' compile with procs=1, or channel="threads"'
+            )
+        solver = _type_of(extension(self.source, self.stem, toolchain))()
+        solver.compiled = self
+        solver._parameters = np.array(self.plan.parameter_values)
+        return solver
 
 
-class Solver:
+class Solver(Vectors):
     """Forward dynamics of one robot: from positions, velocities and torques to accelerations.
 
     Called with arrays of one state, ``q`` of shape (nq,), ``v`` (nv,) and ``tau`` (ntau,), it
@@ -193,120 +333,6 @@ class Solver:
         self._set(first, own)
         self._parameters[first : first + len(own)] = own
 
-    @property
-    def joints(self) -> tuple[str, ...]:
-        """Names of the joints, in the order in which they lie in q and v."""
-        return tuple(joint.name for joint in self.compiled.model.joints)
-
-    @property
-    def nq(self) -> int:
-        """Numbers in q."""
-        return self.compiled.model.nq
-
-    @property
-    def nv(self) -> int:
-        """Numbers in v, and in accelerations."""
-        return self.compiled.model.nv
-
-    @property
-    def nqdd(self) -> int:
-        """Numbers in an answer: accelerations, outputs of a scene, then forces of loops."""
-        return self.compiled.plan.nqdd
-
-    @property
-    def ntau(self) -> int:
-        """Numbers in tau: behind those of the joints, six of each outer force of a scene."""
-        return self.compiled.model.ntau
-
-    def force(self, name: str) -> int | slice:
-        """Return the index of a loop's or coupling's force in the answer.
-
-        The robot was compiled with ``loop_forces=True``. A loop's is [force; moment] on its link 2
-        at frame 2, in the axes of frame 2, N and N m; a coupling's the effort along a coordinate of
-        factor 1. Where constraints follow from each other, the one of least squares.
-
-        Args:
-            name: of the loop or coupling.
-
-        Raises:
-            UsageError: there is no such force.
-        """
-        plan = self.compiled.plan
-        if plan.loop_forces:
-            for k, loop in enumerate(plan.loops):
-                if loop.name == name:
-                    return slice(plan.entry_of_loop(k), plan.entry_of_loop(k) + 6)
-            for k, coupling in enumerate(plan.couplings):
-                if coupling.name == name:
-                    return plan.entry_of_coupling(k)
-        raise UsageError(
-            f'there is no force of "{printable(name)}": compile with loop_forces=True, and name a '
-            "loop or coupling"
-        )
-
-    @property
-    def dtype(self) -> np.dtype[Any]:
-        """The number type; arrays of others are converted."""
-        return np.dtype(np.float32 if self.compiled.request.scalar == "float" else np.float64)
-
-    def index(self, joint: str, of: Part = "q") -> int | slice:
-        """Return the index or slice of a joint in q or another vector.
-
-        Args:
-            joint: its name.
-            of: "q", "v" or "tau"; "v" also holds for accelerations.
-
-        Raises:
-            JointError: there is no such joint.
-        """
-        start, count = self._place(joint, of)
-        return start if count == 1 else slice(start, start + count)
-
-    def pack(self, values: Mapping[str, ArrayLike], of: Part = "q") -> NDArray[Any]:
-        """Return a vector with the values of some joints; the others are at rest.
-
-        Args:
-            values: name of a joint to its number, or numbers.
-            of: "q", "v" or "tau".
-
-        Returns:
-            Shape (nq,), (nv,) or (ntau,); zeros, and unit quaternions, for the other joints.
-
-        Raises:
-            JointError: there is no such joint.
-            ValueError: a joint, which is named, has another number of values.
-        """
-        model = self.compiled.model
-        size = {"q": self.nq, "v": self.nv, "tau": self.ntau}[_part(of)]
-        packed = np.zeros(size, self.dtype)
-        if of == "q":
-            for joint, start in zip(model.joints, model.q_start, strict=True):
-                if joint.kind.nq >= 4:  # a quaternion comes last
-                    packed[start + joint.kind.nq - 1] = 1
-        for name, value in values.items():
-            start, count = self._place(name, of)
-            given = np.atleast_1d(np.asarray(value, self.dtype))
-            if given.shape != (count,):
-                raise ValueError(
-                    f'joint "{printable(name)}" has {count} number{"s" * (count > 1)} in {of}, '
-                    f"not shape {np.shape(value)}"
-                )
-            packed[start : start + count] = given
-        return packed
-
-    def _place(self, name: str, of: Part) -> tuple[int, int]:
-        """The first index and the size of a joint in a vector."""
-        model = self.compiled.model
-        names = self.joints
-        if name not in names:
-            near = difflib.get_close_matches(name, names, n=1)
-            hint = f' (did you mean "{printable(near[0])}"?)' if near else ""
-            raise JointError(f'there is no joint "{printable(name)}"{hint}')
-        j = names.index(name)
-        if _part(of) == "q":
-            return model.q_start[j], model.joints[j].kind.nq
-        return model.v_start[j], model.joints[j].kind.nv
-
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Solver):
             return NotImplemented
@@ -330,37 +356,9 @@ class Solver:
         return f"<adagen.Solver {self.compiled.stem}: {self.nq} in q, {self.nv} in v>"
 
 
-def _part(of: str) -> str:
-    if of not in ("q", "v", "tau"):
-        raise UsageError(f"of is q, v or tau, not {of!r}")
-    return of
-
-
-def built(compiled: Compiled, toolchain: Toolchain | None = None) -> Solver:
-    """Return the compiled solver, built now or found in the cache.
-
-    Raises:
-        UsageError: it is for several processes.
-        EnvironmentFault: the compiler failed, or is missing.
-    """
-    if compiled.plan.launched > 1:
-        raise UsageError(
-            f"{compiled.stem} is for {compiled.request.procs} processes, a Python program is one:"
-            ' compile with procs=1, or channel="threads"'
-        )
-    behind = "\n\n".join(verbatim(f"python/{part}.hpp") for part in _EXTENSION)
-    source = f"#define ADAGEN_NO_MAIN\n{compiled.source}\n{behind}\n"
-    toolchain = _with_python(find_toolchain() if toolchain is None else toolchain)
-    name = f"{compiled.stem}.so"
-    solver = _type_of(build_executable(source, name, toolchain))()
-    solver.compiled = compiled
-    solver._parameters = np.array(compiled.plan.parameter_values)
-    return solver
-
-
 def _again(compiled: Compiled, parameters: NDArray[np.float64], keeps_lock_below: int) -> Solver:
     """Return another solver with the same run-time parameters."""
-    solver = built(compiled)
+    solver = compiled.build()
     solver.keeps_lock_below = keeps_lock_below
     if len(parameters):
         solver._set(0, parameters)
@@ -368,27 +366,7 @@ def _again(compiled: Compiled, parameters: NDArray[np.float64], keeps_lock_below
     return solver
 
 
-def _with_python(toolchain: Toolchain) -> Toolchain:
-    """Return the toolchain with the options for extensions of this Python."""
-    python = Path(sysconfig.get_path("include"))
-    if not (python / "Python.h").is_file():
-        raise EnvironmentFault(
-            f"no Python.h in {python}: install Python's headers (Debian, Ubuntu: apt install "
-            "python3-dev)"
-        )
-    numpy = f'-DADAGEN_BUILT_FOR="{sysconfig.get_config_var("SOABI")}-{np.__version__}"'
-    folders = ("-isystem", str(python), "-isystem", np.get_include())
-    return replace(
-        toolchain, flags=(*toolchain.flags, "-shared", "-fPIC", "-pthread", numpy, *folders)
-    )
-
-
 @cache
-def _type_of(path: Path) -> type[Solver]:
+def _type_of(module: ModuleType) -> type[Solver]:
     """Return the type that an extension and ``Solver`` make together."""
-    loader = ExtensionFileLoader("adagen_solver", str(path))
-    spec = spec_from_file_location("adagen_solver", path, loader=loader)
-    assert spec is not None
-    module = module_from_spec(spec)
-    loader.exec_module(module)
     return type("Solver", (module.Core, Solver), {"__doc__": Solver.__doc__})

@@ -6,9 +6,9 @@ import json
 from html import escape
 from typing import Any
 
-from adagen import __version__
 from adagen.emit.templates import environment, verbatim
 from adagen.errors import printable
+from adagen.version import __version__
 
 _STYLE = "report/style.css"
 _PARTS = ("skeleton", "timeline", "chart", "accuracy", "page")

@@ -19,7 +19,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from adagen import __version__
 from adagen.build import Toolchain
 from adagen.build.cache import kept_text
 from adagen.emit.runtime import joined
@@ -36,6 +35,7 @@ from adagen.studies.random_states import drawn_states
 from adagen.studies.stability import linkages, robots
 from adagen.studies.stability.adversary import hard_states
 from adagen.studies.stability.audit import WRONG, Way, planned, solved, source_of, truths
+from adagen.version import __version__
 
 Array = NDArray[np.float64]
 PROCESSES = (1, 2, 4)

@@ -16,7 +16,7 @@ from adagen.model import Frame, Loop, Model
 from adagen.reference.closed import constraints
 from adagen.states import States
 from adagen.studies.bench.contest import Contestant
-from adagen.studies.bench.peers.pinocchio import described, in_every_build
+from adagen.studies.bench.peers.pinocchio_builds import described, in_every_build
 
 Array = NDArray[np.float64]
 ALGORITHMS = {"constraintDynamics": "FACTORS", "lcaba": "LCABA"}

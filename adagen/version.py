@@ -1,0 +1,3 @@
+"""The version of adagen."""
+
+__version__ = "0.1.0"
