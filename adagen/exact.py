@@ -55,9 +55,9 @@ def skew(v: Exact) -> Exact:
     return np.array([[zero, -v[2], v[1]], [v[2], zero, -v[0]], [-v[1], v[0], zero]], dtype=object)
 
 
-def identity(n: int) -> Exact:
-    """Return the n x n identity."""
-    return exact(np.eye(n))
+def identity() -> Exact:
+    """Return the 3x3 identity."""
+    return exact(np.eye(3))
 
 
 def rotation_from_rpy(rpy: Sequence[float]) -> Exact:

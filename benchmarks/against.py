@@ -31,7 +31,8 @@ from adagen.cli.contest import Entry
 from adagen.emit.runtime import FOLDER
 from adagen.emit.solver_program import PROGRAM_FILE, standalone
 from adagen.model import Model
-from adagen.studies.bench.contest import WORDS, Contestant, Rules, Times, cores, hold
+from adagen.run import cores
+from adagen.studies.bench.contest import WORDS, Contestant, Rules, Times, hold
 from adagen.studies.bench.emitted import Emitted
 from adagen.studies.bench.machine import machine
 from adagen.studies.bench.report import table

@@ -73,15 +73,12 @@ class Canvas:
         """Draw a rectangle; ``note`` is shown under a pointer."""
         self._shapes.append(
             f'<rect x="{x:.1f}" y="{y:.1f}" width="{max(width, 0.0):.1f}" height="{height:.1f}" '
-            f'fill="{fill}" stroke="{stroke}" stroke-width="0.5"{_close("rect", note)}'
+            f'fill="{fill}" stroke="{stroke}" stroke-width="0.5"{_close(note)}'
         )
 
-    def circle(self, x: float, y: float, radius: float, fill: str, note: str = "") -> None:
-        """Draw a disc; ``note`` is shown under a pointer."""
-        self._shapes.append(
-            f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius:.1f}" fill="{fill}"'
-            f"{_close('circle', note)}"
-        )
+    def circle(self, x: float, y: float, radius: float, fill: str) -> None:
+        """Draw a disc."""
+        self._shapes.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius:.1f}" fill="{fill}"/>')
 
     def path(
         self, points: list[tuple[float, float]], stroke: str = RULE, *, dashed: bool = False
@@ -124,8 +121,8 @@ class Canvas:
         )
 
 
-def _close(tag: str, note: str) -> str:
-    return f"><title>{escape(printable(note), quote=False)}</title></{tag}>" if note else "/>"
+def _close(note: str) -> str:
+    return f"><title>{escape(printable(note), quote=False)}</title></rect>" if note else "/>"
 
 
 def time_axis(canvas: Canvas, end: float, start: float, scale: float, y: float) -> None:

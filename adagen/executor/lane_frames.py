@@ -79,9 +79,9 @@ def _across(rotation: Array) -> Exact:
     """The turn about z after which the third column has no first entry."""
     x, y = exact(rotation[:2, 2])
     if x == 0:
-        return identity(3)
+        return identity()
     length = (x * x + y * y).sqrt() * (-1 if y > 0 else 1)
-    result = identity(3)
+    result = identity()
     result[0, 0] = result[1, 1] = -y / length
     result[1, 0], result[0, 1] = x / length, -x / length
     return result
@@ -206,13 +206,13 @@ def _placed(item: _Placed, links: Mapping[int, Exact]) -> _Placed:
 
 def _turn_of(parameter: PlanParameter) -> Exact | tuple[tuple[float, ...], ...]:
     """The rotation of a parameter's link so far."""
-    return parameter.turn or identity(3)
+    return parameter.turn or identity()
 
 
 def _joint(joint: PlanJoint, j: int, links: Mapping[int, Exact]) -> PlanJoint:
     if joint.parent not in links and j + 1 not in links:
         return joint
-    near, own = links.get(joint.parent, identity(3)), links.get(j + 1, identity(3))
+    near, own = links.get(joint.parent, identity()), links.get(j + 1, identity())
     return replace(
         joint,
         rotation=_rows(near.T.dot(exact(joint.rotation)).dot(own)),

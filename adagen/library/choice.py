@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass, replace
 
 from adagen.library.request import Request
 from adagen.library.scheduling import KNOWN, given_schedule, schedule_of, searched
 from adagen.model import Model
 from adagen.plan import as_gathered
+from adagen.run import cores
 from adagen.schedule import CostProfile, Schedule, load_profile
 from adagen.search import choose_processes, predicted_time
 from adagen.search.process_count import margin
@@ -63,7 +63,7 @@ def choose(model: Model, request: Request, *, left_open: bool = False) -> Chosen
         if left_open and not request.batch:
             request = replace(request, procs=found.processes)
     if request.batch:  # each process solves states by the schedule of one
-        request = replace(request, procs=_all_cores()) if left_open else request
+        request = replace(request, procs=cores()) if left_open else request
         return Chosen(schedule_of(model, request), request)
     if request.schedule not in KNOWN:
         return Chosen(schedule_of(model, request), request)
@@ -71,22 +71,12 @@ def choose(model: Model, request: Request, *, left_open: bool = False) -> Chosen
     return (_as_pay if left_open else _as_asked)(model, request, profile)
 
 
-def cores() -> int:
-    """Return how many cores this process may use, up to what is worth a search."""
-    return min(_all_cores(), MOST_CORES)
-
-
-def _all_cores() -> int:
-    count = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
-    return count or 1
-
-
 def _as_pay(model: Model, request: Request, profile: CostProfile) -> Chosen:
     found = choose_processes(
         model,
         profile,
         request.form,
-        cores(),
+        min(cores(), MOST_CORES),
         lambda processes: searched(model, replace(request, procs=processes)),
         request.priced_shape,
         reproducible=request.reproducible,

@@ -152,9 +152,9 @@ def _jointed(
     name = robot.bodies[body]
     if not last or anchor.any():
         name += f"@{robot.joints[joint]}"
-    pose = frame.then(identity(3), exact(anchor)).then(*_back(robot, joint))
+    pose = frame.then(identity(), exact(anchor)).then(*_back(robot, joint))
     links.append(_Link(name, joint, index, pose))
-    return len(links) - 1, Pose(identity(3), -exact(anchor))
+    return len(links) - 1, Pose(identity(), -exact(anchor))
 
 
 def _back(robot: Compiled, joint: int) -> tuple[Exact, Exact]:
@@ -162,9 +162,9 @@ def _back(robot: Compiled, joint: int) -> tuple[Exact, Exact]:
     kind, still = robot.model.jnt_type[joint], exact([0.0, 0.0, 0.0])
     ref = arb(float(robot.model.qpos0[robot.model.jnt_qposadr[joint]]))
     if ref == 0 or kind == BALL:
-        return identity(3), still
+        return identity(), still
     if kind == SLIDE:
-        return identity(3), _axis(robot, joint) * -ref
+        return identity(), _axis(robot, joint) * -ref
     return rotation_about(_axis(robot, joint), -ref), still
 
 

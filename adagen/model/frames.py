@@ -20,8 +20,8 @@ def canonical(model: Model) -> Model:
     joint are scalars, those of a planar joint are given in the turned frame by definition, and the
     frames of other kinds are left alone. The gain: S and N of every joint are selections of rows.
     """
-    turn = [identity(3)] + [
-        rotation_taking_z_to(joint.axis) if joint.kind.has_axis else identity(3)
+    turn = [identity()] + [
+        rotation_taking_z_to(joint.axis) if joint.kind.has_axis else identity()
         for joint in model.joints
     ]
     links = [model.links[0]]

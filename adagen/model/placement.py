@@ -33,7 +33,7 @@ def _motion(joint: Joint, q: list[arb]) -> tuple[Exact, Exact]:
     axis = exact(joint.axis)
     axis = axis / axis.dot(axis).sqrt()
     if kind.name == "prismatic":
-        return identity(3), axis * q[0]
+        return identity(), axis * q[0]
     if kind.name == "revolute":
         return rotation_about(axis, q[0]), still
     if kind.name == "planar":
@@ -46,7 +46,7 @@ def rotation_about(axis: Exact, angle: arb) -> Exact:
     """Return Rodrigues' rotation about a unit axis."""
     sine, cosine = angle.sin_cos()
     k = skew(axis)
-    turn: Exact = identity(3) + k * sine + k.dot(k) * (1 - cosine)
+    turn: Exact = identity() + k * sine + k.dot(k) * (1 - cosine)
     return turn
 
 
@@ -54,5 +54,5 @@ def rotation_of_quaternion(xyzw: list[arb]) -> Exact:
     """Return the rotation that a quaternion of any length but zero stands for."""
     square = sum((x * x for x in xyzw), arb(0))
     k = skew(exact(xyzw[:3]))
-    turn: Exact = identity(3) + (k * xyzw[3] + k.dot(k)) * (2 / square)
+    turn: Exact = identity() + (k * xyzw[3] + k.dot(k)) * (2 / square)
     return turn

@@ -25,7 +25,7 @@ class Pose:
     @staticmethod
     def home() -> Pose:
         """Return the pose of a frame in itself."""
-        return Pose(identity(3), exact([0.0, 0.0, 0.0]))
+        return Pose(identity(), exact([0.0, 0.0, 0.0]))
 
     def then(self, rotation: Exact, translation: Exact) -> Pose:
         """Return the pose of a frame that has the given pose in this one."""
@@ -75,6 +75,6 @@ def lump(parts: Sequence[Part]) -> Inertia:
         tensor = tensor + about_c
         if len(massive) > 1 and m != 0:
             d = c - com
-            tensor = tensor + m * (identity(3) * d.dot(d) - np.outer(d, d))
+            tensor = tensor + m * (identity() * d.dot(d) - np.outer(d, d))
     tensor = (tensor + tensor.T) / 2
     return Inertia(float(mass), rounded(com), rounded(tensor))

@@ -132,7 +132,7 @@ def inverse_inertia(inertia: Inertia, name: str) -> tuple[np.ndarray, np.ndarray
     phi[:3, :3] = inverse
     phi[:3, 3:] = -inverse.dot(c)
     phi[3:, :3] = c.dot(inverse)
-    phi[3:, 3:] = identity(3) / exact(inertia.mass).item() - c.dot(inverse).dot(c)
+    phi[3:, 3:] = identity() / exact(inertia.mass).item() - c.dot(inverse).dot(c)
     return rounded(inverse), rounded((phi + phi.T) / 2)
 
 

@@ -46,7 +46,7 @@ def _parameter(model: Model, word: str) -> PlanParameter:
     if what == "mass":
         return PlanParameter("mass", (float(inertia.mass),), k, name)
     joint = model.joints[k - 1]
-    axes = rotation_taking_z_to(joint.axis) if joint.kind.has_axis else identity(3)
+    axes = rotation_taking_z_to(joint.axis) if joint.kind.has_axis else identity()
     rotation = tuple(map(tuple, rounded(axes.T).tolist()))
     center = tuple(float(x) for x in inertia.com)
     return PlanParameter("center", center, k, name, rotation)

@@ -47,6 +47,12 @@ class Completed:
     stderr: str
 
 
+def cores() -> int:
+    """Return how many cores this process may use."""
+    found = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+    return found or 1
+
+
 def launch(
     executable: Path,
     processes: int,

@@ -3,7 +3,7 @@
 from adagen.schedule.fat_tree import Fabric, read_fabric, shipped_fabric
 from adagen.schedule.hosts import Host, read_hosts
 from adagen.schedule.profile import CostProfile, load_profile, parse_profile, step_costs, with_steps
-from adagen.schedule.sweeps import makespan_of, total_work
+from adagen.schedule.sweeps import makespan_of
 from adagen.schedule.text import (
     gathered_line,
     schedule_line,
@@ -38,7 +38,6 @@ __all__ = [
     "schedule_tree",
     "shipped_fabric",
     "step_costs",
-    "total_work",
     "validate",
     "with_steps",
 ]

@@ -90,10 +90,5 @@ def makespan_of(root: Node) -> float:
     return finish[root.joint].total / TICKS
 
 
-def total_work(root: Node) -> float:
-    """Return the sum of the costs of all nodes in microseconds."""
-    return sum(_ticks(node.cost) for node in preorder(root)) / TICKS
-
-
 def _ticks(microseconds: float) -> int:
     return round(microseconds * TICKS)

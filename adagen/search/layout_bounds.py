@@ -120,7 +120,6 @@ class Bounds:
             self.processes,
             self._of_all(arounds, limbs),
             others=[of(limb) for limb in may_be if limb is not main],
-            split=True,
         )
         return found if main is None else min(found, self._once_opened(main))
 
@@ -146,7 +145,6 @@ class Bounds:
                     self.processes,
                     self._of_all({tree: self.around(core)}, own),
                     others=others,
-                    split=True,
                 )
                 least = min(least, found)
             self._once[tree] = least

@@ -182,12 +182,12 @@ class ProcessBounds:
         besides: Callable[[int], float],
         *,
         others: Sequence[LimbBound] = (),
-        split: bool = False,
     ) -> float:
         """Return the least that the busiest of some processes takes for limbs.
 
         Either few of them have the limbs that reach deep, and much to do; or many have, each with
-        first rows of its own that are narrow.
+        first rows of its own that are narrow. A core may grow into limbs: those that take part in
+        it pass its joints one by one, and each has parts of the limbs.
 
         Args:
             limbs: the limbs.
@@ -195,14 +195,10 @@ class ProcessBounds:
             besides: what so many of the processes take besides at least, all together.
             others: further limbs that they share, of which nothing is said but that their joints
                 may be in any rows.
-            split: whether a core may grow into limbs: those that take part in it pass its joints
-                one by one, and each has parts of the limbs.
         """
         every = [*limbs, *others]
         rest, whole = besides(processes), sum(limb.full.both for limb in every)
         even = (whole + rest) / processes
-        if not split and not others:
-            even = max(even, (self.least(limbs).both + rest) / processes)
         counts = Counter[str]()
         for limb in limbs:
             for kind, alike in limb.kinds.items():
@@ -211,28 +207,22 @@ class ProcessBounds:
             return even
         kind = counts.most_common(1)[0][0]
         levels = [limb.kinds[kind].levels for limb in limbs if kind in limb.kinds]
-        own = np.array([limb.full.both for limb in limbs if kind in limb.kinds])
-        reach = np.array([each.depth for each in levels])
-        if not (deepest := int(reach.max())):
+        if not (deepest := max(each.depth for each in levels)):
             return even
         fillings = sum(each.filling for each in levels)
         fillings += sum(limb.kinds[kind].count for limb in others if kind in limb.kinds)
         depths = np.arange(1, deepest + 1)[:, None]
         several = np.arange(1, processes + 1)
         within = np.sum([each.within[:deepest] for each in levels], axis=0)
-        first = self._first_rows(kind, "both", split=split)
+        first = self._first_rows(kind, "both", split=True)
         narrow = first.of((depths * several).ravel(), np.repeat(within, processes), fillings)
         narrow = narrow.reshape(deepest, processes)
-        if split:  # of those limbs they have no more for certain than what is as deep
-            before = np.concatenate([[0], within[:-1]])
-            deep = (within[-1] - before) * self._of_core(kind).share
-            can = np.ones_like(narrow, dtype=np.bool_)
-        else:
-            deep = (reach >= depths) @ own
-            can = several <= (reach >= depths).sum(axis=1)[:, None]
+        # Of those limbs they have no more for certain than what is as deep.
+        before = np.concatenate([[0], within[:-1]])
+        deep = (within[-1] - before) * self._of_core(kind).share
         theirs = deep[:, None] + narrow + [besides(int(n)) for n in several]
         busiest = np.maximum((whole + narrow + rest) / processes, theirs / several)
-        return max(even, float(np.where(can, busiest, inf).min(axis=1).max()))
+        return max(even, float(busiest.min(axis=1).max()))
 
     def _first_rows(self, kind: str, part: Part, *, split: bool = False) -> FirstRows:
         key = kind, part, split

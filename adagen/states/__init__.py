@@ -13,7 +13,7 @@ from __future__ import annotations
 from adagen.states.read import read_result, read_states, states_gravity
 from adagen.states.sampling import hardened, random_states, resting_states
 from adagen.states.types import States
-from adagen.states.write import states_text, write_result, write_states
+from adagen.states.write import states_text, write_states
 
 __all__ = [
     "States",
@@ -24,6 +24,5 @@ __all__ = [
     "resting_states",
     "states_gravity",
     "states_text",
-    "write_result",
     "write_states",
 ]

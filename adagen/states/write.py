@@ -1,4 +1,4 @@
-"""Writes states files and result files."""
+"""Writes states files."""
 
 from __future__ import annotations
 
@@ -6,10 +6,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from adagen.atomic_files import write_whole
-from adagen.errors import EnvironmentFault, printable
 from adagen.model import Model
 from adagen.states.types import Array, States, columns, fields_of, wrench_columns
 
@@ -38,29 +35,6 @@ def states_text(states: States, model: Model) -> str:
             for k, wrench in enumerate(model.wrenches)
         }
     return _text(head, rows)
-
-
-def write_result(path: Path | str, model: Model, qdd: Array) -> None:
-    """Write a result file, whole or not at all; its numbers read back bit by bit.
-
-    Args:
-        path: the file.
-        model: whose accelerations they are.
-        qdd: shape (S, nv), or (nv,) for one state.
-
-    Raises:
-        EnvironmentFault: an acceleration is not finite, or writing failed.
-    """
-    every = np.atleast_2d(np.asarray(qdd, dtype=np.float64))
-    if every.shape[1] != model.nv:
-        raise ValueError(f"qdd has {every.shape[1]} columns, not {model.nv}")
-    rows = {}
-    for j, joint in enumerate(model.joints):
-        own = every[:, columns(model, j, "v")]
-        if not np.isfinite(own).all():
-            raise EnvironmentFault(f"joint '{printable(joint.name)}': qdd is not finite")
-        rows[joint.name] = {"qdd": _listed(own)}
-    write_whole(Path(path), _text({}, rows))
 
 
 def _listed(rows: Array) -> list[Any]:

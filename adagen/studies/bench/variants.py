@@ -10,7 +10,8 @@ from adagen.build import find_toolchain
 from adagen.errors import AdagenError, UsageError
 from adagen.library import Request, Robot
 from adagen.library.compiled import compiled
-from adagen.studies.bench.contest import Contestant, Progress, cores
+from adagen.run import cores
+from adagen.studies.bench.contest import Contestant, Progress
 from adagen.studies.bench.emitted import Emitted, all_built
 
 VARIANTS = (

@@ -18,6 +18,7 @@ DAMPING = 1.0  # N m s/rad at the last joint
 STEPS = 400
 TENSOR = np.array([1.0, 2.0, 3.0])  # kg m^2
 SECONDS = 20.0
+SWING = 0.02  # s
 
 
 def damped_tip() -> tuple[Row, ...]:
@@ -66,13 +67,12 @@ def energy_growth(step: float, count: int, implicit: bool) -> float:
     return float(energy / start)
 
 
-def swing(step: float, method: str, seconds: float = 0.02) -> Array:
-    """Return the velocities of the damped chain after a while, shape (3,), rad/s.
+def swing(step: float, method: str) -> Array:
+    """Return the velocities of the damped chain after ``SWING``, shape (3,), rad/s.
 
     Args:
         step: h, s.
         method: "explicit" or "implicit" damping in semi-implicit Euler, or "rk4".
-        seconds: to be simulated.
     """
     model = robots.planar(3, 1e-4)
     d = np.diag([0.0, 0.0, DAMPING])
@@ -83,7 +83,7 @@ def swing(step: float, method: str, seconds: float = 0.02) -> Array:
         needed = -d @ speed - bias(model, at, speed)
         return np.asarray(np.linalg.solve(joint_space_inertia(model, at) + extra, needed))
 
-    for _ in range(max(1, round(seconds / step))):
+    for _ in range(max(1, round(SWING / step))):
         if not np.abs(v).max() < 1e9:
             return np.full(3, np.inf)
         if method == "rk4":
@@ -131,7 +131,7 @@ def integrate(
         step: s.
         advance: the method: from both and a step to both.
     """
-    for _ in range(round(SECONDS / step)):
+    for _ in range(round(SWING / step)):
         quaternion, w = advance(quaternion, w, step)
     return quaternion, w
 

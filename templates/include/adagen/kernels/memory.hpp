@@ -326,10 +326,5 @@ inline void give(Workspace& w, int first, int count) {
 }
 
 [[maybe_unused]] constexpr int block(int joint) { return joint / kPerBlock; }
-[[maybe_unused]] constexpr bool is_identity(const Number (&R)[9]) {
-  for (int k = 0; k < 9; ++k)
-    if (R[k] != (k % 4 == 0 ? 1 : 0)) return false;
-  return true;
-}
 
 }  // namespace
