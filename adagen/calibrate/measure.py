@@ -74,12 +74,11 @@ class Built:
         plan: what to emit.
         toolchain: what to build and run it with.
         shape: of the code.
-        most: characters of a source that is still built; None for any.
         profile: chooses shape, limbs side by side and methods; the shipped one if not given.
         limbs: those that each process takes side by side; None for those of least price.
 
     Raises:
-        EnvironmentFault: the compiler failed, or is not to be waited for.
+        EnvironmentFault: the compiler failed.
         UsageError: the plan cannot be emitted in this shape.
     """
 
@@ -88,7 +87,6 @@ class Built:
         plan: Plan,
         toolchain: Toolchain,
         shape: str = "auto",
-        most: int | None = None,
         profile: CostProfile | None = None,
         limbs: Grouping | None = None,
     ) -> None:
@@ -97,10 +95,6 @@ class Built:
         self.shape = chosen_shape(plan, shape, profile=profile)
         stem = stem_of(plan)
         text = emit(plan, shape=self.shape, profile=profile, limbs=limbs)[f"{stem}.cpp"]
-        if most is not None and len(text) > most:
-            raise EnvironmentFault(
-                f"{len(text) / 1e6:.1f} million characters take minutes to build"
-            )
         self.executable = build_executable(text, stem, toolchain)
 
     def measure(

@@ -1,6 +1,6 @@
 """One process (Section III-D): the least work of a partial chain, and an order that achieves it.
 
-The paper's rule (literal_rule.py) is exact for at most one boundary joint. What follows is
+The paper's rule, read literally, is exact for at most one boundary joint. What follows is
 exact for any number m of them. To assemble is to contract joints, and contracting links of degrees
 d1 and d2 costs q(d1 + d2 - 2) on top of what every order pays. Hence, q not decreasing:
 

@@ -16,7 +16,7 @@ def literal_rule(chains: Chains, chain: Chain) -> list[int]:
 
     This is optimal for at most one boundary joint and *not* beyond: with parents
     (0, 1, 2, 1, 2, 4, 3, 5, 5, 7, 7), S = {6, 9} and boundary {2, 10} it costs 52.6 where 43.6 is
-    possible (paper's constants). It is kept as documentation: schedules use SingleProcess.
+    possible (paper's constants). Schedules use SingleProcess.
 
     Args:
         chains: the robot.
