@@ -9,8 +9,9 @@ Along a serial chain, motions are exchanged likewise. Each process computes the 
 joints (pose and motion of their last link relative to the link before the first), and groups of
 processes combine passages level by level: two groups at a time, or as many as the schedule's fan
 says, each sending its passage to all processes that need it. So no process computes joints of
-others on the path to its own. Work for the joints at the cuts is done after a process has sent its
-own passage, while it would wait for the others.
+others on the path to its own, but for a floating base or a rail that the chain hangs on. Work for
+the joints at the cuts is done after a process has sent its own passage, while it would wait for the
+others.
 """
 
 from __future__ import annotations
@@ -115,13 +116,15 @@ class ExchangePlanner(SegmentPlanner):
                 reads = on_the_way(self.joints, (*own, *shares))
                 every: list[Step] = [*map(Kinematics, reads), *steps]
             else:
-                reads = tuple(sorted((*own, *shares)))
+                before = passages.hung_on(p)
+                reads = tuple(sorted((*before, *own, *shares)))
                 asked, left = passages.asked_for(p)
                 first_message = next(
                     (k for k, s in enumerate(steps) if isinstance(s, _MEETING)), len(steps)
                 )
                 late = [*left, *map(Kinematics, shares)]
                 every = [
+                    *map(Kinematics, before),
                     *asked,
                     *map(Kinematics, own),
                     *steps[:first_message],
@@ -201,10 +204,12 @@ class ExchangePlanner(SegmentPlanner):
         return len({self.at_work[child.joint] for child in node.children}) == 2
 
     def _parts(self, root: Node) -> list[range] | None:
-        """The part of a serial chain of each process, inner cut first; None without motions."""
+        """The part of a serial chain of each process, inner cut first; None without motions.
+
+        The first part begins behind the joints on which the chain hangs.
+        """
         joints = self.joints
-        serial = all(joint.parent == j for j, joint in enumerate(joints))
-        if not serial or not can_send_passage(joints):
+        if not all(joint.parent == j for j, joint in enumerate(joints)):
             return None
         cuts: list[int] = []
         last = -1
@@ -215,8 +220,10 @@ class ExchangePlanner(SegmentPlanner):
             last = p
         if last < 1:
             return None
+        cuts[0] = hung_on(joints)
         ends = [*cuts[1:], len(joints)]
-        return [range(first, beyond) for first, beyond in zip(cuts, ends, strict=True)]
+        parts = [range(first, beyond) for first, beyond in zip(cuts, ends, strict=True)]
+        return parts if parts[0] else None
 
     def _inner_cuts(self, node: Node, cut: int = 0) -> Iterator[tuple[int, int]]:
         """Yield for each process, outwards along the chain, the first joint of its part."""
@@ -242,12 +249,17 @@ class Passages:
         self.planner, self.parts = planner, parts
         self.steps: list[list[Step]] = [[] for _ in planner.steps]
         self._put_together(planner.schedule.root)
-        self._arrive(planner.schedule.root, 0)
+        self._arrive(planner.schedule.root, parts[0].start)
+
+    def hung_on(self, process: int) -> range:
+        """Return the joints before all passages, whose motion a process finds by itself."""
+        return range(self.parts[0].start if 0 < process < len(self.parts) else 0)
 
     def owns(self) -> list[list[int]]:
         """Return the joints whose accelerations each process gives."""
         idle = len(self.steps) - len(self.parts)
-        return [list(part) for part in self.parts] + [[] for _ in range(idle)]
+        inner, *outer = self.parts
+        return [[*range(inner.stop)], *map(list, outer), *([] for _ in range(idle))]
 
     def asked_for(self, process: int) -> tuple[list[Step], list[Step]]:
         """Return the steps that the process or others wait for, and the remaining ones.
@@ -404,6 +416,16 @@ class Division:
             ends.append(len(groups))
         cuts = [Cut(*(ends[end] for end in cut)) for cut in self.cuts]
         return Division(groups, [*cuts, *own])
+
+
+def hung_on(joints: Sequence[PlanJoint]) -> int:
+    """Return how many joints of a serial chain are before all whose passages are exchanged.
+
+    A floating base, for one: every process finds its motion by itself, and passages begin there.
+    """
+    return 1 + max(
+        (j for j, joint in enumerate(joints) if not can_send_passage([joint])), default=-1
+    )
 
 
 def pairs(sources: Sequence[int], targets: Sequence[int]) -> Iterator[tuple[int, int]]:

@@ -52,10 +52,11 @@ def strips_of(joints: range, lanes: int) -> list[range]:
 
 
 def parts_of(joints: Sequence[PlanJoint], members: Container[int], lanes: int) -> list[range]:
-    """Return the strips of a segment's joints; none where it is not divided.
+    """Return the strips of a segment's chain of hinges; none where it is not divided.
 
     The first joint of each strip is the one that its part hangs on by. That of the first strip may
-    lie before the segment, which then hangs on by it.
+    lie before the segment, which then hangs on by it. Joints of other kinds may come before the
+    chain, a floating base for one.
 
     Args:
         joints: the robot's joints.
@@ -66,13 +67,16 @@ def parts_of(joints: Sequence[PlanJoint], members: Container[int], lanes: int) -
     if not lanes or not own or own[-1] - own[0] + 1 != len(own):
         return []
     first = own[0] - (joints[own[0]].parent > 0)
-    run = range(first, own[-1] + 1)
-    if not FEWEST_ROWS * lanes <= len(run) <= MOST_JOINTS:
+    if not all(joints[j].parent == j for j in range(first, own[-1] + 1)):
         return []
-    if not all(map(_is_hinge, joints[run.start : run.stop])):
+    hinges = first
+    for j in range(first, own[-1] + 1):
+        if not _is_hinge(joints[j]):
+            hinges = j + 1
+    if first < hinges <= own[0]:  # by no hinge
         return []
-    serial = all(joints[j].parent == j for j in run[1:])
-    return strips_of(run, lanes) if serial and joints[first].parent == first else []
+    run = range(hinges, own[-1] + 1)
+    return strips_of(run, lanes) if FEWEST_ROWS * lanes <= len(run) <= MOST_JOINTS else []
 
 
 def _is_hinge(joint: PlanJoint) -> bool:

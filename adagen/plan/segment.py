@@ -152,7 +152,7 @@ class SegmentPlanner(AdaPlanner):
         members = {below.joint for below in preorder(node)}
         strips = [] if self.asked else parts_of(self.joints, members, self._parts_of(node))
         if strips:
-            return self._in_parts(strips, node.processes[0])
+            return self._in_parts(strips, members, node.processes[0])
         return self._whole(node.joint, members, node.processes[0])
 
     def _parts_of(self, node: Node) -> int:
@@ -163,20 +163,27 @@ class SegmentPlanner(AdaPlanner):
         """
         return self.schedule.parts if node is self.schedule.root else 0
 
-    def _in_parts(self, strips: Sequence[range], process: int) -> Chain:
-        """Join the parts of a chain, each by its first joint: as a tree, in lanes, then the ground.
+    def _in_parts(self, strips: Sequence[range], members: set[int], process: int) -> Chain:
+        """Join the parts of a chain, each by its first joint: as a tree, in lanes.
 
         A joined chain has a handle at both ends wherever more is joined there. Outwards from the
-        ground it would have one only, but each join would wait for the one before. Loops do not
-        join the ground at all: they begin with what it leaves of the first part's mobility.
+        ground it would have one only, but each join would wait for the one before. What all become
+        is joined last to what the chain hangs on: other joints of the segment, a floating base for
+        one, or the ground. Loops do not join the ground at all: they begin with what it leaves of
+        the first part's mobility.
         """
         parts = [self._whole(strip[1], set(strip[1:]), process) for strip in strips]
         for near, far in pairs_of(len(parts)):
             parts[near] = self._join((strips[far].start,), process, parts[near], parts[far])
         first = strips[0].start
-        if self.joints[first].parent > 0:
+        before = {j for j in members if j < first}
+        if before:
+            near_side = self._whole(min(before), before, process)
+        elif self.joints[first].parent > 0:
             return parts[0]
-        return self._join((first,), process, bare(0, process), parts[0])
+        else:
+            near_side = bare(0, process)
+        return self._join((first,), process, near_side, parts[0])
 
     def _whole(self, name: int, members: set[int], process: int) -> Chain:
         """Assemble joints without any join."""

@@ -36,7 +36,7 @@ def runs_in_strips(plan: Plan, limbs: Sequence[Sequence[Limbs]], costs: StepCost
     taken = {j for own in limbs for each in own for j in each.members()}
     passed = [run for p, own in enumerate(limbs) for run in _outward(plan, p, own)]
     whole = {j for first, last in _traversed(plan) for j in range(first + 1, last + 1)}
-    ends = sorted({end for run in passed for end in (run.first, run.last + 1)} - whole)
+    ends = sorted({end for run in passed for end in _ends(plan, run)} - whole)
     pieces = {
         Run(first, beyond - 1)
         for run in passed
@@ -51,6 +51,14 @@ def runs_in_strips(plan: Plan, limbs: Sequence[Sequence[Limbs]], costs: StepCost
         ),
         key=lambda run: run.first,
     )
+
+
+def _ends(plan: Plan, run: Run) -> Iterator[int]:
+    """Yield where a run begins, where it ends, and where kinds that strips take meet others."""
+    fits = [plan.joints[j].kind in KINDS for j in run.joints()]
+    yield run.first
+    yield run.last + 1
+    yield from (run.first + k for k in range(1, len(fits)) if fits[k] != fits[k - 1])
 
 
 def fits_strips(joints: Sequence[PlanJoint], run: Run, scalar: str) -> bool:

@@ -14,7 +14,7 @@ from adagen.search import named_schedule
 from adagen.states import random_states
 from tests.emitted import NARROW, OPTIMISED, QUICK, ROUNDING, Builder, kernels_of, text_of
 from tests.models import serial_chain
-from tests.plan.test_parts import hinges, in_parts
+from tests.plan.test_parts import hinges, hung, in_parts
 from tests.slow import slow, spread
 
 
@@ -117,5 +117,19 @@ def test_each_of_several_processes_parts_its_own(
     plan = in_parts(model, processes, meeting="exchange")
     text = kernels_of(plan)
     assert text.count(" = inward_in_parts<") == processes
+    solver = builder.solver(plan, name="parts", shape="kernels")
+    assert solver.error(model, random_states(model, 4, seed=8), tmp_path, "--check") < 1e-11
+
+
+@pytest.mark.parametrize(
+    ("kind", "processes"),
+    spread([("floating", 1), ("floating", 2), ("prismatic", 1), ("planar", 2)], 2),
+)
+def test_chains_that_hang_on_another_joint_part_their_hinges(
+    kind: str, processes: int, builder: Builder, tmp_path: Path
+) -> None:
+    model = hung(kind, 40 * processes, seed=processes)
+    plan = in_parts(model, processes, meeting="exchange" if processes > 1 else "join")
+    assert kernels_of(plan).count(" = inward_in_parts<") == processes
     solver = builder.solver(plan, name="parts", shape="kernels")
     assert solver.error(model, random_states(model, 4, seed=8), tmp_path, "--check") < 1e-11

@@ -15,10 +15,18 @@ from adagen.model import KINDS, Mimic, Model
 from adagen.plan import Plan, make_plan, plan_from_json, plan_to_json
 from adagen.plan.certificate import certified
 from adagen.plan.parts import FEWEST_ROWS, pairs_of, strips_of
-from adagen.plan.steps import Accelerate, Articulate, Disassemble, InvertRoot, Join, Load
+from adagen.plan.steps import (
+    Accelerate,
+    Articulate,
+    Disassemble,
+    InvertRoot,
+    Join,
+    Load,
+    Traverse,
+)
 from adagen.program import ProgramError, check
 from adagen.program.lower import lower
-from adagen.program.runs import parts_in
+from adagen.program.runs import Run, parts_in
 from adagen.schedule import Topology, load_profile
 from adagen.search import named_schedule
 from tests.models import random_tree
@@ -36,6 +44,15 @@ def in_parts(model: Model, processes: int = 1, parts: int = 8, meeting: str = "j
 def hinges(joints: int, seed: int) -> Model:
     kinds = [KINDS["revolute"]]
     return random_tree(np.random.default_rng(seed), joints, branching=0.0, kinds=kinds)
+
+
+def hung(kind: str, joints: int, seed: int) -> Model:
+    """Return a chain of hinges that hangs on a joint of another kind, its first one."""
+    floats = kind == "floating"
+    rng, hinge = np.random.default_rng(seed), [KINDS["revolute"]]
+    model = random_tree(rng, joints - floats, branching=0.0, kinds=hinge, floating=floats)
+    first = replace(model.joints[0], kind=KINDS[kind])
+    return replace(model, joints=(first, *model.joints[1:]))
 
 
 @given(st.integers(0, 300), st.integers(8, 400), st.sampled_from([2, 8, 16]))
@@ -67,6 +84,26 @@ def test_a_chain_in_parts_is_solved(joints: int, processes: int, parts: int, mee
         more = len(list(own.steps_of(Join))) - len(list(others.steps_of(Join)))
         assert more == parts - (own is not plan.processes[0])
         assert own.owns == others.owns and own.reads == others.reads
+
+
+@pytest.mark.parametrize("kind", ["floating", "prismatic", "planar"])
+@pytest.mark.parametrize(("joints", "processes"), [(34, 1), (70, 2), (100, 3)])
+def test_a_chain_that_hangs_on_another_joint_is_solved_in_parts(
+    kind: str, joints: int, processes: int
+) -> None:
+    """That joint is joined to all parts; processes begin their passages behind it."""
+    model = hung(kind, joints, seed=joints)
+    plan = in_parts(model, processes, meeting="exchange" if processes > 1 else "join")
+    assert error(model, plan) < 1e-9
+    for shape in ("kernels", "unrolled"):
+        check(lower(plan, shape))
+    loops = lower(plan, "kernels").processes
+    for p, (own, steps) in enumerate(zip(loops, plan.processes, strict=True)):
+        swept = [each for each in own.operations if each.does == "articulate"]
+        run = Run(max(1, steps.owns[0]), steps.owns[-1])
+        assert ("parts", run) in [(each.method, each.block) for each in swept]
+        assert steps.reads[0] == 0 and (steps.owns[0] == 0) == (p == 0)
+        assert len(list(steps.steps_of(Traverse))) == (processes > 1)
 
 
 @pytest.mark.parametrize(("count", "levels"), [(2, 1), (3, 2), (8, 3), (13, 4), (16, 4)])

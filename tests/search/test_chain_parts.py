@@ -22,7 +22,7 @@ from adagen.search import best_schedule, predicted_time, schedule_from_json
 from adagen.search.chain_parts import certifies, joined, keeps_digits
 from tests.links import with_light_link
 from tests.models import serial_chain
-from tests.plan.test_parts import hinges
+from tests.plan.test_parts import hinges, hung
 from tests.slow import slow
 
 XEON = load_profile("xeon")
@@ -52,6 +52,21 @@ def test_no_part_is_cut_where_that_costs_digits() -> None:
     assert best(with_light_link(model, cuts[3] + 1, 1e-6)) == 0
     allowed = [j != cuts[3] for j in range(400)]
     assert not keeps_digits(replace(best_schedule(model, 1, XEON), parts=8), model, allowed)
+
+
+@pytest.mark.parametrize("kind", ["floating", "prismatic"])
+def test_a_long_chain_on_another_joint_is_parted_where_that_is_faster(kind: str) -> None:
+    model = hung(kind, 400, seed=3)
+    for processes in (1, 2):
+        found = best_schedule(model, processes, XEON, in_parts=True)
+        whole = best_schedule(model, processes, XEON)
+        assert found.parts == 8 and found.makespan < 0.8 * whole.makespan
+        assert found.makespan == predicted_time(model, found, XEON, "segment")
+
+
+def test_a_base_without_inertia_leaves_the_chain_whole() -> None:
+    model = hung("floating", 400, seed=3)
+    assert best(with_light_link(model, 1, 1e-9)) == 0 < best(model)
 
 
 def test_processes_of_several_part_their_own() -> None:
