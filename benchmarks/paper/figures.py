@@ -9,7 +9,6 @@ from math import comb, factorial
 from rich.console import Console
 from rich.table import Table
 
-from adagen.paper.literal_rule import literal_rule
 from adagen.paper.one_process import SingleProcess
 from adagen.schedule import Node, Schedule, Topology, levels, load_profile, schedule_line
 from adagen.schedule.chains import Chain, Chains
@@ -18,6 +17,7 @@ from adagen.schedule.tree import Strategy
 from adagen.schedule.tree_draft import Draft
 from adagen.search import find_schedule
 from adagen.search.named import as_schedule
+from benchmarks.paper.literal_rule import literal_rule
 from benchmarks.paper.pictures import Branch, branch, height, save_forest
 
 PAPER = load_profile("paper")

@@ -11,8 +11,8 @@ from adagen.schedule import CostProfile, Topology, load_profile, validate
 from adagen.schedule.chains import WHOLE, Chain, Chains
 from adagen.schedule.profile import TICKS
 from adagen.search import find_schedule
+from benchmarks.paper.literal_rule import literal_rule
 from tests.paper.brute import Brute
-from tests.paper.literal_rule import literal_rule
 from tests.paper.test_search import profiles, topologies
 
 PAPER = load_profile("paper")
