@@ -100,7 +100,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 namespace {
 
 struct Joint_base_yaw {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "pedestal" to that of "turret"
   Vec6 v;  // velocity of link "turret"
   Columns6 b;  // bias of the bare link "turret"
   Mat6 Phi_turret;  // of the chain it completes
@@ -112,7 +112,7 @@ struct Joint_base_yaw {
 };
 
 struct Joint_shoulder_pitch {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "turret" to that of "upper_arm"
   Vec6 v;  // velocity of link "upper_arm"
   Columns6 b;  // bias of the bare link "upper_arm"
   Mat6 Phi_upper_arm;  // of the chain it completes
@@ -124,7 +124,7 @@ struct Joint_shoulder_pitch {
 };
 
 struct Joint_upper_arm_roll {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "upper_arm" to that of "elbow_housing"
   Vec6 v;  // velocity of link "elbow_housing"
   Columns6 b;  // bias of the bare link "elbow_housing"
   Mat6 Phi_elbow_housing;  // of the chain it completes
@@ -136,7 +136,7 @@ struct Joint_upper_arm_roll {
 };
 
 struct Joint_elbow_pitch {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "elbow_housing" to that of "forearm"
   Vec6 v;  // velocity of link "forearm"
   Columns6 b;  // bias of the bare link "forearm"
   Mat6 Phi_forearm;  // of the chain it completes
@@ -148,7 +148,7 @@ struct Joint_elbow_pitch {
 };
 
 struct Joint_forearm_roll {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "forearm" to that of "wrist_housing"
   Vec6 v;  // velocity of link "wrist_housing"
   Columns6 b;  // bias of the bare link "wrist_housing"
   Mat6 Phi_wrist_housing;  // of the chain it completes
@@ -160,7 +160,7 @@ struct Joint_forearm_roll {
 };
 
 struct Joint_wrist_pitch {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "wrist_housing" to that of "wrist"
   Vec6 v;  // velocity of link "wrist"
   Joined<Revolute> joined;
   Columns6 b;  // bias of the bare link "wrist"
@@ -168,7 +168,7 @@ struct Joint_wrist_pitch {
 };
 
 struct Joint_flange_roll {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "wrist" to that of "hand"
   Vec6 v;  // velocity of link "hand"
   Columns6 b;  // bias of the bare link "hand"
   Mat6 Phi_wrist;  // of the chain it completes
@@ -180,7 +180,7 @@ struct Joint_flange_roll {
 };
 
 struct Joint_left_finger_slide {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "hand" to that of "left_finger"
   Vec6 v;  // velocity of link "left_finger"
   Columns6 b;  // bias of the bare link "left_finger"
   Mat6 Phi_hand;  // of the chain it completes
@@ -192,7 +192,7 @@ struct Joint_left_finger_slide {
 };
 
 struct Joint_right_finger_slide {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "hand" to that of "right_finger"
   Vec6 v;  // velocity of link "right_finger"
   Columns6 b;  // bias of the bare link "right_finger"
   Mat6 Phi_hand;  // of the chain it completes

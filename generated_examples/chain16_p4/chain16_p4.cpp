@@ -142,7 +142,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 namespace {
 
 struct Joint_joint01 {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "ceiling" to that of "rod01"
   Vec6 v;  // velocity of link "rod01"
   Columns6 b;  // bias of the bare link "rod01"
   Mat6 Phi_rod01;  // of the chain it completes
@@ -153,7 +153,7 @@ struct Joint_joint01 {
 };
 
 struct Joint_joint02 {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "rod01" to that of "rod02"
   Vec6 v;  // velocity of link "rod02"
   Columns6 b;  // bias of the bare link "rod02"
   Mat6 Phi_rod02;  // of the chain it completes
@@ -164,7 +164,7 @@ struct Joint_joint02 {
 };
 
 struct Joint_joint03 {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "rod02" to that of "rod03"
   Vec6 v;  // velocity of link "rod03"
   Columns6 b;  // bias of the bare link "rod03"
   Mat6 Phi_rod03;  // of the chain it completes
@@ -175,7 +175,7 @@ struct Joint_joint03 {
 };
 
 struct Joint_joint04 {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "rod03" to that of "rod04"
   Vec6 v;  // velocity of link "rod04"
   Columns6 b;  // bias of the bare link "rod04"
   Mat6 Phi_rod04;  // of the chain it completes
@@ -186,7 +186,7 @@ struct Joint_joint04 {
 };
 
 struct Joint_joint05 {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "rod04" to that of "rod05"
   Vec6 v;  // velocity of link "rod05"
   Columns6 b;  // bias of the bare link "rod05"
   Mat6 Phi_rod05;  // of the chain it completes
@@ -197,7 +197,7 @@ struct Joint_joint05 {
 };
 
 struct Joint_joint06 {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "rod05" to that of "rod06"
   Vec6 v;  // velocity of link "rod06"
   Columns6 b;  // bias of the bare link "rod06"
   Mat6 Phi_rod06;  // of the chain it completes
@@ -208,7 +208,7 @@ struct Joint_joint06 {
 };
 
 struct Joint_joint07 {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "rod06" to that of "rod07"
   Vec6 v;  // velocity of link "rod07"
   Mat6 Phi_rod09;  // of the chain it completes
   Columns6 b_rod09;
@@ -219,7 +219,7 @@ struct Joint_joint07 {
 };
 
 struct Joint_joint08 {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "rod07" to that of "rod08"
   Vec6 v;  // velocity of link "rod08"
   Columns6 b;  // bias of the bare link "rod08"
   Mat6 Phi_rod07;  // of the chain it completes
@@ -234,7 +234,7 @@ struct Joint_joint08 {
 };
 
 struct Joint_joint09 {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "rod08" to that of "rod09"
   Vec6 v;  // velocity of link "rod09"
   Columns6 b;  // bias of the bare link "rod09"
   Mat6 Phi_rod08;  // of the chain it completes
@@ -249,14 +249,14 @@ struct Joint_joint09 {
 };
 
 struct Joint_joint10 {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "rod09" to that of "rod10"
   Vec6 v;  // velocity of link "rod10"
   Joined<Revolute> joined;
   Columns6 b;  // bias of the bare link "rod10"
 };
 
 struct Joint_joint11 {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "rod10" to that of "rod11"
   Vec6 v;  // velocity of link "rod11"
   Columns6 b;  // bias of the bare link "rod11"
   Mat6 Phi_rod10;  // of the chain it completes
@@ -271,7 +271,7 @@ struct Joint_joint11 {
 };
 
 struct Joint_joint12 {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "rod11" to that of "rod12"
   Vec6 v;  // velocity of link "rod12"
   Columns6 b;  // bias of the bare link "rod12"
   Mat6 Phi_rod11;  // of the chain it completes
@@ -286,7 +286,7 @@ struct Joint_joint12 {
 };
 
 struct Joint_joint13 {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "rod12" to that of "rod13"
   Vec6 v;  // velocity of link "rod13"
   Mat6 Phi_rod10;  // of the chain it completes
   Columns6 b_rod10;
@@ -297,7 +297,7 @@ struct Joint_joint13 {
 };
 
 struct Joint_joint14 {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "rod13" to that of "rod14"
   Vec6 v;  // velocity of link "rod14"
   Columns6 b;  // bias of the bare link "rod14"
   Mat6 Phi_rod13;  // of the chain it completes
@@ -308,7 +308,7 @@ struct Joint_joint14 {
 };
 
 struct Joint_joint15 {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "rod14" to that of "rod15"
   Vec6 v;  // velocity of link "rod15"
   Columns6 b;  // bias of the bare link "rod15"
   Mat6 Phi_rod14;  // of the chain it completes
@@ -319,7 +319,7 @@ struct Joint_joint15 {
 };
 
 struct Joint_joint16 {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "rod15" to that of "rod16"
   Vec6 v;  // velocity of link "rod16"
   Columns6 b;  // bias of the bare link "rod16"
   Mat6 Phi_rod15;  // of the chain it completes

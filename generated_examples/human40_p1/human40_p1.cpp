@@ -113,14 +113,14 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 namespace {
 
 struct Joint_root {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "world" to that of "pelvis"
   Vec6 v;  // velocity of link "pelvis"
   Columns6 b;  // bias of the bare link "pelvis"
   Joined<Floating> joined;
 };
 
 struct Joint_left_hip {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "pelvis" to that of "left_thigh"
   Vec6 v;  // velocity of link "left_thigh"
   Columns6 b;  // bias of the bare link "left_thigh"
   Mat6 Phi_pelvis;  // of the chain it completes
@@ -131,7 +131,7 @@ struct Joint_left_hip {
 };
 
 struct Joint_left_knee {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "left_thigh" to that of "left_shank"
   Vec6 v;  // velocity of link "left_shank"
   Columns6 b;  // bias of the bare link "left_shank"
   Mat6 Phi_left_thigh;  // of the chain it completes
@@ -142,7 +142,7 @@ struct Joint_left_knee {
 };
 
 struct Joint_left_ankle {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "left_shank" to that of "left_foot"
   Vec6 v;  // velocity of link "left_foot"
   Columns6 b;  // bias of the bare link "left_foot"
   Mat6 Phi_left_shank;  // of the chain it completes
@@ -153,7 +153,7 @@ struct Joint_left_ankle {
 };
 
 struct Joint_right_hip {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "pelvis" to that of "right_thigh"
   Vec6 v;  // velocity of link "right_thigh"
   Columns6 b;  // bias of the bare link "right_thigh"
   Mat6 Phi_pelvis;  // of the chain it completes
@@ -164,7 +164,7 @@ struct Joint_right_hip {
 };
 
 struct Joint_right_knee {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "right_thigh" to that of "right_shank"
   Vec6 v;  // velocity of link "right_shank"
   Columns6 b;  // bias of the bare link "right_shank"
   Mat6 Phi_right_thigh;  // of the chain it completes
@@ -175,7 +175,7 @@ struct Joint_right_knee {
 };
 
 struct Joint_right_ankle {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "right_shank" to that of "right_foot"
   Vec6 v;  // velocity of link "right_foot"
   Columns6 b;  // bias of the bare link "right_foot"
   Mat6 Phi_right_shank;  // of the chain it completes
@@ -186,7 +186,7 @@ struct Joint_right_ankle {
 };
 
 struct Joint_spine {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "pelvis" to that of "trunk"
   Vec6 v;  // velocity of link "trunk"
   Columns6 b;  // bias of the bare link "trunk"
   Mat6 Phi_pelvis;  // of the chain it completes
@@ -197,7 +197,7 @@ struct Joint_spine {
 };
 
 struct Joint_left_shoulder {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "trunk" to that of "left_upper_arm"
   Vec6 v;  // velocity of link "left_upper_arm"
   Columns6 b;  // bias of the bare link "left_upper_arm"
   Mat6 Phi_trunk;  // of the chain it completes
@@ -208,7 +208,7 @@ struct Joint_left_shoulder {
 };
 
 struct Joint_left_elbow {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "left_upper_arm" to that of "left_forearm"
   Vec6 v;  // velocity of link "left_forearm"
   Columns6 b;  // bias of the bare link "left_forearm"
   Mat6 Phi_left_upper_arm;  // of the chain it completes
@@ -219,7 +219,7 @@ struct Joint_left_elbow {
 };
 
 struct Joint_left_wrist {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "left_forearm" to that of "left_hand"
   Vec6 v;  // velocity of link "left_hand"
   Columns6 b;  // bias of the bare link "left_hand"
   Mat6 Phi_left_forearm;  // of the chain it completes
@@ -230,7 +230,7 @@ struct Joint_left_wrist {
 };
 
 struct Joint_neck {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "trunk" to that of "head"
   Vec6 v;  // velocity of link "head"
   Columns6 b;  // bias of the bare link "head"
   Mat6 Phi_trunk;  // of the chain it completes
@@ -241,7 +241,7 @@ struct Joint_neck {
 };
 
 struct Joint_right_shoulder {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "trunk" to that of "right_upper_arm"
   Vec6 v;  // velocity of link "right_upper_arm"
   Columns6 b;  // bias of the bare link "right_upper_arm"
   Mat6 Phi_trunk;  // of the chain it completes
@@ -252,7 +252,7 @@ struct Joint_right_shoulder {
 };
 
 struct Joint_right_elbow {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "right_upper_arm" to that of "right_forearm"
   Vec6 v;  // velocity of link "right_forearm"
   Columns6 b;  // bias of the bare link "right_forearm"
   Mat6 Phi_right_upper_arm;  // of the chain it completes
@@ -263,7 +263,7 @@ struct Joint_right_elbow {
 };
 
 struct Joint_right_wrist {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "right_forearm" to that of "right_hand"
   Vec6 v;  // velocity of link "right_hand"
   Columns6 b;  // bias of the bare link "right_hand"
   Mat6 Phi_right_forearm;  // of the chain it completes

@@ -207,7 +207,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 namespace {
 
 struct Joint_base {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "__world__" to that of "pelvis"
   Vec6 v;  // velocity of link "pelvis"
   Columns6 b;  // bias of the bare link "pelvis"
   Mat6 Phi_pelvis;  // of the chain it completes
@@ -218,7 +218,7 @@ struct Joint_base {
 };
 
 struct Joint_left_hip_pitch {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "pelvis" to that of "left_hip"
   Vec6 v;  // velocity of link "left_hip"
   Columns6 b;  // bias of the bare link "left_hip"
   Mat6 Phi_pelvis;  // of the chain it completes
@@ -229,7 +229,7 @@ struct Joint_left_hip_pitch {
 };
 
 struct Joint_left_hip_roll {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "left_hip" to that of "left_groin"
   Vec6 v;  // velocity of link "left_groin"
   Columns6 b;  // bias of the bare link "left_groin"
   Mat6 Phi_left_hip;  // of the chain it completes
@@ -240,7 +240,7 @@ struct Joint_left_hip_roll {
 };
 
 struct Joint_left_hip_yaw {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "left_groin" to that of "left_thigh"
   Vec6 v;  // velocity of link "left_thigh"
   Columns6 b;  // bias of the bare link "left_thigh"
   Mat6 Phi_left_groin;  // of the chain it completes
@@ -251,7 +251,7 @@ struct Joint_left_hip_yaw {
 };
 
 struct Joint_left_knee {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "left_thigh" to that of "left_shank"
   Vec6 v;  // velocity of link "left_shank"
   Columns6 b;  // bias of the bare link "left_shank"
   Mat6 Phi_left_thigh;  // of the chain it completes
@@ -262,7 +262,7 @@ struct Joint_left_knee {
 };
 
 struct Joint_left_ankle_pitch {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "left_shank" to that of "left_ankle"
   Vec6 v;  // velocity of link "left_ankle"
   Columns6 b;  // bias of the bare link "left_ankle"
   Mat6 Phi_left_shank;  // of the chain it completes
@@ -273,7 +273,7 @@ struct Joint_left_ankle_pitch {
 };
 
 struct Joint_left_ankle_roll {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "left_ankle" to that of "left_foot"
   Vec6 v;  // velocity of link "left_foot"
   Columns6 b;  // bias of the bare link "left_foot"
   Mat6 Phi_left_ankle;  // of the chain it completes
@@ -284,7 +284,7 @@ struct Joint_left_ankle_roll {
 };
 
 struct Joint_right_hip_pitch {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "pelvis" to that of "right_hip"
   Vec6 v;  // velocity of link "right_hip"
   Columns6 b;  // bias of the bare link "right_hip"
   Mat6 Phi_pelvis;  // of the chain it completes
@@ -295,7 +295,7 @@ struct Joint_right_hip_pitch {
 };
 
 struct Joint_right_hip_roll {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "right_hip" to that of "right_groin"
   Vec6 v;  // velocity of link "right_groin"
   Columns6 b;  // bias of the bare link "right_groin"
   Mat6 Phi_right_hip;  // of the chain it completes
@@ -306,7 +306,7 @@ struct Joint_right_hip_roll {
 };
 
 struct Joint_right_hip_yaw {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "right_groin" to that of "right_thigh"
   Vec6 v;  // velocity of link "right_thigh"
   Columns6 b;  // bias of the bare link "right_thigh"
   Mat6 Phi_right_groin;  // of the chain it completes
@@ -317,7 +317,7 @@ struct Joint_right_hip_yaw {
 };
 
 struct Joint_right_knee {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "right_thigh" to that of "right_shank"
   Vec6 v;  // velocity of link "right_shank"
   Columns6 b;  // bias of the bare link "right_shank"
   Mat6 Phi_right_thigh;  // of the chain it completes
@@ -328,7 +328,7 @@ struct Joint_right_knee {
 };
 
 struct Joint_right_ankle_pitch {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "right_shank" to that of "right_ankle"
   Vec6 v;  // velocity of link "right_ankle"
   Columns6 b;  // bias of the bare link "right_ankle"
   Mat6 Phi_right_shank;  // of the chain it completes
@@ -339,7 +339,7 @@ struct Joint_right_ankle_pitch {
 };
 
 struct Joint_right_ankle_roll {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "right_ankle" to that of "right_foot"
   Vec6 v;  // velocity of link "right_foot"
   Columns6 b;  // bias of the bare link "right_foot"
   Mat6 Phi_right_ankle;  // of the chain it completes
@@ -350,14 +350,14 @@ struct Joint_right_ankle_roll {
 };
 
 struct Joint_waist_yaw {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "pelvis" to that of "waist_link"
   Vec6 v;  // velocity of link "waist_link"
   Joined<Revolute> joined;
   Columns6 b;  // bias of the bare link "waist_link"
 };
 
 struct Joint_waist_roll {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "waist_link" to that of "abdomen"
   Vec6 v;  // velocity of link "abdomen"
   Columns6 b;  // bias of the bare link "abdomen"
   Mat6 Phi_waist_link;  // of the chain it completes
@@ -368,7 +368,7 @@ struct Joint_waist_roll {
 };
 
 struct Joint_waist_pitch {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "abdomen" to that of "torso"
   Vec6 v;  // velocity of link "torso"
   Columns6 b;  // bias of the bare link "torso"
   Mat6 Phi_abdomen;  // of the chain it completes
@@ -379,7 +379,7 @@ struct Joint_waist_pitch {
 };
 
 struct Joint_left_shoulder_pitch {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "torso" to that of "left_shoulder"
   Vec6 v;  // velocity of link "left_shoulder"
   Mat6 Phi_torso;  // of the chain it completes
   Columns6 b_torso;
@@ -390,7 +390,7 @@ struct Joint_left_shoulder_pitch {
 };
 
 struct Joint_left_shoulder_roll {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "left_shoulder" to that of "left_shoulder_cap"
   Vec6 v;  // velocity of link "left_shoulder_cap"
   Columns6 b;  // bias of the bare link "left_shoulder_cap"
   Mat6 Phi_left_shoulder;  // of the chain it completes
@@ -401,7 +401,7 @@ struct Joint_left_shoulder_roll {
 };
 
 struct Joint_left_shoulder_yaw {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "left_shoulder_cap" to that of "left_upper_arm"
   Vec6 v;  // velocity of link "left_upper_arm"
   Columns6 b;  // bias of the bare link "left_upper_arm"
   Mat6 Phi_left_shoulder_cap;  // of the chain it completes
@@ -412,7 +412,7 @@ struct Joint_left_shoulder_yaw {
 };
 
 struct Joint_left_elbow {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "left_upper_arm" to that of "left_forearm"
   Vec6 v;  // velocity of link "left_forearm"
   Columns6 b;  // bias of the bare link "left_forearm"
   Mat6 Phi_left_upper_arm;  // of the chain it completes
@@ -423,7 +423,7 @@ struct Joint_left_elbow {
 };
 
 struct Joint_left_wrist_roll {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "left_forearm" to that of "left_wrist"
   Vec6 v;  // velocity of link "left_wrist"
   Columns6 b;  // bias of the bare link "left_wrist"
   Mat6 Phi_left_forearm;  // of the chain it completes
@@ -434,7 +434,7 @@ struct Joint_left_wrist_roll {
 };
 
 struct Joint_left_wrist_pitch {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "left_wrist" to that of "left_hand"
   Vec6 v;  // velocity of link "left_hand"
   Columns6 b;  // bias of the bare link "left_hand"
   Mat6 Phi_left_wrist;  // of the chain it completes
@@ -445,7 +445,7 @@ struct Joint_left_wrist_pitch {
 };
 
 struct Joint_neck_yaw {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "torso" to that of "neck"
   Vec6 v;  // velocity of link "neck"
   Columns6 b;  // bias of the bare link "neck"
   Mat6 Phi_torso;  // of the chain it completes
@@ -456,7 +456,7 @@ struct Joint_neck_yaw {
 };
 
 struct Joint_neck_pitch {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "neck" to that of "head"
   Vec6 v;  // velocity of link "head"
   Columns6 b;  // bias of the bare link "head"
   Mat6 Phi_neck;  // of the chain it completes
@@ -467,7 +467,7 @@ struct Joint_neck_pitch {
 };
 
 struct Joint_right_shoulder_pitch {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "torso" to that of "right_shoulder"
   Vec6 v;  // velocity of link "right_shoulder"
   Columns6 b;  // bias of the bare link "right_shoulder"
   Mat6 Phi_torso;  // of the chain it completes
@@ -478,7 +478,7 @@ struct Joint_right_shoulder_pitch {
 };
 
 struct Joint_right_shoulder_roll {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "right_shoulder" to that of "right_shoulder_cap"
   Vec6 v;  // velocity of link "right_shoulder_cap"
   Columns6 b;  // bias of the bare link "right_shoulder_cap"
   Mat6 Phi_right_shoulder;  // of the chain it completes
@@ -489,7 +489,7 @@ struct Joint_right_shoulder_roll {
 };
 
 struct Joint_right_shoulder_yaw {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "right_shoulder_cap" to that of "right_upper_arm"
   Vec6 v;  // velocity of link "right_upper_arm"
   Columns6 b;  // bias of the bare link "right_upper_arm"
   Mat6 Phi_right_shoulder_cap;  // of the chain it completes
@@ -500,7 +500,7 @@ struct Joint_right_shoulder_yaw {
 };
 
 struct Joint_right_elbow {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "right_upper_arm" to that of "right_forearm"
   Vec6 v;  // velocity of link "right_forearm"
   Columns6 b;  // bias of the bare link "right_forearm"
   Mat6 Phi_right_upper_arm;  // of the chain it completes
@@ -511,7 +511,7 @@ struct Joint_right_elbow {
 };
 
 struct Joint_right_wrist_roll {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "right_forearm" to that of "right_wrist"
   Vec6 v;  // velocity of link "right_wrist"
   Columns6 b;  // bias of the bare link "right_wrist"
   Mat6 Phi_right_forearm;  // of the chain it completes
@@ -522,7 +522,7 @@ struct Joint_right_wrist_roll {
 };
 
 struct Joint_right_wrist_pitch {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "right_wrist" to that of "right_hand"
   Vec6 v;  // velocity of link "right_hand"
   Columns6 b;  // bias of the bare link "right_hand"
   Mat6 Phi_right_wrist;  // of the chain it completes

@@ -84,7 +84,7 @@ constexpr std::array<JointConstants, kJointCount> kJoints{ {
 namespace {
 
 struct Joint_drive {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "floor" to that of "cart"
   Vec6 v;  // velocity of link "cart"
   Columns6 b;  // bias of the bare link "cart"
   Mat6 Phi_cart;  // of the chain it completes
@@ -95,7 +95,7 @@ struct Joint_drive {
 };
 
 struct Joint_laser_spin {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "cart" to that of "laser"
   Vec6 v;  // velocity of link "laser"
   Columns6 b;  // bias of the bare link "laser"
   Mat6 Phi_cart;  // of the chain it completes
@@ -106,7 +106,7 @@ struct Joint_laser_spin {
 };
 
 struct Joint_lift {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "cart" to that of "carriage"
   Vec6 v;  // velocity of link "carriage"
   Columns6 b;  // bias of the bare link "carriage"
   Mat6 Phi_carriage;  // of the chain it completes
@@ -117,14 +117,14 @@ struct Joint_lift {
 };
 
 struct Joint_shoulder {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "carriage" to that of "boom"
   Vec6 v;  // velocity of link "boom"
   Joined<Revolute> joined;
   Columns6 b;  // bias of the bare link "boom"
 };
 
 struct Joint_wrist {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "boom" to that of "bowl"
   Vec6 v;  // velocity of link "bowl"
   Columns6 b;  // bias of the bare link "bowl"
   Mat6 Phi_boom;  // of the chain it completes
@@ -135,7 +135,7 @@ struct Joint_wrist {
 };
 
 struct Joint_loose {
-  Transform X;  // parent link's to child link's frame
+  Transform X;  // frame of "bowl" to that of "load"
   Vec6 v;  // velocity of link "load"
   Columns6 b;  // bias of the bare link "load"
   Mat6 Phi_bowl;  // of the chain it completes

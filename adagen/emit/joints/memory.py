@@ -40,10 +40,11 @@ class Members:
         plan = symbols.plan
         self.lines: list[list[str]] = [
             [
-                "Transform X;  // parent link's to child link's frame",
+                f"Transform X;  // frame of {symbols.quoted_link(joint.parent)} to that of "
+                f"{symbols.quoted_link(j + 1)}",
                 f"Vec6 v;  // velocity of link {symbols.quoted_link(j + 1)}",
             ]
-            for j in range(len(plan.joints))
+            for j, joint in enumerate(plan.joints)
         ]
         handle_forces: dict[int, set[Force]] = defaultdict(set)
         for step in plan.steps:
